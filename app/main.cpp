@@ -20,6 +20,7 @@
 #include "app/host/language.h"
 #include "app/host/main_window.h"
 #include "app/host/render_command.h"
+#include "app/host/written_file.h"
 #include "app/import/file_work.h"
 #include "app/settings/user_choices.h"
 #include "app/start/recent_files.h"
@@ -290,8 +291,8 @@ int main(int argc, char** argv) {
   int status = 0;
   if (!options.screenshot.isEmpty()) {
     const auto save = [&] {
-      if (!window.picture().save(options.screenshot)) {
-        qCritical().noquote() << options.screenshot << "was not written. Look whether its folder exists.";
+      if (const auto written = hapticell::app::writePicture(window.picture().toImage(), options.screenshot); !written) {
+        qCritical().noquote() << QString::fromStdString(written.error().message());
         status = 2;
       }
       if (options.exit) QApplication::exit(status);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <stdlib.h>
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -12,6 +10,7 @@
 #include "cli/kept_result.h"
 #include "cli/progress_line.h"
 #include "geometry/promise.h"
+#include "geometry/scratch_folder.h"
 #include "geometry/surface_distance.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
@@ -140,33 +139,14 @@ geometry::TriangleMesh wholeOf(const workcell::ImportedScene& scene) {
   return whole;
 }
 
-/// A folder that goes with its content.
-class TrialFolder {
- public:
-  TrialFolder() {
-    std::error_code ignored;
-    std::string name = (std::filesystem::temp_directory_path(ignored) / "hapticell-trial-XXXXXX").string();
-    if (::mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  TrialFolder(const TrialFolder&) = delete;
-  TrialFolder& operator=(const TrialFolder&) = delete;
-  ~TrialFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// How far the surfaces of a simplified scene's file are from those that were read: written into a folder that does not
 /// stay, read back as any file is, and measured.
 Expected<Promises> simplifyPromises(const geometry::TriangleMesh& given, const workcell::ImportedScene& scene,
                                     const ConvertOptions& options, const workcell::ExportOptions& writing) {
   constexpr double kFloats = 1e-6;  // Of the size: files of meshes have numbers of seven digits.
-  const TrialFolder folder;
-  const std::filesystem::path file = folder.path() / std::filesystem::path(options.output).filename();
+  const auto folder = ScratchFolder::make();
+  if (!folder) return makeError(folder.error());
+  const std::filesystem::path file = folder->path() / std::filesystem::path(options.output).filename();
   Diagnostics unheard;
   if (auto written = workcell::exportScene(scene, file, writing, unheard); !written)
     return tl::unexpected(written.error());

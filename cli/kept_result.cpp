@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/kept_result.h"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-
 #include "cli/result_writer.h"
+#include "geometry/scratch_folder.h"
 
 namespace hapticell::cli {
 
@@ -35,13 +32,9 @@ Expected<void> writeKept(const std::string& path, const std::string& content, co
     return promises ? tellPromises(*promises, path, allow_miss, result) : tl::unexpected(promises.error());
   };
   if (!path.empty()) return workcell::writeFileChecked(path, content, check);
-  std::error_code ignored;
-  std::string folder = (fs::temp_directory_path(ignored) / "hapticell-trial-XXXXXX").string();
-  if (!::mkdtemp(folder.data()))
-    return makeError({folder, "", std::strerror(errno), "a folder for temporary files that may be written", ""});
-  auto written = workcell::writeFileChecked(fs::path(folder) / ("trial" + extension), content, check);
-  fs::remove_all(folder, ignored);
-  return written;
+  const auto folder = ScratchFolder::make();
+  if (!folder) return makeError(folder.error());
+  return workcell::writeFileChecked(folder->path() / ("trial" + extension), content, check);
 }
 
 void addAllowMiss(Subcommand command, bool& allow_miss) {

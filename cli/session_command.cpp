@@ -17,6 +17,7 @@
 #include "manipulation/session.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/document_io.h"
+#include "workcell/file_content.h"
 #include "workcell/imported_entities.h"
 
 namespace hapticell::cli {
@@ -105,12 +106,13 @@ Expected<void> saveRecording(const SessionWords& words, const SessionReport& ses
   const bool is_csv = words.record.ends_with(".csv");
   // What moved beside it, on the same clock, stands beside its file.
   const std::filesystem::path place(words.record);
+  std::vector<workcell::FileToWrite> files;
   for (const trajectory::Trajectory& other : session.other_recordings) {
     const auto beside = place.parent_path() / (place.stem().string() + "-" + other.entity + place.extension().string());
-    const auto text = is_csv ? toCsvText(other) : toJsonText(other);
-    if (auto written = writeFileAtomically(beside.string(), text); !written) return written;
+    files.push_back({beside, is_csv ? toCsvText(other) : toJsonText(other)});
   }
-  return writeFileAtomically(words.record, is_csv ? toCsvText(session.recording) : toJsonText(session.recording));
+  files.push_back({place, is_csv ? toCsvText(session.recording) : toJsonText(session.recording)});
+  return workcell::writeFilesAtomically(files);
 }
 
 /// What was assumed of the hand path, and what of it no stylus of this kind can follow.

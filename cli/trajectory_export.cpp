@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "cli/motion_of_robot.h"
 #include "cli/trajectory_report.h"
+#include "geometry/scratch_folder.h"
 #include "trajectory/checks/motion_promises.h"
 #include "trajectory/checks/program_promises.h"
 #include "trajectory/ros_trajectory.h"
@@ -50,23 +50,19 @@ Expected<std::vector<trajectory::ProgramFile>> readBack(const std::vector<trajec
   std::error_code problem;
   const fs::path beside = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
   fs::create_directories(beside, problem);
-  std::string folder = (beside / ".program-XXXXXX").string();
-  if (problem || ::mkdtemp(folder.data()) == nullptr) {
-    return makeError({beside.string(), "", "no folder can be made here",
-                      problem ? problem.message() : "a place to write", "Write it somewhere else."});
-  }
+  if (problem)
+    return makeError({beside.string(), "", "the folder cannot be made", problem.message(), "Write it somewhere else."});
+  const auto folder = ScratchFolder::make(beside);
+  if (!folder) return tl::unexpected(folder.error());
   std::vector<trajectory::ProgramFile> read;
-  std::optional<Error> failure;
   for (const auto& file : files) {
-    const fs::path path = fs::path(folder) / fs::path(file.name).filename();
-    if (auto written = writeFileAtomically(path.string(), file.content); !written) failure = written.error();
+    const fs::path path = folder->path() / fs::path(file.name).filename();
+    if (auto written = writeFileAtomically(path, file.content, {.durable = false}); !written)
+      return tl::unexpected(written.error());
     auto content = workcell::readFileContent(path);
-    if (!content && !failure) failure = content.error();
-    if (failure) break;
+    if (!content) return tl::unexpected(content.error());
     read.push_back({file.name, std::move(*content)});
   }
-  fs::remove_all(folder, problem);
-  if (failure) return makeError(*failure);
   return read;
 }
 
@@ -74,16 +70,17 @@ Expected<std::vector<trajectory::ProgramFile>> readBack(const std::vector<trajec
 Expected<std::vector<std::string>> saveProgram(const std::vector<trajectory::ProgramFile>& files,
                                                trajectory::ProgramFormat format, const fs::path& wanted) {
   std::vector<std::string> names;
+  std::vector<workcell::FileToWrite> contents;
   for (const auto& file : trajectory::placedProgram(files, format, wanted)) {
     const fs::path path = file.name;
     std::error_code problem;
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), problem);
     if (problem)
       return makeError({path.parent_path().string(), "", "the folder cannot be made", problem.message(), ""});
-    if (auto written = writeFileAtomically(path.string(), file.content); !written)
-      return tl::unexpected(written.error());
+    contents.push_back({path, file.content});
     names.push_back(path.string());
   }
+  if (auto written = workcell::writeFilesAtomically(contents); !written) return tl::unexpected(written.error());
   return names;
 }
 

@@ -11,6 +11,8 @@
 #include "trajectory/training.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/document_io.h"
+#include "workcell/document_lock.h"
+#include "workcell/file_content.h"
 
 namespace hapticell::cli {
 
@@ -123,6 +125,13 @@ Expected<ordered_json> train(const TrainingOptions& options) {
   auto expert = trajectory::readTrajectory(exercise->recording);
   if (!expert) return tl::unexpected(expert.error());
   if (expert->empty()) return makeError({exercise->recording.string(), "frames", "none", "an expert's motion", ""});
+  // From reading to writing: two runs at once would lose one.
+  workcell::DocumentLock lock;
+  if (!options.results.empty()) {
+    auto taken = workcell::DocumentLock::takeForWriting(options.results);
+    if (!taken) return tl::unexpected(taken.error());
+    lock = std::move(*taken);
+  }
   trajectory::TrainingSession book{options.trainee, exercise->name, {}};
   if (!options.results.empty() && fs::exists(options.results)) {
     auto kept = trajectory::readTraining(options.results);
@@ -145,12 +154,10 @@ Expected<ordered_json> train(const TrainingOptions& options) {
   if (!report) return tl::unexpected(report.error());
   book.attempts.push_back(scorer.finish(report->recording, options.date));
   book.attempts.back().kind = *kind;
-  if (!options.results.empty())
-    if (auto written = writeFileAtomically(options.results, toJsonText(book)); !written)
-      return tl::unexpected(written.error());
-  if (!options.csv.empty())
-    if (auto written = writeFileAtomically(options.csv, toCsvText(book)); !written)
-      return tl::unexpected(written.error());
+  std::vector<workcell::FileToWrite> files;
+  if (!options.csv.empty()) files.push_back({options.csv, toCsvText(book)});
+  if (!options.results.empty()) files.push_back({options.results, toJsonText(book)});
+  if (auto written = workcell::writeFilesAtomically(files); !written) return tl::unexpected(written.error());
   if (auto saved = saveTrajectory(report->recording, options.output); !saved) return tl::unexpected(saved.error());
   const auto& attempt = book.attempts.back();
   return ordered_json{{"exercise", exercise->name},      {"attempt", book.attempts.size()},

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/workcell_arguments.h"
 #include "workcell/document_io.h"
+#include "workcell/document_lock.h"
 #include "workcell/entity_source.h"
 #include "workcell/imported_entities.h"
 
@@ -115,6 +116,8 @@ ExitStatus runNew(const NewOptions& options, const ResultWriter& writer) {
   if (options.additions.empty()) {
     return failed({"", "--add", "nothing is added", "at least one entity: --add FILE or --add library:NAME", ""});
   }
+  const auto lock = workcell::DocumentLock::takeForWriting(options.file);
+  if (!lock) return failed(lock.error());
   Diagnostics notes;
   auto document = makeDocument(options, notes);
   if (!document) return failed(document.error());

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/cache_file.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <system_error>
+
+#include "geometry/atomic_file.h"
 
 namespace hapticell::collision {
 
@@ -50,21 +49,12 @@ void writeWhole(const std::filesystem::path& path, std::initializer_list<std::sp
   std::error_code none;
   std::filesystem::create_directories(path.parent_path(), none);
   if (none) return;
-  // Two writers of one content in one process write the same bytes: at worst the later renaming finds no file.
-  const std::filesystem::path draft = path.string() + "." + std::to_string(::getpid()) + ".draft";
-  {
-    std::ofstream file(draft, std::ios::binary | std::ios::trunc);
-    for (const auto& bytes : parts)
-      file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    file.flush();
-    if (!file) {
-      file.close();
-      std::filesystem::remove(draft, none);
-      return;
-    }
+  auto file = AtomicFile::begin(path, {.durable = false});
+  if (!file) return;
+  for (const auto& bytes : parts) {
+    if (!file->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) return;
   }
-  std::filesystem::rename(draft, path, none);
-  if (none) std::filesystem::remove(draft, none);
+  (void)file->commit();
 }
 
 }  // namespace hapticell::collision

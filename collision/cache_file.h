@@ -20,8 +20,8 @@ void addToHash(ContentHash& hash, std::span<const std::byte> bytes);
 /// 32 hexadecimal digits.
 std::string nameOf(const ContentHash& hash);
 
-/// Writes a file so that others see all of it or nothing (a draft is renamed); makes its folder. Quietly does without
-/// where that fails.
+/// Writes a file as AtomicFile does, but does not flush it to the disk: readers of caches check what they read, and
+/// what a power cut takes is made again. Makes its folder. Quietly does without where that fails.
 void writeWhole(const std::filesystem::path& path, std::initializer_list<std::span<const std::byte>> parts);
 
 }  // namespace hapticell::collision

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "geometry/atomic_file.h"
+
 namespace hapticell::mannequin {
 
 namespace {
@@ -45,15 +47,7 @@ Expected<void> writeGloveCalibration(const GloveCalibration& calibration, const 
       {"format", "hapticell-glove"}, {"version", 1}, {"gain", calibration.gain}, {"offset", calibration.offset}};
   std::error_code problem;
   std::filesystem::create_directories(file.parent_path(), problem);
-  const std::filesystem::path aside = file.string() + ".new";
-  std::ofstream stream(aside);
-  stream << document.dump(1) << '\n';
-  stream.close();
-  if (stream) std::filesystem::rename(aside, file, problem);
-  if (!stream || problem) {
-    return makeError({file.string(), "", "it cannot be written", "a place for the calibration", ""});
-  }
-  return {};
+  return writeFileAtomically(file, document.dump(1) + '\n');
 }
 
 GloveCalibration roughGloveCalibration() {

@@ -71,9 +71,8 @@ bool isArchiveName(const fs::path& file) {
 Expected<void> writeArchive(const fs::path& folder, const fs::path& file) {
   const auto files = filesBelow(folder);
   if (!files) return makeError(files.error());
-  const auto place = placeOfFile(file);
-  if (!place) return makeError(place.error());
-  const fs::path aside = place->string() + ".part";
+  auto aside = AtomicFile::begin(file);
+  if (!aside) return makeError(aside.error());
   Expected<void> written;
   {
     const std::unique_ptr<archive, Closer> out(archive_write_new());
@@ -83,7 +82,7 @@ Expected<void> writeArchive(const fs::path& folder, const fs::path& file) {
       archive_write_add_filter_gzip(out.get());
       archive_write_set_format_pax_restricted(out.get());
     }
-    if (archive_write_open_filename(out.get(), aside.c_str()) != ARCHIVE_OK) return makeError(failed(file, out.get()));
+    if (archive_write_open_fd(out.get(), aside->descriptor()) != ARCHIVE_OK) return makeError(failed(file, out.get()));
     for (const fs::path& each : *files) {
       written = addFile(out.get(), each, each.lexically_relative(folder).generic_string());
       if (!written) break;
@@ -91,14 +90,10 @@ Expected<void> writeArchive(const fs::path& folder, const fs::path& file) {
     if (written && archive_write_close(out.get()) != ARCHIVE_OK) written = makeError(failed(file, out.get()));
   }
   if (written) {
-    written = checkArchive(aside, folder);
+    written = checkArchive(aside->aside(), folder);
     if (!written) written.error().file = file.string();  // The name that the user knows.
   }
-  std::error_code fault;
-  if (written) fs::rename(aside, *place, fault);
-  if (written && fault) written = makeError({file.string(), "", fault.message(), "permission to write", ""});
-  if (!written) fs::remove(aside, fault);
-  return written;
+  return written ? aside->commit() : written;
 }
 
 }  // namespace hapticell::workcell

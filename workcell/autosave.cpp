@@ -9,10 +9,15 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
+#include "geometry/scratch_folder.h"
+#include "workcell/content_name.h"
 #include "workcell/document_io.h"
 #include "workcell/file_content.h"
 
@@ -31,9 +36,27 @@ fs::path stateFolder() {
 fs::path lockIn(const fs::path& run) {
   return run / "lock";
 }
-/// Names the document that the copy belongs to.
-fs::path nameIn(const fs::path& run) {
-  return run / "document";
+/// Says what the copy is a copy of.
+fs::path factsIn(const fs::path& run) {
+  return run / "copy.json";
+}
+
+std::string factsText(const CopyFacts& facts) {
+  const nlohmann::ordered_json json{{"document", facts.document.string()},
+                                    {"base", facts.base},
+                                    {"as_saved", facts.as_saved},
+                                    {"counter", facts.counter}};
+  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+/// One more than any copy has that is there.
+std::uint64_t nextCounter(const fs::path& run) {
+  std::uint64_t most = copyFactsIn(run).counter;
+  if (most != 0) return most + 1;
+  std::error_code fault;
+  for (fs::directory_iterator at(run.parent_path(), fault), end; !fault && at != end; at.increment(fault))
+    most = std::max(most, copyFactsIn(at->path()).counter);
+  return most + 1;
 }
 
 /// The lock's descriptor, to be closed; -1: another has it.
@@ -58,7 +81,12 @@ std::optional<LeftWork> leftBy(const fs::path& run) {
   if (fs::is_regular_file(copyIn(run), fault)) {
     left.copy = copyIn(run);
     left.time = fs::last_write_time(left.copy, fault);
-    if (const auto name = readFileContent(nameIn(run))) left.document = *name;
+    const CopyFacts facts = copyFactsIn(run);
+    left.document = facts.document;
+    left.counter = facts.counter;
+    const std::string now = facts.document.empty() ? std::string() : contentNameOf(facts.document);
+    if (!now.empty() && now == facts.as_saved) left.copy.clear();
+    left.document_changed = changedOnDisk(facts.document, facts.base);
   }
   if (fs::is_regular_file(pictureIn(run), fault)) left.picture = pictureIn(run);
   if (const auto note = readFileContent(crashNoteIn(run))) {
@@ -97,23 +125,22 @@ Expected<fs::path> RunFolder::path() {
   std::error_code fault;
   fs::create_directories(folder, fault);
   // Others look at it once it has its name: by then it is locked.
-  std::string aside = (folder / ".run-XXXXXX").string();
-  if (!::mkdtemp(aside.data()))
-    return makeError({folder.string(), "", std::strerror(errno), "a folder that may be written", ""});
-  lock_ = takeLock(lockIn(aside), O_CREAT);
-  path_ = folder / fs::path(aside).filename().string().substr(1);
-  if (lock_ >= 0) fs::rename(aside, path_, fault);
-  if (lock_ >= 0 && !fault) return path_;
-  if (lock_ >= 0) ::close(lock_);
-  lock_ = -1;
-  fs::remove_all(aside, fault);
-  return makeError({folder.string(), "", "no file can be locked there", "a folder on a local disk", ""});
+  auto aside = ScratchFolder::make(folder);
+  if (!aside) return makeError(aside.error());
+  lock_ = takeLock(lockIn(aside->path()), O_CREAT);
+  if (lock_ < 0) return makeError({folder.string(), "", "no file can be locked there", "a folder on a local disk", ""});
+  const std::string drawn = aside->path().filename().string();
+  path_ = folder / ("run" + drawn.substr(drawn.rfind('-')));
+  auto moved = aside->moveTo(path_, true);
+  if (moved) return path_;
+  ::close(std::exchange(lock_, -1));
+  return makeError(moved.error());
 }
 
 void RunFolder::discardCopy() {
   if (lock_ < 0) return;
   std::error_code ignored;
-  for (const fs::path& file : {copyIn(path_), pictureIn(path_), nameIn(path_)}) fs::remove(file, ignored);
+  for (const fs::path& file : {copyIn(path_), pictureIn(path_), factsIn(path_)}) fs::remove(file, ignored);
 }
 
 Expected<void> RunFolder::adopt(const fs::path& left) {
@@ -122,7 +149,7 @@ Expected<void> RunFolder::adopt(const fs::path& left) {
   discardCopy();
   std::error_code fault, ignored;
   // Both stand equally deep: what the copy names relative to its folder is still found.
-  if (fs::exists(nameIn(left), ignored)) fs::rename(nameIn(left), nameIn(*own), fault);
+  if (fs::exists(factsIn(left), ignored)) fs::rename(factsIn(left), factsIn(*own), fault);
   if (!fault) fs::rename(copyIn(left), copyIn(*own), fault);
   if (fault) return makeError({left.string(), "", fault.message(), "a copy that can be moved", ""});
   fs::rename(pictureIn(left), pictureIn(*own), ignored);
@@ -130,19 +157,44 @@ Expected<void> RunFolder::adopt(const fs::path& left) {
   return {};
 }
 
-Expected<void> autosave(const DocumentState& state, const fs::path& document, const fs::path& run) {
-  std::error_code fault;
-  if (document.empty()) {
-    fs::remove(nameIn(run), fault);
-  } else if (auto named = writeFileAtomically(nameIn(run), fs::absolute(document).string()); !named) {
-    return named;
+Expected<void> autosave(const DocumentState& state, const fs::path& document, const fs::path& run,
+                        const std::string& base) {
+  CopyFacts facts;
+  facts.base = base;
+  facts.counter = nextCounter(run);
+  if (!document.empty()) {
+    facts.document = fs::absolute(document);
+    facts.as_saved = contentName(documentText(state, facts.document.parent_path()));
   }
-  return writeFileAtomically(copyIn(run), documentText(state, run));
+  // The copy last: newer facts beside an older copy do no harm, the other way round it might be taken for saved.
+  return writeFilesAtomically({{factsIn(run), factsText(facts)}, {copyIn(run), documentText(state, run)}});
+}
+
+CopyFacts copyFactsIn(const fs::path& run) {
+  CopyFacts facts;
+  const auto text = readFileContent(factsIn(run));
+  if (!text) facts.document = readFileContent(run / "document").value_or("");  // As earlier programs wrote it.
+  const auto json = text ? nlohmann::json::parse(*text, nullptr, false) : nlohmann::json();
+  const auto take = [&json](const char* key, auto& value) {
+    using Value = std::remove_reference_t<decltype(value)>;
+    const auto found = json.is_object() ? json.find(key) : json.end();
+    if (found == json.end()) return;
+    if (std::is_same_v<Value, std::string> ? found->is_string() : found->is_number_unsigned())
+      value = found->template get<Value>();
+  };
+  std::string document;
+  take("document", document);
+  take("base", facts.base);
+  take("as_saved", facts.as_saved);
+  take("counter", facts.counter);
+  if (!document.empty()) facts.document = document;
+  return facts;
 }
 
 std::vector<LeftWork> findLeftWork() {
   std::vector<LeftWork> found;
   std::error_code fault;
+  removeUnfinished(runsFolder());
   for (fs::directory_iterator at(runsFolder(), fault), end; !fault && at != end; at.increment(fault)) {
     const fs::path run = fs::absolute(at->path());
     if (run.filename().string().starts_with(".") || !isOver(run)) continue;
@@ -151,7 +203,9 @@ std::vector<LeftWork> findLeftWork() {
     else
       discardLeftWork(run);
   }
-  std::sort(found.begin(), found.end(), [](const LeftWork& a, const LeftWork& b) { return a.time > b.time; });
+  std::sort(found.begin(), found.end(), [](const LeftWork& a, const LeftWork& b) {
+    return a.counter != b.counter ? a.counter > b.counter : a.time > b.time;
+  });
   return found;
 }
 

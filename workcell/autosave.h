@@ -37,10 +37,22 @@ class RunFolder {
   int lock_ = -1;
 };
 
-/// Writes the copy of a state that belongs to the document at `document` (empty: a new one) into a run's folder. What
-/// stands there stays whole until the new copy is. Any thread, one at a time.
+/// What a copy is a copy of: by content, since clocks are set back.
+struct CopyFacts {
+  std::filesystem::path document;  ///< Where it belongs; empty: a new one.
+  std::string base;           ///< contentName() of the document's file when it was read or last saved; empty: unknown.
+  std::string as_saved;       ///< contentName() of the file that saving the copy's state would write.
+  std::uint64_t counter = 0;  ///< Grows from copy to copy, over all runs whose folders are there.
+};
+
+/// Writes the copy of a state that belongs to the document at `document` (empty: a new one), whose file held `base`
+/// (contentName()) when it was read or last saved, into a run's folder. What stands there stays whole until the new
+/// copy is. Any thread, one at a time.
 Expected<void> autosave(const DocumentState& state, const std::filesystem::path& document,
-                        const std::filesystem::path& run);
+                        const std::filesystem::path& run, const std::string& base = {});
+
+/// Of the copy in a run's folder. Nothing of use where none says it.
+CopyFacts copyFactsIn(const std::filesystem::path& run);
 
 /// Where autosave() writes to.
 std::filesystem::path copyIn(const std::filesystem::path& run);
@@ -52,14 +64,17 @@ std::filesystem::path crashNoteIn(const std::filesystem::path& run);
 /// A document as it was when its run ended without saving it.
 struct LeftWork {
   std::filesystem::path run;
-  std::filesystem::path copy;              ///< Opened by loadDocument(). Empty: nothing was unsaved, it only broke.
-  std::filesystem::path document;          ///< Where it belongs; empty: a new one.
-  std::filesystem::path picture;           ///< Empty: none.
-  std::string crash;                       ///< What broke, as one line; empty: it was ended from outside.
+  std::filesystem::path copy;      ///< Opened by loadDocument(). Empty: nothing was unsaved, it only broke.
+  std::filesystem::path document;  ///< Where it belongs; empty: a new one.
+  bool document_changed = false;   ///< Its file was written by others since the work began: the copy lacks that.
+  std::uint64_t counter = 0;       ///< Greater: the later copy, whatever the clocks say.
+  std::filesystem::path picture;   ///< Empty: none.
+  std::string crash;               ///< What broke, as one line; empty: it was ended from outside.
   std::filesystem::file_time_type time{};  ///< Of the copy, or of the note.
 };
 
-/// What runs left that are over, newest first. A document may have been saved since its copy was written.
+/// What runs left that are over, newest first. A copy that holds what the document's file holds is none: nothing of it
+/// is lost, and it is removed.
 std::vector<LeftWork> findLeftWork();
 
 /// It was restored and saved, or is not wanted.

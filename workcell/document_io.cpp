@@ -60,11 +60,21 @@ std::string documentText(const DocumentState& state, const fs::path& folder) {
 
 Expected<void> saveDocument(Document& document, const fs::path& path) {
   const fs::path absolute = fs::absolute(path).lexically_normal();
-  const auto moved = gatherRecordings(document.state(), absolute);
-  if (!moved) return makeError(inFile(moved.error(), path.string()));
-  document.moveTrajectories(*moved);
-  auto written = writeFileAtomically(absolute, documentText(document.state(), absolute.parent_path()));
-  if (!written) return makeError(inFile(written.error(), path.string()));
+  GatheredRecordings recordings = gatherRecordings(document.state(), absolute);
+  DocumentState state = document.state();
+  for (TrajectoryReference& reference : state.trajectories) {
+    if (const auto now = recordings.moved.find(reference.path); now != recordings.moved.end())
+      reference.path = now->second;
+  }
+  std::error_code fault;
+  const bool made = !recordings.files.empty() && fs::create_directories(recordingsFolder(absolute), fault);
+  recordings.files.push_back({absolute, documentText(state, absolute.parent_path())});
+  auto written = writeFilesAtomically(recordings.files);
+  if (!written) {
+    if (made) fs::remove(recordingsFolder(absolute), fault);  // Where it is empty.
+    return makeError(inFile(written.error(), path.string()));
+  }
+  document.moveTrajectories(recordings.moved);
   document.setPath(absolute);
   document.markSaved();
   return {};

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workcell/pack.h"
 
-#include <cstdlib>
+#include <sys/stat.h>
+
 #include <map>
 #include <memory>
 #include <set>
 
+#include "geometry/scratch_folder.h"
 #include "workcell/archive.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
@@ -183,24 +185,62 @@ Expected<PackReport> packInto(DocumentState state, const fs::path& folder, const
   return std::move(packer.report);
 }
 
+/// Packs into a folder that does not stay there, and reads it back.
+Expected<PackReport> packAside(const DocumentState& state, const fs::path& aside, const std::string& name,
+                               Diagnostics& diagnostics, ImportMonitor* monitor) {
+  auto report = packInto(state, aside, name, diagnostics);
+  if (!report) return report;
+  const auto kept = checkPack(state, report->document, monitor);
+  return kept ? std::move(report) : makeError(kept.error());
+}
+
+bool areOnOneDisk(const fs::path& a, const fs::path& b) {
+  struct stat facts_a {
+  }, facts_b{};
+  return ::stat(a.c_str(), &facts_a) == 0 && ::stat(b.c_str(), &facts_b) == 0 && facts_a.st_dev == facts_b.st_dev;
+}
+
+/// Beside the place, so that it can take it; inside of it, where it is a folder that cannot be replaced.
+Expected<ScratchFolder> folderBeside(const fs::path& place) {
+  std::error_code ignored;
+  if (!fs::exists(place, ignored)) return ScratchFolder::make(place.parent_path());
+  if (areOnOneDisk(place, place.parent_path())) {
+    if (auto beside = ScratchFolder::make(place.parent_path())) return beside;
+  }
+  return ScratchFolder::make(place);
+}
+
+/// Says the place that the user knows instead of the folder aside.
+Error inPlace(Error error, const fs::path& aside, const fs::path& place) {
+  for (std::string* words : {&error.file, &error.place, &error.found, &error.expected, &error.fix}) {
+    for (std::size_t at = words->find(aside.string()); at != std::string::npos; at = words->find(aside.string(), at)) {
+      words->replace(at, aside.string().size(), place.string());
+      at += place.string().size();
+    }
+  }
+  return error;
+}
+
 }  // namespace
 
 Expected<PackReport> packDocument(const DocumentState& state, const fs::path& folder, const std::string& name,
                                   Diagnostics& diagnostics, ImportMonitor* monitor) {
-  const fs::path absolute = fs::absolute(folder).lexically_normal();
   std::error_code fault;
-  const bool there = fs::exists(absolute, fault);
-  if (there && (!fs::is_directory(absolute, fault) || !fs::is_empty(absolute, fault))) {
+  const bool there = fs::exists(folder, fault);
+  if (there && (!fs::is_directory(folder, fault) || !fs::is_empty(folder, fault))) {
     return makeError({folder.string(), "", "something stands there already", "a new or empty folder", ""});
   }
-  fs::create_directories(absolute, fault);
+  fs::path place = there ? fs::canonical(folder, fault) : fs::absolute(folder).lexically_normal();
+  if (!place.has_filename()) place = place.parent_path();
+  fs::create_directories(place.parent_path(), fault);
   if (fault) return makeError({folder.string(), "", fault.message(), "a folder that can be made", ""});
-  auto report = packInto(state, absolute, name, diagnostics);
-  if (report) {
-    const auto kept = checkPack(state, report->document, monitor);
-    if (!kept) report = makeError(kept.error());
-  }
-  if (!report) fs::remove_all(absolute, fault);
+  auto aside = folderBeside(place);
+  if (!aside) return makeError(aside.error());
+  auto report = packAside(state, aside->path(), name, diagnostics, monitor);
+  if (!report) return makeError(inPlace(report.error(), aside->path(), place));
+  auto moved = aside->path().parent_path() == place ? aside->moveContentTo(place, name) : aside->moveTo(place);
+  if (!moved) return makeError(moved.error());
+  report->document = place / name;
   return report;
 }
 
@@ -208,18 +248,15 @@ Expected<PackReport> pack(const DocumentState& state, const fs::path& output, co
                           Diagnostics& diagnostics, ImportMonitor* monitor) {
   if (!isArchiveName(output)) return packDocument(state, output, name, diagnostics, monitor);
   const fs::path archive = fs::absolute(output).lexically_normal();
-  std::string aside = (archive.parent_path() / ".hapticell-pack-XXXXXX").string();
-  if (!::mkdtemp(aside.data())) {
+  const auto aside = ScratchFolder::make(archive.parent_path());
+  if (!aside) {
     return makeError({output.string(), "", "no folder can be made beside it", "permission to write", ""});
   }
-  auto report = packDocument(state, aside, name, diagnostics, monitor);
-  if (report) {
-    const auto written = writeArchive(aside, archive);  // Read back before it takes its place.
-    if (!written) report = makeError(written.error());
-  }
-  if (report) report->document = report->document.lexically_relative(aside);
-  std::error_code ignored;
-  fs::remove_all(aside, ignored);
+  auto report = packAside(state, aside->path(), name, diagnostics, monitor);
+  if (!report) return makeError(inPlace(report.error(), aside->path(), archive));
+  const auto written = writeArchive(aside->path(), archive);  // Read back before it takes its place.
+  if (!written) return makeError(inPlace(written.error(), aside->path(), archive));
+  report->document = report->document.lexically_relative(aside->path());
   return report;
 }
 

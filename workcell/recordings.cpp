@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workcell/recordings.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "trajectory/trajectory_io.h"
 #include "workcell/file_content.h"
 
@@ -15,10 +18,14 @@ bool standsBelow(const fs::path& file, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-fs::path freeNameIn(const fs::path& folder, const fs::path& name) {
+fs::path freeNameIn(const fs::path& folder, const fs::path& name, const std::vector<FileToWrite>& taken) {
   std::error_code ignored;
   fs::path place = folder / name;
-  for (int number = 2; fs::exists(place, ignored); ++number)
+  const auto isTaken = [&] {
+    return fs::exists(place, ignored) ||
+           std::any_of(taken.begin(), taken.end(), [&](const FileToWrite& each) { return each.path == place; });
+  };
+  for (int number = 2; isTaken(); ++number)
     place = folder / (name.stem().string() + "-" + std::to_string(number) + name.extension().string());
   return place;
 }
@@ -29,22 +36,20 @@ fs::path recordingsFolder(const fs::path& document) {
   return document.parent_path() / (document.stem().string() + "-trajectories");
 }
 
-Expected<MovedRecordings> gatherRecordings(const DocumentState& state, const fs::path& document) {
-  MovedRecordings moved;
+GatheredRecordings gatherRecordings(const DocumentState& state, const fs::path& document) {
+  GatheredRecordings gathered;
   const fs::path folder = recordingsFolder(document);
   for (const TrajectoryReference& reference : state.trajectories) {
-    if (standsBelow(reference.path, document.parent_path()) || moved.contains(reference.path)) continue;
+    if (standsBelow(reference.path, document.parent_path()) || gathered.moved.contains(reference.path)) continue;
     // Its file may not be written yet.
     auto content = reference.motion ? Expected<std::string>(trajectory::toJsonText(*reference.motion))
                                     : readFileContent(reference.path);
     if (!content) continue;
-    std::error_code fault;
-    fs::create_directories(folder, fault);
-    const fs::path place = freeNameIn(folder, fs::path(reference.path).filename());
-    if (auto written = writeFileAtomically(place, *content); !written) return makeError(written.error());
-    moved[reference.path] = place.string();
+    const fs::path place = freeNameIn(folder, fs::path(reference.path).filename(), gathered.files);
+    gathered.files.push_back({place, std::move(*content)});
+    gathered.moved[reference.path] = place.string();
   }
-  return moved;
+  return gathered;
 }
 
 }  // namespace hapticell::workcell

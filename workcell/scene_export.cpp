@@ -154,25 +154,16 @@ Expected<void> exportStep(ImportedScene scene, const fs::path& file, const Expor
       mesh = {};  // Read again from its file.
     }
   }
-  const auto place = placeOfFile(file);
-  if (!place) return makeError(place.error());
-  const fs::path absolute = fs::absolute(*place), aside = absolute.string() + ".part";
+  auto aside = AtomicFile::begin(file);
+  if (!aside) return makeError(aside.error());
   ImporterCall call;
   call.file = file.string();
-  call.arguments = {"write", aside.string()};
+  call.arguments = {"write", aside->aside().string()};
   call.scene = sceneBytes(scene);
   call.limits = options.limits;
   call.monitor = options.monitor;
   const Expected<std::string> done = callImporter(call);
-  std::error_code fault;
-  if (done) fs::rename(aside, absolute, fault);
-  if (!done || fault) {
-    std::error_code ignored;
-    fs::remove(aside, ignored);
-    return makeError(done ? Error{file.string(), "", fault.message(), "room and permission to write", ""}
-                          : done.error());
-  }
-  return {};
+  return done ? aside->commit() : makeError(done.error());
 }
 
 Expected<void> exportMeshes(const ImportedScene& scene, const fs::path& file, const ExportOptions& options) {
@@ -184,8 +175,8 @@ Expected<void> exportMeshes(const ImportedScene& scene, const fs::path& file, co
   if (extension == ".off") return writeFileAtomically(file, offText(meshes, unit));
   fs::path materials = file;
   materials.replace_extension(".mtl");
-  if (auto written = writeFileAtomically(materials, objMaterials(meshes)); !written) return written;
-  return writeFileAtomically(file, objText(meshes, unit, materials.filename().string()));
+  return writeFilesAtomically(
+      {{materials, objMaterials(meshes)}, {file, objText(meshes, unit, materials.filename().string())}});
 }
 
 }  // namespace

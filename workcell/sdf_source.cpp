@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workcell/sdf_source.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <mutex>
 #include <sdf/sdf.hh>
 
+#include "geometry/scratch_folder.h"
 #include "workcell/sdf_files.h"
 #include "workcell/sdf_tidier.h"
 #include "workcell/sdf_xml.h"
@@ -17,26 +16,6 @@ namespace hapticell::workcell {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Where the copies of models that are taken in stand while the library reads them.
-class PrivateFolder {
- public:
-  PrivateFolder() {
-    std::error_code fault;
-    std::string name = (fs::temp_directory_path(fault) / "hapticell-sdf-XXXXXX").string();
-    if (!fault && ::mkdtemp(name.data())) path_ = name;
-  }
-  ~PrivateFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  PrivateFolder(const PrivateFolder&) = delete;
-  PrivateFolder& operator=(const PrivateFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// What follows from another complaint, and is said in terms of the library's inside.
 bool isConsequence(const sdf::Error& error) {
@@ -154,11 +133,12 @@ Expected<SdfSource> SdfSource::load(const fs::path& file) {
   static std::mutex mutex;  // The library's console and its description of the format are one for the process.
   const std::lock_guard lock(mutex);
   sdf::Console::Instance()->SetQuiet(true);
-  const PrivateFolder folder;
-  if (folder.path().empty()) {
+  // Where the copies of models that are taken in stand while the library reads them.
+  const auto folder = ScratchFolder::make();
+  if (!folder) {
     return makeError({file.string(), "", "no folder for temporary files can be made", "room in the folder TMPDIR", ""});
   }
-  SdfTidier tidier(folder.path());
+  SdfTidier tidier(folder->path());
   const Expected<std::string> text = tidier.tidy(file);
   if (!text) return makeError(text.error());
   SdfSource source;

@@ -341,7 +341,7 @@ const SdfTidier::Taken& SdfTidier::take(const fs::path& file, const Place& place
   TiXmlPrinter printer;
   printer.SetStreamPrinting();
   (*root)->Accept(&printer);
-  if (!writeFileAtomically(taken.file, printer.Str())) taken = {{}, {}, " (no room for a copy)", nullptr};
+  if (!writeFileAtomically(taken.file, printer.Str(), {.durable = false})) taken = {{}, {}, " (no room for a copy)", nullptr};
   return taken_[key] = taken;
 }
 

@@ -159,14 +159,17 @@ Expected<void> writeUrdf(const Entity& robot, const fs::path& file, Diagnostics&
   const std::string text = urdf.write();
   const fs::path folder = file.parent_path() / urdf.folder();
   std::error_code fault;
-  if (!urdf.files().empty()) fs::create_directories(folder, fault);
+  const bool made = !urdf.files().empty() && fs::create_directories(folder, fault);
   if (fault) return makeError({folder.string(), "", fault.message(), "a folder that can be made", ""});
+  std::vector<FileToWrite> files;
   for (const auto& [name, mesh] : urdf.files()) {
     const NamedMesh part{name, *mesh};
-    const auto written = writeFileAtomically(folder / name, stlBytes({&part, 1}, 1.0));
-    if (!written) return written;
+    files.push_back({folder / name, stlBytes({&part, 1}, 1.0)});
   }
-  return writeFileAtomically(file, text);
+  files.push_back({file, text});
+  auto written = writeFilesAtomically(files);
+  if (!written && made) fs::remove(folder, fault);  // Where it is empty.
+  return written;
 }
 
 }  // namespace hapticell::workcell

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 
 #include "app/ergonomics/live_scores.h"
 #include "app/ergonomics/motion_scores_model.h"
@@ -24,6 +23,7 @@
 #include "app/panels/form.h"
 #include "app/start/file_dialog.h"
 #include "app/viewport/viewport_widget.h"
+#include "geometry/atomic_file.h"
 #include "mannequin/figure_model.h"
 #include "mannequin/motion_writer.h"
 
@@ -127,15 +127,15 @@ void TimePanel::choose() {
 bool TimePanel::saveMotion(const QString& path) {
   const workcell::Entity* entity = context_.entity();
   if (!entity || motion_.isEmpty()) return false;
-  std::ofstream file(path.toStdString(), std::ios::binary);
-  file << mannequin::bvhText(*entity->figure, motion_.postures(), motion_.seconds() / motion_.frames());
-  file.close();
-  if (file.good())
+  const auto written = writeFileAtomically(
+      path.toStdString(),
+      mannequin::bvhText(*entity->figure, motion_.postures(), motion_.seconds() / motion_.frames()));
+  if (written)
     context_.host().messages().tell(Severity::kInformation, tr("The motion is saved"), path);
   else
     context_.host().messages().tell(Severity::kProblem, tr("The motion was not saved"),
-                                    tr("%1 cannot be written. Choose another place.").arg(path));
-  return file.good();
+                                    QString::fromStdString(written.error().message()));
+  return written.has_value();
 }
 
 void TimePanel::showMotion() {

@@ -269,7 +269,9 @@ void MainWindow::documentChanged() {
 
 void MainWindow::updateTitle() {
   const bool dirty = document_.isDirty();
-  setWindowTitle(document_.title() + (dirty ? " *" : "") + " – HaptiCell");
+  const bool read_only = files_ && files_->guard().isReadOnly();
+  setWindowTitle(document_.title() + (read_only ? ' ' + tr("(open elsewhere)") : QString()) + (dirty ? " *" : "") +
+                 " – HaptiCell");
   const bool has_file = !document_.document().path().empty();
   file_label_->setText(document_.title() + (has_file ? QStringLiteral(".hcell") : QString()) + QStringLiteral("  ·  ") +
                        (!has_file ? tr("not saved yet")

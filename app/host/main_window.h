@@ -108,6 +108,8 @@ class MainWindow : public QMainWindow, public Host {
   void importFromDialog();
   void addRobotFromDialog();
   bool saveDocument(bool ask_where);
+  /// Empty: the user does not want it saved after all.
+  QString placeToSave(bool ask_where);
   bool mayDiscard();
   /// Calls `then` once what is being recorded is in the cell and the user has agreed to let go what is not saved.
   void replaceDocument(const std::function<void()>& then);

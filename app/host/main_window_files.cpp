@@ -29,6 +29,7 @@ constexpr int kPictureWidth = 368;  // Pixels: for the first page at 200 %.
 }
 
 void MainWindow::connectFileActions() {
+  connect(&files_->guard(), &DocumentGuard::changed, this, &MainWindow::updateTitle);
   connect(actions_->new_cell, &QAction::triggered, this, [this] { replaceDocument([this] { files_->clear(); }); });
   connect(actions_->open, &QAction::triggered, this, &MainWindow::openFromDialog);
   connect(actions_->save, &QAction::triggered, this, [this] { saveDocument(false); });
@@ -128,8 +129,10 @@ bool MainWindow::mayDiscardCopy(const workcell::LeftWork& left) {
 void MainWindow::importFromDialog() {
   importFiles(askToOpenSeveral(
       this, tr("Import"), {},
-      tr("All that can be read (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx "
-         "*.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl *.obj *.ply "
+      tr("All that can be read (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae "
+         "*.3mf *.fbx "
+         "*.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl "
+         "*.obj *.ply "
          "*.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;"
          "All files (*)")));
 }
@@ -184,11 +187,46 @@ void MainWindow::showSavedView() {
   viewport_->setCamera(viewport_->camera().looking(view->p_WEye, view->p_WTarget), false);
 }
 
-bool MainWindow::saveDocument(bool ask_where) {
+namespace {
+
+enum class SaveAnswer { kElsewhere, kAnyway, kNot };
+
+/// Another program has the file, or has changed it.
+SaveAnswer askAboutSaving(QWidget* parent, const QString& path, const QString& doubt) {
+  QMessageBox question(QMessageBox::Warning, MainWindow::tr("Save the workcell"),
+                       MainWindow::tr("%1 may hold the work of others.").arg(QFileInfo(path).fileName()),
+                       QMessageBox::NoButton, parent);
+  question.setObjectName("askSaving");
+  question.setInformativeText(doubt);
+  QPushButton* elsewhere = question.addButton(MainWindow::tr("Save as…"), QMessageBox::AcceptRole);
+  QPushButton* anyway = question.addButton(MainWindow::tr("Save anyway"), QMessageBox::DestructiveRole);
+  question.addButton(QMessageBox::Cancel);
+  question.setDefaultButton(elsewhere);
+  question.exec();
+  if (question.clickedButton() == elsewhere) return SaveAnswer::kElsewhere;
+  return question.clickedButton() == anyway ? SaveAnswer::kAnyway : SaveAnswer::kNot;
+}
+
+}  // namespace
+
+QString MainWindow::placeToSave(bool ask_where) {
   QString path = QString::fromStdString(document_.document().path().string());
-  if (path.isEmpty() || ask_where)
-    path = askToSave(this, tr("Save the workcell"), path.isEmpty() ? document_.title() + ".hcell" : path,
-                     tr("Workcells (*.hcell)"));
+  for (;;) {
+    if (path.isEmpty() || ask_where)
+      path = askToSave(this, tr("Save the workcell"), path.isEmpty() ? document_.title() + ".hcell" : path,
+                       tr("Workcells (*.hcell)"));
+    if (path.isEmpty()) return {};
+    const QString doubt = files_->guard().doubtAbout(path);
+    if (doubt.isEmpty()) return path;
+    const SaveAnswer answer = askAboutSaving(this, path, doubt);
+    if (answer == SaveAnswer::kAnyway) return path;
+    if (answer == SaveAnswer::kNot) return {};
+    ask_where = true;
+  }
+}
+
+bool MainWindow::saveDocument(bool ask_where) {
+  const QString path = placeToSave(ask_where);
   if (path.isEmpty()) return false;
   const auto saved = document_.save(path);
   if (!saved) {
@@ -196,6 +234,7 @@ bool MainWindow::saveDocument(bool ask_where) {
                    QString::fromStdString(saved.error().message()));
     return false;
   }
+  files_->guard().noteSaved();
   recent_->add(path);
   keepPicture();
   files_->autosaver().discard();

@@ -2,14 +2,13 @@
 #include "app/host/render_command.h"
 
 #include <QFileInfo>
-#include <QImageWriter>
-#include <QSaveFile>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
 #include "app/host/video_writer.h"
+#include "app/host/written_file.h"
 #include "app/mannequin/figure_skins.h"
 #include "app/viewport/picture_renderer.h"
 #include "workcell/document_io.h"
@@ -70,21 +69,6 @@ Expected<Camera> cameraFor(const RenderCommand& command, const workcell::Documen
   return camera.turnedTo(*view).fitted(scene.corners_W(), size);
 }
 
-Expected<void> write(const QImage& picture, const QString& output) {
-  const QByteArray format = QFileInfo(output).suffix().toLatin1().toLower();
-  if (!QImageWriter::supportedImageFormats().contains(format)) {
-    return makeError({output.toStdString(), "", "a picture format that cannot be written", "png, jpg, bmp or tiff",
-                      "Give the file another ending."});
-  }
-  QSaveFile file(output);
-  const bool opened = file.open(QIODevice::WriteOnly);
-  if (!opened || !picture.save(&file, format.constData()) || !file.commit()) {
-    return makeError({output.toStdString(), "", file.errorString().toStdString(), "a file that can be written",
-                      "Look whether its folder exists and is writable."});
-  }
-  return {};
-}
-
 }  // namespace
 
 TurnVideo::TurnVideo(RenderCommand command, SceneModel scene, Camera camera, PictureRenderer renderer)
@@ -134,8 +118,8 @@ Expected<void> renderScene(const RenderCommand& command, const SceneModel& scene
   if (!renderer) return makeError(renderer.error());
   PictureRenderer::Look look;
   look.floor = command.floor;
-  return write(renderer->draw(scene, camera, command.size, command.light ? lightTheme() : darkTheme(), look),
-               command.output);
+  return writePicture(renderer->draw(scene, camera, command.size, command.light ? lightTheme() : darkTheme(), look),
+                      command.output);
 }
 
 std::optional<StandardView> viewNamed(const QString& name) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/host/video_writer.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QImage>
 #include <QStandardPaths>
@@ -35,7 +34,9 @@ Expected<std::unique_ptr<VideoWriter>> VideoWriter::open(const QString& file, co
   writer->file_ = file;
   writer->size_ = size;
   const QFileInfo info(file);
-  writer->part_ = info.absolutePath() + "/." + info.completeBaseName() + ".part." + info.suffix();
+  auto part = AtomicFile::begin(file.toStdString());
+  if (!part) return makeError(part.error());
+  writer->part_.emplace(std::move(*part));
   QStringList arguments{"-y",
                         "-loglevel",
                         "error",
@@ -53,7 +54,7 @@ Expected<std::unique_ptr<VideoWriter>> VideoWriter::open(const QString& file, co
   if (info.suffix().toLower() != "gif")
     arguments << "-pix_fmt"
               << "yuv420p";
-  arguments << writer->part_;
+  arguments << QString::fromStdString(writer->part_->aside().string());
   writer->ffmpeg_.setProcessChannelMode(QProcess::MergedChannels);
   writer->ffmpeg_.start(program, arguments);
   if (!writer->ffmpeg_.waitForStarted(kPatience)) return makeError(writer->failure("it could not be started"));
@@ -64,7 +65,6 @@ VideoWriter::~VideoWriter() {
   if (ffmpeg_.state() == QProcess::NotRunning) return;
   ffmpeg_.kill();
   ffmpeg_.waitForFinished(kPatience);
-  QFile::remove(part_);
 }
 
 Error VideoWriter::failure(const QString& what) {
@@ -89,13 +89,9 @@ Expected<void> VideoWriter::finish() {
   ffmpeg_.closeWriteChannel();
   if (!ffmpeg_.waitForFinished(kEndPatience)) return makeError(failure("it does not end"));
   if (ffmpeg_.exitStatus() != QProcess::NormalExit || ffmpeg_.exitCode() != 0) {
-    const Error error = failure("it has ended with a fault");
-    QFile::remove(part_);
-    return makeError(error);
+    return makeError(failure("it has ended with a fault"));
   }
-  QFile::remove(file_);
-  if (!QFile::rename(part_, file_)) return makeError(failure("the video could not be put in its place"));
-  return {};
+  return part_->commit();
 }
 
 }  // namespace hapticell::app

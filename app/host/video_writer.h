@@ -5,7 +5,9 @@
 #include <QSize>
 #include <QString>
 #include <memory>
+#include <optional>
 
+#include "geometry/atomic_file.h"
 #include "geometry/error.h"
 
 class QImage;
@@ -30,7 +32,8 @@ class VideoWriter {
   VideoWriter() = default;
   Error failure(const QString& what);
   QProcess ffmpeg_;
-  QString file_, part_;
+  QString file_;
+  std::optional<AtomicFile> part_;
   QSize size_;
 };
 

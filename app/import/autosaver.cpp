@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "app/host/written_file.h"
+
 namespace hapticell::app {
 
 namespace {
@@ -37,7 +39,7 @@ void Autosaver::note() {
       if (!std::exchange(told_, true)) emit failed(QString::fromStdString(run.error().message()));
       return;
     }
-    fresh = {document.state(), document.path(), *run, ++last_number_};
+    fresh = {document.state(), document.path(), *run, content_ ? content_() : std::string(), ++last_number_};
     noted_revision_ = document.revision();
   }
   const std::scoped_lock lock(unsaved_mutex_);
@@ -51,7 +53,7 @@ void Autosaver::save() {
   writer_.start([this, unsaved = unsaved_, picture] {
     const auto saved = write(unsaved);
     if (saved && !picture.isNull())
-      picture.save(QString::fromStdString(workcell::pictureIn(unsaved.run).string()), "JPG", 85);
+      (void)writePicture(picture, QString::fromStdString(workcell::pictureIn(unsaved.run).string()), 85);
     if (saved) return;
     const QString sentence = QString::fromStdString(saved.error().message());
     QMetaObject::invokeMethod(
@@ -63,7 +65,7 @@ Expected<void> Autosaver::write(const Unsaved& unsaved) {
   // Where the writer itself broke, it never lets go.
   const std::unique_lock lock(write_mutex_, kLongestWait);
   if (unsaved.number == 0 || unsaved.number <= written_) return {};
-  auto saved = workcell::autosave(unsaved.state, unsaved.document, unsaved.run);
+  auto saved = workcell::autosave(unsaved.state, unsaved.document, unsaved.run, unsaved.content);
   if (saved) written_ = unsaved.number;
   return saved;
 }

@@ -22,6 +22,8 @@ class Autosaver : public QObject {
   explicit Autosaver(DocumentModel& document, QObject* parent = nullptr);
   ~Autosaver() override;
   void setInterval(int milliseconds) { timer_.setInterval(milliseconds); }
+  /// Where it is asked what the document's file held when it was read or last saved (contentName()).
+  void setContent(std::function<std::string()> content) { content_ = std::move(content); }
   /// Where the picture beside the copy comes from; null images are left out.
   void setPicture(std::function<QImage()> picture) { picture_ = std::move(picture); }
   /// Writes the copy now, where there is something unsaved.
@@ -43,6 +45,7 @@ class Autosaver : public QObject {
   struct Unsaved {
     workcell::DocumentState state;
     std::filesystem::path document, run;
+    std::string content;       ///< Of the document's file, that this differs from.
     std::uint64_t number = 0;  ///< Grows with each; 0: nothing is unsaved.
   };
   void note();
@@ -51,6 +54,7 @@ class Autosaver : public QObject {
   DocumentModel& document_;
   workcell::RunFolder run_;
   std::function<QImage()> picture_;
+  std::function<std::string()> content_;
   std::uint64_t noted_revision_ = 0, last_number_ = 0;
   bool told_ = false;  ///< That there is no folder for copies.
   QTimer timer_;

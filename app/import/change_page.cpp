@@ -2,7 +2,6 @@
 #include "app/import/change_page.h"
 
 #include <QDateTime>
-#include <QFile>
 #include <QObject>
 #include <QPageLayout>
 #include <QPdfWriter>
@@ -10,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/host/written_file.h"
 #include "workcell/file_content.h"
 
 namespace hapticell::app {
@@ -77,21 +77,14 @@ Expected<void> writeChanges(const std::vector<workcell::EntityChange>& changes, 
                             const QString& against, const QString& path) {
   if (!path.endsWith(".pdf", Qt::CaseInsensitive))
     return workcell::writeFileAtomically(path.toStdString(), workcell::changesAsCsv(changes, false));
-  const QString aside = path + ".part";
-  {
-    QPdfWriter writer(aside);
+  return writePdf(path, [&](QPdfWriter& writer) {
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(16, 16, 16, 16), QPageLayout::Millimeter);
     writer.setTitle(QObject::tr("Changes of %1").arg(cell));
     QTextDocument page;
     page.setHtml(changesAsHtml(changes, cell, against));
     page.print(&writer);
-  }
-  if (!QFile::exists(aside) || (QFile::exists(path) && !QFile::remove(path)) || !QFile::rename(aside, path)) {
-    QFile::remove(aside);
-    return makeError({path.toStdString(), "", "it cannot be written", "room and permission to write", ""});
-  }
-  return {};
+  });
 }
 
 }  // namespace hapticell::app

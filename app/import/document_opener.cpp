@@ -4,7 +4,9 @@
 #include <QFileInfo>
 #include <exception>
 
+#include "workcell/autosave.h"
 #include "workcell/background_thread.h"
+#include "workcell/content_name.h"
 
 namespace hapticell::app {
 
@@ -51,7 +53,9 @@ void DocumentOpener::cancel() {
 }
 
 void DocumentOpener::open(const QString& path, const Locate& locate) {
-  start(path, locate, [file = path.toStdString()](Diagnostics& notes, const workcell::LoadOptions& options) {
+  // Before it is read: what another program writes meanwhile is then noticed.
+  const auto content = [file = path.toStdString()] { return workcell::contentNameOf(file); };
+  start(path, locate, content, [file = path.toStdString()](Diagnostics& notes, const workcell::LoadOptions& options) {
     return workcell::loadDocument(file, notes, options);
   });
 }
@@ -65,22 +69,25 @@ void DocumentOpener::openCopy(const QString& copy, const QString& path) {
     document->markUnsaved();
     return document;
   };
-  start(path, {}, read);
+  const auto base = [run = std::filesystem::path(copy.toStdString()).parent_path()] {
+    return workcell::copyFactsIn(run).base;
+  };
+  start(path, {}, base, read);
 }
 
 void DocumentOpener::openText(const std::string& text, const std::filesystem::path& folder, const QString& name,
                               const Locate& locate) {
-  start(name, locate, [=](Diagnostics& notes, const workcell::LoadOptions& options) {
+  start(name, locate, {}, [=](Diagnostics& notes, const workcell::LoadOptions& options) {
     return workcell::parseDocument(text, folder, name.toStdString(), notes, options);
   });
 }
 
-void DocumentOpener::start(const QString& path, const Locate& locate, Read read) {
+void DocumentOpener::start(const QString& path, const Locate& locate, const Content& content, Read read) {
   cancel();
   auto run = std::make_shared<Run>();
   run->path = path;
   run_ = run;
-  readers_.start([this, run, locate, read = std::move(read)] {
+  readers_.start([this, run, locate, content, read = std::move(read)] {
     workcell::stepBehind();
     Diagnostics notes;
     std::vector<std::filesystem::path> missing;
@@ -92,9 +99,10 @@ void DocumentOpener::start(const QString& path, const Locate& locate, Read read)
       if (!place) missing.push_back(file);
       return place;
     };
+    std::string held = content ? content() : std::string();
     auto document = guarded([&] { return read(notes, options); }, run->path);
-    run->result =
-        std::make_shared<OpenedDocument>(OpenedDocument{std::move(document), std::move(notes), std::move(missing)});
+    run->result = std::make_shared<OpenedDocument>(
+        OpenedDocument{std::move(document), std::move(notes), std::move(missing), std::move(held)});
     QMetaObject::invokeMethod(
         this, [this, run] { end(run); }, Qt::QueuedConnection);
   });

@@ -17,6 +17,8 @@ struct OpenedDocument {
   Expected<workcell::Document> document;
   Diagnostics notes;
   std::vector<std::filesystem::path> missing;  ///< Files that were not found; their entities are kept without a shape.
+  std::string content =
+      {};  ///< What its file held (contentName()), or the one that a copy is a copy of; empty: unknown.
 };
 
 /// Reads workcell documents, with all the meshes they name, beside the window. One at a time: another begins by giving
@@ -51,7 +53,8 @@ class DocumentOpener : public QObject {
  private:
   struct Run;
   using Read = std::function<Expected<workcell::Document>(Diagnostics&, const workcell::LoadOptions&)>;
-  void start(const QString& path, const Locate& locate, Read read);
+  using Content = std::function<std::string()>;
+  void start(const QString& path, const Locate& locate, const Content& content, Read read);
   void end(const std::shared_ptr<Run>& run);
 
   std::shared_ptr<Run> run_;

@@ -64,6 +64,7 @@ FileWork::FileWork(Host& host, QObject* parent)
     : QObject(parent),
       host_(host),
       exports_(host, background_),
+      guard_(host.documentModel()),
       autosaver_(host.documentModel()),
       watch_(host.documentModel()) {
   panel_ = new ImportPanel(session_);
@@ -87,6 +88,7 @@ FileWork::FileWork(Host& host, QObject* parent)
   connect(&opener_, &DocumentOpener::progressed, this, &FileWork::showOther);
   connect(&background_, &BackgroundWork::progressed, this, &FileWork::showOther);
   connect(&watch_, &SourceWatch::changed, this, &FileWork::offerReload);
+  autosaver_.setContent([this] { return guard_.content(); });
   autosaver_.setPicture([this] { return smallPicture(host_); });
   connect(&autosaver_, &Autosaver::failed, this, [this](const QString& sentence) {
     host_.messages().tell(Severity::kWarning, tr("No copy against a crash could be written"), sentence);
@@ -207,11 +209,13 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
     return;
   }
   workcell::Document& document = *opened->document;
-  if (document.path().empty() && !path.isEmpty()) {  // Read again from its text: what is unsaved in it stays so.
+  const bool read_again = document.path().empty() && !path.isEmpty();
+  if (read_again) {  // Read again from its text: what is unsaved in it stays so.
     document.setPath(path.toStdString());
     document.markUnsaved();
   }
   autosaver_.discard();
+  if (!read_again) guard_.setContent(document.path(), opened->content);
   if (isSample(path))
     host_.documentModel().adoptCopy(std::move(document));
   else
@@ -224,6 +228,12 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
   });
   tellRemarks(name, remarks, partsOfCell());
   offerMissing(opened->missing);
+  if (guard_.isReadOnly()) {
+    offer(Severity::kWarning, tr("%1 is open elsewhere").arg(name),
+          guard_.ownerSentence() + ' ' +
+              tr("Here it is for reading: save it under another name, or when it is closed there."),
+          {});
+  }
   if (!restored.empty())
     autosaver_.adopt(restored);
   else if (!path.isEmpty())

@@ -8,6 +8,7 @@
 #include "app/host/message_log.h"
 #include "app/import/autosaver.h"
 #include "app/import/background_work.h"
+#include "app/import/document_guard.h"
 #include "app/import/document_opener.h"
 #include "app/import/export_work.h"
 #include "app/import/import_session.h"
@@ -51,6 +52,7 @@ class FileWork : public QObject {
   void tellLeft(const QString& path);
   bool isBusy() const { return opener_.isBusy() || session_.isBusy() || background_.isBusy(); }
   Autosaver& autosaver() { return autosaver_; }
+  DocumentGuard& guard() { return guard_; }
   ExportWork& exports() { return exports_; }
   BackgroundWork& background() { return background_; }
   ImportSession& session() { return session_; }
@@ -91,6 +93,7 @@ class FileWork : public QObject {
   DocumentOpener opener_;
   BackgroundWork background_;
   ExportWork exports_;
+  DocumentGuard guard_;  // Before what asks it.
   Autosaver autosaver_;
   SourceWatch watch_;
   ImportPanel* panel_;

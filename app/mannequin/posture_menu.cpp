@@ -5,7 +5,6 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QStandardPaths>
-#include <fstream>
 #include <map>
 
 #include "app/host/document_model.h"
@@ -15,6 +14,7 @@
 #include "app/mannequin/mannequin_edits.h"
 #include "app/mannequin/mannequin_panel.h"
 #include "app/start/file_dialog.h"
+#include "geometry/atomic_file.h"
 #include "mannequin/motion_writer.h"
 #include "mannequin/posture_file.h"
 
@@ -116,16 +116,14 @@ bool MannequinPanel::savePostureFile(const QString& path) {
   if (path.endsWith(".x3d", Qt::CaseInsensitive)) text = mannequin::hanimText(*entity->figure, posture, entity->name);
   if (path.endsWith(".bvh", Qt::CaseInsensitive))
     text = mannequin::bvhText(*entity->figure, std::vector{posture}, 1.0 / 120.0);
-  std::ofstream file(path.toStdString(), std::ios::binary);
-  file << text;
-  file.close();
-  if (file.good()) {
+  const auto written = writeFileAtomically(path.toStdString(), text);
+  if (written) {
     context_.host().messages().tell(Severity::kInformation, tr("The posture is saved"), path);
   } else {
     context_.host().messages().tell(Severity::kProblem, tr("The posture was not saved"),
-                                    tr("%1 cannot be written. Choose another place.").arg(path));
+                                    QString::fromStdString(written.error().message()));
   }
-  return file.good();
+  return written.has_value();
 }
 
 }  // namespace hapticell::app

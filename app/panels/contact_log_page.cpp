@@ -3,7 +3,6 @@
 
 #include <QHeaderView>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include "app/host/message_log.h"
 #include "app/start/file_dialog.h"
 #include "app/viewport/viewport_widget.h"
+#include "geometry/atomic_file.h"
 
 namespace hapticell::app {
 
@@ -84,14 +84,13 @@ void ContactLogPage::take(const manipulation::SceneSnapshot& snapshot) {
 }
 
 bool ContactLogPage::save(const QString& path) {
-  QSaveFile file(path);
-  const QByteArray text = QByteArray::fromStdString(log_.csv());
-  if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) {
+  const auto written = writeFileAtomically(path.toStdString(), log_.csv());
+  if (written) {
     host_.messages().tell(Severity::kInformation, tr("The log is saved"), path);
     return true;
   }
   host_.messages().tell(Severity::kProblem, tr("The log was not saved"),
-                        tr("%1: %2. Choose another place.").arg(path, file.errorString()));
+                        QString::fromStdString(written.error().message()));
   return false;
 }
 

@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -25,6 +24,7 @@
 #include "app/style/value_field.h"
 #include "config/configuration.h"
 #include "config/setting_visitor.h"
+#include "geometry/atomic_file.h"
 
 namespace hapticell::app {
 namespace {
@@ -183,12 +183,10 @@ class ConfigurationPage : public QWidget {
   void openFile() {
     const QString path = userConfigurationFile();
     QDir().mkpath(QFileInfo(path).absolutePath());
-    QFile file(path);
     const bool there =
-        file.exists() ||
-        (file.open(QIODevice::WriteOnly) &&
-         file.write("# HaptiCell, in SI units. The hapticell.toml that is shipped lists all keys.\n") > 0);
-    file.close();
+        QFileInfo::exists(path) ||
+        writeFileAtomically(path.toStdString(),
+                            "# HaptiCell, in SI units. The hapticell.toml that is shipped lists all keys.\n");
     if (!there || !QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
       note_->setText(tr("No program on this computer opened %1. Open it in a text editor.").arg(path));
   }
@@ -222,13 +220,7 @@ Expected<void> writeSetting(const QString& file, const QString& key, const QStri
   const std::string after =
       withTomlValue(before.toStdString(), key.toStdString(), tomlText(text, shippedText(key)).toStdString());
   QDir().mkpath(QFileInfo(file).absolutePath());
-  QSaveFile out(file);
-  const bool done =
-      out.open(QIODevice::WriteOnly) && out.write(after.data(), static_cast<qint64>(after.size())) >= 0 && out.commit();
-  if (!done)
-    return makeError({file.toStdString(), "", out.errorString().toStdString(), "a file that can be written",
-                      "Look whether its folder is writable."});
-  return {};
+  return writeFileAtomically(file.toStdString(), after);
 }
 
 QWidget* makeConfigurationPage(Host& host) {

@@ -74,9 +74,8 @@ void LeftWorkCard::addWords(QHBoxLayout& row, const workcell::LeftWork& left) {
     add(QString::fromStdString(left.document.filename().string()), TextRole::kSection, false);
     add(tr("Unsaved changes, kept up to %1.").arg(shownTime(left.copy)), TextRole::kText, false);
     add(shownPath(left.document.parent_path()), TextRole::kSecond, true);
-    std::error_code fault;
-    if (std::filesystem::last_write_time(left.document, fault) > left.time && !fault)
-      add(tr("The file was saved later, at %1.").arg(shownTime(left.document)), TextRole::kSecond, true);
+    if (left.document_changed)
+      add(tr("The file was written since by another program; the copy does not have that."), TextRole::kSecond, true);
   }
   add(left.crash.empty() ? tr("The program was ended from outside, or the power failed.")
                          : tr("What broke: %1").arg(QString::fromStdString(left.crash)),

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 
 #include "app/host/user_settings.h"
+#include "app/host/written_file.h"
 
 namespace hapticell::app {
 namespace {
@@ -30,7 +31,7 @@ void RecentFiles::keepPicture(const QString& path, const QImage& picture) const 
   if (path.isEmpty() || picture.isNull() || !settings_.isKept()) return;
   const QString file = pictureFile(QFileInfo(path).absoluteFilePath());
   QDir().mkpath(QFileInfo(file).path());
-  picture.save(file, "JPG", 85);
+  (void)writePicture(picture, file, 85);
 }
 
 QStringList RecentFiles::files() const {

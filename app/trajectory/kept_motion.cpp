@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/trajectory/kept_motion.h"
 
-#include <QTemporaryDir>
 #include <cmath>
 
+#include "geometry/scratch_folder.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/file_content.h"
 
@@ -12,10 +12,10 @@ namespace hapticell::app {
 std::optional<Promise> missedPromise(const trajectory::Trajectory& made, const MeasureMotion& measure) {
   // What cannot be measured is not kept.
   const Promise unknown{"measuring", 0.0, std::nan("")};
-  const QTemporaryDir folder;
-  if (!folder.isValid()) return unknown;
-  const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "motion.htraj";
-  if (!workcell::writeFileAtomically(file, trajectory::toJsonText(made))) return unknown;
+  const auto folder = ScratchFolder::make();
+  if (!folder) return unknown;
+  const std::filesystem::path file = folder->path() / "motion.htraj";
+  if (!workcell::writeFileAtomically(file, trajectory::toJsonText(made), {.durable = false})) return unknown;
   const auto promises = measure(file);
   if (!promises) return unknown;
   const Promise* worst = promises->worst();

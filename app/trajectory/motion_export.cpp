@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <algorithm>
 #include <limits>
 
@@ -16,6 +15,7 @@
 #include "app/start/file_dialog.h"
 #include "app/style/units.h"
 #include "app/trajectory/motion_list.h"
+#include "geometry/scratch_folder.h"
 #include "manipulation/motion_replay.h"
 #include "manipulation/program_configuration.h"
 #include "manipulation/take_recorder.h"
@@ -86,8 +86,9 @@ Expected<void> writeChecked(const Trajectory& motion, const QString& format, con
                         (format == "json" && name.endsWith(".json", Qt::CaseInsensitive)) ||
                         (format == "ros" && name.endsWith(".yml", Qt::CaseInsensitive));
   if (is_known) return workcell::writeFileChecked(file.name, file.content, check);
-  const QTemporaryDir folder;
-  const std::string trial = folder.filePath("motion" + extension).toStdString();
+  const auto folder = ScratchFolder::make();
+  if (!folder) return makeError(folder.error());
+  const std::filesystem::path trial = folder->path() / ("motion" + extension.toStdString());
   if (auto kept = workcell::writeFileChecked(trial, file.content, check); !kept) return kept;
   return workcell::writeFileAtomically(file.name, file.content);
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/trajectory/training_report.h"
 
-#include <QFile>
 #include <QPainter>
 #include <QPdfWriter>
 
+#include "app/host/written_file.h"
 #include "app/style/fonts.h"
 #include "app/style/theme.h"
 #include "app/trajectory/progress_plot.h"
 #include "app/trajectory/training_words.h"
-#include "workcell/file_content.h"
 
 namespace hapticell::app {
 namespace {
@@ -61,15 +60,7 @@ void drawRow(QPainter& painter, int y, const QStringList& words, bool head) {
   }
 }
 
-}  // namespace
-
-Expected<void> writeTrainingReport(const QString& path, const trajectory::TrainingSession& session, double pass) {
-  if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive))
-    return workcell::writeFileAtomically(path.toStdString(), trajectory::toCsvText(session));
-  QFile file(path);
-  if (!file.open(QIODevice::WriteOnly))
-    return makeError({path.toStdString(), "", "the file cannot be written", file.errorString().toStdString(), ""});
-  QPdfWriter writer(&file);
+void drawReport(QPdfWriter& writer, const trajectory::TrainingSession& session, double pass) {
   writer.setPageSize(QPageSize(QPageSize::A4));
   writer.setPageMargins(QMarginsF(15, 15, 15, 15));
   writer.setResolution(kDpi);
@@ -102,7 +93,14 @@ Expected<void> writeTrainingReport(const QString& path, const trajectory::Traini
     }
     drawRow(painter, y, cells(session, i + 1), false);
   }
-  return {};
+}
+
+}  // namespace
+
+Expected<void> writeTrainingReport(const QString& path, const trajectory::TrainingSession& session, double pass) {
+  if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive))
+    return writeFileAtomically(path.toStdString(), trajectory::toCsvText(session));
+  return writePdf(path, [&](QPdfWriter& writer) { drawReport(writer, session, pass); });
 }
 
 }  // namespace hapticell::app

@@ -175,10 +175,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 ne peut pas être fait de cela</translation>
     </message>
     <message>
-        <source>%1 cannot be written. Choose another place.</source>
-        <translation>%1 ne peut pas être écrit. Choisissez une autre place.</translation>
-    </message>
-    <message>
         <source>%1 cat. %2</source>
         <translation>%1 cat. %2</translation>
     </message>
@@ -323,6 +319,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 n'est pas là ou ne peut pas être lancé.</translation>
     </message>
     <message>
+        <source>%1 is open elsewhere</source>
+        <translation>%1 est ouvert ailleurs</translation>
+    </message>
+    <message>
         <source>%1 is out of reach</source>
         <translation>%1 est hors d'atteinte</translation>
     </message>
@@ -357,6 +357,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 may hold the work of others.</source>
+        <translation>%1 contient peut-être le travail d’autrui.</translation>
     </message>
     <message>
         <source>%1 meets %2</source>
@@ -425,6 +429,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 on %2</source>
         <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>%1 on %2 has had it open since %3.</source>
+        <translation>%1 sur %2 l’a ouvert depuis le %3.</translation>
     </message>
     <message>
         <source>%1 open edges</source>
@@ -695,10 +703,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : il manque %2 jusqu'à la cible</translation>
     </message>
     <message>
-        <source>%1: %2. Choose another place.</source>
-        <translation>%1 : %2. Choisissez une autre place.</translation>
-    </message>
-    <message>
         <source>%1: %2° to %3°, comfortable %4° to %5°</source>
         <translation>%1 : %2° à %3°, confortable %4° à %5°</translation>
     </message>
@@ -841,6 +845,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>&amp;Yes</source>
         <translation>&amp;Oui</translation>
+    </message>
+    <message>
+        <source>(open elsewhere)</source>
+        <translation>(ouvert ailleurs)</translation>
     </message>
     <message>
         <source>, %1 clear</source>
@@ -1281,6 +1289,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Another program (%1) controls the stylus. Close it, or connect as a watcher.</source>
         <translation>Un autre programme (%1) commande le stylet. Fermez-le, ou connectez-vous en observateur.</translation>
+    </message>
+    <message>
+        <source>Another program has had it open.</source>
+        <translation>Un autre programme l’a ouvert.</translation>
+    </message>
+    <message>
+        <source>Another program has written the file since it was opened here. Saving it undoes what that program wrote.</source>
+        <translation>Un autre programme a écrit le fichier depuis qu’il est ouvert ici. L’enregistrer défait ce que ce programme a écrit.</translation>
     </message>
     <message>
         <source>Another program started the server at %1; the device is chosen there.</source>
@@ -3225,6 +3241,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Help on this panel</source>
         <translation>Aide sur ce panneau</translation>
+    </message>
+    <message>
+        <source>Here it is for reading: save it under another name, or when it is closed there.</source>
+        <translation>Ici il est en lecture : enregistrez-le sous un autre nom, ou quand il sera fermé là-bas.</translation>
     </message>
     <message>
         <source>Hide</source>
@@ -5739,6 +5759,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer</translation>
     </message>
     <message>
+        <source>Save anyway</source>
+        <translation>Enregistrer quand même</translation>
+    </message>
+    <message>
         <source>Save as BVH…</source>
         <translation>Enregistrer en BVH…</translation>
     </message>
@@ -6583,8 +6607,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le fichier de %1 n'indique pas de position d'origine, et à zéro il est singulier : on pourrait à peine le tirer. Il démarre avec %2 plié. Gardez votre propre origine dans le volet Robot.</translation>
     </message>
     <message>
-        <source>The file was saved later, at %1.</source>
-        <translation>Le fichier a été enregistré plus tard, le %1.</translation>
+        <source>The file was written since by another program; the copy does not have that.</source>
+        <translation>Le fichier a été écrit depuis par un autre programme ; la copie n’a pas ces changements.</translation>
     </message>
     <message>
         <source>The force loop is late at times</source>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "haptic/client/pairing_key.h"
 
-#include <fcntl.h>
 #include <openssl/evp.h>
 #include <openssl/rand.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -15,6 +13,7 @@
 #include <span>
 
 #include "geometry/assertion.h"
+#include "geometry/atomic_file.h"
 
 namespace hapticell::haptic {
 
@@ -154,21 +153,10 @@ fs::path knownServerKeyFile(std::string_view host, std::uint16_t port) {
 Expected<void> saveKey(const PairingKey& key, const fs::path& file) {
   std::error_code failed;
   fs::create_directories(file.parent_path(), failed);
-  const fs::path temporary = file.string() + ".new";
-  fs::remove(temporary, failed);
-  const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600);
-  const std::string text = key.code() + "\n";
-  bool written = descriptor >= 0;
-  if (written) {
-    written =
-        write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) && fsync(descriptor) == 0;
-    written = close(descriptor) == 0 && written;
-  }
-  if (written) written = rename(temporary.c_str(), file.c_str()) == 0;
-  if (written) return {};
-  const std::string reason = std::strerror(errno);
-  fs::remove(temporary, failed);
-  return fileError(file, "cannot be written: " + reason, "Is there room, and may this user write there?");
+  auto written = AtomicFile::begin(file, {.mode = 0600});
+  if (!written) return makeError(written.error());
+  if (auto put = written->write(key.code() + "\n"); !put) return put;
+  return written->commit();
 }
 
 Expected<PairingKey> loadKey(const fs::path& file) {

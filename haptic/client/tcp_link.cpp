@@ -28,6 +28,8 @@ using std::chrono::steady_clock;
 
 namespace {
 
+constexpr int kPriority = 20;  // SCHED_FIFO: below every thread of a haptic server.
+
 std::int64_t nowNanoseconds() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(steady_clock::now().time_since_epoch()).count();
 }
@@ -120,6 +122,10 @@ class TcpLink::Connection {
 
   void run() {
     pthread_setname_np(pthread_self(), "haptic-link");
+    // A late heart-beat costs the force. Where it is not granted, the server grants more time.
+    sched_param parameter{};
+    parameter.sched_priority = kPriority;
+    pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter);
     while (!context_.stopped()) {
       try {
         context_.run();
@@ -172,7 +178,7 @@ class TcpLink::Connection {
   void open() {
     heard_ = nowNanoseconds();
     heartbeat_ = {};
-    welcomed_ = false;
+    welcomed_ = wants_forces_ = forces_on_ = false;
     stream_ = std::make_shared<MessageStream>(
         secure_ ? secure_->make(std::move(socket_)) : plainStream(std::move(socket_)),
         MessageStream::Handlers{
@@ -210,6 +216,7 @@ class TcpLink::Connection {
     if (const auto* state = std::get_if<HapticState>(&message)) {
       presses.hear(state->buttons);
       states.write(*state);
+      forces_on_ = controls_stylus_ && (wants_forces_ || state->forces_on || state->force_ramp > 0.0);
     }
     if (const auto* figures = std::get_if<ServerStatistics>(&message)) statistics.write(*figures);
     if (const auto* condition = std::get_if<DeviceCondition>(&message)) {
@@ -252,7 +259,11 @@ class TcpLink::Connection {
     wake_pending_ = false;
     if (!stream_ || !welcomed_) return;
     // Controls keep their order before sets: forces are enabled for what follows.
-    if (controls.update()) stream_->send(encoder_.encode(Message(controls.value())));
+    if (controls.update()) {
+      wants_forces_ = controls.value().forces_enabled;
+      forces_on_ = forces_on_ || wants_forces_;
+      stream_->send(encoder_.encode(Message(controls.value())));
+    }
     if (stream_ && targets.update()) {
       stream_->sendNewest(MessageStream::Slot::kHandTarget, encoder_.encode(Message(targets.value())));
     }
@@ -273,7 +284,7 @@ class TcpLink::Connection {
       std::error_code ignored;
       socket_.close(ignored);  // Ends the attempt.
     }
-    heartbeat_timer_.expires_after(duration(kHeartbeatPeriod));
+    heartbeat_timer_.expires_after(duration(forces_on_ ? kQuickHeartbeatPeriod : kHeartbeatPeriod));
     heartbeat_timer_.async_wait([this](std::error_code cancelled) {
       if (!cancelled) beat();
     });
@@ -290,6 +301,7 @@ class TcpLink::Connection {
   HeartbeatExchange heartbeat_;
   std::int64_t heard_ = 0, attempt_began_ = 0;
   bool connecting_ = false, welcomed_ = false, take_over_ = false;
+  bool wants_forces_ = false, forces_on_ = false;  // What was sent last, and whether there may be any.
 
   std::atomic<LinkState> state_{LinkState::kConnecting};
   std::atomic<bool> wake_pending_{false}, controls_stylus_{false};

@@ -34,12 +34,17 @@ struct DeviceReading {
   Pose X_DS;                       ///< Stylus tip in D.
   std::uint32_t buttons = 0;       ///< Bit i set while button i is pressed.
   double motor_temperature = 0.0;  ///< 0 cold .. 1 at the limit; 0 where the device does not tell.
+  bool fresh = true;               ///< False: nothing was measured since the last reading; the pose is the old one.
+  bool takes_force = true;         ///< False: what is commanded is not exerted (not calibrated, protecting itself).
 };
 
 enum class DeviceStatus : std::uint8_t { kOk, kNotOpen, kFault, kVanished };
 
 class DeviceCare;
 class SimulatedDevice;
+
+/// What exerts forces and has not measured for so long, s, gets none: force and place belong together.
+inline constexpr double kFreshFor = 0.020;
 
 /// A force-feedback stylus (or a pointing device without force). Used by one thread at a time: the force loop's.
 ///

@@ -7,8 +7,13 @@
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
+#include <utility>
+
+#include "geometry/atomic_file.h"
 
 namespace hapticell::haptic {
 
@@ -99,6 +104,10 @@ RecordedTick unpack(const char* bytes) {
   return tick;
 }
 
+std::uint32_t statusOf(const RecordedTick& tick) {
+  return tick.status & ~(RecordedTick::kNotFresh | RecordedTick::kForceless);
+}
+
 }  // namespace
 
 Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file) {
@@ -124,7 +133,7 @@ Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file)
   while (stream.read(bytes.data(), bytes.size())) {
     recording.ticks.push_back(unpack(bytes.data()));
     const RecordedTick& tick = recording.ticks.back();
-    if (!tick.X_DS.isValid() || tick.status > static_cast<std::uint32_t>(DeviceStatus::kVanished)) {
+    if (!tick.X_DS.isValid() || statusOf(tick) > static_cast<std::uint32_t>(DeviceStatus::kVanished)) {
       return refuse("tick " + std::to_string(recording.ticks.size()), "no pose or no status", "a finite pose");
     }
   }
@@ -134,10 +143,21 @@ Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file)
 /// A ring between the force loop, which fills it, and a thread that writes it down.
 class RecordingDevice::Writer {
  public:
-  Writer(std::ofstream file) : file_(std::move(file)), ring_(kRing), thread_([this] { run(); }) {}
+  explicit Writer(AtomicFile file) : file_(std::move(file)), ring_(kRing), thread_([this] { run(); }) {}
   ~Writer() {
     stopping_ = true;
+    if (thread_.joinable()) thread_.join();
+  }
+  /// Writes the rest and gives the file its name; the first fault there was.
+  Expected<void> finish() {
+    stopping_ = true;
     thread_.join();
+    if (auto fault = this->fault()) return makeError(*fault);
+    return file_.commit();
+  }
+  std::optional<Error> fault() const {
+    const std::scoped_lock lock(mutex_);
+    return fault_;
   }
   void add(const RecordedTick& tick) noexcept {
     const std::uint64_t at = written_.load(std::memory_order_relaxed);
@@ -161,15 +181,22 @@ class RecordingDevice::Writer {
   void flush() {
     std::uint64_t at = taken_.load(std::memory_order_relaxed);
     const std::uint64_t end = written_.load(std::memory_order_acquire);
+    std::string text;
     for (; at < end; ++at) {
       const TickBytes bytes = pack(ring_[at % kRing]);
-      file_.write(bytes.data(), bytes.size());
+      text.append(bytes.data(), bytes.size());
     }
     taken_.store(at, std::memory_order_release);
-    file_.flush();
+    if (text.empty() || fault()) return;
+    if (auto written = file_.write(text); !written) {
+      const std::scoped_lock lock(mutex_);
+      fault_ = written.error();
+    }
   }
 
-  std::ofstream file_;
+  AtomicFile file_;
+  mutable std::mutex mutex_;
+  std::optional<Error> fault_;  // Behind mutex_, which the force loop's calls do not take.
   std::vector<RecordedTick> ring_;
   std::atomic<std::uint64_t> written_{0}, taken_{0}, lost_{0};
   std::atomic<bool> stopping_{false};
@@ -185,26 +212,41 @@ RecordingDevice::~RecordingDevice() {
 
 Expected<void> RecordingDevice::open() {
   if (writer_) return {};
+  finished_ = {};
   if (const auto opened = device_->open(); !opened) return opened;
-  std::ofstream stream(file_, std::ios::binary | std::ios::trunc);
   const std::string header = toJson(device_->capabilities()).dump();
   const auto length = static_cast<std::uint32_t>(header.size());
-  stream.write(kMagic, kMagicSize);
-  stream.write(reinterpret_cast<const char*>(&length), sizeof length);
-  stream.write(header.data(), static_cast<std::streamsize>(header.size()));
-  stream.flush();
-  if (!stream) {
+  std::string text(kMagic, kMagicSize);
+  text.append(reinterpret_cast<const char*>(&length), sizeof length).append(header);
+  auto file = AtomicFile::begin(file_);
+  auto written = file ? file->write(text) : makeError(file.error());
+  if (!written) {
     device_->close();
-    return makeError({file_.string(), "", "the file cannot be written", "a place for the recording", ""});
+    return written;
   }
-  writer_ = std::make_unique<Writer>(std::move(stream));
+  writer_ = std::make_unique<Writer>(std::move(*file));
   return {};
+}
+
+Expected<void> RecordingDevice::finish() {
+  if (writer_) {
+    finished_ = writer_->finish();
+    writer_.reset();
+  }
+  return finished_;
+}
+
+std::optional<Error> RecordingDevice::fault() const {
+  if (!writer_) return finished_ ? std::nullopt : std::optional<Error>(finished_.error());
+  return writer_->fault();
 }
 
 DeviceStatus RecordingDevice::read(DeviceReading& reading) noexcept {
   const DeviceStatus status = device_->read(reading);
   tick_.status = static_cast<std::uint32_t>(status);
   if (status != DeviceStatus::kOk) return status;
+  if (!reading.fresh) tick_.status |= RecordedTick::kNotFresh;
+  if (!reading.takes_force) tick_.status |= RecordedTick::kForceless;
   tick_.buttons = reading.buttons;
   tick_.X_DS = reading.X_DS;
   tick_.motor_temperature = reading.motor_temperature;
@@ -219,8 +261,8 @@ DeviceStatus RecordingDevice::write(const dvec3& force_D, const dvec3& torque_D)
 }
 
 void RecordingDevice::close() noexcept {
-  writer_.reset();
   device_->close();
+  (void)finish();
 }
 
 std::uint64_t RecordingDevice::lost() const {
@@ -239,8 +281,10 @@ Expected<void> ReplayDevice::open() {
 DeviceStatus ReplayDevice::read(DeviceReading& reading) noexcept {
   if (!open_) return DeviceStatus::kNotOpen;
   const RecordedTick& tick = ended() ? recording_.ticks.back() : recording_.ticks[next_];
-  const auto status = static_cast<DeviceStatus>(tick.status);
+  const auto status = static_cast<DeviceStatus>(statusOf(tick));
   if (status == DeviceStatus::kOk) {
+    reading.fresh = ended() || (tick.status & RecordedTick::kNotFresh) == 0;
+    reading.takes_force = (tick.status & RecordedTick::kForceless) == 0;
     reading.X_DS = tick.X_DS;
     reading.buttons = ended() ? 0 : tick.buttons;
     reading.motor_temperature = tick.motor_temperature;

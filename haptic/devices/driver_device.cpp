@@ -12,6 +12,7 @@
 #include <cstring>
 #include <future>
 #include <thread>
+#include <utility>
 
 #include "haptic/devices/driver_library.h"
 #include "haptic/devices/driver_support.h"
@@ -21,10 +22,10 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kTick = 0.001;             // s between two calls of read().
+constexpr double kTick = 0.001;  // s between two calls of read().
+constexpr std::int64_t kTickNs = 1'000'000;
 constexpr int kWorkerPriority = 70;         // SCHED_FIFO where granted: below the force loop's.
-constexpr long kWait = 5'000'000;           // ns that the thread waits for a command before it reads anyway.
-constexpr int kSilentLoop = 10;             // Such waits without a command: the force loop has stalled.
+constexpr std::int64_t kWait = 5'000'000;   // ns that the thread waits for a command before it reads anyway.
 constexpr double kMouseSpeed = 0.12;        // m/s at full deflection of a 3-D mouse,
 constexpr double kMouseTurn = 1.2;          // and rad/s.
 constexpr double kMouseReach = 0.08;        // m from the middle.
@@ -36,6 +37,13 @@ dvec3 toVector(const double (&from)[3]) {
 
 bool isFinite(const dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The clock that nobody can set, ns: sem_clockwait() waits by it.
+std::int64_t monotonicNow() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
 }  // namespace
@@ -77,30 +85,26 @@ struct DriverDevice::Worker {
     const driver::Problem problem = session.open();
     const bool good = problem.status == driver::Status::kOk;
     opened.set_value(problem);
-    int silent = 0;
+    std::int64_t commanded = monotonicNow();
     while (good && !stopping.load(std::memory_order_acquire)) {
-      if (waitForTick())
-        silent = 0;
-      else
-        ++silent;
-      commands.update();
-      const bool stalled = silent >= kSilentLoop;
-      answers.write(session.turn(stalled ? driver::Command{} : commands.value()));
+      waitForTick();
+      if (commands.update())
+        commanded = monotonicNow();
+      else if (static_cast<double>(monotonicNow() - commanded) > 1e9 * kSilentLoop)
+        session.hold();
+      answers.write(session.turn(commands.value()));
     }
     session.close();
     ended.set_value();
   }
 
-  /// False when nobody commanded for a while.
-  bool waitForTick() {
-    timespec until{};
-    clock_gettime(CLOCK_REALTIME, &until);
-    until.tv_nsec += kWait;
-    if (until.tv_nsec >= 1'000'000'000) until.tv_nsec -= 1'000'000'000, ++until.tv_sec;
-    if (sem_timedwait(&due, &until) != 0) return false;
+  /// Until somebody commands, or kWait has passed.
+  void waitForTick() {
+    const std::int64_t at = monotonicNow() + kWait;
+    const timespec until{static_cast<time_t>(at / 1'000'000'000), static_cast<long>(at % 1'000'000'000)};
+    if (sem_clockwait(&due, CLOCK_MONOTONIC, &until) != 0) return;
     while (sem_trywait(&due) == 0) {
     }
-    return true;
   }
 
   DriverSession session;
@@ -127,7 +131,9 @@ Expected<void> DriverDevice::open() {
   const std::string what = std::string(driver_.information().name) + (id_.empty() ? "" : ":" + id_);
   driver::Problem problem;
   if (options_.calls == DriverCalls::kInline) {
-    session_ = std::make_unique<DriverSession>(driver_, id_, options_.session);
+    DriverSessionOptions in_ticks = options_.session;
+    if (!in_ticks.now) in_ticks.now = [this] { return turns_ns_; };
+    session_ = std::make_unique<DriverSession>(driver_, id_, std::move(in_ticks));
     problem = session_->open();
     driver_capabilities_ = session_->capabilities();
   } else {
@@ -149,6 +155,7 @@ Expected<void> DriverDevice::open() {
   capabilities_ = toCapabilities(driver_capabilities_);
   status_ = driver::Status::kOk;
   silent_ticks_ = 0;
+  measurements_ = 0;
   heard_ = false;
   motors_ = true;
   engaged_ = false;
@@ -159,6 +166,10 @@ void DriverDevice::takeAnswer(const DriverAnswer& answer, DeviceReading& reading
   status_ = answer.status;
   if (status_ != driver::Status::kOk) return;
   const driver::State& state = answer.state;
+  // What exerts no force may say something only when it is moved.
+  const bool pushes = driver_capabilities_.driven_axes > 0;
+  reading_.fresh = !pushes || std::exchange(measurements_, answer.measurements) != answer.measurements;
+  reading_.takes_force = !pushes || answer.takes_force;
   if (driver_capabilities_.kind == driver::Kind::kSpaceMouse) {
     const dvec3 step(state.motion[0], state.motion[1], state.motion[2]);
     const dvec3 turn(state.motion[3], state.motion[4], state.motion[5]);
@@ -177,13 +188,17 @@ void DriverDevice::takeAnswer(const DriverAnswer& answer, DeviceReading& reading
 
 DeviceStatus DriverDevice::read(DeviceReading& reading) noexcept {
   if (session_) {
+    turns_ns_ += kTickNs;
     takeAnswer(session_->turn(command_), reading);
   } else if (worker_) {
     const bool answered = worker_->answers.update();
     silent_ticks_ = answered ? 0 : silent_ticks_ + 1;
     heard_ = heard_ || answered;
     if (silent_ticks_ > kPatience) return DeviceStatus::kFault;
-    if (!heard_) return DeviceStatus::kOk;  // Opened, and about to answer.
+    if (!heard_) {  // Opened, and about to answer.
+      reading.fresh = reading.takes_force = false;
+      return DeviceStatus::kOk;
+    }
     takeAnswer(worker_->answers.value(), reading);
   } else {
     return DeviceStatus::kNotOpen;

@@ -26,12 +26,15 @@ struct DriverDeviceOptions {
 /// The driver's calls run in a thread of their own; between it and the force loop go only values, newest wins. A driver
 /// that has not answered for kPatience ticks is a fault: the force loop trips its safety chain, and the thread commands
 /// zero force as soon as its call comes back. A driver that never comes back is left to itself at close(). The other
-/// way round, a force loop that has not commanded for 50 ms counts as one that commands zero force.
-/// A 3-D mouse is a stylus too: its wanted motion moves the tip through a workspace of 16 x 16 x 16 cm, without force.
+/// way round, to a force loop that has not commanded for kSilentLoop the device gets zero force until it has begun
+/// anew. A 3-D mouse is a stylus too: its wanted motion moves the tip through a workspace of 16 x 16 x 16 cm, without
+/// force.
 class DriverDevice final : public Device {
  public:
   /// Ticks without an answer until the device counts as faulty.
   static constexpr int kPatience = 20;
+  /// s without a command: the force loop has stalled.
+  static constexpr double kSilentLoop = 0.025;
 
   DriverDevice(driver::Driver& driver, std::string id, DriverDeviceOptions options = {});
   ~DriverDevice() override;
@@ -63,6 +66,8 @@ class DriverDevice final : public Device {
   driver::Command command_;
   DeviceReading reading_;
   driver::Status status_ = driver::Status::kVanished;
+  std::uint64_t measurements_ = 0;  // Of the answer that was taken last.
+  std::int64_t turns_ns_ = 0;       // kInline: the time, a tick a turn.
   int silent_ticks_ = 0;
   bool heard_ = false;  // The thread has answered since open().
   bool motors_ = true;

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kInterfaceVersion = 2;
 /// Why something did not work; kOk where it did.
 enum class Status : std::uint32_t {
   kOk,
-  kNothingNew,      ///< read(): no measurement since the last one; no fault.
+  kNothingNew,      ///< read(): no measurement since the last one; no fault, but for what exerts forces after 20 ms.
   kNotFound,        ///< There is no such device.
   kInUse,           ///< Another program has it.
   kNoPermission,    ///< The system does not let this user open it.
@@ -78,6 +78,7 @@ enum : std::uint32_t {
   kCalibrated = 1,  ///< Where this is not set no force is exerted, whatever is commanded.
   kDocked = 2,      ///< The stylus is in its inkwell.
   kMotorsOn = 4,    ///< The device says that its motors are powered.
+  kForceless = 8,   ///< It exerts no force now, whatever is commanded: it protects itself, its power is off, a switch.
 };
 
 /// One measurement.
@@ -101,14 +102,15 @@ struct Command {
 };
 
 /// An open device. The host calls it from one thread of its own, never from the force loop: a call that takes long
-/// holds up nobody, but after 20 ms without an answer the force loop takes the device for faulty and forces go off.
-/// Nothing here may throw.
+/// holds up nobody, but after 20 ms without an answer, or without a new measurement of what exerts forces, the force
+/// loop takes the device for faulty and forces go off. Nothing here may throw.
 class Device {
  public:
   virtual const Capabilities& capabilities() const noexcept = 0;
   /// The newest measurement; waits for it one millisecond or so at most. kOk, kNothingNew, or what is wrong.
   virtual Status read(State& state) noexcept = 0;
-  /// Called about a thousand times a second, after read().
+  /// Called about a thousand times a second, after read(), also where that had nothing new. A command without motors
+  /// must reach the device at once, whether or not it has been heard.
   virtual Status write(const Command& command) noexcept = 0;
   /// What the last status other than kOk and kNothingNew was about.
   virtual const Problem& problem() const noexcept = 0;

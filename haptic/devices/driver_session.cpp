@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "haptic/devices/driver_session.h"
 
+#include <chrono>
 #include <cmath>
 
+#include "haptic/devices/device.h"
 #include "haptic/devices/driver_support.h"
 
 namespace hapticell::haptic {
@@ -10,6 +12,7 @@ namespace hapticell::haptic {
 namespace {
 
 constexpr std::uint32_t kMostCalibrationSteps = 16;
+constexpr auto kFreshForNs = static_cast<std::int64_t>(1e9 * kFreshFor);
 
 bool allFinite(const driver::State& state) {
   double sum = state.motor_temperature;
@@ -40,7 +43,11 @@ driver::Problem DriverSession::open() {
     return problem;
   }
   capabilities_ = device_->capabilities();
+  answer_ = {};
   answer_.status = driver::Status::kOk;
+  steps_ = {};
+  measured_ns_ = commanded_ns_ = 0;
+  held_ = false;
   garbled_ = 0;
   asked_for_calibration_ = false;
   condition_.calibration.clear();
@@ -62,6 +69,35 @@ void DriverSession::close() {
   driver_.close(device_);
   device_ = nullptr;
   answer_.status = driver::Status::kVanished;
+  answer_.takes_force = false;
+}
+
+std::int64_t DriverSession::now() const {
+  if (options_.now) return options_.now();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+bool DriverSession::mayPush(std::int64_t now) const {
+  const bool willing = (answer_.state.flags & (driver::kCalibrated | driver::kForceless)) == driver::kCalibrated;
+  const bool fresh = answer_.measurements > 0 && now - measured_ns_ < kFreshForNs;
+  return willing && (fresh || capabilities_.driven_axes == 0);
+}
+
+driver::Command DriverSession::allowed(const driver::Command& command) {
+  const std::int64_t at = now();
+  const bool may = mayPush(at);
+  // Without a command for so long the device may have let go by itself.
+  const bool late = capabilities_.driven_axes > 0 && commanded_ns_ != 0 && at - commanded_ns_ >= kFreshForNs;
+  held_ = command.motors && (held_ || late || !may);
+  answer_.takes_force = may && !held_;
+  commanded_ns_ = at;
+  driver::Command result = command;
+  if (!command.motors || held_) {
+    result.motors = false;
+    for (int i = 0; i < 3; ++i) result.force[i] = result.torque[i] = 0.0;
+  }
+  return steps_.next(result);
 }
 
 const DriverAnswer& DriverSession::turn(const driver::Command& command) {
@@ -74,6 +110,7 @@ const DriverAnswer& DriverSession::turn(const driver::Command& command) {
   if (status == driver::Status::kOk && !allFinite(state)) status = driver::Status::kGarbled;
   if (!keep(status, true)) return answer_;
   if (status == driver::Status::kOk) {
+    measured_ns_ = now();
     answer_.state = state;
     ++answer_.measurements;
     askForCalibration();
@@ -82,12 +119,7 @@ const DriverAnswer& DriverSession::turn(const driver::Command& command) {
     tellCondition();
   }
   calibrateIfAsked();
-  driver::Command allowed = command;
-  if (!command.motors || (answer_.state.flags & driver::kCalibrated) == 0) {
-    allowed.motors = false;
-    for (int i = 0; i < 3; ++i) allowed.force[i] = allowed.torque[i] = 0.0;
-  }
-  keep(device_->write(allowed), false);
+  keep(device_->write(allowed(command)), false);
   return answer_;
 }
 

@@ -135,8 +135,10 @@ Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
     }
   }
   if (!isWellFormed(to)) {
-    return refuse("ConstraintSet", "a number that is not finite or out of its range",
-                  "finite numbers, a unit quaternion, a positive zone, no negative stiffness, damping or friction");
+    return refuse(
+        "ConstraintSet", "a number that is not finite or out of its range",
+        "finite numbers within the bounds of docs/protocol.md, a unit quaternion, a positive zone, no negative "
+        "stiffness, damping or friction");
   }
   return {};
 }
@@ -162,9 +164,9 @@ Expected<void> read(const wire::State& from, HapticState& to) {
 }
 
 Expected<void> read(const wire::Statistics& from, ServerStatistics& to) {
-  to = {from.rate_hz(),        from.late_p50_ms(),  from.late_p99_ms(),   from.late_max_ms(),
-        from.ticks(),          from.missed_ticks(), from.round_trip_ms(), from.set_age_p50_ms(),
-        from.set_age_p99_ms(), from.late_sets(),    from.refused_sets(),  std::nullopt};
+  to = {from.rate_hz(),      from.late_p50_ms(),   from.late_p99_ms(),    from.late_max_ms(),    from.ticks(),
+        from.missed_ticks(), from.round_trip_ms(), from.set_age_p50_ms(), from.set_age_p99_ms(), from.late_sets(),
+        from.refused_sets(), from.dropped_sets(),  std::nullopt};
   if (from.clock_known()) to.clock_offset_ms = from.clock_offset_ms();
   if (!isWellFormed(to)) return refuse("Statistics", "a number that is not finite or negative", "figures from 0 up");
   return {};
@@ -177,7 +179,8 @@ Expected<void> read(const wire::Control& from, HapticControl& to) {
   to.load.friction = from.load_friction();
   if (from.load_weight() != nullptr) to.load.weight_D = fromWire(*from.load_weight());
   if (!isWellFormed(to))
-    return refuse("Control", "a stiffness, damping or load that is negative or not finite", "0 or more");
+    return refuse("Control", "a stiffness, damping or load that is negative, not finite or too great",
+                  "0 or more, within the bounds of docs/protocol.md");
   return {};
 }
 
@@ -186,7 +189,8 @@ Expected<void> read(const wire::HandTarget& from, HandTarget& to) {
   to.holding = from.holding();
   to.buttons = from.buttons();
   if (!isWellFormed(to))
-    return refuse("HandTarget", "a pose that is not valid", "finite numbers and a unit quaternion");
+    return refuse("HandTarget", "a pose that is not valid",
+                  "finite numbers within a million metres and a unit quaternion");
   return {};
 }
 

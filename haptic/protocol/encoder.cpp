@@ -86,7 +86,8 @@ Offset<wire::State> write(FlatBufferBuilder& builder, const HapticState& state) 
 Offset<wire::Statistics> write(FlatBufferBuilder& builder, const ServerStatistics& s) {
   return wire::CreateStatistics(builder, s.rate_hz, s.late_p50_ms, s.late_p99_ms, s.late_max_ms, s.ticks,
                                 s.missed_ticks, s.round_trip_ms, s.set_age_p50_ms, s.set_age_p99_ms, s.late_sets,
-                                s.refused_sets, s.clock_offset_ms.has_value(), s.clock_offset_ms.value_or(0.0));
+                                s.refused_sets, s.clock_offset_ms.has_value(), s.clock_offset_ms.value_or(0.0),
+                                s.dropped_sets);
 }
 
 Offset<wire::Control> write(FlatBufferBuilder& builder, const HapticControl& control) {

@@ -48,6 +48,7 @@ struct ServerStatistics {
   double set_age_p50_ms = 0.0, set_age_p99_ms = 0.0;  ///< From the client's query to the adoption, last 5 to 10 s.
   std::uint64_t late_sets = 0;     ///< Adopted when older than kLateSetAge, since the server's start.
   std::uint64_t refused_sets = 0;  ///< Not adopted (outdated, malformed, around another place): the older one was held.
+  std::uint64_t dropped_sets = 0;  ///< Adopted and forgotten again: their numbers made no proxy or force.
   /// What brings the controlling client's stamps to the server's clock, as its heart-beats tell; nothing before the
   /// first.
   std::optional<double> clock_offset_ms;
@@ -106,8 +107,9 @@ struct Refusal {
   std::string sentence{};
 };
 
-/// Sent by the client every kHeartbeatPeriod from its network thread and answered at once by the server. Each side
-/// repeats the stamp that it heard last, so each can tell the round trip: now - echo_ns - held_ns.
+/// Sent by the client every kHeartbeatPeriod (kQuickHeartbeatPeriod) from its network thread and answered at once by
+/// the server. Each side repeats the stamp that it heard last, so each can tell the round trip: now - echo_ns -
+/// held_ns.
 struct Heartbeat {
   std::int64_t sent_ns = 0;  ///< Sender's steady clock.
   std::int64_t echo_ns = 0;  ///< `sent_ns` of the peer's last heart-beat; 0 when there was none.
@@ -123,10 +125,11 @@ struct Calibrate {
 using Message = std::variant<std::monostate, Hello, Welcome, Refusal, ConstraintSet, HapticState, ServerStatistics,
                              HapticControl, HandTarget, Heartbeat, DeviceCondition, Calibrate>;
 
-/// Seconds between a client's heart-beats.
-inline constexpr double kHeartbeatPeriod = 0.1;
+/// Seconds between a client's heart-beats, and between those of a controller while forces are on: by them the server
+/// notices within 50 ms that it has died.
+inline constexpr double kHeartbeatPeriod = 0.1, kQuickHeartbeatPeriod = 0.01;
 
-/// True when every number is finite and every value within its range; what a decoder demands of a message.
+/// True when every number is finite and every value within its range and bound; what a decoder demands of a message.
 bool isWellFormed(const HapticControl& control);
 bool isWellFormed(const HandTarget& target);
 bool isWellFormed(const HapticState& state);

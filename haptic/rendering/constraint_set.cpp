@@ -21,16 +21,23 @@ Vector6 multiply(const SymmetricMatrix6& B, const Vector6& xi) {
   return result;
 }
 
+/// None is greater, or no number.
 template <typename Container>
-bool allFinite(const Container& values) {
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+bool allWithin(const Container& values, double most) {
+  return std::all_of(values.begin(), values.end(), [most](double v) { return std::abs(v) <= most; });
+}
+
+bool isBetween(double value, double least, double most) {
+  return value >= least && value <= most;
 }
 
 bool isWellFormed(const Constraint& c) {
-  return allFinite(c.gradient) && allFinite(c.curvature) && allFinite(c.trim_gradient) &&
-         allFinite(std::array{c.velocity_D.x, c.velocity_D.y, c.velocity_D.z}) &&
-         allFinite(std::array{c.gap, c.trim_gap, c.stiffness, c.damping, c.friction, c.reach}) && c.stiffness >= 0.0 &&
-         c.reach >= 0.0 && c.damping >= 0.0 && c.friction >= 0.0;
+  return allWithin(c.gradient, bound::kSlope) && allWithin(c.curvature, bound::kCurvature) &&
+         allWithin(c.trim_gradient, bound::kSlope) &&
+         allWithin(std::array{c.velocity_D.x, c.velocity_D.y, c.velocity_D.z}, bound::kSpeed) &&
+         allWithin(std::array{c.gap, c.trim_gap}, bound::kLength) && isBetween(c.stiffness, 0.0, bound::kStiffness) &&
+         isBetween(c.reach, 0.0, bound::kLength) && isBetween(c.damping, 0.0, bound::kDamping) &&
+         isBetween(c.friction, 0.0, bound::kFriction);
 }
 
 }  // namespace
@@ -60,7 +67,9 @@ double evaluateWithGradient(const Constraint& constraint, const Vector6& xi, Vec
 
 bool isWellFormed(const ConstraintSet& set) {
   if (set.count > kMaxConstraints || !set.X_DR.isValid()) return false;
-  if (!std::isfinite(set.zone_radius) || set.zone_radius <= 0.0) return false;
+  const dvec3& p_DR = set.X_DR.p;
+  if (!allWithin(std::array{p_DR.x, p_DR.y, p_DR.z}, bound::kLength)) return false;
+  if (!isBetween(set.zone_radius, bound::kLeastZone, bound::kLength)) return false;
   return std::all_of(set.active().begin(), set.active().end(), [](const Constraint& c) { return isWellFormed(c); });
 }
 

@@ -16,6 +16,21 @@ inline constexpr std::size_t kMaxConstraints = 64;
 /// Least radius, in device space, that a set is asked to be complete in: what a hand reaches before the next set comes.
 inline constexpr double kWantedZoneRadius = 0.060;
 
+/// What the numbers of a set, and of the wire, may be at most: far beyond anything that a workcell or a hand has, and
+/// so far within what double precision bears that no sum or product of a tick is ever infinite.
+namespace bound {
+inline constexpr double kLength = 1e6;      ///< m: gaps, places, zones, reaches.
+inline constexpr double kLeastZone = 1e-6;  ///< m.
+inline constexpr double kSlope = 1e9;       ///< Parts of a gradient.
+inline constexpr double kCurvature = 1e12;  ///< 1/m in the linear block.
+inline constexpr double kStiffness = 1e6;   ///< N/m.
+inline constexpr double kDamping = 1e4;     ///< N s/m.
+inline constexpr double kFriction = 1e4;    ///< Coulomb coefficient.
+inline constexpr double kSpeed = 1e6;       ///< m/s.
+inline constexpr double kForce = 1e6;       ///< N, N m, kg.
+inline constexpr double kTime = 1e15;       ///< ms.
+}  // namespace bound
+
 /// Six numbers over xi = (dx, dy, dz, rx, ry, rz): the stylus's displacement in metres and its rotation vector in
 /// radians, both in the device frame D, from the set's reference pose.
 using Vector6 = std::array<double, 6>;
@@ -77,7 +92,8 @@ Vector6 gradientAt(const Constraint& constraint, const Vector6& xi);
 /// Both at once: returns f(xi) without the trim and fills its gradient.
 double evaluateWithGradient(const Constraint& constraint, const Vector6& xi, Vector6& gradient);
 
-/// True when every number is finite, the pose valid, the radius positive and the count within bounds.
+/// True when every number is finite and within its bound, the pose valid, the radius positive and the count within
+/// bounds.
 bool isWellFormed(const ConstraintSet& set);
 
 }  // namespace hapticell::haptic

@@ -23,7 +23,7 @@ constexpr double kTrustShare = 0.3;                          // of the stiffness
 constexpr double kQuietFilter = 75.0, kQuickFilter = 100.0;  // Hz, at kSoft and below, and for stiff couplings.
 constexpr double kControllerFilter = 40.0;                   // Hz: it damps more, so its noise must be less.
 constexpr double kSoft = 1000.0;                             // N/m.
-constexpr double kDampingLimit = 8.0;                        // N s/m an entry can ask for.
+constexpr double kDampingLimit = 8.0;                        // N s/m that an entry or a client can ask for.
 constexpr double kOldestAge = 1.0;                           // s that a moving obstacle is foreseen.
 constexpr double kOrderLasts = 2.5;                          // s that a set's number shuts lower ones out.
 constexpr double kDamperFade = 0.01;                         // s.
@@ -48,6 +48,11 @@ double saneOr(double value, double fallback) {
   return std::isfinite(value) && value > 0.0 ? value : fallback;
 }
 
+bool isSound(const ProxyStep& step) {
+  return step.X_DP.isValid() &&
+         std::isfinite(length(step.trust_D) + length(step.lag_D) + glm::length(step.v_DO) + step.outrun);
+}
+
 }  // namespace
 
 RendererOptions limitedByDelay(RendererOptions options) {
@@ -61,6 +66,7 @@ RendererOptions limitedByDelay(RendererOptions options) {
   if (!options.adapt) return options;
   const double ticks = std::max(1.0, options.delay / kMillisecond);
   options.stiffness = std::min(options.stiffness, 0.65 * 2300.0 / ticks);
+  options.damping = std::min(options.damping, kDampingLimit);
   if (ticks >= 1.999) options.damping = std::max(options.damping, 4.0);
   return options;
 }
@@ -353,6 +359,9 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   else if (has_set_)
     solved = mover_.move(sets_[current_], proxy_, X_DS, dt);
 
+  if (!isSound(solved)) return endWithoutSet(proxy_, X_DS);
+  const Pose X_DPLast = proxy_;
+
   const MetricVector stretch_D = stretchOf(solved, X_DS);
   const bool late = isLate(solved);
   if (late) solved.contact = false;
@@ -383,7 +392,17 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   last_.applied = last_.wanted = couplingForce(solved);
   last_.limit = kNoLimit;
   load_D_ = load_.tick(X_DS.p, v_stylus_D_.linear, dt) + pullOf(X_DS);
-  return resultOf(solved);
+  const double all = length(last_.wanted) + length(last_.spring) + length(offset_D_) + glm::length(load_D_) +
+                     length(v_proxy_D_) + passivity_.balance() + yielded_;
+  return std::isfinite(all) ? resultOf(solved) : endWithoutSet(X_DPLast, X_DS);
+}
+
+RenderResult ForceRenderer::endWithoutSet(const Pose& X_DP, const Pose& X_DS) {
+  reset(X_DS);
+  proxy_ = X_DP;
+  RenderResult result = resultOf({});
+  result.dropped = true;
+  return result;
 }
 
 RenderResult ForceRenderer::resultOf(const ProxyStep& solved) const {

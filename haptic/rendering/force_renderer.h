@@ -28,9 +28,10 @@ struct RendererOptions {
   double tick = 0.001;        ///< Nominal, s: how many ticks `delay` is.
 };
 
-/// The options that are stable with nobody holding the stylus: K <= 0.65 * 2.3 N/mm per millisecond of delay, and
-/// B >= 4 N s/m from 2 ms of delay on (the limits of the project's own trial with the simulated device). Values that
-/// are not finite or not positive are replaced by the defaults.
+/// The options that are stable with nobody holding the stylus: K <= 0.65 * 2.3 N/mm per millisecond of delay,
+/// B >= 4 N s/m from 2 ms of delay on, and B <= 8 N s/m in any case: a filtered velocity times more kicks (the limits
+/// of the project's own trial with the simulated device). Values that are not finite or not positive are replaced by
+/// the defaults.
 RendererOptions limitedByDelay(RendererOptions options);
 
 /// What one tick of the force renderer yields. All in the device frame D.
@@ -51,6 +52,7 @@ struct RenderResult {
   double stiffness = 0.0;           ///< K in force now, N/m.
   double controller_damping = 0.0;  ///< What the passivity controller adds to B, N s/m.
   std::uint64_t adopted_set = 0;    ///< Sequence of the set that is rendered; 0 before the first.
+  bool dropped = false;             ///< The set made no numbers of this tick and was dropped: no force, the last proxy.
 };
 
 /// What became of a set that was offered.
@@ -67,6 +69,9 @@ enum class Adoption : std::uint8_t {
 /// from the stylus to the proxy. A new set's force difference goes into an offset that decays, so that no change of set
 /// is felt; a passivity observer and a ramped controller (PassivityController) are always on. docs/feel.md tells each
 /// step and why.
+///
+/// Whatever the numbers of a set, the state stays finite: a tick whose proxy or force would be no number ends with the
+/// last good proxy and without force, forgets the set and all that came of it, and tells so (RenderResult::dropped).
 ///
 /// In free motion (no active row, no offset) the force is exactly zero. Owned by the force loop's thread; reset(),
 /// adopt(), setOptions() and tick() neither allocate, lock nor throw. Needs about 60 kB.
@@ -143,6 +148,7 @@ class ForceRenderer {
   MetricVector borne(const MetricVector& stretch_D);
   double forceLimit(const MetricVector& direction_D) const;
   RenderResult resultOf(const ProxyStep& solved) const;
+  RenderResult endWithoutSet(const Pose& X_DP, const Pose& X_DS);
 
   RendererOptions options_;
   ProxyMover mover_;

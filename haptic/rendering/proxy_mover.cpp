@@ -110,7 +110,7 @@ MetricVector ProxyMover::keptInZone(const ConstraintSet& set, ProxyStep& step, c
   const double radius = std::max(set.zone_radius, length(from));
   double share = 1.0 / (1.0 + length(step.trust_D) / set.zone_radius);
   const double size = share * share * dot(d, d), along = share * dot(from, d);
-  if (length(from + share * d) > radius) {
+  if (size > 0.0 && length(from + share * d) > radius) {
     const double room = std::max(0.0, radius * radius - dot(from, from));
     share *= std::clamp((std::sqrt(along * along + size * room) - along) / size, 0.0, 1.0);
   }
@@ -150,7 +150,8 @@ void ProxyMover::goOn(const GroupedSet& grouped, const Pose& from, double most, 
   const SolverResult solved = nearestUnentered(rows.all(), Vector6{});
   if (solved.active_count == 0) return;
   MetricVector d = metricVector(solved.d);
-  if (arrives && length(d) > most) d *= most / length(d);
+  // Friction leaves it inside by hardly anything; rows that contradict each other would send it anywhere.
+  d = limited(d, arrives ? most : kLongestMove);
   step.X_DP = displacedInMetric(step.X_DP, asVector6(keptInZone(grouped.set, step, d)));
 }
 

@@ -52,6 +52,8 @@ SafetyOptions sane(const SafetyOptions& wanted) {
   options.set_silence_limit = saneOr(wanted.set_silence_limit, defaults.set_silence_limit);
   options.set_silence_decay = saneOr(wanted.set_silence_decay, defaults.set_silence_decay);
   options.close_decay = saneOr(wanted.close_decay, defaults.close_decay);
+  options.speed_limit = saneOr(wanted.speed_limit, defaults.speed_limit);
+  options.speed_ticks = std::max(1, wanted.speed_ticks);
   if (!std::isfinite(wanted.ramp_damping) || wanted.ramp_damping < 0.0) options.ramp_damping = defaults.ramp_damping;
   return options;
 }
@@ -101,6 +103,8 @@ SafetyResult SafetyChain::tick(const SafetyInput& input) noexcept {
   result.input_fault = !isPlausible(input.force_D) || !isPlausible(input.torque_D / kShortestLever);
   const dvec3 wanted = result.input_fault ? dvec3(0.0) : input.force_D;
   const dvec3 wanted_torque = result.input_fault ? dvec3(0.0) : input.torque_D;
+  result.too_fast = isTooFast(input.v_DS);
+  if (result.too_fast) trip();
   slewTowards(force_, wanted, dt, result);
   slewTowards(torque_, wanted_torque, dt, result);
   stepFade(input, dt);
@@ -127,12 +131,21 @@ SafetyResult SafetyChain::tick(const SafetyInput& input) noexcept {
   return result;
 }
 
+/// One tick that is faster is a sample that has slipped through; a speed that is no number is no speed of a hand.
+bool SafetyChain::isTooFast(const dvec3& v_DS) noexcept {
+  fast_ticks_ = glm::length(v_DS) <= options_.speed_limit ? 0 : std::min(fast_ticks_ + 1, options_.speed_ticks);
+  return fast_ticks_ >= options_.speed_ticks;
+}
+
 void SafetyChain::stepFade(const SafetyInput& input, double dt) noexcept {
+  const bool quick = input.silence_limit > 0.0 && input.silence_limit < options_.silence_limit;
   // A silence that is no number is no sign of life.
-  const bool silent = !(input.link_silence <= options_.silence_limit);
+  const bool silent = !(input.link_silence <= (quick ? input.silence_limit : options_.silence_limit));
   const bool stalled = !(input.set_silence <= options_.set_silence_limit);
   if (silent || stalled) {
-    fade_ = std::max(0.0, fade_ - dt / (silent ? options_.silence_decay : options_.set_silence_decay));
+    const double silence_decay =
+        quick ? std::min(options_.close_decay, options_.silence_decay) : options_.silence_decay;
+    fade_ = std::max(0.0, fade_ - dt / (silent ? silence_decay : options_.set_silence_decay));
     return;
   }
   fade_ = gate_ == GateState::kClosed || gate_ == GateState::kWaiting ? 1.0
@@ -142,7 +155,7 @@ void SafetyChain::stepFade(const SafetyInput& input, double dt) noexcept {
 void SafetyChain::stepGate(const SafetyInput& input, bool small_force, double dt) noexcept {
   if (!input.enabled) needs_new_enable_ = false;
   if (!input.link_open && input.enabled) needs_new_enable_ = true;
-  const bool shut = !input.enabled || !input.link_open || needs_new_enable_;
+  const bool shut = !input.enabled || !input.link_open || needs_new_enable_ || !input.device_ready;
   const bool pushes = gate_ == GateState::kRamping || gate_ == GateState::kOpen;
   if (shut && pushes) gate_ = GateState::kClosing;
   // Once a silent link has faded everything, its return begins with the small-force state again.

@@ -24,6 +24,8 @@ struct SafetyOptions {
   double set_silence_limit = 2.0;  ///< A client that lives but says nothing of contacts: held so long, s,
   double set_silence_decay = 0.5;  ///< then to zero in this time, s.
   double close_decay = 0.04;       ///< Socket closed, or forces switched off: to zero in this time, s.
+  double speed_limit = 3.0;        ///< m/s: a stylus that is faster is in nobody's hand, or its encoders lie,
+  int speed_ticks = 5;             ///< for so many ticks on end.
 };
 
 /// What the chain hears each tick.
@@ -34,13 +36,16 @@ struct SafetyInput {
   double dt = 0.001;                  ///< Since the last tick, s.
   bool enabled = false;               ///< The explicit enable of the controlling client (Esc clears it).
   bool link_open = true;              ///< A controlling client is connected.
+  bool device_ready = true;           ///< The device exerts what it is told (calibrated, powered, measuring).
   double link_silence = 0.0;          ///< Seconds since its last word.
+  double silence_limit = 0.0;         ///< How long this client may be silent, s, where that is less than the option
+                                      ///< (its heart-beats are quicker); the force then falls as when a link closes.
   double set_silence = 0.0;           ///< Seconds since its last constraint set that was taken.
   double reported_temperature = 0.0;  ///< Of the device, 0 .. 1 at the limit; 0 where it does not tell.
 };
 
 enum class GateState : std::uint8_t {
-  kClosed,   ///< Not enabled, or shut by trip() or a lost link and not enabled anew since.
+  kClosed,   ///< Not enabled, the device not ready, or shut by trip() or a lost link and not enabled anew since.
   kWaiting,  ///< Enabled; waits for a small wanted force.
   kRamping,
   kOpen,
@@ -59,10 +64,11 @@ struct SafetyResult {
   bool input_fault = false;   ///< This tick's wanted force was not a plausible number; it counted as zero.
   bool slew_limited = false;  ///< The wanted force moved faster than the slew limit.
   bool derated = false;       ///< Thermal derating bites.
+  bool too_fast = false;      ///< The stylus has been beyond the speed limit: tripped.
 };
 
-/// Stands between every wanted force and the motors. In this order: finite check, slew limit, magnitude clamp, thermal
-/// derating, engage gate with the fades of a lost link.
+/// Stands between every wanted force and the motors. In this order: finite check, limit of the stylus's speed, slew
+/// limit, magnitude clamp, thermal derating, engage gate with the fades of a lost link.
 ///
 /// Two promises hold for any input whatever: |force| <= peak_force, and two successive forces differ by at most
 /// slew * min(dt, 1 ms); likewise the torque, which goes the same way through a ball of its own. Both, because each
@@ -101,6 +107,7 @@ class SafetyChain {
   void stepGate(const SafetyInput& input, bool small_force, double dt) noexcept;
   void stepFade(const SafetyInput& input, double dt) noexcept;
   void stepTemperature(double reported, double dt) noexcept;
+  bool isTooFast(const dvec3& v_DS) noexcept;
   /// Part of the peak that warm motors bear now.
   double thermalShare() const noexcept;
 
@@ -108,6 +115,7 @@ class SafetyChain {
   Channel force_, torque_;
   GateState gate_ = GateState::kClosed;
   int small_ticks_ = 0;
+  int fast_ticks_ = 0;  ///< On end.
   double ramp_ = 0.0;
   double fade_ = 1.0;
   double temperature_ = 0.0;

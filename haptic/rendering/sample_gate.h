@@ -12,16 +12,15 @@ namespace hapticell::haptic {
 ///
 /// A sample that lies farther from the last one than kLeap and twice the way of the fastest tick of late is *refused*:
 /// the last pose stands in for it. A second sample that agrees with a refused one is believed, so a true leap costs one
-/// tick; one that no hand can have made (over kJump) is told as a jump. Samples that agree with nothing are believed
-/// after kMostRefused ticks. Distances are in the proxy's metric: a turn counts with kRotationLever. Force loop's
-/// thread; never allocates, locks or throws.
+/// tick; but where no hand can have made the leap (over kJump) neither it nor what follows from there is believed, only
+/// what comes back, until restart(): whoever asks stops the motors first. Distances are in the proxy's metric: a turn
+/// counts with kRotationLever. Force loop's thread; never allocates, locks or throws.
 class SampleGate {
  public:
   static constexpr double kLeap = 0.15e-3;  ///< m from rest in a millisecond: 300 m/s2, six times what motors can do.
   static constexpr double kJump = 2e-3;     ///< m in a millisecond: 2 m/s out of nothing.
-  static constexpr int kMostRefused = 5;
 
-  enum class Verdict : std::uint8_t { kFollows, kRefused, kJumped };
+  enum class Verdict : std::uint8_t { kFollows, kRefused };
 
   /// Whatever comes next is believed.
   void restart() { started_ = false; }
@@ -31,12 +30,13 @@ class SampleGate {
   const Pose& believed() const { return believed_; }
 
  private:
-  Verdict believe(const Pose& X_DS, Verdict verdict);
+  Verdict believe(const Pose& X_DS);
 
   bool started_ = false;
   Pose believed_;
   Pose refused_;  ///< The newest one.
-  int refused_count_ = 0;
+  bool refusing_ = false;
+  bool jumped_ = false;   ///< What was refused lies beyond what a hand can do.
   double speed_ = 0.0;    ///< m/s in the metric: the greatest of late.
   double elapsed_ = 0.0;  ///< s since `believed_`.
 };

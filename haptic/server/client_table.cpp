@@ -70,6 +70,8 @@ void ClientTable::hear(Client& client, const Message& message) {
   }
   if (const auto* beat = std::get_if<Heartbeat>(&message)) {
     client.heartbeat.heard(*beat, client.heard_ns);
+    client.beats.heard(client.heard_ns, client.heartbeat.roundTrip());
+    if (&client == controller_) loop_.expectWithin(client.beats.limit());
     return client.stream->send(encoder_.encode(Message(client.heartbeat.next(clock_.now()))));
   }
   if (const auto* calibrate = std::get_if<Calibrate>(&message); calibrate != nullptr && client.wants_condition) {
@@ -139,6 +141,7 @@ void ClientTable::welcome(Client& client, ClientKind kind) {
   told_ns_ = 0;
   if (kind == ClientKind::kController) {
     controller_ = &client;
+    controllers_process_ = PeerProcess::find(client.stream->peer(), options_.port);
     loop_.openLink();
   }
   client.stream->send(encoder_.encode(Message(Welcome{
@@ -236,6 +239,10 @@ void ClientTable::tellCondition() {
 
 void ClientTable::sweep() {
   tellCondition();
+  if (controller_ != nullptr && controllers_process_ && controllers_process_->isDying()) {
+    controllers_process_.reset();
+    drop(*controller_, "is gone");
+  }
   const std::int64_t now = clock_.now();
   for (const auto& client : clients_) {
     if (client->gone || !overdue(*client, now)) continue;

@@ -10,7 +10,9 @@
 #include "haptic/client/message_stream.h"
 #include "haptic/protocol/codec.h"
 #include "haptic/protocol/heartbeat.h"
+#include "haptic/server/beat_watch.h"
 #include "haptic/server/network_server.h"
+#include "haptic/server/peer_process.h"
 
 namespace hapticell::haptic {
 
@@ -42,6 +44,7 @@ class ClientTable {
     std::int64_t since_ns = 0;       ///< Connected, or told to go.
     std::int64_t heard_ns = 0;
     HeartbeatExchange heartbeat;
+    BeatWatch beats;
     bool wants_condition = false;
     bool gone = false;
   };
@@ -69,6 +72,7 @@ class ClientTable {
   ConstraintSet stamped_;  // A set on its way to the loop, with its stamp in the loop's clock.
   std::vector<std::unique_ptr<Client>> clients_;
   Client* controller_ = nullptr;
+  std::optional<PeerProcess> controllers_process_;  // Where it is on this machine and may be seen.
   HapticState told_state_;
   std::int64_t told_ns_ = 0;          // When it was sent; 0: whatever is next is news.
   std::uint64_t told_condition_ = 0;  // DeviceCare::changes() that was sent.

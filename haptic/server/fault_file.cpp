@@ -3,8 +3,10 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
+#include <sstream>
 #include <string>
+
+#include "geometry/atomic_file.h"
 
 namespace hapticell::haptic {
 
@@ -24,7 +26,7 @@ Expected<fs::path> writeFault(const FaultRecord& record, const fs::path& folder)
   std::error_code problem;
   fs::create_directories(folder, problem);
   const fs::path path = folder / ("fault-" + std::to_string(record.tick) + ".csv");
-  std::ofstream file(path);
+  std::ostringstream file;
   file << "# fault: " << toString(record.kind) << " at tick " << record.tick << "\n"
        << "tick,stamp_ns,x,y,z,qw,qx,qy,qz,proxy_x,proxy_y,proxy_z,wanted_x,wanted_y,wanted_z,fx,fy,fz,"
           "rows,set,skipped,buttons,forces_on\n";
@@ -39,8 +41,7 @@ Expected<fs::path> writeFault(const FaultRecord& record, const fs::path& folder)
                   static_cast<unsigned long long>(s.adopted_set), s.skipped, s.buttons, s.forces_on ? 1 : 0);
     file << line;
   }
-  file.flush();
-  if (!file) return makeError({path.string(), "", "it cannot be written", "a folder that may be written to", ""});
+  if (auto written = writeFileAtomically(path, file.str()); !written) return makeError(written.error());
   return path;
 }
 

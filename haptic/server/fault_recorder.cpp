@@ -15,6 +15,8 @@ const char* toString(FaultKind kind) {
       return "missed ticks";
     case FaultKind::kInput:
       return "input";
+    case FaultKind::kSpeed:
+      return "speed";
     case FaultKind::kNone:
       break;
   }

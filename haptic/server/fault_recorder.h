@@ -11,9 +11,9 @@
 
 namespace hapticell::haptic {
 
-enum class FaultKind : std::uint8_t { kNone, kDevice, kMissedTicks, kInput };
+enum class FaultKind : std::uint8_t { kNone, kDevice, kMissedTicks, kInput, kSpeed };
 
-/// "device", "missed ticks", "input".
+/// "device", "missed ticks", "input", "speed".
 const char* toString(FaultKind kind);
 
 /// Everything that one tick knew.

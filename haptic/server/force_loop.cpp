@@ -2,11 +2,27 @@
 #include "haptic/server/force_loop.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "geometry/assertion.h"
 #include "haptic/devices/simulated_device.h"
 
 namespace hapticell::haptic {
+
+namespace {
+
+constexpr double kBeyondWorkspace = 0.5;   // m that a stylus may be outside of what its device states.
+constexpr double kUnknownWorkspace = 2.0;  // m, of one that states nothing.
+constexpr double kShortDoubt = 0.0025;     // s of refused samples while nothing pushes.
+constexpr double kDoubtFades = 0.25;       // Of a refused sample for each that is believed.
+
+double reachOf(const DeviceCapabilities& c) {
+  const double half = 0.5 * glm::length(c.workspace_max - c.workspace_min);
+  return std::isfinite(half) && half > 0.0 ? half + kBeyondWorkspace : kUnknownWorkspace;
+}
+
+}  // namespace
 
 ForceLoopOptions optionsFor(const Device& device, double rate_hz) {
   const DeviceCapabilities& capabilities = device.capabilities();
@@ -56,7 +72,10 @@ ForceLoop::ForceLoop(Device& device, const Clock& clock, const ForceLoopOptions&
       renderer_(options.renderer),
       safety_(options.safety),
       statistics_(options.rate_hz),
-      log_(options.log_ticks) {
+      log_(options.log_ticks),
+      pushes_(device.capabilities().driven_axes > 0),
+      middle_D_(0.5 * (device.capabilities().workspace_min + device.capabilities().workspace_max)),
+      reach_(reachOf(device.capabilities())) {
   HAPTICELL_DEMAND(options.rate_hz >= 1.0 && options.rate_hz <= 1e5);
   readDevice(period_);
   renderer_.reset(reading_.X_DS);
@@ -64,6 +83,7 @@ ForceLoop::ForceLoop(Device& device, const Clock& clock, const ForceLoopOptions&
 
 void ForceLoop::openLink() noexcept {
   heard();
+  silence_limit_.store(0.0, std::memory_order_relaxed);
   session_.store(++last_session_, std::memory_order_release);
 }
 
@@ -104,6 +124,10 @@ void ForceLoop::tick(const TickTiming& timing) noexcept {
   const bool pushes = safety_result_.gate == GateState::kRamping || safety_result_.gate == GateState::kOpen;
   renderer_.setLoad(pushes ? control_.load : LoadOptions{});
   render_ = renderer_.tick(reading_.X_DS, dt);
+  if (render_.dropped) {
+    statistics_.addDroppedSet();
+    faults_.trigger(FaultKind::kInput);
+  }
   guardAndWrite(now, dt);
   record(now, timing);
   publish(now, timing);
@@ -200,6 +224,8 @@ void ForceLoop::watchStalls(const TickTiming& timing) noexcept {
 void ForceLoop::record(std::int64_t now, const TickTiming& timing) noexcept {
   if (safety_result_.input_fault && !input_fault_) faults_.trigger(FaultKind::kInput);
   input_fault_ = safety_result_.input_fault;
+  if (safety_result_.too_fast && !too_fast_) faults_.trigger(FaultKind::kSpeed);
+  too_fast_ = safety_result_.too_fast;
   FaultSample sample;
   sample.tick = tick_;
   sample.stamp_ns = now;
@@ -215,24 +241,54 @@ void ForceLoop::record(std::int64_t now, const TickTiming& timing) noexcept {
   faults_.add(sample);
 }
 
+/// Whether a measurement is one that a hand can have made; a first one, or the first after the motors went off, is.
+bool ForceLoop::believes(const DeviceReading& reading) noexcept {
+  if (!reading.fresh) return false;
+  const Pose& X_DS = reading.X_DS;
+  bool follows = false;
+  if (!X_DS.isValid() || glm::distance(X_DS.p, middle_D_) > reach_) {
+    faults_.trigger(FaultKind::kInput);
+  } else {
+    if (anew_) {
+      gate_.restart();
+      renderer_.noteJump();
+    }
+    anew_ = false;
+    follows = gate_.judge(X_DS, std::exchange(judged_, 0.0)) == SampleGate::Verdict::kFollows;
+  }
+  doubt_ = follows ? std::max(0.0, doubt_ - kDoubtFades * period_) : doubt_ + period_;
+  if (!follows) statistics_.addRefusedSample();
+  return follows;
+}
+
 void ForceLoop::readDevice(double dt) noexcept {
   DeviceReading reading;
   const bool fault = device_.read(reading) != DeviceStatus::kOk;
-  const Pose last = reading_.X_DS;
-  if (!fault) reading_ = reading;
-  if (!reading_.X_DS.isValid()) {  // Nobody is told of a pose that is none.
-    reading_.X_DS = last;
-    faults_.trigger(FaultKind::kInput);
+  age_ += dt;
+  judged_ += dt;
+  if (!fault) {
+    if (believes(reading)) {
+      age_ = 0.0;
+      measured_ = true;
+    } else {
+      reading.X_DS = reading_.X_DS;  // Nobody is told of a pose that is none, or that is not believed.
+    }
+    reading_ = reading;
   }
-  const SampleGate::Verdict verdict = gate_.judge(reading_.X_DS, dt);
-  reading_.X_DS = gate_.believed();
-  if (verdict == SampleGate::Verdict::kRefused) statistics_.addRefusedSample();
-  if (verdict == SampleGate::Verdict::kJumped) renderer_.noteJump();
-  if (fault && !device_fault_) {
+  const GateState gate = safety_result_.gate;
+  const bool pushing = pushes_ && gate != GateState::kClosed && gate != GateState::kWaiting;
+  const bool doubted = doubt_ >= (pushing ? kStale : kShortDoubt);
+  const bool failing = fault || (measured_ && pushes_ && (age_ >= kStale || (doubted && pushing)));
+  // Nothing pushes: what is measured next counts, wherever it is (calibration moves it, somebody plugs it in).
+  if (failing || doubted || !reading_.takes_force) {
+    anew_ = true;
+    doubt_ = 0.0;
+  }
+  if (failing && !device_fault_) {
     safety_.trip();
     faults_.trigger(FaultKind::kDevice);
   }
-  device_fault_ = fault;
+  device_fault_ = failing;
 }
 
 void ForceLoop::guardAndWrite(std::int64_t now, double dt) noexcept {
@@ -243,6 +299,8 @@ void ForceLoop::guardAndWrite(std::int64_t now, double dt) noexcept {
   input.dt = dt;
   input.enabled = control_.forces_enabled;
   input.link_open = session_.load(std::memory_order_acquire) != 0;
+  input.device_ready = isReady();
+  input.silence_limit = silence_limit_.load(std::memory_order_relaxed);
   const std::int64_t silence = now - last_heard_.load(std::memory_order_relaxed);
   input.link_silence = input.link_open ? std::max(0.0, kSecondsPerNanosecond * static_cast<double>(silence)) : 0.0;
   const double without_set = kSecondsPerNanosecond * static_cast<double>(now - last_set_ns_);
@@ -250,7 +308,7 @@ void ForceLoop::guardAndWrite(std::int64_t now, double dt) noexcept {
   state_.client_stalled = control_.forces_enabled && input.set_silence > options_.safety.set_silence_limit;
   input.reported_temperature = reading_.motor_temperature;
   safety_result_ = safety_.tick(input);
-  if (device_fault_ || motors_off_) {
+  if (device_fault_ || motors_off_ || !isReady()) {
     safety_.cut();
     safety_result_.force_D = safety_result_.torque_D = dvec3(0.0);
     safety_result_.gate = GateState::kClosed;

@@ -48,8 +48,9 @@ struct TickTiming {
 /// tick() neither allocates, locks, logs nor throws. A simulated device is also advanced by the time that passed.
 ///
 /// A link is a controlling client's session. While it is open and heard the newest set is held, however old; closed,
-/// the force falls to zero within 50 ms; silent for 600 ms, within 200 ms more (SafetyChain); without a new set for
-/// 2 s though heard (its loop hangs), within 500 ms more; heard again, it comes back through the engage gate.
+/// the force falls to zero within 50 ms; silent for 600 ms, within 200 ms more (SafetyChain), or for as long as
+/// expectWithin() says, within 20 ms more; without a new set for 2 s though heard (its loop hangs), within 500 ms more;
+/// heard again, it comes back through the engage gate.
 class ForceLoop {
  public:
   /// `device` must be open; it and `clock` must outlive the loop.
@@ -67,6 +68,9 @@ class ForceLoop {
   /// Ticks are missed so many times at once (a stalled machine) that a hardware device's motors go off; until the
   /// client takes its enable back and gives it again. A simulated device only counts.
   static constexpr std::uint32_t kStall = 20;
+  /// A device that exerts forces has not measured for kFreshFor, or for so long only what no hand can have made: zero
+  /// is written and forces must be enabled anew. Half a tick before, so that the tick of that age writes it.
+  static constexpr double kStale = kFreshFor - 0.0005;
   bool motorsOff() const { return motors_off_; }
   std::uint64_t stalls() const { return stalls_; }
   double period() const { return period_; }  ///< Seconds; any thread.
@@ -77,6 +81,8 @@ class ForceLoop {
   void closeLink() noexcept;
   /// The client was heard (any message, a heart-beat at least every kHeartbeatPeriod).
   void heard() noexcept { last_heard_.store(clock_.now(), std::memory_order_relaxed); }
+  /// How long this client may be silent, s, by the beat of its heart so far; 0: as the options say.
+  void expectWithin(double seconds) noexcept { silence_limit_.store(seconds, std::memory_order_relaxed); }
   /// Newest wins. The set's stamp must be in this loop's clock (or 0: its age is then not counted).
   void submit(const ConstraintSet& set) noexcept;
   void submit(const HapticControl& control) noexcept;
@@ -118,6 +124,8 @@ class ForceLoop {
   void watchStalls(const TickTiming& timing) noexcept;
   void record(std::int64_t now, const TickTiming& timing) noexcept;
   void readDevice(double dt) noexcept;
+  bool believes(const DeviceReading& reading) noexcept;
+  bool isReady() const noexcept { return reading_.takes_force && !anew_; }
   void guardAndWrite(std::int64_t now, double dt) noexcept;
   void publish(std::int64_t now, const TickTiming& timing) noexcept;
   void publishFigures(std::int64_t now) noexcept;
@@ -130,6 +138,7 @@ class ForceLoop {
 
   std::atomic<std::uint64_t> session_{0};  // 0: closed; else counts the sessions.
   std::atomic<std::int64_t> last_heard_{0};
+  std::atomic<double> silence_limit_{0.0};
   std::uint64_t last_session_ = 0;  // Link thread's own.
   Inbox<ConstraintSet> sets_;
   Inbox<HapticControl> controls_;
@@ -150,10 +159,18 @@ class ForceLoop {
   std::int64_t last_set_ns_ = 0;  // When a set came last, whatever became of it, or the session began.
   bool hand_from_link_ = false;
   DeviceReading reading_;
+  const bool pushes_;      // The device exerts forces.
+  const dvec3 middle_D_;   // Of the workspace.
+  const double reach_;     // m from there; beyond it is no place of the stylus.
+  double age_ = 0.0;       // s since a measurement was believed.
+  double judged_ = 0.0;    // s since one was judged.
+  double doubt_ = 0.0;     // s of samples that were refused, of late.
+  bool measured_ = false;  // One was believed since the start.
+  bool anew_ = true;       // Whatever is measured next is believed: nothing pushes.
   bool device_fault_ = false;
   bool motors_off_ = false;
-  bool engaged_ = false;  // What the device was told last.
-  bool input_fault_ = false;
+  bool engaged_ = false;                         // What the device was told last.
+  bool input_fault_ = false, too_fast_ = false;  // Of the last tick.
   std::uint64_t stalls_ = 0;
   FaultRecorder faults_;
   RenderResult render_;

@@ -52,6 +52,10 @@ std::string loopReport(const LoopFigures& figures) {
              1e3 * figures.recent_set_age.percentile(0.5), 1e3 * figures.recent_set_age.percentile(0.99),
              static_cast<unsigned long long>(figures.late_sets),
              static_cast<unsigned long long>(figures.refused_sets)) +
+         (figures.dropped_sets == 0
+              ? std::string()
+              : print("Sets whose numbers made no proxy or force, dropped: %llu (a fault of the client).\n",
+                      static_cast<unsigned long long>(figures.dropped_sets))) +
          (figures.refused_samples == 0
               ? std::string()
               : print("Samples of the stylus that no hand can have made, not answered: %llu (a cable or an encoder).\n",

@@ -24,6 +24,7 @@ ServerStatistics statisticsOf(const LoopFigures& figures, const LinkFigures& lin
   s.set_age_p99_ms = 1e3 * figures.recent_set_age.percentile(0.99);
   s.late_sets = figures.late_sets;
   s.refused_sets = figures.refused_sets;
+  s.dropped_sets = figures.dropped_sets;
   if (link.clock_offset) s.clock_offset_ms = 1e3 * *link.clock_offset;
   return s;
 }
@@ -59,6 +60,7 @@ void LoopStatistics::collect(std::int64_t now, LoopFigures& figures) noexcept {
   figures.missed = missed_;
   figures.late_sets = late_sets_;
   figures.refused_sets = refused_sets_;
+  figures.dropped_sets = dropped_sets_;
   figures.refused_samples = refused_samples_;
   figures.lateness = lateness_;
   figures.recent_lateness = recent_[0].lateness;

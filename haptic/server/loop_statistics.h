@@ -20,6 +20,7 @@ struct LoopFigures {
   DurationHistogram recent_set_age;   ///< From a set's query to its adoption, last 5 to 10 s.
   std::uint64_t late_sets = 0;        ///< Adopted when older than kLateSetAge, since the start.
   std::uint64_t refused_sets = 0;     ///< Not adopted, since the start.
+  std::uint64_t dropped_sets = 0;     ///< Adopted, but their numbers made no proxy or force; since the start.
   std::uint64_t refused_samples = 0;  ///< Of the stylus, that no hand can have made; since the start.
 };
 
@@ -43,6 +44,8 @@ class LoopStatistics {
   void addSetAge(std::int64_t age_ns) noexcept;
   /// A set was not adopted: the one before is held.
   void addRefusedSet() noexcept { ++refused_sets_; }
+  /// A set was adopted and forgotten again: see RenderResult::dropped.
+  void addDroppedSet() noexcept { ++dropped_sets_; }
   /// A sample of the stylus was not believed: see SampleGate.
   void addRefusedSample() noexcept { ++refused_samples_; }
 
@@ -63,7 +66,7 @@ class LoopStatistics {
   std::uint32_t ticks_between_;
   std::uint32_t ticks_since_figures_ = 0;
   std::uint64_t ticks_ = 0, missed_ = 0;
-  std::uint64_t late_sets_ = 0, refused_sets_ = 0, refused_samples_ = 0;
+  std::uint64_t late_sets_ = 0, refused_sets_ = 0, dropped_sets_ = 0, refused_samples_ = 0;
   DurationHistogram lateness_;
   std::array<Window, 2> recent_{};  // Five seconds each; the older one is cleared when the newer is full.
   std::size_t newest_ = 0;

@@ -76,11 +76,17 @@ void writeFaults(ForceLoop& loop, const std::filesystem::path& folder) {
 }
 
 /// Waits for a signal to end, or for the time to be over; prints the figures at SIGUSR1.
-void waitForTheEnd(ForceLoop& loop, const sigset_t& signals, double seconds, const std::filesystem::path& faults) {
+void waitForTheEnd(ForceLoop& loop, const sigset_t& signals, double seconds, const std::filesystem::path& faults,
+                   const RecordingDevice* recording) {
   const RealClock clock;
   const std::int64_t end = clock.now() + toNanoseconds(seconds);
+  bool told = false;
   while (true) {
     writeFaults(loop, faults);
+    if (const auto fault = recording != nullptr && !told ? recording->fault() : std::nullopt) {
+      told = true;  // At once, not only when the session is over.
+      spdlog::error("The recording is given up: {}", fault->message());
+    }
     std::int64_t left = toNanoseconds(kFaultPeriod);
     if (seconds > 0.0) left = std::min(left, end - clock.now());
     if (left <= 0) return;
@@ -110,7 +116,12 @@ Expected<void> serve(const ServerOptions& asked) {
   auto made = makeDevice(asked.device.value_or(configuration->haptic.device), *configuration,
                          [](const std::string& sentence) { spdlog::warn("{}", sentence); });
   if (!made) return tl::unexpected(made.error());
-  if (!asked.record.empty()) made = std::make_unique<RecordingDevice>(std::move(*made), asked.record);
+  RecordingDevice* recording = nullptr;
+  if (!asked.record.empty()) {
+    auto recorded = std::make_unique<RecordingDevice>(std::move(*made), asked.record);
+    recording = recorded.get();
+    made = std::move(recorded);
+  }
   Device& device = **made;
   if (SimulatedDevice* const simulated = device.simulated()) {
     simulated->hand().setOptions(configuredHand(*configuration));
@@ -132,13 +143,13 @@ Expected<void> serve(const ServerOptions& asked) {
   std::fflush(stdout);
   const std::filesystem::path faults =
       asked.fault_log.empty() ? defaultFaultFolder() : std::filesystem::path(asked.fault_log);
-  waitForTheEnd(loop, signals, asked.seconds, faults);
+  waitForTheEnd(loop, signals, asked.seconds, faults, recording);
 
   runner.stop();  // Force zero before anything else ends.
   network->reset();
   loop.updateReport();
   std::fputs(loopReport(loop.report()).c_str(), stderr);
-  return {};
+  return recording != nullptr ? recording->finish() : Expected<void>();
 }
 
 int run(int count, char** words) {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 
+#include "geometry/atomic_file.h"
 #include "mannequin/ergonomics/report.h"
 #include "mannequin/ergonomics/report_canvas.h"
 
@@ -385,15 +387,21 @@ double densityOf(const Report& report) {
 }  // namespace
 
 Expected<void> writeReportPdf(const Report& report, const std::filesystem::path& file) {
-  Surface surface(cairo_pdf_surface_create(file.c_str(), kWidth, kHeight));
+  std::string bytes;
+  const auto append = [](void* to, const unsigned char* data, unsigned size) {
+    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), size);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  const Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, kWidth, kHeight));
   if (cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS) {
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, report.title.c_str());
     const Context context(cairo_create(surface.get()));
     PdfPainter(report, densityOf(report), context.get()).paint();
-    cairo_surface_finish(surface.get());
   }
-  if (cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS) return {};
-  return makeError({file.string(), "", "it cannot be written", "a folder that is there, with room", ""});
+  cairo_surface_finish(surface.get());
+  const cairo_status_t status = cairo_surface_status(surface.get());
+  if (status == CAIRO_STATUS_SUCCESS) return writeFileAtomically(file, bytes);
+  return makeError({file.string(), "", cairo_status_to_string(status), "a report that can be drawn", ""});
 }
 
 ReportPicture drawReportPage(const Report& report, int page, int width) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "geometry/atomic_file.h"
 #include "mannequin/ergonomics/report.h"
 
 namespace hapticell::ergonomics {
@@ -219,14 +219,6 @@ nlohmann::ordered_json jsonOf(const ReportBlock& block) {
   return json;
 }
 
-Expected<void> writeText(const std::string& text, const std::filesystem::path& file) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (out.good()) return {};
-  return makeError({file.string(), "", "it cannot be written", "a folder that is there, with room", ""});
-}
-
 }  // namespace
 
 std::array<double, 3> bandColor(int band) {
@@ -305,9 +297,9 @@ std::string reportHtml(const Report& report) {
 Expected<void> writeReport(const Report& report, const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   if (ending == ".pdf") return writeReportPdf(report, file);
-  if (ending == ".html" || ending == ".htm") return writeText(reportHtml(report), file);
-  if (ending == ".csv") return writeText(reportCsv(report), file);
-  if (ending == ".json") return writeText(reportJson(report), file);
+  if (ending == ".html" || ending == ".htm") return writeFileAtomically(file, reportHtml(report));
+  if (ending == ".csv") return writeFileAtomically(file, reportCsv(report));
+  if (ending == ".json") return writeFileAtomically(file, reportJson(report));
   return makeError(
       {file.string(), "", ending.empty() ? "no ending" : "the ending " + ending, ".pdf, .html, .csv or .json", ""});
 }

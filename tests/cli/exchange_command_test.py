@@ -5,6 +5,7 @@
 usage: exchange_command_test.py HAPTICELL_CLI [NAME_PART]
 """
 import csv
+import fcntl
 import json
 import math
 import sys
@@ -26,6 +27,26 @@ def solids(entities):
 
 def bounds(entity):
     return entity["bounds"]["min"] + entity["bounds"]["max"]
+
+
+def test_a_cell_that_is_open_elsewhere_is_not_replaced(case):
+    case.run("workcell", "new", "a.hcell", "--add", "box:1,1,1")
+    before = (case.folder / "a.hcell").read_bytes()
+    lock = case.folder / ".a.hcell.lock"
+    assert not lock.exists(), "it goes with the command"
+    with open(lock, "w") as file:
+        json.dump({"user": "anna", "host": "far", "since": "2026-11-26 09:30", "process": 12}, file)
+        file.flush()
+        fcntl.flock(file, fcntl.LOCK_EX)
+        message = case.run("workcell", "new", "a.hcell", "--add", "box:2,2,2", expect=2)
+        assert "anna on far since 2026-11-26 09:30" in message and "Close it there" in message, message
+        assert (case.folder / "a.hcell").read_bytes() == before
+    lock.write_text(json.dumps({"user": "anna", "host": "far", "process": 12}))
+    assert "anna on far" in case.run("workcell", "new", "a.hcell", "--add", "box:2,2,2", expect=2), "another machine's counts"
+    lock.write_text("what a program left that died")
+    case.run("workcell", "new", "a.hcell", "--add", "box:2,2,2")
+    assert (case.folder / "a.hcell").read_bytes() != before and not lock.exists()
+    assert sorted(path.name for path in case.folder.iterdir()) == ["a.hcell"], list(case.folder.iterdir())
 
 
 def test_every_writable_format_keeps_the_solid(case):

@@ -62,6 +62,49 @@ TEST(DeviceRecording, AReplayGivesBitEqualForces) {
   EXPECT_EQ(recording->capabilities.name, SimulatedDevice().capabilities().name);
 }
 
+/// Measures every third tick, and exerts forces from the tenth on.
+class Seldom final : public Device {
+ public:
+  const DeviceCapabilities& capabilities() const override { return capabilities_; }
+  Expected<void> open() override { return {}; }
+  DeviceStatus read(DeviceReading& reading) noexcept override {
+    reading.fresh = ticks_ % 3 == 0;
+    reading.takes_force = ticks_++ >= 10;
+    return DeviceStatus::kOk;
+  }
+  DeviceStatus write(const dvec3&, const dvec3&) noexcept override { return DeviceStatus::kOk; }
+  void close() noexcept override {}
+
+ private:
+  DeviceCapabilities capabilities_;
+  int ticks_ = 0;
+};
+
+/// A force loop that reads a replay must know it too, else it would decide otherwise.
+TEST(DeviceRecording, WhatWasNotFreshAndTookNoForceComesBackSo) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "seldom.hdev";
+  DeviceReading reading;
+  {
+    RecordingDevice device(std::make_unique<Seldom>(), file);
+    ASSERT_TRUE(device.open());
+    for (int i = 0; i < 20; ++i) {
+      device.read(reading);
+      device.write(dvec3(0.0), dvec3(0.0));
+    }
+  }
+  const auto recording = readDeviceRecording(file);
+  ASSERT_TRUE(recording) << recording.error().message();
+  ReplayDevice replay(*recording);
+  ASSERT_TRUE(replay.open());
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_EQ(replay.read(reading), DeviceStatus::kOk);
+    EXPECT_EQ(reading.fresh, i % 3 == 0) << i;
+    EXPECT_EQ(reading.takes_force, i >= 10) << i;
+    replay.write(dvec3(0.0), dvec3(0.0));
+  }
+}
+
 TEST(DeviceRecording, ACutFileKeepsItsWholeTicks) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "cut.hdev";
@@ -79,6 +122,27 @@ TEST(DeviceRecording, ACutFileKeepsItsWholeTicks) {
   ASSERT_TRUE(recording) << recording.error().message();
   ASSERT_EQ(recording->ticks.size(), 9u);
   EXPECT_EQ(recording->ticks[8].force_D.x, 0.1 * 8);
+}
+
+TEST(DeviceRecording, HasItsNameWhenItIsWholeAndTellsWhereItCannotBe) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("below/session.hdev", "old");
+  RecordingDevice device(std::make_unique<SimulatedDevice>(), file);
+  ASSERT_TRUE(device.open());
+  DeviceReading reading;
+  device.read(reading);
+  device.write(dvec3(0.0), dvec3(0.0));
+  EXPECT_EQ(std::filesystem::file_size(file), 3u) << "the old one stands until then";
+  ASSERT_TRUE(device.finish());
+  EXPECT_TRUE(readDeviceRecording(file));
+  device.close();
+  ASSERT_TRUE(device.open());
+  device.write(dvec3(0.0), dvec3(0.0));
+  std::filesystem::remove_all(file.parent_path());
+  device.close();
+  const auto finished = device.finish();
+  ASSERT_FALSE(finished) << "who asks after the end is told too";
+  EXPECT_THAT(finished.error().message(), HasSubstr("session.hdev"));
 }
 
 TEST(DeviceRecording, RefusesWhatIsNone) {

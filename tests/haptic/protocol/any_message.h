@@ -2,6 +2,7 @@
 #pragma once
 
 #include <rapidcheck.h>
+#include <algorithm>
 #include <cmath>
 
 #include "haptic/protocol/codec.h"
@@ -9,36 +10,31 @@
 /// Generators of arbitrary well-formed messages, for property tests.
 namespace hapticell::haptic::any {
 
-inline double number() {
-  // Any finite bit pattern, tiny and huge ones included.
+/// Any finite bit pattern within the bound, tiny and huge ones included.
+inline double number(double most = bound::kLength) {
   const double value = *rc::gen::arbitrary<double>();
-  return std::isfinite(value) ? value : 0.25;
+  return std::isfinite(value) ? std::fmod(value, most) : most;
 }
 
-inline double notNegative() {
-  return std::abs(number());
+inline double notNegative(double most = bound::kLength) {
+  return std::abs(number(most));
 }
 
-inline dvec3 vector() {
-  return {number(), number(), number()};
+inline dvec3 vector(double most = bound::kLength) {
+  return {number(most), number(most), number(most)};
 }
 
 inline Pose pose() {
   const auto part = [] { return *rc::gen::inRange(-1000, 1000) * 1e-3; };
   dquat q(part(), part(), part(), part());
   if (glm::dot(q, q) < 1e-6) q = dquat(1.0, 0.0, 0.0, 0.0);
-  // Places are bounded, others are refused (Pose::isValid()).
-  const auto place = [] {
-    const double value = number();
-    return std::abs(value) <= 1e12 ? value : 0.5;
-  };
-  return {{place(), place(), place()}, glm::normalize(q)};
+  return {vector(), glm::normalize(q)};
 }
 
 template <std::size_t N>
-std::array<double, N> numbers() {
+std::array<double, N> numbers(double most) {
   std::array<double, N> values;
-  for (double& value : values) value = number();
+  for (double& value : values) value = number(most);
   return values;
 }
 
@@ -51,16 +47,16 @@ inline Constraint constraint() {
   c.group = *rc::gen::arbitrary<std::uint32_t>();
   c.kind = *rc::gen::element(ConstraintKind::kInequality, ConstraintKind::kEquality, ConstraintKind::kPull);
   c.gap = number();
-  c.gradient = numbers<6>();
-  if (*rc::gen::arbitrary<bool>()) c.curvature = numbers<21>();
+  c.gradient = numbers<6>(bound::kSlope);
+  if (*rc::gen::arbitrary<bool>()) c.curvature = numbers<21>(bound::kCurvature);
   c.has_trim = *rc::gen::arbitrary<bool>();
   if (c.has_trim) {
     c.trim_gap = number();
-    c.trim_gradient = numbers<6>();
+    c.trim_gradient = numbers<6>(bound::kSlope);
   }
   c.stiffness = notNegative();
-  c.damping = notNegative();
-  c.friction = notNegative();
+  c.damping = notNegative(bound::kDamping);
+  c.friction = notNegative(bound::kFriction);
   c.reach = notNegative();
   c.id = *rc::gen::arbitrary<std::uint64_t>();
   if (*rc::gen::arbitrary<bool>()) c.velocity_D = vector();
@@ -72,7 +68,7 @@ inline ConstraintSet constraintSet() {
   set.sequence = *rc::gen::arbitrary<std::uint64_t>();
   set.stamp_ns = *rc::gen::arbitrary<std::int64_t>();
   set.X_DR = pose();
-  set.zone_radius = notNegative() + 1e-3;
+  set.zone_radius = std::max(notNegative(), bound::kLeastZone);
   set.count = *rc::gen::element<std::size_t>(0, 1, 2, 5, kMaxConstraints);
   for (std::size_t i = 0; i < set.count; ++i) set.constraints[i] = constraint();
   return set;
@@ -110,6 +106,7 @@ inline ServerStatistics statistics() {
   s.set_age_p99_ms = number();
   s.late_sets = *rc::gen::arbitrary<std::uint64_t>();
   s.refused_sets = *rc::gen::arbitrary<std::uint64_t>();
+  s.dropped_sets = *rc::gen::arbitrary<std::uint64_t>();
   if (*rc::gen::arbitrary<bool>()) s.clock_offset_ms = number();
   return s;
 }
@@ -124,7 +121,7 @@ inline DeviceDescription device() {
   d.peak_force = notNegative();
   d.continuous_force = notNegative();
   d.stiffness = notNegative();
-  d.damping = notNegative();
+  d.damping = notNegative(bound::kDamping);
   d.measured_axes = *rc::gen::inRange(0, 7);
   d.driven_axes = *rc::gen::inRange(0, 7);
   d.buttons = *rc::gen::inRange(0, 33);
@@ -161,9 +158,9 @@ inline Message message() {
       return statistics();
     case 6:
       return HapticControl{*rc::gen::arbitrary<bool>(),
-                           notNegative(),
-                           notNegative(),
-                           {notNegative(), notNegative(), notNegative(), vector()}};
+                           notNegative(bound::kStiffness),
+                           notNegative(bound::kDamping),
+                           {notNegative(), notNegative(bound::kDamping), notNegative(), vector()}};
     case 7:
       return HandTarget{*rc::gen::arbitrary<bool>(), pose(), *rc::gen::arbitrary<std::uint32_t>()};
     case 8:

@@ -131,6 +131,53 @@ TEST(Codec, numbers_that_are_none_are_refused_in_words) {
   EXPECT_TRUE(refused(no_zone));
 }
 
+/// Finite numbers that nothing in a workcell and no hand has: each field just beyond its bound, one at a time.
+TEST(Codec, every_number_has_a_bound) {
+  std::vector<Message> beyond;
+  const auto set = [&](auto&& change) {
+    ConstraintSet wrong = fullSet();
+    change(wrong, wrong.constraints[7]);
+    beyond.emplace_back(wrong);
+  };
+  for (const double most : {1.0001, 1e6, 1e100, 1e300}) {
+    set([&](auto&, Constraint& c) { c.gap = -most * bound::kLength; });
+    set([&](auto&, Constraint& c) { c.trim_gap = most * bound::kLength; });
+    set([&](auto&, Constraint& c) { c.gradient[5] = -most * bound::kSlope; });
+    set([&](auto&, Constraint& c) { c.trim_gradient[0] = most * bound::kSlope; });
+    set([&](auto&, Constraint& c) { c.curvature[20] = -most * bound::kCurvature; });
+    set([&](auto&, Constraint& c) { c.stiffness = most * bound::kStiffness; });
+    set([&](auto&, Constraint& c) { c.damping = most * bound::kDamping; });
+    set([&](auto&, Constraint& c) { c.friction = most * bound::kFriction; });
+    set([&](auto&, Constraint& c) { c.reach = most * bound::kLength; });
+    set([&](auto&, Constraint& c) { c.velocity_D.y = -most * bound::kSpeed; });
+    set([&](ConstraintSet& s, auto&) { s.X_DR.p.z = most * bound::kLength; });
+    set([&](ConstraintSet& s, auto&) { s.zone_radius = most * bound::kLength; });
+    set([&](ConstraintSet& s, auto&) { s.zone_radius = bound::kLeastZone / most; });
+    beyond.emplace_back(HapticControl{.forces_enabled = true, .stiffness = most * bound::kStiffness});
+    beyond.emplace_back(HapticControl{.forces_enabled = true, .damping = most * bound::kDamping});
+    beyond.emplace_back(HapticControl{.load = {.mass = most * bound::kForce}});
+    beyond.emplace_back(HapticControl{.load = {.damping = most * bound::kDamping}});
+    beyond.emplace_back(HapticControl{.load = {.friction = most * bound::kForce}});
+    beyond.emplace_back(HapticControl{.load = {.weight_D = dvec3(0.0, -most * bound::kForce, 0.0)}});
+    beyond.emplace_back(HandTarget{true, Pose::translation({-most * bound::kLength, 0.0, 0.0}), 0});
+    HapticState state;
+    state.force_D.x = most * bound::kForce;
+    beyond.emplace_back(state);
+    state = {};
+    state.v_DS.x = -most * bound::kSpeed;
+    beyond.emplace_back(state);
+    Welcome welcome;
+    welcome.device.peak_force = most * bound::kForce;
+    beyond.emplace_back(welcome);
+  }
+  for (std::size_t i = 0; i < beyond.size(); ++i) {
+    const auto received = decodeFrame(frameOf(beyond[i]));
+    ASSERT_FALSE(received.has_value()) << i;
+    EXPECT_FALSE(received.error().message().empty());
+  }
+  EXPECT_TRUE(decodeFrame(frameOf(fullSet())).has_value());
+}
+
 TEST(Codec, every_truncation_is_refused) {
   for (const Message& message : {Message(fullSet()), Message(Hello{}), Message(Welcome{}), Message(HapticState{})}) {
     const auto frame = frameOf(message);

@@ -39,7 +39,7 @@ inline bool same(const ServerStatistics& a, const ServerStatistics& b) {
          a.late_max_ms == b.late_max_ms && a.ticks == b.ticks && a.missed_ticks == b.missed_ticks &&
          a.round_trip_ms == b.round_trip_ms && a.set_age_p50_ms == b.set_age_p50_ms &&
          a.set_age_p99_ms == b.set_age_p99_ms && a.late_sets == b.late_sets && a.refused_sets == b.refused_sets &&
-         a.clock_offset_ms == b.clock_offset_ms;
+         a.dropped_sets == b.dropped_sets && a.clock_offset_ms == b.clock_offset_ms;
 }
 
 inline bool same(const HapticControl& a, const HapticControl& b) {

@@ -227,6 +227,67 @@ TEST(SafetyChain, staysShutAfterATripUntilEnabledAnew) {
   EXPECT_NEAR(run(chain, wanting(dvec3(0, 0, 3)), 10), 3.0, 1e-12);
 }
 
+/// Calibration lost, measurements that do not come: what the device does not exert is not commanded either, and comes
+/// back by the gate, never in one step.
+TEST(SafetyChain, aDeviceThatIsNotReadyBeginsAnewWhenItIs) {
+  SafetyChain chain = openChain();
+  SafetyInput input = wanting(dvec3(0, 0, 2));
+  ASSERT_NEAR(run(chain, input, 10), 2.0, 1e-12);
+  input.device_ready = false;
+  chain.tick(input);
+  chain.cut();
+  EXPECT_EQ(run(chain, input, 500), 0.0);
+  input.device_ready = true;
+  EXPECT_EQ(run(chain, input, 500), 0.0) << "2 N is no small force";
+  input.force_D = dvec3(0.0);
+  run(chain, input, 5);
+  input.force_D = dvec3(0, 0, 2);
+  double last = 0.0;
+  for (int i = 0; i < 900; ++i) {
+    const double now = glm::length(chain.tick(input).force_D);
+    EXPECT_LE(now - last, 0.02) << i;
+    last = now;
+  }
+  EXPECT_NEAR(last, 2.0, 1e-12) << "without being enabled anew";
+}
+
+TEST(SafetyChain, aStylusThatIsFasterThanAHandTrips) {
+  for (const dvec3& v : {dvec3(0, 3.1, 0), dvec3(-40, 0, 0), dvec3(kNan, 0, 0), dvec3(0, 0, kInf)}) {
+    SafetyChain chain = openChain();
+    SafetyInput input = wanting(dvec3(0, 0, 2));
+    ASSERT_NEAR(run(chain, input, 10), 2.0, 1e-12);
+    input.v_DS = v;
+    EXPECT_NEAR(run(chain, input, 4), 2.0, 1e-12) << "a few samples";
+    EXPECT_TRUE(chain.tick(input).too_fast);
+    input.v_DS = dvec3(0.0);
+    EXPECT_EQ(run(chain, input, 60), 0.0);
+    input.force_D = dvec3(0.0);
+    run(chain, input, 2000);
+    EXPECT_EQ(chain.tick(input).gate, GateState::kClosed) << "until it is enabled anew";
+  }
+  SafetyChain chain = openChain();
+  SafetyInput input = wanting(dvec3(0, 0, 2));
+  input.v_DS = dvec3(0, 2.9, 0);
+  EXPECT_NEAR(run(chain, input, 500), 2.0, 1e-12);
+}
+
+TEST(SafetyChain, aClientOfAQuickHeartIsMissedAsQuickly) {
+  SafetyOptions options;
+  options.close_decay = 0.02;
+  SafetyChain chain = openChain(options);
+  SafetyInput input = wanting(dvec3(0, 0, 6));
+  input.silence_limit = 0.028;
+  EXPECT_NEAR(run(chain, input, 10), 6.0, 1e-12);
+  const int ticks = ticksToZero(chain, input, 1000);
+  EXPECT_GT(ticks, 28);
+  EXPECT_LE(ticks, 50);
+  EXPECT_EQ(run(chain, input, 300), 0.0) << "heard again: by the gate";
+  input.silence_limit = 5.0;
+  chain = openChain(options);
+  EXPECT_GT(ticksToZero(chain, input, 2000), 600) << "never longer than the option";
+  EXPECT_LE(ticksToZero(chain, input, 2000), 1) << "and then it stays";
+}
+
 TEST(SafetyChain, countsAWrongNumberAsZeroAndSaysSo) {
   for (const double bad : {kNan, kInf, -kInf, 1e300}) {
     SafetyChain chain = openChain();

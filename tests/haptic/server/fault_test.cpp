@@ -69,6 +69,32 @@ TEST(Faults, aTeleportingStylusKeepsClampAndSlew) {
   EXPECT_LE(hardware.worst_step, 1.0 + 1e-9);
 }
 
+/// Somebody calibrates it, or takes it up quickly: nobody has to enable anything anew for that.
+TEST(Faults, aJumpWhileNothingPushesIsNoFault) {
+  ScriptedDevice device;
+  VirtualClock clock;
+  ForceLoop loop(device, clock, patientOptionsFor(device));
+  const auto run = [&](int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      clock.advance(1'000'000);
+      loop.heard();
+      loop.tick();
+      ASSERT_FALSE(loop.current().device_fault);
+    }
+  };
+  loop.openLink();
+  loop.tick();
+  loop.submit(HapticControl{.forces_enabled = true});
+  device.X_DS.p.x = 0.03;
+  run(10);
+  EXPECT_EQ(loop.current().X_DS.p.x, 0.03);
+  run(900);
+  EXPECT_EQ(loop.current().force_ramp, 1.0);
+  device.X_DS.p.x = 0.0;
+  for (int i = 0; i < 30; ++i) loop.tick();
+  EXPECT_FALSE(loop.current().forces_on) << "with forces on it is one";
+}
+
 TEST(Faults, numbersThatAreNoneAreNotBelieved) {
   Hardware hardware;
   hardware.press();

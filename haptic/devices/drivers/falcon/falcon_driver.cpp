@@ -109,12 +109,14 @@ Status FalconDevice::read(State& state) noexcept {
 }
 
 Status FalconDevice::write(const Command& command) noexcept {
-  if (waiting_) return Status::kOk;
+  const bool pushes = homed_ && command.motors;
+  // Zero does not wait for the answer to the packet before: it may never come.
+  if (waiting_ && (pushes || !pushed_)) return Status::kOk;
   FalconPacket packet;
   packet.bits = homed_ ? kFalconBlue : kFalconRed | kFalconHoming;
-  if (homed_ && command.motors) {
-    packet.values = falconMotors(p_F_, deviceToFalcon({command.force[0], command.force[1], command.force[2]}));
-  }
+  const Command now = steps_.next(pushes ? command : Command{});
+  if (pushes) packet.values = falconMotors(p_F_, deviceToFalcon({now.force[0], now.force[1], now.force[2]}));
+  pushed_ = pushes;
   if (!port_->write(encodeFalcon(packet)))
     return refuse(problem_, Status::kVanished, "it was unplugged", "Plug it in again.");
   waiting_ = true;

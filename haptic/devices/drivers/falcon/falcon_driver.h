@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "haptic/devices/command_steps.h"
 #include "haptic/devices/driver_support.h"
 #include "haptic/devices/drivers/falcon/falcon_packets.h"
 #include "haptic/devices/drivers/falcon/ftdi_port.h"
@@ -41,7 +42,9 @@ class FalconDevice final : public Device {
   FalconReader reader_;
   Problem problem_;
   dvec3 p_F_;
+  CommandSteps steps_;
   bool homed_ = false, waiting_ = false;
+  bool pushed_ = false;  // By the packet that was sent last.
   int empty_reads_ = 0, lost_packets_ = 0;
   std::size_t garbled_ = 0;
 };

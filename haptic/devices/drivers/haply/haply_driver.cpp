@@ -71,16 +71,17 @@ Status HaplyDevice::read(State& state) noexcept {
     if (socket_->isOpen() && ++empty_reads_ < kPatience) return Status::kNothingNew;
     return refuse(problem_, Status::kVanished, "Haply's service does not answer any more", kStart);
   }
-  empty_reads_ = 0;
   const auto reports = readHaplyMessage(*text);
   if (!reports)
     return refuse(problem_, Status::kGarbled, "Haply's service sends what is no state", "Update Haply's service.");
   const auto own =
       std::find_if(reports->begin(), reports->end(), [this](const auto& r) { return r.device_id == device_id_; });
   if (own == reports->end()) {
-    if (reports->empty()) return Status::kNothingNew;
+    // A message about something else comes between states; for a while nothing is said of it.
+    if (reports->empty() && ++empty_reads_ < kPatience) return Status::kNothingNew;
     return refuse(problem_, Status::kVanished, "the Inverse3 was unplugged", "Plug it in again.");
   }
+  empty_reads_ = 0;
   answer_due_ = true;
   const dvec3 p_D = own->cursor - middle_;  // The service's axes are those of D.
   const dquat q = own->orientation.value_or(dquat(1.0, 0.0, 0.0, 0.0));
@@ -92,11 +93,15 @@ Status HaplyDevice::read(State& state) noexcept {
 }
 
 Status HaplyDevice::write(const Command& command) noexcept {
-  if (!answer_due_) return Status::kOk;
+  Command wanted = command;
+  if (!command.motors) std::fill_n(wanted.force, 3, 0.0);
+  // Zero does not wait for a state to answer: none may ever come.
+  const double(&sent)[3] = steps_.last().force;
+  const bool stops = !command.motors && (sent[0] != 0.0 || sent[1] != 0.0 || sent[2] != 0.0);
+  if (!answer_due_ && !stops) return Status::kOk;
   answer_due_ = false;
-  dvec3 force(command.force[0], command.force[1], command.force[2]);
-  if (!command.motors) force = dvec3(0.0);
-  socket_->send(haplyForceCommand(device_id_, force));
+  const Command now = steps_.next(wanted);
+  socket_->send(haplyForceCommand(device_id_, {now.force[0], now.force[1], now.force[2]}));
   return Status::kOk;
 }
 

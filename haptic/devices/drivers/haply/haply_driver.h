@@ -4,14 +4,14 @@
 #include <memory>
 #include <string>
 
-#include "haptic/devices/driver_interface.h"
+#include "haptic/devices/command_steps.h"
 #include "haptic/devices/drivers/haply/haply_messages.h"
 #include "haptic/devices/drivers/haply/web_socket.h"
 
 namespace hapticell::driver {
 
 /// An Inverse3 behind its maker's service, with the grip on it where there is one. Each state that comes is answered by
-/// a force.
+/// a force; a force of zero is sent at once, whether or not anything comes.
 class HaplyDevice final : public Device {
  public:
   /// `first`: what the service told last; its cursor is the middle of the workspace unless `middle` is given.
@@ -22,7 +22,7 @@ class HaplyDevice final : public Device {
   Status write(const Command& command) noexcept override;
   const Problem& problem() const noexcept override { return problem_; }
 
-  /// Reads of a millisecond without a message until the service counts as gone: a second.
+  /// Reads of a millisecond without a state until service or device counts as gone: a second.
   static constexpr int kPatience = 1000;
 
  private:
@@ -31,6 +31,7 @@ class HaplyDevice final : public Device {
   dvec3 middle_;
   Capabilities capabilities_;
   Problem problem_;
+  CommandSteps steps_;
   int empty_reads_ = 0;
   bool answer_due_ = false;
 };

@@ -13,6 +13,7 @@ namespace {
 constexpr double kMetre = 1e-3;          // HDAPI counts millimetres.
 constexpr int kHostPatience = 50;        // Ticks without a command.
 constexpr int kSchedulerPatience = 200;  // Reads, a millisecond apart, without a tick of the vendor's scheduler.
+constexpr int kStandsStill = 15;         // Such reads after which it is not waited for any more.
 constexpr int kQuiet = 250;              // Ticks without force after one was refused.
 constexpr int kWarm = 1000;              // Ticks that a warning of warm motors is told.
 constexpr double kOfNominalStiffness = 0.8;
@@ -135,6 +136,7 @@ void OpenHapticsDevice::measure(Sample& sample) {
   state.orientation[2] = q_D.y, state.orientation[3] = q_D.z;
   state.buttons = static_cast<unsigned>(buttons) & 3u;
   state.motor_temperature = *std::max_element(temperature, temperature + 6);
+  if (quiet_ticks_ > 0 || let_go_) state.flags |= kForceless;
   if (inkwell != 0) state.flags |= kDocked;
   if (force_output_) state.flags |= kMotorsOn;
 }
@@ -157,16 +159,18 @@ void OpenHapticsDevice::command() {
   ticks_without_command_ = commands_.update() ? 0 : ticks_without_command_ + 1;
   if (quiet_ticks_ > 0) --quiet_ticks_;
   const Command& wanted = commands_.value();
-  const bool live = ticks_without_command_ < kHostPatience && quiet_ticks_ == 0;
-  const bool on = wanted.motors && live;
+  // What was let go of stays so until the host knows and begins anew: force never comes back in one step.
+  let_go_ = wanted.motors && (let_go_ || ticks_without_command_ >= kHostPatience || quiet_ticks_ > 0);
+  const bool on = wanted.motors && !let_go_;
   if (on != force_output_) {
     on ? hd_.hdEnable(hd::kForceOutput) : hd_.hdDisable(hd::kForceOutput);
     force_output_ = on;
   }
-  const dvec3 force = on ? HdFrame::toHd({wanted.force[0], wanted.force[1], wanted.force[2]}) : dvec3(0.0);
+  const Command now = steps_.next(on ? wanted : Command{});
+  const dvec3 force = HdFrame::toHd({now.force[0], now.force[1], now.force[2]});
   hd_.hdSetDoublev(hd::kCurrentForce, &force.x);
   if (capabilities_.driven_axes < 6) return;
-  const dvec3 torque = on ? HdFrame::toHd({wanted.torque[0], wanted.torque[1], wanted.torque[2]}) : dvec3(0.0);
+  const dvec3 torque = HdFrame::toHd({now.torque[0], now.torque[1], now.torque[2]});
   const dvec3 torque_mnm = 1000.0 * torque;  // HDAPI: mN m.
   hd_.hdSetDoublev(hd::kCurrentTorque, &torque_mnm.x);
 }
@@ -197,6 +201,7 @@ Status OpenHapticsDevice::read(State& state) noexcept {
                   "Unplug the device and plug it in again.");
   }
   reads_without_sample_ = 0;
+  switched_off_ = false;
   const Sample& sample = samples_.value();
   if (const Status status = statusOf(sample); status != Status::kOk) return status;
   state = sample.state;
@@ -205,6 +210,12 @@ Status OpenHapticsDevice::read(State& state) noexcept {
 
 Status OpenHapticsDevice::write(const Command& command) noexcept {
   commands_.write(command);
+  // A scheduler that stands still passes nothing on: the amplifiers are switched off past it.
+  if (!command.motors && reads_without_sample_ >= kStandsStill && !switched_off_) {
+    switched_off_ = true;
+    hd_.hdMakeCurrentDevice(handle_);
+    hd_.hdDisable(hd::kForceOutput);
+  }
   return Status::kOk;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "geometry/pose.h"
-#include "haptic/devices/driver_interface.h"
+#include "haptic/devices/command_steps.h"
 #include "haptic/devices/drivers/openhaptics/hd_library.h"
 #include "haptic/rendering/triple_buffer.h"
 
@@ -76,10 +76,13 @@ class OpenHapticsDevice final : public Device {
   int ticks_without_command_ = 0;
   int quiet_ticks_ = 0;  // No force after the vendor's library has refused one.
   int warm_ticks_ = 0;
+  CommandSteps steps_;
   bool force_output_ = false;
+  bool let_go_ = false;  // Of what is commanded nothing is exerted until a command without motors has come.
 
   // The host's own.
   int reads_without_sample_ = 0;
+  bool switched_off_ = false;  // Past a scheduler that stands still.
   Problem problem_;
 };
 

@@ -185,7 +185,7 @@ TEST_F(Falcon, GivesUpAfterTenAttempts) {
 
 TEST_F(Falcon, NoForceBeforeHoming) {
   falcon.running = true;
-  haptic::DriverSession session(driver, "");
+  haptic::DriverSession session(driver, "", {.now = [] { return std::int64_t{1}; }});
   ASSERT_EQ(session.open().status, Status::kOk);
   Command push;
   push.motors = true;
@@ -196,6 +196,9 @@ TEST_F(Falcon, NoForceBeforeHoming) {
   falcon.homed = true;
   falcon.buttons = 4;
   falcon.p_F = FalconArm::middle() + dvec3(0.01, 0.02, -0.03);
+  for (int i = 0; i < 3; ++i) session.turn(push);
+  EXPECT_EQ(falcon.last_out.values, (std::array<std::int16_t, 3>{})) << "not in one step";
+  session.turn({});
   for (int i = 0; i < 3; ++i) session.turn(push);
   EXPECT_EQ(falcon.last_out.bits, kFalconBlue);
   EXPECT_NE(falcon.last_out.values, (std::array<std::int16_t, 3>{}));
@@ -229,6 +232,23 @@ TEST_F(Falcon, SomeGarbageAndShortPacketsAreBorne) {
   falcon.short_packets = 4;
   for (int i = 0; i < 40; ++i) EXPECT_EQ(session.turn({}).status, Status::kOk);
   EXPECT_GT(session.turn({}).measurements, 10u);
+}
+
+/// Its answer does not come: the motors are told zero all the same, 20 ms later.
+TEST_F(Falcon, SilentItIsToldZero) {
+  falcon.running = falcon.homed = true;
+  std::int64_t now = 1;
+  haptic::DriverSession session(driver, "", {.now = [&] { return now += 1'000'000; }});
+  ASSERT_EQ(session.open().status, Status::kOk);
+  for (int i = 0; i < 4; ++i) session.turn({});
+  Command push;
+  push.motors = true;
+  push.force[2] = 1.0;
+  for (int i = 0; i < 4; ++i) session.turn(push);
+  ASSERT_NE(falcon.last_out.values, (std::array<std::int16_t, 3>{}));
+  falcon.silent = true;
+  for (int i = 0; i < 30; ++i) session.turn(push);
+  EXPECT_EQ(falcon.last_out.values, (std::array<std::int16_t, 3>{}));
 }
 
 TEST_F(Falcon, SilenceIsAskedAgainAndThenGivenUp) {

@@ -27,12 +27,14 @@ TEST_F(FalconUsbfs, IsFoundOpenedReadAndPushed) {
   EXPECT_STREQ(found[0].id, "FL0042");
   EXPECT_STREQ(found[0].place, "usb 1-4");
   EXPECT_EQ(found[0].problem.status, Status::kOk) << found[0].problem.found;
-  haptic::DriverSession session(driver, "FL0042");
+  haptic::DriverSession session(driver, "FL0042", {.now = [] { return std::int64_t{1}; }});
   problem = session.open();
   ASSERT_EQ(problem.status, Status::kOk) << problem.found;
   Command push;
   push.motors = true;
   push.force[2] = 2.0;
+  for (int i = 0; i < 200 && session.turn({}).measurements < 2; ++i) {
+  }
   for (int i = 0; i < 200 && session.turn(push).measurements < 20; ++i) {
   }
   const haptic::DriverAnswer& answer = session.turn(push);

@@ -67,14 +67,15 @@ TEST(Haply, MeasuresAndPushes) {
   Problem problem;
   ASSERT_EQ(driver.find(found, 2, problem), 1u) << problem.found;
   EXPECT_STREQ(found[0].id, "04BD");
-  haptic::DriverSession session(driver, "04BD");
+  std::atomic<std::int64_t> now{1};
+  haptic::DriverSession session(driver, "04BD", {.now = [&] { return now.load(); }});
   problem = session.open();
   ASSERT_EQ(problem.status, Status::kOk) << problem.found;
   EXPECT_EQ(session.capabilities().measured_axes, 6u);
   Command push;
   push.motors = true;
   push.force[0] = 0.5, push.force[1] = -1.0, push.force[2] = 1.5;
-  ASSERT_TRUE(turnUntil(session, push, [](const auto& answer) { return answer.measurements > 0; }));
+  ASSERT_TRUE(turnUntil(session, {}, [](const auto& answer) { return answer.measurements > 0; }));
   const State state = session.turn(push).state;
   EXPECT_NEAR(state.position[0], 0.05, 1e-12);
   EXPECT_NEAR(state.position[1], 0.05, 1e-12);
@@ -98,6 +99,39 @@ TEST(Haply, MeasuresAndPushes) {
   session.close();  // A last word of zero.
   for (int i = 0; i < 30000 && force() != 0.0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(force(), 0.0);
+}
+
+double forceSentTo(FakeHaplyService& service) {
+  const auto command = service.lastCommand();
+  return command ? (*command)["inverse3"][0]["commands"]["set_cursor_force"]["values"]["z"].get<double>() : -1.0;
+}
+
+/// The service lists no device any more, speaks of something else, or says nothing: 20 ms later the last command is
+/// zero, though nothing comes that it would answer.
+TEST(Haply, WithoutItsDeviceItsLastCommandIsZero) {
+  for (const char* const instead : {R"({"inverse3":[]})", R"({"session":{"x":1}})", ""}) {
+    FakeHaplyService service;
+    HaplyDriver driver;
+    std::atomic<std::int64_t> now{1};
+    haptic::DriverSession session(driver, service.address(), {.now = [&] { return now.load(); }});
+    ASSERT_EQ(session.open().status, Status::kOk);
+    ASSERT_TRUE(turnUntil(session, {}, [](const auto& answer) { return answer.takes_force; }));
+    Command push;
+    push.motors = true;
+    push.force[2] = 1.5;
+    ASSERT_TRUE(turnUntil(session, push, [&](const auto&) { return forceSentTo(service) == 1.5; }));
+    service.say(instead);
+    service.silent = *instead == '\0';
+    for (int i = 0; i < 200; ++i) session.turn(push);  // What was under way has come.
+    EXPECT_EQ(forceSentTo(service), 1.5);
+    now += 20'000'000;
+    session.turn(push);
+    for (int i = 0; i < 30000 && forceSentTo(service) != 0.0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(forceSentTo(service), 0.0) << instead;
+    EXPECT_TRUE(turnUntil(session, push, [](const auto& answer) { return answer.status == Status::kVanished; }));
+    EXPECT_EQ(forceSentTo(service), 0.0);
+  }
 }
 
 /// A service whose stylus stands 5 mm over the middle, upright: where the rig's set tells the contacts.
@@ -127,6 +161,10 @@ TEST(Haply, GoneInContactAndBack) {
   ASSERT_TRUE(runUntil([&] { return rig.loop.current().X_DS.p.z > 0.004; }));
   const auto pressUntilFelt = [&] {
     return runUntil([&] {
+      if (!rig.loop.current().forces_on) {  // A service that is late by 20 ms costs the force: as a user would.
+        service->z = 0.205;
+        rig.switchOnAgain(0.0);
+      }
       service->z = std::max(0.196, service->z - 2e-5);
       return rig.force() > 0.5;
     });

@@ -156,8 +156,10 @@ TEST_F(OpenHaptics, ForcesInTheVendorsAxesAndOnlyWithMotors) {
   EXPECT_FALSE(hd.force_output);
   EXPECT_EQ(hd.force[0], 0.0);
   command.motors = true;
-  device.write(command);
-  hd.tick();
+  for (int i = 0; i < 4; ++i) {
+    device.write(command);
+    hd.tick();
+  }
   EXPECT_TRUE(hd.force_output);
   EXPECT_EQ(hd.force[0], 1.0);
   EXPECT_EQ(hd.force[1], 3.0);
@@ -174,11 +176,33 @@ TEST_F(OpenHaptics, AHostThatStopsCommandingGetsNoForce) {
   Command command;
   command.motors = true;
   command.force[2] = 2.0;
-  device.write(command);
-  hd.tick();
+  for (int i = 0; i < 2; ++i) {
+    device.write(command);
+    hd.tick();
+  }
   EXPECT_EQ(hd.force[1], 2.0);
   for (int i = 0; i < 60; ++i) hd.tick();
   EXPECT_EQ(hd.force[1], 0.0);
+  EXPECT_FALSE(hd.force_output);
+  device.write(command);
+  hd.tick();
+  EXPECT_EQ(hd.force[1], 0.0) << "a host that is back begins anew";
+  hd.tick();
+  device.read(state);
+  EXPECT_NE(state.flags & kForceless, 0u);
+}
+
+/// Nothing that is commanded gets through it any more: its amplifiers are switched off past it.
+TEST_F(OpenHaptics, ASchedulerThatStandsStillLeavesNoForce) {
+  Device& device = opened();
+  Command command;
+  command.motors = true;
+  command.force[2] = 1.0;
+  device.write(command);
+  hd.tick();
+  ASSERT_TRUE(hd.force_output);
+  for (int i = 0; i < 21; ++i) device.read(state);
+  device.write({});
   EXPECT_FALSE(hd.force_output);
 }
 
@@ -201,6 +225,14 @@ TEST_F(OpenHaptics, EveryErrorOfTheStackIsHandled) {
   EXPECT_EQ(hd.force[1], 0.0);
   EXPECT_EQ(device.read(state), Status::kOk);
   for (int i = 0; i < 260; ++i) {
+    device.write(command);
+    hd.tick();
+  }
+  EXPECT_EQ(hd.force[1], 0.0) << "not in one step";
+  device.read(state);
+  EXPECT_NE(state.flags & kForceless, 0u) << "the host is told, and begins anew";
+  for (const bool motors : {false, true, true}) {
+    command.motors = motors;
     device.write(command);
     hd.tick();
   }

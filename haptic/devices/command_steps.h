@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "haptic/devices/driver_interface.h"
+
+namespace hapticell::driver {
+
+/// Keeps two commands to a device within a step of each other, however many of the host's in between were not sent:
+/// what is newest may be far from what was sent last. Nothing at all is sent at once.
+class CommandSteps {
+ public:
+  static constexpr double kForce = 1.0, kTorque = 0.05;  ///< N and N m from one command to the next.
+
+  /// `command` as far as it may be sent now; it counts as sent.
+  Command next(Command command) noexcept {
+    walk(last_.force, command.force, kForce);
+    walk(last_.torque, command.torque, kTorque);
+    last_ = command;
+    return command;
+  }
+  /// What was sent last.
+  const Command& last() const noexcept { return last_; }
+
+ private:
+  static void walk(const double (&from)[3], double (&to)[3], double step) noexcept {
+    if (to[0] == 0.0 && to[1] == 0.0 && to[2] == 0.0) return;
+    double way[3], length = 0.0;
+    for (int i = 0; i < 3; ++i) way[i] = to[i] - from[i], length += way[i] * way[i];
+    length = std::sqrt(length);
+    if (length <= step) return;
+    for (int i = 0; i < 3; ++i) to[i] = from[i] + way[i] * (step / length);
+  }
+  Command last_;
+};
+
+}  // namespace hapticell::driver
