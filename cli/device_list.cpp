@@ -63,7 +63,7 @@ ordered_json deviceJson(const std::string& driver, const driver::Found& found) {
   ordered_json device{{"device", driver + (found.id[0] != '\0' ? std::string(":") + found.id : "")},
                       {"driver", driver},
                       {"id", found.id},
-                      {"name", found.name},
+                      {"name", plainText(found.name)},
                       {"kind", haptic::toString(found.kind)},
                       {"simulated", false},
                       {"place", textOrNull(found.place)},
