@@ -12,6 +12,7 @@
 #include <csignal>
 
 #include "config/device_profile.h"
+#include "geometry/plain_text.h"
 #include "haptic/devices/device_choice.h"
 #include "haptic/devices/driver_support.h"
 #include "haptic/devices/system_access.h"

@@ -142,13 +142,15 @@ def test_a_session_whose_server_is_lost_fails_and_says_when(folder):
     cell = pathlib.Path(WORKCELLS) / "demo.hcell"
     hand = folder / "hand.csv"
     hand.write_text("t,x,y,z,qw,qx,qy,qz,button\n0,0,0,0,1,0,0,0,0\n20,0,0,0.01,1,0,0,0,0\n")
-    for number, wait in ((signal.SIGKILL, 1.5), (signal.SIGTERM, 1.5), (signal.SIGSTOP, 1.5)):
+    for number in (signal.SIGKILL, signal.SIGTERM, signal.SIGSTOP):
         with Server(SERVER) as server:
             session = subprocess.Popen(
                 [CLI, "session", "--workcell", cell, "--entity", "robot", "--hand", hand, "--realtime", "--server",
                  f"127.0.0.1:{server.port}", "--trace", "trace.csv", "--record", "way.htraj"],
                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=folder)
-            time.sleep(wait + 3.0)
+            while "controls the stylus" not in server.process.stderr.readline():
+                assert session.poll() is None, session.communicate()
+            time.sleep(1.5)
             server.process.send_signal(number)
             out, errors = session.communicate(timeout=120)
             if number == signal.SIGSTOP:
