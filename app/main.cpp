@@ -25,8 +25,10 @@
 #include "app/settings/user_choices.h"
 #include "app/start/recent_files.h"
 #include "app/style/fonts.h"
+#include "app/style/plain_lines.h"
 #include "app/style/proxy_style.h"
 #include "config/configuration.h"
+#include "config/user_folders.h"
 
 namespace {
 
@@ -123,7 +125,8 @@ int renderPicture(const hapticell::app::RenderCommand& command) {
   }
   hapticell::Diagnostics diagnostics;
   const auto done = hapticell::app::render(command, diagnostics);
-  for (const std::string& warning : diagnostics.warnings) qWarning().noquote() << QString::fromStdString(warning);
+  for (const std::string& warning : diagnostics.warnings)
+    qWarning().noquote() << hapticell::app::plainLines(QString::fromStdString(warning));
   if (!done) qCritical().noquote() << QString::fromStdString(done.error().message());
   return done ? 0 : 2;
 }
@@ -250,6 +253,8 @@ bool hasDisplay() {
 int main(int argc, char** argv) {
   QElapsedTimer since_start;
   since_start.start();
+  for (const std::string& sentence : hapticell::config::cleanEnvironment())
+    qWarning().noquote() << QString::fromStdString(sentence);
   if (!hasDisplay()) {
     qCritical("There is no display to draw on. Start it on a desktop, or under xvfb-run.");
     return 2;
@@ -271,6 +276,10 @@ int main(int argc, char** argv) {
   // Pictures show the program as it is shipped.
   const bool remembers = options.screenshot.isEmpty() && !options.measure && !options.measure_start;
   const QString settings = remembers ? hapticell::app::UserSettings::defaultFile() : QString();
+  if (const auto own = hapticell::config::checkUserFile(settings.toStdString()); remembers && !own) {
+    qCritical().noquote() << QString::fromStdString(own.error().message());
+    return 2;
+  }
   if (remembers || !options.language.isEmpty())
     hapticell::app::installLanguage(options.language.isEmpty()
                                         ? hapticell::app::languageFrom(hapticell::app::UserSettings(settings))

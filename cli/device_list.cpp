@@ -12,6 +12,7 @@
 #include <csignal>
 
 #include "config/device_profile.h"
+#include "geometry/plain_text.h"
 #include "haptic/devices/device_choice.h"
 #include "haptic/devices/driver_support.h"
 #include "haptic/devices/system_access.h"
@@ -63,7 +64,7 @@ ordered_json deviceJson(const std::string& driver, const driver::Found& found) {
   ordered_json device{{"device", driver + (found.id[0] != '\0' ? std::string(":") + found.id : "")},
                       {"driver", driver},
                       {"id", found.id},
-                      {"name", found.name},
+                      {"name", plainText(found.name)},
                       {"kind", haptic::toString(found.kind)},
                       {"simulated", false},
                       {"place", textOrNull(found.place)},

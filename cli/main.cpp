@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/commands.h"
+#include "config/user_folders.h"
 
 int main(int argc, char** argv) {
+  hapticell::config::cleanEnvironment();
   return hapticell::cli::runCommandLine(argc, argv);
 }

@@ -6,6 +6,8 @@
 
 #include "cli/commands.h"
 #include "cli/server_address.h"
+#include "cli/typed_code.h"
+#include "geometry/plain_text.h"
 #include "haptic/client/pairing_key.h"
 #include "haptic/client/tcp_link.h"
 
@@ -48,7 +50,15 @@ ExitStatus failed(const Error& error) {
 ExitStatus run(const PairWords& words, const ResultWriter& writer) {
   const auto server = parseServerAddress(words.server, "HOST:PORT", haptic::TcpLinkOptions{}.port);
   if (!server) return failed(server.error());
-  const auto key = haptic::PairingKey::parse(words.code);
+  if (!words.code.empty() && words.code != "-")
+    warn(
+        "A code on the command line is seen by every user of this machine while the command runs. Leave it out to type "
+        "it.");
+  const auto code = words.code.empty() || words.code == "-"
+                        ? readTypedCode("Pairing code of " + plainText(words.server) + " (it is not shown): ")
+                        : Expected<std::string>(words.code);
+  if (!code) return failed(code.error());
+  const auto key = haptic::PairingKey::parse(*code);
   if (!key) return failed(key.error());
   ordered_json result{{"host", server->host}, {"port", server->port}, {"checked", !words.unchecked}};
   if (!words.unchecked) {
@@ -69,7 +79,9 @@ void addPairCommand(Subcommand app, Action& chosen) {
   Subcommand command = app.add("pair", "Keep the key of a haptic server on another station");
   const auto words = std::make_shared<PairWords>();
   command.option("server", words->server, "HOST or HOST:PORT of the haptic server").required();
-  command.option("code", words->code, "What hapticell-haptic-server --pair showed there").required();
+  command.option("code", words->code,
+                 "What hapticell-haptic-server --pair showed there; left out, or '-': "
+                 "it is typed, or read from standard input");
   command.flag("--unchecked", words->unchecked, "Keep it without connecting");
   command.onChosen([&chosen, words] { chosen = [words](ResultWriter& writer) { return run(*words, writer); }; });
 }

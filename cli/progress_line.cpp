@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cstdio>
 
+#include "geometry/plain_text.h"
+
 namespace hapticell::cli {
 
 ProgressLine::ProgressLine() : terminal_(::isatty(STDERR_FILENO) != 0), thread_([this] { run(); }) {}
@@ -31,11 +33,11 @@ void ProgressLine::show() {
   if (progress.stage.empty()) return;
   const int percent = static_cast<int>(100.0 * progress.share);
   if (terminal_) {
-    std::fprintf(stderr, "\r\033[K%3d %%  %.60s", percent, progress.stage.c_str());
+    std::fprintf(stderr, "\r\033[K%3d %%  %s", percent, plainText(progress.stage, 60).c_str());
     std::fflush(stderr);
   } else if (percent / 10 > tenths_) {
     tenths_ = percent / 10;
-    std::fprintf(stderr, "%3d %%  %s\n", percent, progress.stage.c_str());
+    std::fprintf(stderr, "%3d %%  %s\n", percent, plainText(progress.stage).c_str());
   }
   shown_ = true;
 }

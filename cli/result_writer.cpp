@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <iostream>
 
+#include "geometry/plain_text.h"
+
 namespace hapticell::cli {
 
 Expected<void> ResultWriter::write(const nlohmann::ordered_json& result) const {
@@ -33,7 +35,7 @@ void report(const Error& error) {
 }
 
 void warn(const std::string& sentence) {
-  std::fprintf(stderr, "hapticell-cli: %s\n", sentence.c_str());
+  std::fprintf(stderr, "hapticell-cli: %s\n", plainText(sentence, 4096).c_str());
 }
 
 }  // namespace hapticell::cli

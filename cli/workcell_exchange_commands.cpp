@@ -19,6 +19,7 @@ using nlohmann::ordered_json;
 
 struct PackOptions {
   std::string file, folder;
+  bool allow_outside = false;
 };
 
 struct ChangesOptions {
@@ -54,9 +55,23 @@ Expected<ordered_json> pack(const PackOptions& options, Diagnostics& notes) {
   const auto document = workcell::loadDocument(options.file, notes);
   if (!document) return tl::unexpected(document.error());
   const std::string name = fs::path(options.file).filename().string();
-  const auto packed = workcell::pack(document->state(), options.folder, name, notes);
+  std::error_code fault;
+  const workcell::PackScope scope{fs::absolute(options.file, fault).parent_path(), options.allow_outside};
+  const auto packed = workcell::pack(document->state(), options.folder, name, scope, notes);
   if (!packed) return tl::unexpected(packed.error());
-  return ordered_json{{"workcell", packed->document.string()}, {"files", packed->copied}, {"bytes", packed->bytes}};
+  ordered_json outside = ordered_json::array();
+  for (const fs::path& file : packed->outside) outside.push_back(file.string());
+  if (!packed->isWritten()) {
+    for (const fs::path& file : packed->outside) notes.warn("outside: " + file.string());
+    return makeError({options.file, "", std::to_string(packed->outside.size()) + " files lie outside of its folder",
+                      "files in " + scope.folder.string(),
+                      "Nothing was written. A workcell of others may name any file of this machine: look at the list, "
+                      "then pack with --allow-outside, or bring the files below the folder."});
+  }
+  return ordered_json{{"workcell", packed->document.string()},
+                      {"files", packed->copied},
+                      {"outside", std::move(outside)},
+                      {"bytes", packed->bytes}};
 }
 
 Expected<ordered_json> changes(const ChangesOptions& options, Diagnostics& notes) {
@@ -90,6 +105,9 @@ void addWorkcellExchangeCommands(Subcommand workcell, Action& chosen) {
   const auto pack_options = std::make_shared<PackOptions>();
   packing.option("file", pack_options->file, "The document (.hcell)").required();
   packing.option("-o,--output", pack_options->folder, "A new or empty folder, or an archive: .zip, .tar.gz").required();
+  packing.flag(
+      "--allow-outside", pack_options->allow_outside,
+      "Pack files too that lie outside of the document's folder; without, they are listed and nothing is written");
   packing.onChosen([pack_options, &chosen] {
     chosen = [pack_options](ResultWriter& writer) {
       Diagnostics notes;

@@ -7,6 +7,7 @@
 
 #include "config/configuration.h"
 #include "config/toml_place.h"
+#include "config/user_folders.h"
 
 namespace hapticell::config {
 
@@ -91,7 +92,11 @@ Expected<Configuration> readConfiguration(const std::string& path, const Configu
 
 Expected<std::string> findShippedFile(const std::string& relative) {
   std::vector<fs::path> folders;
-  if (const char* named = std::getenv("HAPTICELL_CONFIG_DIR")) folders.emplace_back(named);
+  if (const char* named = std::getenv("HAPTICELL_CONFIG_DIR")) {
+    if (!fs::path(named).is_absolute())
+      return makeError({"", "HAPTICELL_CONFIG_DIR", "'" + std::string(named) + "'", "an absolute path", ""});
+    folders.emplace_back(named);
+  }
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   if (!program.empty()) folders.push_back(program.parent_path().parent_path() / "share" / "hapticell");
@@ -107,12 +112,14 @@ Expected<Configuration> loadConfiguration(const std::string& extra) {
   const auto shipped = findShippedFile("hapticell.toml");
   if (!shipped) return makeError(shipped.error());
   auto configuration = readConfiguration(*shipped);
-  const char* home = std::getenv("HOME");
-  const char* xdg = std::getenv("XDG_CONFIG_HOME");
-  const fs::path folder = xdg != nullptr && *xdg != '\0' ? fs::path(xdg) : fs::path(home ? home : "") / ".config";
-  const fs::path own = folder / "hapticell" / "hapticell.toml";
+  const auto folder = userSettingsFolder();
+  if (!folder) return makeError(folder.error());
+  const fs::path own = *folder / "hapticell.toml";
   std::error_code ignored;
-  if (configuration && fs::exists(own, ignored)) configuration = readConfiguration(own.string(), *configuration);
+  if (fs::exists(own, ignored)) {
+    if (auto trusted = checkUserFile(own); !trusted) return makeError(trusted.error());
+    if (configuration) configuration = readConfiguration(own.string(), *configuration);
+  }
   if (configuration && !extra.empty()) configuration = readConfiguration(extra, *configuration);
   return configuration;
 }

@@ -2,8 +2,10 @@
 #include "manipulation/session.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <thread>
 
@@ -319,6 +321,47 @@ Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std
                     .fix = {}});
 }
 
+constexpr double kLastPatience = 2.0;  // s for the state that shows that the server lived to the end.
+
+/// A session is one connection from its beginning to its end: what a server does that was lost and found again, and who
+/// held its stylus meanwhile, is not known.
+class WatchedLink {
+ public:
+  WatchedLink(haptic::TcpLink& link, std::string address)
+      : link_(link), address_(std::move(address)), connection_(link.connections()) {}
+
+  Expected<void> check(double t) const {
+    if (link_.linkState() != haptic::LinkState::kConnected) return lost(t, link_.problem());
+    if (link_.connections() != connection_) return lost(t, "it was connected to anew");
+    return {};
+  }
+
+  /// After the hand path: that the server is still there. A server that hangs is silent at first.
+  Expected<void> checkEnd(double t) {
+    static_cast<void>(link_.latestState());  // May have been waiting.
+    const SteadyClock::time_point begin = SteadyClock::now();
+    while (!link_.latestState()) {
+      if (auto there = check(t); !there) return there;
+      if (secondsSince(begin) > kLastPatience) return lost(t, "no state of the stylus came any more");
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return check(t);
+  }
+
+ private:
+  Expected<void> lost(double t, const std::string& why) const {
+    std::array<char, 64> when{};
+    std::snprintf(when.data(), when.size(), "the haptic server was lost after %.2f s", t);
+    return makeError({address_, "", std::string(when.data()) + (why.empty() ? "" : ": " + why),
+                      "a server that answers until the hand path ends",
+                      "Nothing was written. Look at what the server says, and run the session again."});
+  }
+
+  haptic::TcpLink& link_;
+  std::string address_;
+  std::uint64_t connection_;
+};
+
 }  // namespace
 
 Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const std::string& host, int port,
@@ -329,6 +372,7 @@ Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const 
   haptic::TcpLink link(*link_options);
   const auto device = awaitServer(link, host + ":" + std::to_string(port));
   if (!device) return makeError(device.error());
+  WatchedLink watched(link, host + ":" + std::to_string(port));
   WatchedEngine engine(link, options);
   engine.searchInThread();
   if (const auto ready = engine.prepare(); !ready) return makeError(ready.error());
@@ -341,6 +385,7 @@ Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const 
   double next_picture = 0.0;
   for (double t = 0.0; t < options.hand.duration(); t = secondsSince(begin)) {
     const haptic::HandSample sample = options.hand.at(t);
+    if (auto there = watched.check(t); !there) return makeError(there.error());
     link.sendHandTarget({true, sample.X_DH, sample.buttons});
     const auto now = std::chrono::duration_cast<std::chrono::nanoseconds>(SteadyClock::now().time_since_epoch());
     engine.step(t, now.count());
@@ -361,6 +406,7 @@ Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const 
     std::this_thread::sleep_until(
         begin + std::chrono::duration_cast<SteadyClock::duration>(std::chrono::duration<double>(t + step_period)));
   }
+  if (auto there = watched.checkEnd(options.hand.duration()); !there) return makeError(there.error());
   SessionReport report = engine.finish(options.hand.duration());
   const haptic::ServerStatistics& server = engine.serverStatistics();
   report.ticks = first && last ? last->tick - first->tick + 1 : 0;

@@ -99,7 +99,8 @@ struct SessionReport {
 Expected<SessionReport> runSession(const SessionOptions& options, const TraceSink& trace = {});
 
 /// The same through a haptic server over TCP, in real time. The server's device must be a simulated one, which this
-/// session's hand holds. Errors also: no server answers within five seconds, its device cannot be held.
+/// session's hand holds. Errors also: no server answers within five seconds, its device cannot be held, or it is lost
+/// before the hand path has ended (closed, silent for a second, connected to anew, taken by another): when, and why.
 Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const std::string& host, int port,
                                            const TraceSink& trace = {});
 

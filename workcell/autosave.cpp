@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,6 +15,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "config/user_folders.h"
 #include "geometry/scratch_folder.h"
 #include "workcell/content_name.h"
 #include "workcell/document_io.h"
@@ -28,9 +28,8 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path stateFolder() {
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state) return fs::path(state) / "hapticell";
-  if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".local/state/hapticell";
-  return fs::temp_directory_path() / "hapticell";
+  const auto folder = config::userStateFolder();
+  return folder ? *folder : fs::path();
 }
 
 fs::path lockIn(const fs::path& run) {
@@ -121,9 +120,10 @@ RunFolder::~RunFolder() {
 
 Expected<fs::path> RunFolder::path() {
   if (lock_ >= 0) return path_;
-  const fs::path folder = fs::absolute(runsFolder());
+  if (const auto known = config::userStateFolder(); !known) return makeError(known.error());
+  const fs::path folder = runsFolder();
   std::error_code fault;
-  fs::create_directories(folder, fault);
+  if (const auto made = config::makeOwnFolder(folder); !made) return makeError(made.error());
   // Others look at it once it has its name: by then it is locked.
   auto aside = ScratchFolder::make(folder);
   if (!aside) return makeError(aside.error());
@@ -194,6 +194,8 @@ CopyFacts copyFactsIn(const fs::path& run) {
 std::vector<LeftWork> findLeftWork() {
   std::vector<LeftWork> found;
   std::error_code fault;
+  // What others may have put there is no work of this user.
+  if (stateFolder().empty() || !config::checkUserFile(runsFolder())) return found;
   removeUnfinished(runsFolder());
   for (fs::directory_iterator at(runsFolder(), fault), end; !fault && at != end; at.increment(fault)) {
     const fs::path run = fs::absolute(at->path());

@@ -3,6 +3,8 @@
 
 #include <fstream>
 
+#include "workcell/read_record.h"
+
 namespace hapticell::workcell {
 
 namespace fs = std::filesystem;
@@ -26,6 +28,7 @@ Expected<std::string> readFileContent(const fs::path& path) {
   if (!file || file.gcount() != static_cast<std::streamsize>(size)) {
     return makeError({path.string(), "", "the file could not be read", "", "Check that you may read it."});
   }
+  ReadRecord::note(path);
   return content;
 }
 

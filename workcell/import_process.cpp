@@ -19,6 +19,7 @@
 #include <optional>
 #include <string_view>
 
+#include "config/user_folders.h"
 #include "workcell/text_cursor.h"
 
 extern char** environ;
@@ -54,14 +55,14 @@ class Descriptor {
 
 /// Beside the running program, where an installation puts it, or (for developers) where the environment says.
 fs::path findProgram() {
-  if (const char* named = std::getenv("HAPTICELL_IMPORTER")) return named;
+  if (const char* named = std::getenv("HAPTICELL_IMPORTER")) return named[0] == '/' ? fs::path(named) : fs::path();
   std::error_code fault;
   const fs::path self = fs::read_symlink("/proc/self/exe", fault);
   for (const char* place : {".", "../bin", "../libexec/hapticell", "../lib/hapticell"}) {
     const fs::path beside = self.parent_path() / place / kProgram;
     if (!fault && ::access(beside.c_str(), X_OK) == 0) return beside;
   }
-  return kProgram;  // On the PATH, perhaps.
+  return config::systemProgram(kProgram);
 }
 
 bool sendAll(int file, std::string_view content) {
@@ -100,6 +101,7 @@ class Child {
   /// 0 or an errno.
   int start(const ImporterCall& call, int scene, int lines) {
     std::vector<std::string> words{findProgram().string()};
+    if (words.front().empty()) return ENOENT;
     words.insert(words.end(), call.arguments.begin(), call.arguments.end());
     words.insert(words.end(), {"--memory", std::to_string(call.limits.bytes), "--seconds",
                                std::to_string(static_cast<long>(call.limits.seconds) + 1)});
@@ -115,7 +117,7 @@ class Child {
     posix_spawn_file_actions_adddup2(&actions, scene, kSceneDescriptor);
     posix_spawn_file_actions_adddup2(&actions, lines, kLinesDescriptor);
     posix_spawn_file_actions_addclosefrom_np(&actions, kLinesDescriptor + 1);
-    const int fault = ::posix_spawnp(&id_, arguments[0], &actions, nullptr, arguments.data(), environ);
+    const int fault = ::posix_spawn(&id_, arguments[0], &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (fault != 0) id_ = -1;
     return fault;

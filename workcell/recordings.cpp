@@ -41,6 +41,8 @@ GatheredRecordings gatherRecordings(const DocumentState& state, const fs::path& 
   const fs::path folder = recordingsFolder(document);
   for (const TrajectoryReference& reference : state.trajectories) {
     if (standsBelow(reference.path, document.parent_path()) || gathered.moved.contains(reference.path)) continue;
+    // A stranger's document may name any file of this machine as one: what is no recording stays where it is.
+    if (!reference.motion && !trajectory::readTrajectory(reference.path)) continue;
     // Its file may not be written yet.
     auto content = reference.motion ? Expected<std::string>(trajectory::toJsonText(*reference.motion))
                                     : readFileContent(reference.path);

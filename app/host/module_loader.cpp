@@ -6,6 +6,8 @@
 #include <QLibrary>
 #include <QPluginLoader>
 
+#include "config/user_folders.h"
+
 namespace hapticell::app {
 
 ModuleLoader::ModuleLoader() = default;
@@ -26,6 +28,11 @@ void ModuleLoader::load(const QStringList& folders) {
     for (const QFileInfo& file : directory.entryInfoList({"*hapticell-module-*"}, QDir::Files, QDir::Name)) {
       if (!QLibrary::isLibrary(file.fileName()) || seen.contains(file.fileName())) continue;
       seen << file.fileName();
+      if (const auto trusted = config::checkPlugIn(file.absoluteFilePath().toStdString()); !trusted) {
+        problems_ << QCoreApplication::translate("ModuleLoader", "The module %1 was left out. %2")
+                         .arg(file.fileName(), QString::fromStdString(trusted.error().message()));
+        continue;
+      }
       auto loader = std::make_unique<QPluginLoader>(file.absoluteFilePath());
       Module* module = qobject_cast<Module*>(loader->instance());
       if (!module) {

@@ -7,6 +7,7 @@
 
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
+#include "app/style/plain_lines.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
 #include "app/viewport/overlay_painter.h"
@@ -74,7 +75,7 @@ void StatusLine::setSound(const QString& text, bool on) {
 
 void StatusLine::show(const Message& message) {
   severity_ = message.severity;
-  message_ = message.text.isEmpty() ? message.title : message.title + ". " + message.text;
+  message_ = plainLines(message.text.isEmpty() ? message.title : message.title + ". " + message.text);
   message_timer_.start(kMessageMilliseconds);
   update();
 }

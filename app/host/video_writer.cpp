@@ -3,7 +3,8 @@
 
 #include <QFileInfo>
 #include <QImage>
-#include <QStandardPaths>
+
+#include "config/user_folders.h"
 
 namespace hapticell::app {
 namespace {
@@ -20,7 +21,7 @@ bool VideoWriter::isVideo(const QString& file) {
 }
 
 Expected<std::unique_ptr<VideoWriter>> VideoWriter::open(const QString& file, const QSize& size, int frames_a_second) {
-  const QString program = QStandardPaths::findExecutable("ffmpeg");
+  const QString program = QString::fromStdString(config::systemProgram("ffmpeg").string());
   if (program.isEmpty()) {
     return makeError({file.toStdString(), "", "the program ffmpeg is not installed", "ffmpeg, which writes videos",
                       "Install ffmpeg, or write a picture (png)."});

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/import/export_work.h"
 
-#include <QDesktopServices>
 #include <QFileInfo>
 #include <QMainWindow>
-#include <QUrl>
+#include <QMessageBox>
+#include <QPushButton>
 #include <algorithm>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
+#include "app/host/system_open.h"
 #include "app/import/change_page.h"
 #include "app/start/file_dialog.h"
+#include "app/style/plain_lines.h"
 #include "workcell/document_io.h"
 #include "workcell/pack.h"
 #include "workcell/scene_export.h"
@@ -87,7 +89,7 @@ void ExportWork::tellWritten(const QString& path, const std::vector<std::string>
                           QString::fromStdString(note));
   const QString folder = QFileInfo(path).absolutePath();
   host_.messages().tell(Severity::kInformation, tr("%1 is written").arg(name), folder,
-                        {{tr("Show folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }}});
+                        {{tr("Show folder"), [folder] { openWithSystem(folder); }}});
   emit finished(path, true);
 }
 
@@ -113,14 +115,46 @@ void ExportWork::exportTo(const QString& path, bool selection_only) {
   run(path, work, tr("%1 was not written").arg(QFileInfo(path).fileName()));
 }
 
-void ExportWork::packTo(const QString& path) {
+/// A workcell of others may name any file of this computer: what goes into an archive is the user's word.
+void ExportWork::askOutside(const QString& path, const QStringList& files) {
+  constexpr qsizetype kShown = 15;
+  auto* question =
+      new QMessageBox(QMessageBox::Question, tr("Pack the workcell with its files"),
+                      tr("%1 files lie outside of the workcell's folder. Pack them too?").arg(files.size()),
+                      QMessageBox::NoButton, &host_.window());
+  question->setObjectName("askOutside");
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  question->setTextFormat(Qt::PlainText);
+  QString list = files.mid(0, kShown).join(QLatin1Char('\n'));
+  if (files.size() > kShown) list += QLatin1Char('\n') + tr("and %1 more").arg(files.size() - kShown);
+  question->setInformativeText(
+      list + QStringLiteral("\n\n") +
+      tr("A workcell that somebody sent may name any file of this computer. Look whether all of these belong to it."));
+  if (files.size() > kShown) question->setDetailedText(files.join(QLatin1Char('\n')));
+  QPushButton* all = question->addButton(tr("Pack them too"), QMessageBox::AcceptRole);
+  question->setDefaultButton(question->addButton(QMessageBox::Cancel));
+  connect(question, &QMessageBox::buttonClicked, this, [this, path, all](QAbstractButton* clicked) {
+    if (clicked == all) return packTo(path, true);
+    emit finished(path, false);
+  });
+  question->open();
+}
+
+void ExportWork::packTo(const QString& path, bool allow_outside) {
   const DocumentState state = host_.documentModel().document().state();
+  const workcell::PackScope scope{host_.documentModel().document().path().parent_path(), allow_outside};
   const std::string name = (host_.documentModel().title() + ".hcell").toStdString();
-  const auto work = [this, path, state, name](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
+  const auto work = [this, path, state, name,
+                     scope](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
     monitor.report("packing", 0.0);
     Diagnostics notes;
-    const auto packed = workcell::pack(state, path.toStdString(), name, notes, &monitor);
+    const auto packed = workcell::pack(state, path.toStdString(), name, scope, notes, &monitor);
     if (!packed) return makeError(packed.error());
+    if (!packed->isWritten()) {
+      QStringList outside;
+      for (const auto& file : packed->outside) outside << plainLines(QString::fromStdString(file.string()));
+      return BackgroundWork::Then([this, path, outside] { askOutside(path, outside); });
+    }
     return BackgroundWork::Then([this, path, notes] { tellWritten(path, notes.warnings); });
   };
   run(path, work, tr("%1 was not written").arg(QFileInfo(path).fileName()));

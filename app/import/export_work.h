@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include "app/import/background_work.h"
 
@@ -26,8 +27,9 @@ class ExportWork : public QObject {
 
   /// Writes the cell, or what is selected and all below it, in the format that the name's ending says.
   void exportTo(const QString& path, bool selection_only);
-  /// The document with all its files, as a folder or an archive (.zip, .tar.gz).
-  void packTo(const QString& path);
+  /// The document with all its files, as a folder or an archive (.zip, .tar.gz). Files that lie outside of its folder
+  /// are asked for first, unless `allow_outside`.
+  void packTo(const QString& path, bool allow_outside = false);
   /// PDF or CSV by the name's ending; `other` is the workcell for kOtherCell.
   void reportTo(const QString& path, Against against, const QString& other = {});
 
@@ -36,6 +38,7 @@ class ExportWork : public QObject {
 
  private:
   void run(const QString& path, BackgroundWork::Work work, const QString& failed);
+  void askOutside(const QString& path, const QStringList& files);
   void tellWritten(const QString& path, const std::vector<std::string>& notes);
 
   Host& host_;

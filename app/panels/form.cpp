@@ -15,6 +15,7 @@ namespace hapticell::app {
 
 QLabel* makeLabel(const QString& text, TextRole role, bool quiet) {
   auto* label = new QLabel(text);
+  label->setTextFormat(Qt::PlainText);  // A name in a file may look like HTML.
   label->setFont(textFont(role));
   if (quiet) label->setForegroundRole(kQuietText);
   return label;

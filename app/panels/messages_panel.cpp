@@ -10,13 +10,14 @@
 
 #include "app/panels/form.h"
 #include "app/style/icon.h"
+#include "app/style/plain_lines.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
 
 namespace hapticell::app {
 namespace {
 
-constexpr int kMostCards = 100;
+constexpr int kMostCards = 100, kMostLines = 200;
 
 QColor colorOf(Severity severity, const Theme& theme) {
   return severity == Severity::kProblem   ? theme.contact
@@ -76,14 +77,14 @@ MessageCard::MessageCard(const Message& message, QWidget* parent) : QWidget(pare
   row->setContentsMargins(42, 8, 12, 8);
   auto* words = new QVBoxLayout;
   words->setSpacing(2);
-  auto* title = makeLabel(message.title, TextRole::kSection);
+  auto* title = makeLabel(plainLines(message.title), TextRole::kSection);
   title->setWordWrap(true);
   title->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words->addWidget(title);
   if (!message.lines.empty()) {
     words->addWidget(makeLineList(message.lines));
   } else if (!message.text.isEmpty()) {
-    auto* text = makeLabel(message.text, TextRole::kSecond, true);
+    auto* text = makeLabel(plainLines(message.text, kMostLines), TextRole::kSecond, true);
     text->setWordWrap(true);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     words->addWidget(text);
@@ -106,7 +107,7 @@ MessageCard::MessageCard(const Message& message, QWidget* parent) : QWidget(pare
   const QString kind = message.severity == Severity::kProblem   ? tr("Problem")
                        : message.severity == Severity::kWarning ? tr("Warning")
                                                                 : tr("Note");
-  setAccessibleName(kind + QStringLiteral(": ") + message.title);
+  setAccessibleName(kind + QStringLiteral(": ") + plainLines(message.title));
 }
 
 void MessageCard::countAgain() {

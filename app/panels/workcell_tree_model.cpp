@@ -8,6 +8,7 @@
 
 #include "app/panels/entity_icon.h"
 #include "app/panels/tree_edits.h"
+#include "app/style/plain_lines.h"
 #include "app/style/units.h"
 
 namespace hapticell::app {
@@ -242,7 +243,7 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
   const workcell::Entity* entity = node.kind == Kind::kEntity ? entityOf(node) : nullptr;
   switch (role) {
     case Qt::DisplayRole:
-      return node.name;
+      return plainLines(node.name);
     case Qt::EditRole:
       return node.frame ? node.frame->own_name : node.name;
     case Qt::AccessibleTextRole:

@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -12,11 +11,11 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QStandardPaths>
-#include <QUrl>
 #include <QVBoxLayout>
 #include <cmath>
 
 #include "app/host/host.h"
+#include "app/host/system_open.h"
 #include "app/panels/form.h"
 #include "app/settings/configuration_fields.h"
 #include "app/settings/settings_pages.h"
@@ -187,7 +186,7 @@ class ConfigurationPage : public QWidget {
         QFileInfo::exists(path) ||
         writeFileAtomically(path.toStdString(),
                             "# HaptiCell, in SI units. The hapticell.toml that is shipped lists all keys.\n");
-    if (!there || !QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
+    if (!there || !openWithSystem(path))
       note_->setText(tr("No program on this computer opened %1. Open it in a text editor.").arg(path));
   }
 

@@ -207,6 +207,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 faces ont été tournées vers l'extérieur.</translation>
     </message>
     <message>
+        <source>%1 files lie outside of the workcell's folder. Pack them too?</source>
+        <translation>%1 fichiers se trouvent hors du dossier de la cellule. Les archiver aussi ?</translation>
+    </message>
+    <message>
         <source>%1 files of this cell are missing</source>
         <translation>%1 fichiers de cette cellule manquent</translation>
     </message>
@@ -1105,6 +1109,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>A value is needed</source>
         <translation>Une valeur est nécessaire</translation>
+    </message>
+    <message>
+        <source>A workcell that somebody sent may name any file of this computer. Look whether all of these belong to it.</source>
+        <translation>Une cellule reçue de quelqu'un peut nommer n'importe quel fichier de cet ordinateur. Vérifiez que tous ceux-ci lui appartiennent.</translation>
     </message>
     <message>
         <source>ABB RAPID (.mod)</source>
@@ -4901,6 +4909,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Pack the workcell with its files</source>
         <translation>Empaqueter la cellule avec ses fichiers</translation>
+    </message>
+    <message>
+        <source>Pack them too</source>
+        <translation>Les archiver aussi</translation>
     </message>
     <message>
         <source>Pack with all files…</source>

@@ -3,6 +3,9 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QRegularExpression>
+
+#include "app/style/plain_lines.h"
 
 #ifdef Q_OS_LINUX
 #include <sys/prctl.h>
@@ -26,7 +29,7 @@ ServerProcess::ServerProcess(QObject* parent) : QObject(parent) {
   connect(&process_, &QProcess::finished, this, [this] {
     if (stopping_) return;
     readLines();
-    last_line_ += QString::fromUtf8(process_.readAll()).trimmed();
+    last_line_ += plainLines(QString::fromUtf8(process_.readAll()).trimmed());
     emit ended(tr("The haptic server has ended. %1").arg(last_line_));
   });
   connect(&process_, &QProcess::readyRead, this, &ServerProcess::readLines);
@@ -36,13 +39,20 @@ ServerProcess::~ServerProcess() {
   stop();
 }
 
+QString ServerProcess::warningIn(const QString& line) {
+  // At its place only: names of clients stand in the lines too.
+  static const QRegularExpression head(QStringLiteral("^\\d\\d:\\d\\d:\\d\\d\\.\\d{3} warning: "));
+  const QRegularExpressionMatch found = head.match(line);
+  return found.hasMatch() ? line.mid(found.capturedEnd()) : QString();
+}
+
 void ServerProcess::readLines() {
-  const QString mark = QStringLiteral(" warning: ");
   while (process_.canReadLine()) {
-    last_line_ = QString::fromUtf8(process_.readLine()).trimmed();
-    const qsizetype at = last_line_.indexOf(mark);
-    if (at >= 0) emit warned(last_line_.mid(at + mark.size()));
-    if (at >= 0) last_line_.clear();  // Told already.
+    last_line_ = plainLines(QString::fromUtf8(process_.readLine()).trimmed());
+    const QString warning = warningIn(last_line_);
+    if (warning.isEmpty()) continue;
+    emit warned(warning);
+    last_line_.clear();  // Told already.
   }
 }
 

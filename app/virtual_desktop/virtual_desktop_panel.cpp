@@ -335,6 +335,7 @@ void VirtualDesktopPanel::addHand(QVBoxLayout& column) {
   auto* row = new QHBoxLayout;
   workspace_ = new WorkspaceView;
   workspace_text_ = makeLabel({}, TextRole::kSecond, true);
+  workspace_text_->setTextFormat(Qt::RichText);  // Numbers and words of our own only.
   workspace_text_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   workspace_text_->setMinimumHeight(kWorkspaceLines * workspace_text_->fontMetrics().lineSpacing());
   row->addWidget(workspace_);

@@ -10,6 +10,13 @@
 
 namespace hapticell::haptic {
 
+/// Why the other side was not made sure of.
+enum class HandshakeFailure {
+  kOtherKey,     ///< It has another key, or none.
+  kOtherSpeech,  ///< It does not speak TLS 1.3: a server without a key, another program.
+  kEnded,        ///< The connection ended before the keys were compared: they may well be the same.
+};
+
 /// A connection that carries bytes both ways, plain or protected. Used by one network thread; at most one read and one
 /// write are under way at a time. Whoever starts one keeps the stream until its handler was called, which it always is
 /// (with an error after the socket was closed).

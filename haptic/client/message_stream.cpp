@@ -2,6 +2,7 @@
 #include "haptic/client/message_stream.h"
 
 #include <asio/buffer.hpp>
+#include <asio/ip/network_v6.hpp>
 #include <string>
 #include <utility>
 
@@ -24,6 +25,8 @@ void MessageStream::start() {
     if (self->closed_) return;
     self->writing_ = false;
     if (failed) return self->refuse(failed);
+    if (self->handlers_.opened) self->handlers_.opened();
+    if (self->closed_) return;
     self->read();
     self->write();
   });
@@ -33,6 +36,16 @@ std::string MessageStream::peer() const {
   std::error_code failed;
   const auto endpoint = std::as_const(*stream_).socket().remote_endpoint(failed);
   return failed ? std::string() : endpoint.address().to_string() + ":" + std::to_string(endpoint.port());
+}
+
+std::string MessageStream::peerNetwork() const {
+  std::error_code failed;
+  const auto address = std::as_const(*stream_).socket().remote_endpoint(failed).address();
+  if (failed) return {};
+  if (address.is_v4()) return address.to_string();
+  const asio::ip::address_v6 whole = address.to_v6();
+  if (whole.is_v4_mapped()) return asio::ip::make_address_v4(asio::ip::v4_mapped, whole).to_string();
+  return asio::ip::make_network_v6(whole, 64).canonical().to_string();
 }
 
 void MessageStream::read() {
@@ -115,7 +128,7 @@ void MessageStream::lost() {
 
 void MessageStream::refuse(std::error_code failed) {
   close();
-  handlers_.stranger ? handlers_.stranger(handshakeProblem(failed)) : handlers_.closed();
+  handlers_.stranger ? handlers_.stranger(handshakeFailure(failed), handshakeProblem(failed)) : handlers_.closed();
 }
 
 }  // namespace hapticell::haptic

@@ -29,7 +29,9 @@ class MessageStream : public std::enable_shared_from_this<MessageStream> {
     std::function<void(const Error&)> garbage;
     /// The other side did not show that it has the key, and why in a few words. The connection is closed; nothing else
     /// is called. Null: counts as closed.
-    std::function<void(const std::string& why)> stranger = nullptr;
+    std::function<void(HandshakeFailure failure, const std::string& why)> stranger = nullptr;
+    /// The other side has shown that it has the key; at once where none is asked for. May be null.
+    std::function<void()> opened = nullptr;
     /// The connection is gone (closed, reset, or not writable for too long). Called once, not after close().
     std::function<void()> closed;
   };
@@ -47,6 +49,9 @@ class MessageStream : public std::enable_shared_from_this<MessageStream> {
 
   bool finishing() const { return finishing_; }
   std::string peer() const;  ///< "127.0.0.1:53412", empty when unknown.
+  /// Whom the connection is reckoned to where addresses are counted: "127.0.0.1"; of IPv6 the network, which one
+  /// machine may have all addresses of ("2001:db8::/64"). Empty when unknown.
+  std::string peerNetwork() const;
 
  private:
   static constexpr std::size_t kSlots = 4;

@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <span>
 
+#include "config/user_folders.h"
 #include "geometry/assertion.h"
 #include "geometry/atomic_file.h"
 
@@ -63,12 +63,16 @@ tl::unexpected<Error> refuseCode(std::string found) {
                     .fix = "Type the code again."});
 }
 
-fs::path settingsFolder() {
-  const char* const xdg = std::getenv("XDG_CONFIG_HOME");
-  const char* const home = std::getenv("HOME");
-  const fs::path base =
-      xdg != nullptr && *xdg != '\0' ? fs::path(xdg) : fs::path(home != nullptr ? home : "") / ".config";
-  return base / "hapticell";
+/// The file below the user's settings; empty where it is not known where those are.
+fs::path inSettings(const fs::path& name) {
+  const auto folder = config::userSettingsFolder();
+  return folder ? *folder / name : fs::path();
+}
+
+/// Why inSettings() gave no path.
+tl::unexpected<Error> nowhere() {
+  const auto folder = config::userSettingsFolder();
+  return folder ? makeError({"", "key file", "no name", "the name of a file", ""}) : makeError(folder.error());
 }
 
 tl::unexpected<Error> fileError(const fs::path& file, std::string found, std::string fix) {
@@ -138,7 +142,7 @@ std::array<std::uint8_t, PairingKey::kSecretBytes> PairingKey::secret() const {
 }
 
 fs::path serverKeyFile() {
-  return settingsFolder() / "server.key";
+  return inSettings("server.key");
 }
 
 fs::path knownServerKeyFile(std::string_view host, std::uint16_t port) {
@@ -147,12 +151,13 @@ fs::path knownServerKeyFile(std::string_view host, std::uint16_t port) {
     const bool plain = (sign >= 'a' && sign <= 'z') || (sign >= 'A' && sign <= 'Z') || (sign >= '0' && sign <= '9');
     if (!plain && sign != '.' && sign != '-') sign = '_';
   }
-  return settingsFolder() / "servers" / (name + "_" + std::to_string(port) + ".key");
+  return inSettings(fs::path("servers") / (name + "_" + std::to_string(port) + ".key"));
 }
 
 Expected<void> saveKey(const PairingKey& key, const fs::path& file) {
+  if (file.empty()) return nowhere();
   std::error_code failed;
-  fs::create_directories(file.parent_path(), failed);
+  if (auto made = config::makeOwnFolder(fs::absolute(file, failed).parent_path()); !made) return made;
   auto written = AtomicFile::begin(file, {.mode = 0600});
   if (!written) return makeError(written.error());
   if (auto put = written->write(key.code() + "\n"); !put) return put;
@@ -160,12 +165,15 @@ Expected<void> saveKey(const PairingKey& key, const fs::path& file) {
 }
 
 Expected<PairingKey> loadKey(const fs::path& file) {
+  if (file.empty()) return nowhere();
   struct stat facts {};
   if (stat(file.c_str(), &facts) != 0) return fileError(file, std::strerror(errno), {});
   if ((facts.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
     return fileError(file, "a key that other users may read or change",
                      "Make a new one (hapticell-haptic-server --pair), or chmod 600 if nobody has read it.");
   }
+  std::error_code ignored;
+  if (auto own = config::checkUserFile(fs::absolute(file, ignored)); !own) return makeError(own.error());
   std::ifstream stream(file);
   std::string text;
   std::getline(stream, text);

@@ -38,7 +38,8 @@ class PairingKey {
   std::array<std::uint8_t, kEntropyBytes> entropy_;
 };
 
-/// Where the server's own key lies: $XDG_CONFIG_HOME/hapticell/server.key, else below ~/.config.
+/// Where the server's own key lies: server.key in config::userSettingsFolder(). Empty, as below, where it is not known
+/// where that is; saveKey() and loadKey() then say why.
 std::filesystem::path serverKeyFile();
 /// Where a client keeps the key of the server at host:port: hapticell/servers/HOST_PORT.key in the same place.
 /// Signs that are none of a host's name become '_'.
@@ -46,7 +47,7 @@ std::filesystem::path knownServerKeyFile(std::string_view host, std::uint16_t po
 
 /// Writes the code, readable by this user only (0600), in place of what was there. Errors name the file.
 Expected<void> saveKey(const PairingKey& key, const std::filesystem::path& file);
-/// Errors: no such file, one that others may read or write, one that holds no code.
+/// Errors: no such file, one that others may read or write, or that lies where they may, one that holds no code.
 Expected<PairingKey> loadKey(const std::filesystem::path& file);
 
 }  // namespace hapticell::haptic

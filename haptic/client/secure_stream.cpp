@@ -150,15 +150,33 @@ std::unique_ptr<ByteStream> SecureStreams::make(asio::ip::tcp::socket socket) co
       side_ == Side::kServer ? asio::ssl::stream_base::server : asio::ssl::stream_base::client);
 }
 
-std::string handshakeProblem(const std::error_code& failed) {
-  if (failed == std::errc::permission_denied) return "the key was not used";
-  if (failed.category() != asio::error::get_ssl_category()) return failed.message();
+HandshakeFailure handshakeFailure(const std::error_code& failed) {
+  if (failed == std::errc::permission_denied) return HandshakeFailure::kOtherKey;
+  if (failed.category() != asio::error::get_ssl_category()) return HandshakeFailure::kEnded;
   switch (ERR_GET_REASON(static_cast<unsigned long>(failed.value()))) {
     case SSL_R_WRONG_VERSION_NUMBER:
     case SSL_R_HTTP_REQUEST:
     case SSL_R_PACKET_LENGTH_TOO_LONG:
     case SSL_R_UNSUPPORTED_PROTOCOL:
+      return HandshakeFailure::kOtherSpeech;
+    case SSL_R_UNEXPECTED_EOF_WHILE_READING:
+      return HandshakeFailure::kEnded;
+    default:
+      return HandshakeFailure::kOtherKey;
+  }
+}
+
+std::string handshakeProblem(const std::error_code& failed) {
+  if (failed == std::errc::permission_denied) return "the key was not used";
+  switch (handshakeFailure(failed)) {
+    case HandshakeFailure::kEnded:
+      return "the connection ended before the keys were compared";
+    case HandshakeFailure::kOtherSpeech:
       return "it does not speak TLS 1.3";
+    case HandshakeFailure::kOtherKey:
+      break;
+  }
+  switch (ERR_GET_REASON(static_cast<unsigned long>(failed.value()))) {
     case SSL_R_BINDER_DOES_NOT_VERIFY:
     case SSL_R_NO_SUITABLE_SIGNATURE_ALGORITHM:
     case SSL_R_NO_SHARED_CIPHER:

@@ -32,6 +32,9 @@ class SecureStreams {
   std::shared_ptr<Context> context_;
 };
 
+/// What kind of failure ended a handshake.
+HandshakeFailure handshakeFailure(const std::error_code& failed);
+
 /// Why a handshake ended so, for a user: "its key is another one", "it speaks no TLS", ...
 std::string handshakeProblem(const std::error_code& failed);
 

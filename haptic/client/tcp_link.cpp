@@ -159,8 +159,8 @@ class TcpLink::Connection {
       connecting_ = false;
       return lose("This station has no key for the haptic server at " + server() +
                   ". Show one there with "
-                  "hapticell-haptic-server --pair, and enter it here: hapticell-cli pair " +
-                  server() + " CODE.");
+                  "hapticell-haptic-server --pair, and type it here: hapticell-cli pair " +
+                  server() + ".");
     }
     socket_ = tcp::socket(context_);
     asio::async_connect(socket_, endpoints, [this](std::error_code failed, const tcp::endpoint&) {
@@ -184,15 +184,13 @@ class TcpLink::Connection {
         MessageStream::Handlers{
             .message = [this](const Message& message) { hear(message); },
             .garbage = [this](const Error&) { lose(stranger()); },
-            .stranger =
-                [this](const std::string& why) {
-                  lose("The haptic server at " + server() + " and this station do not have the same key: " + why +
-                       ". Pair them anew: hapticell-haptic-server --pair there, hapticell-cli pair here.");
-                },
+            .stranger = [this](HandshakeFailure failure, const std::string& why) { lose(noHandshake(failure, why)); },
             .closed =
                 [this] {
                   lose("The haptic server at " + server() + " closed the connection" +
-                       (welcomed_ || secure_ ? "." : " at once: it may be one that wants a key (hapticell-cli pair)."));
+                       (welcomed_ || secure_ ? "."
+                                             : " at once: it may be one that wants a key "
+                                               "(hapticell-cli pair), or busy with many connections."));
                 }});
     stream_->start();
     stream_->send(encoder_.encode(Message(Hello{.protocol_version = kProtocolVersion,
@@ -201,6 +199,21 @@ class TcpLink::Connection {
                                                 .program = options_.program,
                                                 .wants_condition = true,
                                                 .take_over = std::exchange(take_over_, false)})));
+  }
+
+  /// What helps differs: only another key wants new pairing.
+  std::string noHandshake(HandshakeFailure failure, const std::string& why) const {
+    const std::string at = "The haptic server at " + server();
+    if (failure == HandshakeFailure::kEnded)
+      return at + " is there, but " + why +
+             ": it may be busy with many connections. HaptiCell tries again by itself; the key that is kept stays "
+             "good.";
+    const std::string text = at + " and this station do not have the same key: " + why + ". ";
+    if (failure == HandshakeFailure::kOtherSpeech)
+      return text +
+             "Start the server with its key (hapticell-haptic-server --listen ADDRESS), or see what else answers "
+             "there.";
+    return text + "Pair them anew: hapticell-haptic-server --pair there, hapticell-cli pair here.";
   }
 
   std::string stranger() const {

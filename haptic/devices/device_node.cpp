@@ -7,11 +7,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <vector>
 
+#include "config/user_folders.h"
 #include "haptic/devices/driver_support.h"
 
 namespace hapticell::driver {
@@ -79,11 +79,8 @@ Problem nodeProblem(const std::string& path, int error) {
 }
 
 std::string userDeviceFolder() {
-  const char* const xdg = std::getenv("XDG_CONFIG_HOME");
-  const char* const home = std::getenv("HOME");
-  const fs::path folder =
-      xdg != nullptr && *xdg != '\0' ? fs::path(xdg) : fs::path(home != nullptr ? home : "") / ".config";
-  return (folder / "hapticell" / "devices").string();
+  const auto folder = config::userSettingsFolder();
+  return folder ? (*folder / "devices").string() : std::string();
 }
 
 }  // namespace hapticell::driver

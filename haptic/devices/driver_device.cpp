@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "geometry/plain_text.h"
 #include "haptic/devices/driver_library.h"
 #include "haptic/devices/driver_support.h"
 #include "haptic/rendering/triple_buffer.h"
@@ -50,7 +51,7 @@ std::int64_t monotonicNow() {
 
 DeviceCapabilities toCapabilities(const driver::Capabilities& from) {
   DeviceCapabilities result;
-  result.name = from.name;
+  result.name = plainText(from.name);
   const bool mouse = from.kind == driver::Kind::kSpaceMouse;
   result.workspace_min = mouse ? dvec3(-kMouseReach) : toVector(from.workspace_min);
   result.workspace_max = mouse ? dvec3(kMouseReach) : toVector(from.workspace_max);

@@ -10,9 +10,9 @@
 #include <future>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <thread>
 
+#include "config/user_folders.h"
 #include "haptic/devices/driver_support.h"
 
 namespace hapticell::haptic {
@@ -34,6 +34,8 @@ tl::unexpected<Error> notADriver(const fs::path& file, std::string found, std::s
 }  // namespace
 
 Expected<driver::Driver*> loadDriver(const fs::path& file) {
+  if (!file.is_absolute()) return notADriver(file, "no absolute path", "Name it by its whole path.");
+  if (const auto trusted = config::checkPlugIn(file); !trusted) return makeError(trusted.error());
   // RTLD_NOW: a function that is missing is told now, not in the middle of a force.
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
@@ -61,19 +63,14 @@ void tellSettings(driver::Driver& driver, const DriverSettings& settings) {
 
 std::vector<fs::path> driverFolders() {
   std::vector<fs::path> folders;
-  if (const char* named = std::getenv("HAPTICELL_DRIVERS")) {
-    std::istringstream list(named);
-    for (std::string folder; std::getline(list, folder, ':');) {
-      if (!folder.empty()) folders.emplace_back(folder);
-    }
-  }
+  for (const fs::path& folder : config::absoluteEntries(std::getenv("HAPTICELL_DRIVERS"))) folders.push_back(folder);
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   if (!program.empty()) {
     folders.push_back(program.parent_path() / "drivers");
     folders.push_back(program.parent_path().parent_path() / "lib" / "hapticell" / "drivers");
   }
-  if (const char* home = std::getenv("HOME")) folders.push_back(fs::path(home) / ".local/lib/hapticell/drivers");
+  if (const auto own = config::userLibraryFolder()) folders.push_back(*own / "drivers");
   return folders;
 }
 

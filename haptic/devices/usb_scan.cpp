@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "geometry/plain_text.h"
+
 namespace hapticell::driver {
 
 namespace {
@@ -17,7 +19,7 @@ std::string line(const fs::path& file) {
   std::ifstream stream(file);
   std::string text;
   std::getline(stream, text);
-  return text;
+  return plainText(text);  // A device may call itself anything.
 }
 
 int number(const std::string& text, int base) {

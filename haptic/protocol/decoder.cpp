@@ -2,6 +2,7 @@
 #include <cstring>
 #include <string>
 
+#include "geometry/plain_text.h"
 #include "haptic/protocol/codec.h"
 #include "haptic/protocol/hapticell_generated.h"
 #include "haptic/protocol/wire_values.h"
@@ -22,12 +23,13 @@ tl::unexpected<Error> refuse(std::string place, std::string found, std::string e
                     .fix = ""});
 }
 
+/// What others wrote, as it may be logged and drawn.
 Expected<std::string> text(const flatbuffers::String* text, const char* place) {
   if (text == nullptr) return std::string();
   if (text->size() > kMaxTextBytes) {
     return refuse(place, std::to_string(text->size()) + " bytes", "at most " + std::to_string(kMaxTextBytes));
   }
-  return text->str();
+  return plainText({text->c_str(), text->size()}, kMaxTextBytes);
 }
 
 Expected<ClientKind> clientKind(wire::ClientKind kind, const char* place) {

@@ -2,8 +2,10 @@
 #include "haptic/server/client_table.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
+#include "geometry/plain_text.h"
 #include "haptic/devices/device_care.h"
 #include "haptic/server/clock.h"
 #include "haptic/server/force_loop.h"
@@ -13,6 +15,9 @@ namespace hapticell::haptic {
 namespace {
 
 constexpr double kFarewellTime = 1.0;  // For a refused client to read why.
+constexpr std::ptrdiff_t kMostFarewells = 32;  // Refused clients that may still read why.
+constexpr std::size_t kWayBack = 4;  // Waiting connections of the controller's machine that make room for no other.
+constexpr std::size_t kLongestName = 80;  // Bytes of what a client calls itself.
 constexpr double kStillPeriod = 0.05;  // s between two states of a stylus that lies still.
 // A stylus that lies still trembles by its encoders' steps: so many of the device's own, and rad.
 constexpr double kStillSteps = 1.5, kStillTurn = 1e-3;
@@ -25,21 +30,62 @@ double seconds(std::int64_t nanoseconds) {
 
 ClientTable::ClientTable(ForceLoop& loop, const Clock& clock, const DeviceDescription& device,
                          const NetworkOptions& options)
-    : loop_(loop), clock_(clock), device_(device), options_(options) {}
+    : loop_(loop), clock_(clock), device_(device), options_(options), reports_(options.report) {}
 
 ClientTable::~ClientTable() {
   for (const auto& client : clients_) client->stream->close();
   loop_.closeLink();
 }
 
-void ClientTable::report(const std::string& sentence) const {
-  if (options_.report) options_.report(sentence);
+void ClientTable::report(ReportBudget::Kind kind, const std::string& sentence) {
+  reports_.tell(kind, sentence, clock_.now());
 }
 
-void ClientTable::add(std::unique_ptr<ByteStream> connection) {
-  const auto refused_too = std::count_if(clients_.begin(), clients_.end(), [](const auto& c) { return !c->gone; });
-  if (static_cast<std::size_t>(refused_too) >= 2 * options_.max_clients) return;  // Closed by its destructor.
-  Client& client = *clients_.emplace_back(std::make_unique<Client>());
+void ClientTable::report(const Client& client, const std::string& sentence) {
+  const bool controls = client.kind == ClientKind::kController;
+  report(controls ? ReportBudget::Kind::kController : ReportBudget::Kind::kWatcher, sentence);
+}
+
+bool ClientTable::waits(const Client& client) {
+  return !client.gone && !client.kind && !client.has_key && !client.stream->finishing();
+}
+
+bool ClientTable::makeRoom(const std::string& network) {
+  std::map<std::string, std::size_t> waiting;  // By network.
+  for (const auto& client : clients_) waiting[client->network] += waits(*client) ? 1 : 0;
+  if (waiting[network] >= options_.max_waiting_of_address) {
+    dropOldest(network);
+    return false;
+  }
+  std::size_t all = 0;
+  std::string most = network;
+  for (const auto& [name, count] : waiting) {
+    all += count;
+    const bool kept_free = name == controllers_network_ && count <= kWayBack;
+    if (!kept_free && count > waiting[most]) most = name;
+  }
+  if (all < options_.max_waiting) return true;
+  dropOldest(most);
+  return false;
+}
+
+void ClientTable::dropOldest(const std::string& network) {
+  const auto oldest =
+      std::find_if(clients_.begin(), clients_.end(), [&](const auto& c) { return waits(*c) && c->network == network; });
+  if (oldest == clients_.end()) return;
+  drop(**oldest, {});
+  reports_.count(ReportBudget::Kind::kRefused);
+}
+
+void ClientTable::limitFarewells() {
+  const auto leaves = [](const auto& c) { return !c->gone && c->stream->finishing(); };
+  if (std::count_if(clients_.begin(), clients_.end(), leaves) < kMostFarewells) return;
+  drop(**std::find_if(clients_.begin(), clients_.end(), leaves), {});
+}
+
+bool ClientTable::add(std::unique_ptr<ByteStream> connection) {
+  auto made = std::make_unique<Client>();
+  Client& client = *made;
   client.since_ns = client.heard_ns = clock_.now();
   client.stream = std::make_shared<MessageStream>(
       std::move(connection),
@@ -47,18 +93,23 @@ void ClientTable::add(std::unique_ptr<ByteStream> connection) {
           .message = [this, &client](const Message& message) { hear(client, message); },
           .garbage = [this, &client](const Error& error) { refuse(client, "Not understood: " + error.message()); },
           .stranger =
-              [this, &client](const std::string& why) {
-                report("Refused " + client.name + ": " + why + ".");
+              [this, &client](HandshakeFailure, const std::string& why) {
+                report(ReportBudget::Kind::kRefused, "Refused " + client.name + ": " + why + ".");
                 drop(client, {});
               },
+          .opened = [this, &client] { opened(client); },
           .closed = [this, &client] { drop(client, "is gone"); }});
   client.name = "a program at " + client.stream->peer();
+  client.network = client.stream->peerNetwork();
+  const bool room = makeRoom(client.network);
+  clients_.push_back(std::move(made));
   client.stream->start();
-  const auto serving = std::count_if(clients_.begin(), clients_.end(),
-                                     [](const auto& c) { return !c->gone && !c->stream->finishing(); });
-  if (static_cast<std::size_t>(serving) > options_.max_clients) {
-    refuse(client, "The haptic server has its " + std::to_string(options_.max_clients) + " connections already.");
-  }
+  return room;
+}
+
+void ClientTable::opened(Client& client) {
+  client.has_key = options_.key.has_value();
+  client.heard_ns = clock_.now();
 }
 
 void ClientTable::hear(Client& client, const Message& message) {
@@ -107,17 +158,38 @@ void ClientTable::submitSet(const Client& client, const ConstraintSet& set) {
 }
 
 void ClientTable::hearHello(Client& client, const Hello& hello) {
-  if (!hello.program.empty()) client.name = hello.program + " at " + client.stream->peer();
+  if (!hello.program.empty()) client.name = plainText(hello.program, kLongestName) + " at " + client.stream->peer();
   client.wants_condition = hello.wants_condition;
   if (hello.protocol_version != kProtocolVersion) {
     return refuse(client, "This haptic server speaks version " + std::to_string(kProtocolVersion) +
                               " of the protocol, the client version " + std::to_string(hello.protocol_version) +
                               ". Install the same release of both.");
   }
-  if (hello.kind == ClientKind::kWatcher) return welcome(client, ClientKind::kWatcher);
-  if (grantControl(client, hello)) return welcome(client, ClientKind::kController);
-  if (hello.accept_watching) return welcome(client, ClientKind::kWatcher);
+  // Whoever may control always gets in, however many watch.
+  const bool controls = hello.kind == ClientKind::kController && grantControl(client, hello);
+  if (controls) return welcome(client, ClientKind::kController);
+  if (hello.kind == ClientKind::kWatcher || hello.accept_watching) {
+    const std::string full = crowded(client);
+    return full.empty() ? welcome(client, ClientKind::kWatcher) : refuse(client, full);
+  }
   refuse(client, "Another program (" + controller_->name + ") controls the stylus. Close it, or connect as a watcher.");
+}
+
+/// Why no more may watch; empty: there is room.
+std::string ClientTable::crowded(const Client& client) const {
+  std::size_t all = 0, of_address = 0;
+  for (const auto& other : clients_) {
+    if (other->gone || other->stream->finishing() || other->kind != ClientKind::kWatcher) continue;
+    ++all;
+    of_address += other->network == client.network ? 1 : 0;
+  }
+  const std::string advice = " Close a window or program that watches.";
+  if (all >= options_.max_clients)
+    return "The haptic server has its " + std::to_string(options_.max_clients) + " connections already." + advice;
+  const bool here = client.network.starts_with("127.") || client.network.starts_with("::/");
+  if (!here && of_address >= options_.max_clients_of_address)
+    return "The haptic server has " + std::to_string(of_address) + " connections from this machine already." + advice;
+  return {};
 }
 
 bool ClientTable::controllerIsSilent() const {
@@ -142,6 +214,7 @@ void ClientTable::welcome(Client& client, ClientKind kind) {
   if (kind == ClientKind::kController) {
     controller_ = &client;
     controllers_process_ = PeerProcess::find(client.stream->peer(), options_.port);
+    controllers_network_ = client.network;
     loop_.openLink();
   }
   client.stream->send(encoder_.encode(Message(Welcome{
@@ -149,7 +222,7 @@ void ClientTable::welcome(Client& client, ClientKind kind) {
   if (client.wants_condition && options_.care != nullptr) {
     client.stream->send(encoder_.encode(Message(options_.care->condition())));
   }
-  report(client.name + (kind == ClientKind::kController ? " controls the stylus." : " watches."));
+  report(client, client.name + (kind == ClientKind::kController ? " controls the stylus." : " watches."));
 }
 
 void ClientTable::refuse(Client& client, const std::string& sentence) {
@@ -158,7 +231,8 @@ void ClientTable::refuse(Client& client, const std::string& sentence) {
     controller_ = nullptr;
     loop_.closeLink();
   }
-  report("Refused " + client.name + ": " + sentence);
+  report(ReportBudget::Kind::kRefused, "Refused " + client.name + ": " + sentence);
+  limitFarewells();
   client.since_ns = clock_.now();
   client.stream->send(encoder_.encode(Message(Refusal{sentence})));
   client.stream->finish();
@@ -172,7 +246,7 @@ void ClientTable::drop(Client& client, const std::string& why) {
     controller_ = nullptr;
     loop_.closeLink();
   }
-  if (client.kind) report(client.name + " " + why + ".");
+  if (client.kind && !why.empty()) report(client, client.name + " " + why + ".");
 }
 
 void ClientTable::broadcast() {
@@ -216,13 +290,15 @@ void ClientTable::tellOfStall(bool stalled) {
   if (stalled == stalled_) return;
   stalled_ = stalled;
   if (controller_ == nullptr) return;
-  report(controller_->name +
-         (stalled ? " lives but has sent no constraint set that could be taken for 2 s: the force fades."
-                  : " sends constraint sets again: the force returns through the engage gate."));
+  report(*controller_,
+         controller_->name +
+             (stalled ? " lives but has sent no constraint set that could be taken for 2 s: the force fades."
+                      : " sends constraint sets again: the force returns through the engage gate."));
 }
 
 bool ClientTable::overdue(const Client& client, std::int64_t now) const {
   if (client.stream->finishing()) return seconds(now - client.since_ns) > kFarewellTime;
+  if (options_.key && !client.has_key) return seconds(now - client.since_ns) > options_.handshake_time;
   if (!client.kind) return seconds(now - client.since_ns) > options_.hello_time;
   return seconds(now - client.heard_ns) > options_.silence_time;
 }
@@ -246,13 +322,17 @@ void ClientTable::sweep() {
   const std::int64_t now = clock_.now();
   for (const auto& client : clients_) {
     if (client->gone || !overdue(*client, now)) continue;
-    if (!client->kind && !client->stream->finishing()) {
+    if (options_.key && !client->has_key) {
+      report(ReportBudget::Kind::kRefused, "Gave up " + client->name + ": it did not show the key.");
+      drop(*client, {});
+    } else if (!client->kind && !client->stream->finishing()) {
       refuse(*client, "No Hello within " + std::to_string(static_cast<int>(options_.hello_time)) + " seconds.");
     } else {
       drop(*client, "was silent for too long");
     }
   }
   std::erase_if(clients_, [](const auto& client) { return client->gone; });
+  reports_.summarize(now);
 }
 
 }  // namespace hapticell::haptic

@@ -13,6 +13,7 @@
 #include "haptic/server/beat_watch.h"
 #include "haptic/server/network_server.h"
 #include "haptic/server/peer_process.h"
+#include "haptic/server/report_budget.h"
 
 namespace hapticell::haptic {
 
@@ -24,8 +25,8 @@ class ClientTable {
   ClientTable(ForceLoop& loop, const Clock& clock, const DeviceDescription& device, const NetworkOptions& options);
   ~ClientTable();  ///< Closes everything.
 
-  /// Takes a connection that has just been made.
-  void add(std::unique_ptr<ByteStream> connection);
+  /// Takes a connection that has just been made. False: another had to make room for it, take the next one later.
+  bool add(std::unique_ptr<ByteStream> connection);
 
   /// Sends the loop's newest state and, about ten times a second, its statistics to all who were welcomed. A stylus
   /// that lies still without forces is told of 20 times a second only, so that the clients can rest too.
@@ -40,6 +41,8 @@ class ClientTable {
   struct Client {
     std::shared_ptr<MessageStream> stream;
     std::string name;                ///< For messages: program and address.
+    std::string network;             ///< MessageStream::peerNetwork().
+    bool has_key = false;            ///< It has shown it.
     std::optional<ClientKind> kind;  ///< Once welcomed.
     std::int64_t since_ns = 0;       ///< Connected, or told to go.
     std::int64_t heard_ns = 0;
@@ -49,6 +52,12 @@ class ClientTable {
     bool gone = false;
   };
 
+  static bool waits(const Client& client);
+  bool makeRoom(const std::string& network);
+  void dropOldest(const std::string& network);
+  void limitFarewells();
+  std::string crowded(const Client& client) const;
+  void opened(Client& client);
   void hear(Client& client, const Message& message);
   void hearHello(Client& client, const Hello& hello);
   bool grantControl(Client& client, const Hello& hello);
@@ -57,7 +66,8 @@ class ClientTable {
   void submitSet(const Client& client, const ConstraintSet& set);
   void refuse(Client& client, const std::string& sentence);
   void drop(Client& client, const std::string& why);
-  void report(const std::string& sentence) const;
+  void report(ReportBudget::Kind kind, const std::string& sentence);
+  void report(const Client& client, const std::string& sentence);
   bool isNews(const HapticState& state) const;
   void tellOfStall(bool stalled);
   void tellCondition();
@@ -68,6 +78,8 @@ class ClientTable {
   const Clock& clock_;
   const DeviceDescription& device_;
   const NetworkOptions& options_;
+  ReportBudget reports_;
+  std::string controllers_network_;  // Of who controls, or did last: its way back is kept free.
   Encoder encoder_;
   ConstraintSet stamped_;  // A set on its way to the loop, with its stamp in the loop's clock.
   std::vector<std::unique_ptr<Client>> clients_;

@@ -1,30 +1,70 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "haptic/server/fault_file.h"
 
+#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <sstream>
 #include <string>
+#include <vector>
 
+#include "config/user_folders.h"
 #include "geometry/atomic_file.h"
+#include "haptic/server/clock.h"
 
 namespace hapticell::haptic {
 
 namespace fs = std::filesystem;
 
-fs::path defaultFaultFolder() {
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0') {
-    return fs::path(state) / "hapticell";
+FaultFiles::FaultFiles(Expected<fs::path> folder, FaultBudget budget) : folder_(std::move(folder)), budget_(budget) {}
+
+Expected<std::optional<fs::path>> FaultFiles::write(const FaultRecord& record, std::int64_t now_ns) {
+  const bool at_once = written_ < budget_.at_once;
+  if (!at_once && now_ns - written_ns_ < toNanoseconds(budget_.pause)) {
+    ++left_out_;
+    return std::nullopt;
   }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-    return fs::path(home) / ".local" / "state" / "hapticell";
+  if (!folder_) return makeError(folder_.error());
+  ++written_;
+  written_ns_ = now_ns;
+  auto file = writeFault(record, *folder_);
+  if (!file) return makeError(file.error());
+  removeOldest(*file);
+  return *file;
+}
+
+void FaultFiles::removeOldest(const fs::path& newest) const {
+  struct Kept {
+    fs::path file;
+    fs::file_time_type time;
+    std::uintmax_t bytes;
+  };
+  std::vector<Kept> kept;
+  std::error_code fault;
+  for (fs::directory_iterator at(*folder_, fault), end; !fault && at != end; at.increment(fault)) {
+    const std::string name = at->path().filename().string();
+    std::error_code gone;
+    if (!name.starts_with("fault-") || !name.ends_with(".csv") || at->is_symlink(gone) || !at->is_regular_file(gone))
+      continue;
+    const Kept one{at->path(), at->last_write_time(gone), at->file_size(gone)};
+    if (!gone) kept.push_back(one);
   }
-  return fs::path(".");
+  std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.time > b.time; });
+  std::uintmax_t bytes = 0;
+  std::size_t files = 0;
+  for (const Kept& one : kept) {
+    const bool fits = files < budget_.files && bytes + one.bytes <= budget_.bytes;
+    if (!fits && one.file != newest) {
+      fs::remove(one.file, fault);
+      continue;
+    }
+    ++files;
+    bytes += one.bytes;
+  }
 }
 
 Expected<fs::path> writeFault(const FaultRecord& record, const fs::path& folder) {
   std::error_code problem;
-  fs::create_directories(folder, problem);
+  if (auto made = config::makeOwnFolder(fs::absolute(folder, problem)); !made) return makeError(made.error());
   const fs::path path = folder / ("fault-" + std::to_string(record.tick) + ".csv");
   std::ostringstream file;
   file << "# fault: " << toString(record.kind) << " at tick " << record.tick << "\n"

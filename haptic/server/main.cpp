@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "config/configuration.h"
+#include "config/user_folders.h"
+#include "geometry/plain_text.h"
 #include "haptic/devices/device_choice.h"
 #include "haptic/devices/device_recording.h"
 #include "haptic/devices/simulated_device.h"
@@ -24,6 +26,8 @@
 
 namespace hapticell::haptic {
 namespace {
+
+constexpr std::size_t kLongestLine = 2000;  // Bytes of a line of the log.
 
 /// The key that this start is protected with; empty: none.
 std::filesystem::path keyFile(const ServerOptions& asked) {
@@ -39,9 +43,10 @@ Expected<void> pair(const ServerOptions& asked) {
   if (!key) return tl::unexpected(key.error());
   if (const auto saved = saveKey(*key, file); !saved) return saved;
   std::printf("%s\n", key->code().c_str());
-  std::fprintf(stderr,
-               "On the other station: hapticell-cli pair HOST CODE. Who has this code can take the stylus.\n"
-               "Then start here: hapticell-haptic-server --listen ADDRESS\n");
+  std::fprintf(
+      stderr,
+      "On the other station: hapticell-cli pair HOST, and type the code. Who has this code can take the stylus.\n"
+      "Then start here: hapticell-haptic-server --listen ADDRESS\n");
   return {};
 }
 
@@ -58,25 +63,27 @@ Expected<NetworkOptions> networkOptions(const ServerOptions& asked, const config
   options.state_rate_hz = asked.state_rate_hz;
   // A busy machine must not keep a lost client from being noticed.
   options.priority = asked.real_time ? 40 : 0;
-  options.report = [](const std::string& sentence) { spdlog::info("{}", sentence); };
+  options.report = [](const std::string& sentence) { spdlog::info("{}", plainText(sentence, kLongestLine)); };
   return options;
 }
 
 constexpr double kFaultPeriod = 0.25;  // s between two looks for a fault to be written.
 
-void writeFaults(ForceLoop& loop, const std::filesystem::path& folder) {
+void writeFaults(ForceLoop& loop, FaultFiles& files) {
   if (!loop.faults().pending()) return;
   const FaultRecord record = loop.faults().copy();
   loop.faults().release();
-  const auto written = writeFault(record, folder);
+  const auto written = files.write(record, RealClock().now());
+  if (written && !*written) return;
   if (written)
-    spdlog::warn("Fault ({}) at tick {}: its ticks are in {}", toString(record.kind), record.tick, written->string());
+    spdlog::warn("Fault ({}) at tick {}: its ticks are in {}; {} others have no file", toString(record.kind),
+                 record.tick, plainText((*written)->string(), kLongestLine), files.leftOut());
   else
     spdlog::warn("Fault ({}) at tick {}: {}", toString(record.kind), record.tick, written.error().message());
 }
 
 /// Waits for a signal to end, or for the time to be over; prints the figures at SIGUSR1.
-void waitForTheEnd(ForceLoop& loop, const sigset_t& signals, double seconds, const std::filesystem::path& faults,
+void waitForTheEnd(ForceLoop& loop, const sigset_t& signals, double seconds, FaultFiles& faults,
                    const RecordingDevice* recording) {
   const RealClock clock;
   const std::int64_t end = clock.now() + toNanoseconds(seconds);
@@ -114,7 +121,7 @@ Expected<void> serve(const ServerOptions& asked) {
   auto options = networkOptions(asked, *configuration);
   if (!options) return tl::unexpected(options.error());
   auto made = makeDevice(asked.device.value_or(configuration->haptic.device), *configuration,
-                         [](const std::string& sentence) { spdlog::warn("{}", sentence); });
+                         [](const std::string& sentence) { spdlog::warn("{}", plainText(sentence, kLongestLine)); });
   if (!made) return tl::unexpected(made.error());
   RecordingDevice* recording = nullptr;
   if (!asked.record.empty()) {
@@ -141,8 +148,8 @@ Expected<void> serve(const ServerOptions& asked) {
               static_cast<unsigned>((*network)->port()), device.capabilities().name.c_str(),
               configuration->haptic.rate_hz);
   std::fflush(stdout);
-  const std::filesystem::path faults =
-      asked.fault_log.empty() ? defaultFaultFolder() : std::filesystem::path(asked.fault_log);
+  FaultFiles faults(asked.fault_log.empty() ? config::userStateFolder()
+                                            : Expected<std::filesystem::path>(asked.fault_log));
   waitForTheEnd(loop, signals, asked.seconds, faults, recording);
 
   runner.stop();  // Force zero before anything else ends.
@@ -174,6 +181,7 @@ int run(int count, char** words) {
 }  // namespace hapticell::haptic
 
 int main(int count, char** words) {
+  hapticell::config::cleanEnvironment();
   try {
     spdlog::set_default_logger(spdlog::stderr_logger_mt("server"));
     spdlog::set_pattern("%H:%M:%S.%e %l: %v");

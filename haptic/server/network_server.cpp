@@ -25,6 +25,10 @@ namespace {
 
 constexpr std::chrono::milliseconds kIdlePeriod(10);  // Between looks at the loop while nobody is connected.
 constexpr std::chrono::milliseconds kSweepPeriod(10);
+// Between two connections that are taken while others must make room: each has then max_waiting_of_address times this
+// for its handshake, however many knock.
+constexpr std::chrono::milliseconds kCrowdPeriod(1);
+constexpr int kBacklog = 256;  // Taken within a quarter of a second then, before a client gives up.
 
 std::string endpointText(const NetworkOptions& options) {
   return options.address + ":" + std::to_string(options.port);
@@ -80,7 +84,7 @@ class NetworkServer::Implementation {
     acceptor_.open(endpoint->protocol(), failed);
     if (!failed) acceptor_.set_option(asio::socket_base::reuse_address(true), failed);
     if (!failed) acceptor_.bind(*endpoint, failed);
-    if (!failed) acceptor_.listen(static_cast<int>(2 * options_.max_clients), failed);
+    if (!failed) acceptor_.listen(kBacklog, failed);
     if (!failed) options_.port = acceptor_.local_endpoint(failed).port();
     if (failed) return makeError(cannotListen(options_, failed));
     accept();
@@ -118,16 +122,18 @@ class NetworkServer::Implementation {
 
   void accept() {
     acceptor_.async_accept([this](std::error_code failed, tcp::socket socket) {
-      if (!failed) {
-        table_->add(secure_ ? secure_->make(std::move(socket)) : plainStream(std::move(socket)));
-        return accept();
-      }
       if (failed == asio::error::operation_aborted) return;
       // Out of file descriptors, mostly: some client will go.
-      accept_again_.expires_after(std::chrono::milliseconds(100));
-      accept_again_.async_wait([this](std::error_code cancelled) {
-        if (!cancelled) accept();
-      });
+      if (failed) return acceptLater(std::chrono::milliseconds(100));
+      const bool room = table_->add(secure_ ? secure_->make(std::move(socket)) : plainStream(std::move(socket)));
+      room ? accept() : acceptLater(kCrowdPeriod);
+    });
+  }
+
+  void acceptLater(std::chrono::milliseconds wait) {
+    accept_again_.expires_after(wait);
+    accept_again_.async_wait([this](std::error_code cancelled) {
+      if (!cancelled) accept();
     });
   }
 

@@ -24,7 +24,13 @@ struct NetworkOptions {
   std::uint16_t port = 4747;          ///< 0: the system chooses one.
   std::optional<PairingKey> key{};    ///< What clients must have; none: plain, and this machine only.
   double state_rate_hz = 1000.0;      ///< How often the newest state is sent at most.
-  std::size_t max_clients = 16;       ///< Connections, those that have not said hello included.
+  std::size_t max_clients = 16;       ///< That watch; whoever controls has a place besides.
+  std::size_t max_clients_of_address = 8;  ///< That watch from one other machine.
+  /// Connections that have not shown the key, or said hello. Where it is full the oldest of the address with most of
+  /// them makes room, so that silent connections keep nobody out.
+  std::size_t max_waiting = 128;
+  std::size_t max_waiting_of_address = 64;
+  double handshake_time = 1.0;        ///< The key must have been shown by then.
   double hello_time = 2.0;            ///< A client must have said hello by then.
   double silence_time = 5.0;          ///< A client that is silent for so long is given up.
   double takeover_time = 0.8;         ///< A controller silent for so long makes room for another.

@@ -96,7 +96,7 @@ Drives a force-feedback stylus, or a simulated one, and serves it to HaptiCell (
   --listen ADDRESS   where to listen (default: 127.0.0.1, this machine only); another address needs a key
   --port N           TCP port (default: as configured, 4747; 0: any that is free)
   --pair             make a key for this user's haptic server, show its code and end: on the other station,
-                     hapticell-cli pair HOST CODE. The key before it is worth nothing any more
+                     hapticell-cli pair HOST. The key before it is worth nothing any more
   --key FILE         protect the connection with the key of this file, on this machine too (default beyond this
                      machine: the one that --pair made)
   --config FILE      a hapticell.toml to read besides the usual ones

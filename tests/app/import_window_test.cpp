@@ -4,6 +4,7 @@
 
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QTest>
 #include <QTreeWidget>
@@ -374,6 +375,32 @@ TEST(ImportWindow, WhatIsExportedCanBeImportedAgainAndTheReportIsWritten) {
   EXPECT_TRUE(pdf.readAll().startsWith("%PDF"));
   EXPECT_TRUE(csv.readAll().contains("a,solid,moved,0,0,0,"));
   EXPECT_NE(page.told("none.urdf was not written"), nullptr);
+}
+
+TEST(ImportWindow, APackAsksBeforeItTakesFilesFromOutsideOfTheCellsFolder) {
+  QTemporaryDir folder, elsewhere;
+  ImportPage page;
+  ASSERT_TRUE(page.add(writeBlock(elsewhere.filePath("far.off"), 1, 1, 1)));
+  ASSERT_TRUE(page.window().documentModel().save(folder.filePath("cell.hcell")));
+  ExportWork& exports = page.window().files().exports();
+  const auto answer = [&](const QString& button) {
+    exports.packTo(folder.filePath("pack.zip"));
+    QMessageBox* question = nullptr;
+    if (!WindowPage::until([&] { return (question = page.window().findChild<QMessageBox*>("askOutside")) != nullptr; },
+                           60000))
+      return QString();
+    const QString list = question->informativeText();
+    for (QAbstractButton* one : question->buttons())
+      if (one->text().remove('&') == button) one->click();
+    WindowPage::until([&] { return !page.window().findChild<QMessageBox*>("askOutside"); }, 5000);
+    page.idle();
+    WindowPage::settle();
+    return list;
+  };
+  EXPECT_TRUE(answer("Cancel").contains("far.off"));
+  EXPECT_FALSE(QFile::exists(folder.filePath("pack.zip")));
+  EXPECT_TRUE(answer("Pack them too").contains("far.off"));
+  EXPECT_TRUE(QFile::exists(folder.filePath("pack.zip")));
 }
 
 }  // namespace

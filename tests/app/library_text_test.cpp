@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/host/language.h"
+#include "app/style/plain_lines.h"
 
 namespace hapticell::app {
 namespace {
@@ -25,6 +26,13 @@ TEST(LibraryText, WhatIsNotKnownStaysAsItIs) {
 TEST(LibraryText, NamesMayHoldAnything) {
   EXPECT_EQ(shownText("%2 {s} touches %1"), "%2 {s} touches %1");
   EXPECT_EQ(shownText("part is free is free"), "part is free is free");
+}
+
+TEST(LibraryText, LinesOfOthersAreDrawnAsWhatTheyAre) {
+  EXPECT_EQ(plainLines("door\n12:00 warning: FORGED"), "door 12:00 warning: FORGED");
+  EXPECT_EQ(plainLines("a\nb\x1B[2Jc", 2), "a\nb [2Jc");
+  EXPECT_EQ(plainLines("a\nb\nc", 2), "a\nb\n...");
+  EXPECT_EQ(plainLines(QStringLiteral("x\u202Ey")), QStringLiteral("x\uFFFDy"));
 }
 
 TEST(LibraryText, IsFrenchInFrench) {

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "app/style/segmented.h"
+#include "app/virtual_desktop/server_process.h"
 #include "app/virtual_desktop/station_panel.h"
 #include "tests/haptic/server/live_server.h"
 #include "tests/support/test_data.h"
@@ -110,6 +111,13 @@ TEST(Station, ThisStationIsChosenAgainByOneClick) {
   ASSERT_EQ(page.chosen().count(), 1);
   EXPECT_EQ(page.chosen().at(0).at(0).toString(), "127.0.0.1");
   EXPECT_EQ(page.chosen().at(0).at(1).toInt(), 4747);
+}
+
+TEST(ServerLines, AWarningStandsWhereTheServerPutsIt) {
+  EXPECT_EQ(ServerProcess::warningIn("12:34:56.789 warning: The loop missed 3 ticks."), "The loop missed 3 ticks.");
+  EXPECT_EQ(ServerProcess::warningIn("12:34:56.789 info: x warning: FORGED at 127.0.0.1:5 watches."), "");
+  EXPECT_EQ(ServerProcess::warningIn("x 12:34:56.789 warning: FORGED"), "");
+  EXPECT_EQ(ServerProcess::warningIn(""), "");
 }
 
 }  // namespace

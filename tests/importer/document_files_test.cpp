@@ -155,10 +155,11 @@ TEST_F(DocumentFiles, thePackStandsOnItsOwn) {
   ASSERT_TRUE(document);
   ASSERT_TRUE(document->execute(AddEntity{solid("a again", folder_.path() / "other/a.obj")}));
   const fs::path pack = folder_.path() / "pack";
-  const auto report = packDocument(document->state(), pack, "cell.hcell", notes_);
+  const auto report = packDocument(document->state(), pack, "cell.hcell", {folder_.path()}, notes_);
   ASSERT_TRUE(report) << report.error().message();
   EXPECT_EQ(report->copied.size(), 3u);
-  EXPECT_FALSE(packDocument(document->state(), pack, "cell.hcell", notes_)) << "the folder is not empty";
+  EXPECT_FALSE(packDocument(document->state(), pack, "cell.hcell", {folder_.path()}, notes_))
+      << "the folder is not empty";
   const fs::path moved = folder_.path() / "handed on";
   fs::rename(pack, moved);
   fs::remove_all(folder_.path() / "parts");
@@ -181,7 +182,7 @@ TEST_F(DocumentFiles, aPackHasWhatItsFilesName) {
     ASSERT_TRUE(document.execute(AddEntity{solid(sub, folder_.path() / sub / "part.obj")}));
   }
   const fs::path pack = folder_.path() / "with colours";
-  const auto report = packDocument(document.state(), pack, "cell.hcell", notes_);
+  const auto report = packDocument(document.state(), pack, "cell.hcell", {folder_.path()}, notes_);
   ASSERT_TRUE(report) << report.error().message();
   EXPECT_EQ(report->copied.size(), 4u);
   for (const char* sub : {"red", "green"}) fs::remove_all(folder_.path() / sub);
@@ -219,7 +220,7 @@ TEST_F(DocumentFiles, filesThatAreNamedAreFoundAndNoOthers) {
 TEST_F(DocumentFiles, aPackThatFailsLeavesNothing) {
   auto document = loadDocument(file(), notes_);
   fs::remove(folder_.path() / "parts/b.obj");
-  EXPECT_FALSE(packDocument(document->state(), folder_.path() / "pack", "cell.hcell", notes_));
+  EXPECT_FALSE(packDocument(document->state(), folder_.path() / "pack", "cell.hcell", {folder_.path()}, notes_));
   EXPECT_FALSE(fs::exists(folder_.path() / "pack"));
 }
 
@@ -227,11 +228,11 @@ TEST_F(DocumentFiles, aPackThatIsNotWhatWasPackedIsNotKept) {
   const auto document = loadDocument(file(), notes_);
   ASSERT_TRUE(document);
   folder_.write("parts/b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");  // Since it was opened.
-  const auto report = packDocument(document->state(), folder_.path() / "pack", "cell.hcell", notes_);
+  const auto report = packDocument(document->state(), folder_.path() / "pack", "cell.hcell", {folder_.path()}, notes_);
   ASSERT_FALSE(report);
   EXPECT_THAT(report.error().message(), HasSubstr("entity 'b' read back from the pack: 1 triangles; expected 4"));
   EXPECT_FALSE(fs::exists(folder_.path() / "pack"));
-  EXPECT_FALSE(pack(document->state(), folder_.path() / "pack.zip", "cell.hcell", notes_));
+  EXPECT_FALSE(pack(document->state(), folder_.path() / "pack.zip", "cell.hcell", {folder_.path()}, notes_));
   EXPECT_FALSE(fs::exists(folder_.path() / "pack.zip"));
 }
 
@@ -240,7 +241,7 @@ TEST_F(DocumentFiles, whatWasOpenedWithoutItsFileIsPackedWithout) {
   const auto document = loadDocument(file(), notes_, {.keep_unloaded = true});
   ASSERT_TRUE(document);
   notes_.warnings.clear();
-  const auto report = packDocument(document->state(), folder_.path() / "pack", "cell.hcell", notes_);
+  const auto report = packDocument(document->state(), folder_.path() / "pack", "cell.hcell", {folder_.path()}, notes_);
   ASSERT_TRUE(report) << report.error().message();
   EXPECT_EQ(report->copied, std::vector<std::string>{"files/b.obj"});
   EXPECT_THAT(notes_.warnings.at(0), HasSubstr("entity 'a' is packed without its file"));

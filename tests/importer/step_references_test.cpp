@@ -70,7 +70,8 @@ TEST(StepReferences, goIntoThePack) {
   ASSERT_TRUE(tree) << tree.error().message();
   Document document;
   ASSERT_TRUE(addImported(document, std::move(tree->entities), {}));
-  const auto report = packDocument(document.state(), folder.path() / "pack", "cell.hcell", notes);
+  const auto report =
+      packDocument(document.state(), folder.path() / "pack", "cell.hcell", {folder.path(), true}, notes);
   ASSERT_TRUE(report) << report.error().message();
   EXPECT_EQ(report->copied.size(), 3u);
   const auto again = loadDocument(folder.path() / "pack/cell.hcell", notes);

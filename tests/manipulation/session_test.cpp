@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "manipulation/session.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <thread>
 
 #include "manipulation/local_server.h"
 #include "tests/manipulation/test_cells.h"
@@ -227,6 +229,20 @@ TEST(Session, RunsInRealTimeThroughAServerOfItsOwn) {
   EXPECT_GT(report->ticks, 0U);
   EXPECT_LE(report->penetration_max_m, 1e-4);
   EXPECT_LE(report->force_max_n, 6.4);
+}
+
+TEST(Session, EndsInAnErrorThatSaysWhenItsServerWasLost) {
+  const SessionOptions options =
+      sessionOf(boxOverTable(0.02), "box", handThrough({{0.0, {0, 0, 0.02}}, {30.0, {0, 0, 0.01}}}), 60.0, 0.0);
+  auto server = LocalServer::start(options.device, options.configuration);
+  ASSERT_TRUE(server) << server.error().message();
+  std::thread end;
+  const auto report = runSessionOnServer(options, "127.0.0.1", (*server)->port(), [&](const TraceRow& row) {
+    if (row.t > 0.3 && !end.joinable()) end = std::thread([&] { server->reset(); });
+  });
+  if (end.joinable()) end.join();
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.error().message(), ::testing::HasSubstr("the haptic server was lost after 0."));
 }
 
 TEST(Session, PassingThroughIsNotFeltEvenAtTenHertz) {

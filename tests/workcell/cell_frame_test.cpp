@@ -104,7 +104,7 @@ TEST_F(FrameCell, IsSavedReadAndPackedWithWhatItIsFixedTo) {
   EXPECT_EQ(read->attachment.link, get(robot).tip_link);
   EXPECT_LT(glm::length(read->X_WE.p - kStation.p), 1e-12);
   EXPECT_FALSE(read->mesh || read->robot);
-  const auto packed = packDocument(again->state(), folder.path() / "packed", "cell.hcell", notes);
+  const auto packed = packDocument(again->state(), folder.path() / "packed", "cell.hcell", {folder.path()}, notes);
   ASSERT_TRUE(packed.has_value()) << packed.error().message();
 }
 

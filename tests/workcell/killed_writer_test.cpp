@@ -143,7 +143,7 @@ TEST_F(KilledWriter, PackingLeavesTheOldArchiveOrTheNew) {
       {"cell.zip"},
       [&](const DocumentState& state) {
         Diagnostics notes;
-        return pack(state, work() / "cell.zip", "cell.hcell", notes).has_value();
+        return pack(state, work() / "cell.zip", "cell.hcell", {{}, true}, notes).has_value();
       },
       60000);
 }
@@ -152,7 +152,7 @@ TEST_F(KilledWriter, PackingIntoAFolderLeavesNoneOrAWholeOne) {
   const fs::path place = work() / "cell";
   const auto write = [&] {
     Diagnostics notes;
-    return pack(document_.state(), place, "cell.hcell", notes).has_value();
+    return pack(document_.state(), place, "cell.hcell", {{}, true}, notes).has_value();
   };
   std::mt19937 random(7);
   std::uniform_int_distribution<int> pause(0, 40000);
@@ -174,7 +174,7 @@ TEST_F(KilledWriter, TwoPacksAtOnceGiveOneWholeArchive) {
   const fs::path place = work() / "cell.zip";
   const auto write = [&](const Document& document) {
     Diagnostics notes;
-    return pack(document.state(), place, "cell.hcell", notes).has_value();
+    return pack(document.state(), place, "cell.hcell", {{}, true}, notes).has_value();
   };
   std::set<std::string> whole;
   for (const Document* each : {&document_, &other_}) {

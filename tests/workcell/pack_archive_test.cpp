@@ -7,6 +7,7 @@
 #include <map>
 
 #include "tests/support/test_data.h"
+#include "trajectory/trajectory_io.h"
 #include "workcell/archive.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
@@ -49,7 +50,7 @@ TEST(PackArchive, holdsTheDocumentAndItsFiles) {
   ASSERT_TRUE(document.execute(AddEntity{*part}));
   for (const char* name : {"cell.zip", "cell.tar.gz"}) {
     const fs::path file = folder.path() / name;
-    const auto packed = pack(document.state(), file, "cell.hcell", notes);
+    const auto packed = pack(document.state(), file, "cell.hcell", {folder.path()}, notes);
     ASSERT_TRUE(packed) << packed.error().message();
     EXPECT_EQ(packed->document, "cell.hcell");
     const auto files = contentOf(file);
@@ -57,11 +58,19 @@ TEST(PackArchive, holdsTheDocumentAndItsFiles) {
     EXPECT_EQ(files.at("files/part.obj"), kTriangle);
     EXPECT_THAT(files.at("cell.hcell"), HasSubstr("\"file\": \"files/part.obj\""));
     const std::string first = *readFileContent(file);
-    ASSERT_TRUE(pack(document.state(), file, "cell.hcell", notes));
+    ASSERT_TRUE(pack(document.state(), file, "cell.hcell", {folder.path()}, notes));
     EXPECT_EQ(*readFileContent(file), first) << "the same cell gives the same bytes";
   }
   const auto left = std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator());
   EXPECT_EQ(left, 3) << "the part and two archives, nothing beside them";
+}
+
+trajectory::Trajectory way() {
+  trajectory::Trajectory way;
+  way.name = "way";
+  way.addFrame({.t = 0.0, .X_WT = Pose()});
+  way.addFrame({.t = 1.0, .X_WT = Pose::translation({0.1, 0.0, 0.0})});
+  return way;
 }
 
 /// A cell of one part, a robot and a recording, and its pack in a folder, which a test then damages.
@@ -70,7 +79,7 @@ class PackCheck : public ::testing::Test {
   void SetUp() override {
     EntityLoader loader(folder_.path());
     folder_.write("part.obj", kTriangle);
-    folder_.write("way.htraj", "{}");
+    folder_.write("way.htraj", trajectory::toJsonText(way()));
     Document document;
     auto part = loader.load("part.obj", 1.0, notes_);
     auto robot = loader.load("library:ur5e", 1.0, notes_);
@@ -81,7 +90,7 @@ class PackCheck : public ::testing::Test {
     ASSERT_TRUE(document.execute(AddEntity{*robot}));
     state_ = document.state();
     state_.trajectories.push_back({"way", (folder_.path() / "way.htraj").string()});
-    const auto packed = packDocument(state_, pack_, "cell.hcell", notes_);
+    const auto packed = packDocument(state_, pack_, "cell.hcell", {folder_.path()}, notes_);
     ASSERT_TRUE(packed) << packed.error().message();
     ASSERT_TRUE(checkPack(state_, file_, nullptr));
   }
@@ -136,7 +145,7 @@ TEST(PackArchive, takesThePackagesThatARobotNames) {
     Document document;
     auto robot = EntityLoader(folder.path()).load("arm/arm.urdf", 1.0, notes);
     EXPECT_TRUE(robot && document.execute(AddEntity{*robot}));
-    return pack(document.state(), folder.path() / "packs/pack", "cell.hcell", notes);
+    return pack(document.state(), folder.path() / "packs/pack", "cell.hcell", {folder.path()}, notes);
   };
   fs::create_directories(folder.path() / "packs");
   const auto whole = packed("package://shapes/meshes/part.obj");
@@ -196,7 +205,7 @@ TEST_F(PackCheck, findsWhatAnArchiveLost) {
 TEST(PackArchive, whereItCannotBeWrittenNothingIsLeft) {
   test::TemporaryFolder folder;
   Diagnostics notes;
-  EXPECT_FALSE(pack({}, folder.path() / "nowhere" / "cell.zip", "cell.hcell", notes));
+  EXPECT_FALSE(pack({}, folder.path() / "nowhere" / "cell.zip", "cell.hcell", {folder.path()}, notes));
   EXPECT_FALSE(writeArchive(folder.path() / "missing", folder.path() / "a.zip"));
   EXPECT_TRUE(fs::is_empty(folder.path()));
   EXPECT_TRUE(isArchiveName("a.b.zip"));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "config/configuration.h"
 #include "haptic/devices/device_choice.h"
@@ -51,6 +52,42 @@ TEST(DriverLibrary, RefusesWhatIsNoDriver) {
   const auto old = loadDriver(kExamples / "old_version.so");
   ASSERT_FALSE(old);
   EXPECT_THAT(old.error().message(), HasSubstr("another version"));
+}
+
+TEST(DriverLibrary, LoadsNothingThatOthersMayHaveWritten) {
+  namespace fs = std::filesystem;
+  const test::TemporaryFolder folder;
+  const fs::path own = folder.path() / "drivers", file = own / "orbit.so";
+  fs::create_directory(own);
+  fs::copy_file(kExamples / "orbit.so", file);
+  const auto refusal = [&] {
+    const auto driver = loadDriver(file);
+    return driver ? std::string() : driver.error().message();
+  };
+  fs::permissions(file, fs::perms::all);
+  EXPECT_THAT(refusal(), HasSubstr("other users may write to it"));
+  fs::permissions(file, fs::perms::owner_all);
+  fs::permissions(own, fs::perms::all);
+  EXPECT_THAT(refusal(), HasSubstr("drivers: other users may write to it"));
+  fs::permissions(own, fs::perms::owner_all);
+  if (::geteuid() == 0) {
+    ASSERT_EQ(::chown(file.c_str(), 12345, 0), 0);
+    EXPECT_THAT(refusal(), HasSubstr("it belongs to user 12345"));
+    ASSERT_EQ(::chown(file.c_str(), 0, 0), 0);
+  }
+  EXPECT_EQ(refusal(), "");
+  EXPECT_THAT(loadDriver("orbit.so").error().message(), HasSubstr("no absolute path"));
+}
+
+TEST(DriverLibrary, LooksNowhereBelowTheCurrentFolder) {
+  const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
+  for (const char* value : {"", "home", "."}) {
+    setenv("HOME", value, 1);
+    setenv("HAPTICELL_DRIVERS", "drivers:./x::", 1);
+    for (const auto& folder : driverFolders()) EXPECT_TRUE(folder.is_absolute()) << folder;
+  }
+  unsetenv("HAPTICELL_DRIVERS");
+  setenv("HOME", home.c_str(), 1);
 }
 
 TEST(DriverLibrary, ListsTheGoodAndTheBadOfAFolder) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -150,6 +151,42 @@ TEST(Faults, theLastTwoSecondsAreKeptAndWritten) {
   while (std::getline(file, line)) ++lines;
   EXPECT_EQ(lines, 2202);
   EXPECT_FALSE(writeFault(record, "/proc/no/such/place").has_value());
+}
+
+TEST(Faults, whoMakesFaultsWithoutEndFillsNoDisk) {
+  const test::TemporaryFolder folder;
+  const auto filesThere = [&] {
+    return std::distance(std::filesystem::directory_iterator(folder.path()), std::filesystem::directory_iterator());
+  };
+  folder.write("fault-notes.txt", "mine");
+  FaultFiles files(folder.path(), {.files = 4, .bytes = 1 << 20, .at_once = 3, .pause = 60.0});
+  FaultRecord record{FaultKind::kInput, 0, std::vector<FaultSample>(10)};
+  int written = 0;
+  for (int second = 1; second <= 600; ++second) {  // A fault each second for ten minutes.
+    record.tick = static_cast<std::uint64_t>(1000 * second);
+    const auto file = files.write(record, toNanoseconds(second));
+    ASSERT_TRUE(file) << file.error().message();
+    written += file->has_value() ? 1 : 0;
+    ASSERT_LE(filesThere(), 4 + 1);
+  }
+  EXPECT_EQ(written, 3 + 9) << "three at once, then one a minute";
+  EXPECT_EQ(files.leftOut(), 600u - 12u);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "fault-notes.txt")) << "what is no fault file is let be";
+  FaultFiles small(folder.path(), {.files = 4, .bytes = 1, .at_once = 3, .pause = 60.0});
+  const auto newest = small.write(record, toNanoseconds(1.0));
+  ASSERT_TRUE(newest && *newest);
+  EXPECT_EQ(filesThere(), 2) << "the newest stays, however large";
+}
+
+TEST(Faults, goIntoNoFolderThatOthersMayWriteTo) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "open");
+  std::filesystem::permissions(folder.path() / "open", std::filesystem::perms::all);
+  const auto refused = writeFault({FaultKind::kInput, 1, {}}, folder.path() / "open");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message().find("other users may write to it"), std::string::npos);
+  FaultFiles homeless(makeError({"", "", "HOME is not set", "", ""}));
+  EXPECT_FALSE(homeless.write({FaultKind::kInput, 1, {}}, 1)) << "nothing is written into the current folder";
 }
 
 TEST(Faults, aSecondFaultWhileTheFirstIsReadIsOnlyCounted) {

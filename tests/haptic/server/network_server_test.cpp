@@ -227,6 +227,7 @@ TEST(NetworkServer, connections_are_limited_and_free_again_when_closed) {
   RawClient one(server.port()), two(server.port()), three(server.port());
   for (RawClient* client : {&one, &two, &three}) ASSERT_TRUE(is<Welcome>(client->hello(ClientKind::kWatcher)));
   RawClient four(server.port());
+  ASSERT_TRUE(four.send(Hello{.kind = ClientKind::kWatcher}));
   EXPECT_THAT(four.refusalThenEnd(), HasSubstr("3 connections"));
   two.close();
   EXPECT_TRUE(eventually([&] {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace hapticell::haptic {
+
+/// What a server tells of its clients, held to a measure: whoever connects, is refused and comes again thousands of
+/// times a second must not fill a disk. Each kind of event has some lines at once and one more every few seconds; what
+/// goes beyond is counted, and said in one line at most every kSummaryPeriod. Used by one thread; its time is the
+/// caller's, in nanoseconds.
+class ReportBudget {
+ public:
+  enum class Kind : std::uint8_t { kRefused, kWatcher, kController };
+  static constexpr std::size_t kKinds = 3;
+
+  static constexpr std::size_t kLinesAtOnce = 10;       ///< Of a kind, after a quiet time.
+  static constexpr double kLinePeriod = 5.0;            ///< s after which another one is allowed.
+  static constexpr double kSummaryPeriod = 10.0;        ///< s between two summaries.
+  static constexpr std::size_t kLongestSentence = 400;  ///< Bytes; plainText().
+
+  /// `say` gets each line; may be null.
+  explicit ReportBudget(std::function<void(const std::string&)> say) : say_(std::move(say)) {}
+
+  void tell(Kind kind, const std::string& sentence, std::int64_t now_ns);
+  /// Was ended without a line of its own (the waiting room was full).
+  void count(Kind kind) { ++counted(kind); }
+  /// Says what was counted, when that is due.
+  void summarize(std::int64_t now_ns);
+
+ private:
+  struct Allowance {
+    std::size_t used = 0;
+    std::int64_t since_ns = 0;  ///< Whence `used` shrinks.
+    std::uint64_t counted = 0;  ///< Events without a line since the last summary.
+  };
+  std::uint64_t& counted(Kind kind) { return allowances_[static_cast<std::size_t>(kind)].counted; }
+  static bool allows(Allowance& allowance, std::int64_t now_ns);
+
+  std::function<void(const std::string&)> say_;
+  std::array<Allowance, kKinds> allowances_;
+  std::int64_t summarized_ns_ = 0;
+};
+
+}  // namespace hapticell::haptic
