@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "geometry/regular_file.h"
 #include "workcell/sdf_reader.h"
 #include "workcell/srdf.h"
 #include "workcell/xacro_file.h"
@@ -24,13 +24,7 @@ std::string lowerExtension(const fs::path& file) {
   return extension;
 }
 
-std::string headOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(65536, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  return head;
-}
+constexpr std::size_t kRobotHead = 65536;
 
 /// The moving joints on the way to each link that carries no other, as "rrp"; a turning joint is an "r", limited or
 /// not.
@@ -68,7 +62,7 @@ void hintAtOpenLoops(const kinematics::RobotModel& model, Diagnostics& diagnosti
 std::optional<RobotFormat> robotFormatOf(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return std::nullopt;
-  const std::string extension = lowerExtension(file), head = headOf(file);
+  const std::string extension = lowerExtension(file), head = geometry::headOfFile(file, kRobotHead);
   if (extension == ".toml") return RobotFormat::kToml;
   const std::size_t begin = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (begin == std::string::npos || head[begin] != '<') return std::nullopt;
