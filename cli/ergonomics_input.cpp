@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
 #include <iostream>
 #include <iterator>
 #include <sstream>
 
+#include "geometry/nesting_limit.h"
+#include "geometry/regular_file.h"
 #include "mannequin/ergonomics/owas.h"
 #include "mannequin/ergonomics/posture_advice.h"
 #include "mannequin/ergonomics/reba.h"
@@ -233,14 +234,16 @@ Expected<json> readErgonomicsInput(const std::string& input) {
   if (input == "-") {
     text.assign(std::istreambuf_iterator<char>(std::cin), {});
   } else if (!is_in_place) {
-    std::ifstream file(input, std::ios::binary);
-    if (!file) return makeError({input, "", "it cannot be opened", "a JSON file, or JSON in place", ""});
-    text.assign(std::istreambuf_iterator<char>(file), {});
+    auto content = geometry::readRegularFile(input);
+    if (!content) return makeError({input, "", content.error().found, "a JSON file, or JSON in place", ""});
+    text = std::move(*content);
   }
+  const std::string name = is_in_place || input == "-" ? "--input" : input;
+  auto flat = geometry::checkNesting(text, geometry::NestedText::kJson, name);
+  if (!flat) return makeError(flat.error());
   json parsed = json::parse(text, nullptr, false);
   if (parsed.is_discarded()) {
-    return makeError(
-        {is_in_place || input == "-" ? "--input" : input, "", "it is not JSON", "an object in braces", ""});
+    return makeError({name, "", "it is not JSON", "an object in braces", ""});
   }
   return parsed;
 }

@@ -9,6 +9,7 @@
 #include "cli/ergonomics_advice_report.h"
 #include "cli/ergonomics_input.h"
 #include "cli/ergonomics_report.h"
+#include "geometry/nesting_limit.h"
 #include "mannequin/ergonomics/better_place.h"
 #include "mannequin/ergonomics/method_advice.h"
 #include "mannequin/ergonomics/owas.h"
@@ -361,6 +362,8 @@ ordered_json workplaceReport(const manipulation::WorkplaceMap& map) {
 Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& file) {
   const auto text = workcell::readFileContent(file);
   if (!text) return tl::unexpected(text.error());
+  auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
+  if (!flat) return tl::unexpected(flat.error());
   const json report = json::parse(*text, nullptr, false);
   manipulation::WorkplaceCell place;
   try {
@@ -375,8 +378,8 @@ Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& f
       if (!read) return tl::unexpected(read.error());
       place.postures.push_back(std::move(*read));
     }
-  } catch (const json::exception& fault) {
-    return makeError({file.string(), "best", fault.what(), "the place and its four postures", ""});
+  } catch (const json::exception&) {
+    return makeError({file.string(), "best", "something else, or nothing", "the place and its four postures", ""});
   }
   return place;
 }

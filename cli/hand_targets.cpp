@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 
+#include "geometry/regular_file.h"
 #include "trajectory/csv_table.h"
 
 namespace hapticell::cli {
@@ -38,10 +38,8 @@ class TargetReader {
   explicit TargetReader(const std::filesystem::path& file) : file_(file) {}
 
   Expected<std::vector<HandTargets>> read() {
-    std::ifstream stream(file_);
-    if (!stream || std::filesystem::is_directory(file_)) {
-      return makeError({file_.string(), "", "no file to read", "a CSV of hand targets", ""});
-    }
+    geometry::RegularFileStream stream(file_);
+    if (!stream) return makeError(stream.error());
     for (std::string line; std::getline(stream, line);) {
       ++line_;
       const std::string text = trimmed(line);

@@ -8,12 +8,16 @@
 #include "config/configuration.h"
 #include "config/toml_place.h"
 #include "config/user_folders.h"
+#include "geometry/nesting_limit.h"
+#include "geometry/regular_file.h"
 
 namespace hapticell::config {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLargestSettings = 1'000'000;
 
 /// A value of the file as the text that setValue takes; empty optional for arrays, tables and dates.
 std::optional<std::string> textOf(const toml::node& node) {
@@ -69,9 +73,12 @@ Expected<void> applyTable(Configuration& configuration, const toml::table& table
 }  // namespace
 
 Expected<Configuration> readConfiguration(const std::string& path, const Configuration& base) {
+  const auto text = geometry::readRegularFile(path, kLargestSettings);
+  if (!text) return makeError(text.error());
+  if (auto flat = geometry::checkNesting(*text, geometry::NestedText::kToml, path); !flat) return makeError(flat.error());
   toml::table root;
   try {
-    root = toml::parse_file(path);
+    root = toml::parse(*text, path);
   } catch (const toml::parse_error& problem) {
     const auto line = problem.source().begin.line;
     return makeError(

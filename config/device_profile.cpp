@@ -5,11 +5,11 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "config/toml_place.h"
+#include "geometry/nesting_limit.h"
+#include "geometry/regular_file.h"
 
 namespace hapticell::config {
 
@@ -161,6 +161,7 @@ std::optional<Error> readSection(const toml::node& node, const std::string& key,
 }  // namespace
 
 Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::string& name) {
+  if (auto flat = geometry::checkNesting(text, geometry::NestedText::kToml, name); !flat) return makeError(flat.error());
   DeviceProfile profile;
   toml::table document;
   try {
@@ -189,11 +190,10 @@ Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::str
 }
 
 Expected<DeviceProfile> readDeviceProfile(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return makeError({file.string(), "", "the file cannot be read", "a device profile", ""});
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parseDeviceProfile(text.str(), file.string());
+  constexpr std::uintmax_t kMostBytes = 1'000'000;
+  const auto text = geometry::readRegularFile(file, kMostBytes);
+  if (!text) return makeError({file.string(), "", text.error().found, "a device profile", ""});
+  return parseDeviceProfile(*text, file.string());
 }
 
 }  // namespace hapticell::config

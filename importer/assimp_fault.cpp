@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "importer/library_fault.h"
+
 namespace hapticell::importer {
 
 namespace {
@@ -94,6 +96,12 @@ Error assimpFault(const fs::path& file, std::string_view head, std::string messa
   const std::string expected = "the content of " + formatWord(file);
   if (message.find("No suitable reader") != std::string::npos || message.empty()) {
     return {"", "beginning", "a content that is not of this format", expected, kAgain};
+  }
+  if (message.find("std::") != std::string::npos || message.find("sto") == 0 || message.find("_M_") != std::string::npos ||
+      message.find("basic_string") != std::string::npos || message == "map::at") {
+    Error fault = libraryFault(message);
+    fault.expected += " in " + formatWord(file);
+    return fault;
   }
   std::string place = placeIn(message);
   return {"", std::move(place), "the reader refused it (" + tidied(std::move(message), file) + ")", expected, kAgain};

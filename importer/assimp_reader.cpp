@@ -8,15 +8,17 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <string>
 
+#include "geometry/nesting_limit.h"
+#include "geometry/regular_file.h"
 #include "importer/assimp_fault.h"
 #include "importer/collada_text.h"
 #include "importer/gltf_file.h"
@@ -44,6 +46,14 @@ class Progress : public Assimp::ProgressHandler {
   ParentLink& parent_;
 };
 
+/// What assimp opens by itself, files that a file names among them, is a regular file.
+class RegularFiles : public Assimp::DefaultIOSystem {
+ public:
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    return geometry::checkRegularFile(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
+  }
+};
+
 std::string formatOf(const std::filesystem::path& file, const std::string& head) {
   if (head.starts_with("glTF")) return "gltf";
   if (head.find("<COLLADA") != std::string::npos) return "dae";
@@ -56,18 +66,13 @@ std::string formatOf(const std::filesystem::path& file, const std::string& head)
 /// glTF 1.0, which assimp reads.
 bool isFirstGltf(const std::filesystem::path& file, const std::string& head) {
   if (head.starts_with("glTF")) return head.size() > 4 && head[4] == 1;
-  std::ifstream stream(file);
-  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  const auto text = geometry::readRegularFile(file);
+  if (!text || !geometry::checkNesting(*text, geometry::NestedText::kJson, "")) return false;
+  const auto json = nlohmann::json::parse(*text, nullptr, false);
   return gltfText(gltfMember(json, "asset"), "version").starts_with("1");
 }
 
-std::string headOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(65536, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  return head;
-}
+constexpr std::size_t kAssimpHead = 65536;
 
 /// What the numbers of assimp's scene mean.
 struct Convention {
@@ -265,7 +270,8 @@ class AssimpSceneBuilder {
 /// assimp with what all formats need set; the importer owns the scene.
 const aiScene* load(Assimp::Importer& importer, const Reading& reading, const std::string& collada,
                     ParentLink& parent) {
-  importer.SetProgressHandler(new Progress(parent));  // The importer deletes it.
+  importer.SetProgressHandler(new Progress(parent));  // The importer deletes both.
+  importer.SetIOHandler(new RegularFiles);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
@@ -319,7 +325,7 @@ Expected<ImportedScene> readOwnThreeMf(const Reading& reading) {
 }  // namespace
 
 Expected<ImportedScene> readWithAssimp(const Reading& reading, ParentLink& parent) {
-  const std::string head = headOf(reading.file), format = formatOf(reading.file, head);
+  const std::string head = geometry::headOfFile(reading.file, kAssimpHead), format = formatOf(reading.file, head);
   if (format == "gltf" && !isFirstGltf(reading.file, head)) return readOwnGltf(reading, head);
   if (format == "3mf") return readOwnThreeMf(reading);
   ColladaText collada;

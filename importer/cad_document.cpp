@@ -11,17 +11,20 @@
 #include <STEPCAFControl_Reader.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
+#include <TDF_Tool.hxx>
+#include <TCollection_AsciiString.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopLoc_Location.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <cctype>
-#include <fstream>
 #include <gp_Quaternion.hxx>
 #include <gp_Trsf.hxx>
 #include <map>
 
+#include "geometry/regular_file.h"
+#include "geometry/unfolding.h"
 #include "importer/step_text.h"
 #include "workcell/scene_exchange.h"
 
@@ -53,11 +56,7 @@ double metresOf(const TCollection_AsciiString& name) {
 }
 
 bool looksLikeStep(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(65536, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  if (beginsAsStep(head)) return true;
+  if (beginsAsStep(geometry::headOfFile(file, 65536))) return true;
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension == ".stpz" || extension == ".step" || extension == ".stp" || extension == ".p21";
@@ -158,6 +157,33 @@ std::vector<CadNode> treeOf(const CadDocument& cad, const std::string& stem) {
   TreeWalker walker(stem);
   for (const TDF_Label& root : roots) walker.add(root, -1);
   return std::move(walker.nodes);
+}
+
+Expected<void> checkTree(const CadDocument& cad) {
+  std::map<std::string, std::uint32_t> numbers;  // By the label's entry.
+  std::vector<TDF_Label> labels;
+  const auto numberOf = [&](const TDF_Label& label) {
+    TDF_Label definition = label;
+    XCAFDoc_ShapeTool::GetReferredShape(label, definition);
+    TCollection_AsciiString entry;
+    TDF_Tool::Entry(definition, entry);
+    const auto [known, is_new] = numbers.try_emplace(entry.ToCString(), static_cast<std::uint32_t>(labels.size()));
+    if (is_new) labels.push_back(definition);
+    return known->second;
+  };
+  TDF_LabelSequence free;
+  XCAFDoc_DocumentTool::ShapeTool(cad.document->Main())->GetFreeShapes(free);
+  std::vector<std::uint32_t> roots;
+  for (const TDF_Label& root : free) roots.push_back(numberOf(root));
+  std::vector<std::vector<std::uint32_t>> below;
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    below.emplace_back();
+    if (!XCAFDoc_ShapeTool::IsAssembly(labels[k])) continue;
+    TDF_LabelSequence components;
+    XCAFDoc_ShapeTool::GetComponents(labels[k], components);
+    for (const TDF_Label& component : components) below.back().push_back(numberOf(component));
+  }
+  return geometry::checkUnfolding(below, roots, {}, [&](std::uint32_t node) { return "'" + nameOf(labels[node]) + "'"; });
 }
 
 CadDocument newCadDocument() {

@@ -40,6 +40,9 @@ struct CadNode {
   bool assembly = false;
 };
 
+/// Counted before it is walked through: assemblies that stand in each other many times over, or in themselves.
+Expected<void> checkTree(const CadDocument& cad);
+
 /// All nodes, parents first. The assembly that our own STEP files may have around everything is left out. `stem` names
 /// a nameless part at the top.
 std::vector<CadNode> treeOf(const CadDocument& cad, const std::string& stem);

@@ -3,6 +3,7 @@
 
 #include <BRepBndLib.hxx>
 #include <BRep_Builder.hxx>
+#include <Standard_Failure.hxx>
 #include <Bnd_Box.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TopExp_Explorer.hxx>
@@ -13,11 +14,15 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <map>
+#include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "importer/cad_document.h"
+#include "importer/library_fault.h"
 #include "importer/shape_mesher.h"
 
 namespace hapticell::importer {
@@ -48,7 +53,7 @@ class CadSceneBuilder {
     scene_.chord = tessellation_.chord;
   }
 
-  ImportedScene build(const CadDocument& cad) {
+  Expected<ImportedScene> build(const CadDocument& cad) {
     const std::vector<CadNode> tree = treeOf(cad, reading_.file.stem().string());
     const auto at_top = std::count_if(tree.begin(), tree.end(), [](const CadNode& node) { return node.parent < 0; });
     total_ = countParts();
@@ -64,6 +69,9 @@ class CadSceneBuilder {
     }
     if (loose_shapes_ > 0) addLoose();
     tellMissing();
+    if (scene_.meshes.empty() && !first_fault_.empty())
+      return makeError({"", "", first_fault_, "at least one part that can be read",
+                        "Export it again, or in another format (STEP, glTF, STL)."});
     return std::move(scene_);
   }
 
@@ -166,12 +174,34 @@ class CadSceneBuilder {
     bool several_colors = false;
   };
 
-  Known addMesh(const TopoDS_Shape& shape, const std::string& name) {
-    MeshedShape meshed = meshShape(shape, factor_, tessellation_, face_colors_);
+  /// Nothing where the part is one at which the libraries give up; the others are there without it.
+  std::optional<MeshedShape> meshedPart(const TopoDS_Shape& shape, const std::string& name) {
     constexpr double kReading = 0.6;
-    ++done_;
-    const std::string of = " part " + std::to_string(done_) + " of " + std::to_string(std::max(total_, done_)) + ", ";
-    parent_.progress(kReading + (1.0 - kReading) * done_ / std::max(total_, done_), "meshing" + of + name);
+    const int number = ++done_, all = std::max(total_, done_);
+    const std::string of = " part " + std::to_string(number) + " of " + std::to_string(all) + ", ";
+    parent_.progress(kReading + (1.0 - kReading) * (number - 1) / all, "meshing" + of + name);
+    Error fault{"", "", "content at which its reader breaks down", "", ""};
+    if (!reading_.skipped.contains(number)) {
+      parent_.beginPart(number);
+      try {
+        return meshShape(shape, factor_, tessellation_, face_colors_);
+      } catch (const Standard_Failure& failure) {
+        fault = libraryFault(failure.DynamicType()->Name());
+      } catch (const std::bad_alloc&) {
+        throw;
+      } catch (const std::exception& failure) {
+        fault = libraryFault(failure.what());
+      }
+    }
+    scene_.warnings.push_back("'" + name + "' is left out: " + fault.found);
+    if (first_fault_.empty()) first_fault_ = fault.found;
+    return std::nullopt;
+  }
+
+  Known addMesh(const TopoDS_Shape& shape, const std::string& name) {
+    std::optional<MeshedShape> part = meshedPart(shape, name);
+    if (!part) return {};
+    MeshedShape& meshed = *part;
     if (meshed.missing_faces > 0) {
       scene_.warnings.push_back("'" + name + "': " + std::to_string(meshed.missing_faces) + " of " +
                                 std::to_string(meshed.faces) +
@@ -220,6 +250,7 @@ class CadSceneBuilder {
   int done_ = 0;
   int without_shape_ = 0;
   std::string first_without_shape_;
+  std::string first_fault_;  ///< Why the first of the parts that are left out is.
 };
 
 }  // namespace
@@ -229,6 +260,7 @@ Expected<ImportedScene> readCad(const Reading& reading, ParentLink& parent) {
   constexpr double kReading = 0.6;
   const auto cad = openCad(reading.file, [&](double share) { parent.progress(kReading * share, "reading"); });
   if (!cad) return makeError(cad.error());
+  if (auto tree = checkTree(*cad); !tree) return makeError(tree.error());
   return CadSceneBuilder(*cad, reading, parent).build(*cad);
 }
 

@@ -5,7 +5,10 @@
 #include <iterator>
 #include <pugixml.hpp>
 #include <set>
+#include <unordered_map>
 
+#include "geometry/nesting_limit.h"
+#include "geometry/unfolding.h"
 #include "importer/collada_holes.h"
 #include "workcell/content_rules.h"
 #include "workcell/file_content.h"
@@ -153,6 +156,48 @@ class ColladaTidier {
   bool changed_ = false, cameras_ = false, lights_ = false;
 };
 
+/// What the nodes of the scenes unfold to by <instance_node>, before assimp unfolds them. Nesting was looked at before.
+class NodeGraph {
+ public:
+  explicit NodeGraph(pugi::xml_node root) {
+    for (const pugi::xml_node library : root.children("library_nodes")) add(library, nullptr);
+    for (const pugi::xml_node library : root.children("library_visual_scenes")) {
+      for (const pugi::xml_node scene : library.children("visual_scene")) add(scene, &roots_);
+    }
+    for (const auto& [node, id] : uses_) {
+      if (const auto target = by_id_.find(id); target != by_id_.end()) below_[node].push_back(target->second);
+    }
+  }
+
+  Expected<void> check() const {
+    return geometry::checkUnfolding(below_, roots_, {}, [this](std::uint32_t node) { return "node '" + ids_[node] + "'"; });
+  }
+
+ private:
+  void add(pugi::xml_node parent, std::vector<std::uint32_t>* siblings) {
+    for (const pugi::xml_node node : parent.children("node")) {
+      const auto number = static_cast<std::uint32_t>(below_.size());
+      if (siblings) siblings->push_back(number);
+      below_.emplace_back();
+      ids_.emplace_back(node.attribute("id").value());
+      for (const char* name : {"id", "sid", "name"}) by_id_.try_emplace(node.attribute(name).value(), number);
+      for (const pugi::xml_node use : node.children("instance_node")) {
+        const std::string url = use.attribute("url").value();
+        uses_.emplace_back(number, url.substr(url.find('#') == std::string::npos ? 0 : url.find('#') + 1));
+      }
+      std::vector<std::uint32_t> inside;
+      add(node, &inside);
+      below_[number].insert(below_[number].end(), inside.begin(), inside.end());
+    }
+  }
+
+  std::vector<std::vector<std::uint32_t>> below_;
+  std::vector<std::string> ids_;
+  std::vector<std::uint32_t> roots_;
+  std::unordered_map<std::string, std::uint32_t> by_id_;
+  std::vector<std::pair<std::uint32_t, std::string>> uses_;
+};
+
 /// Into a text, without the way through a stream.
 class TextWriter : public pugi::xml_writer {
  public:
@@ -168,6 +213,8 @@ class TextWriter : public pugi::xml_writer {
 Expected<ColladaText> readColladaText(const std::filesystem::path& file) {
   auto content = workcell::readFileContent(file);
   if (!content) return makeError(content.error());
+  if (auto flat = geometry::checkNesting(*content, geometry::NestedText::kXml, ""); !flat)
+    return makeError(flat.error());
   pugi::xml_document document;
   // In place, and with all escapes as they stand: nothing that is looked at here has any, and it is twice as fast.
   const auto parsed =
@@ -180,6 +227,7 @@ Expected<ColladaText> readColladaText(const std::filesystem::path& file) {
                       parsed ? "no <COLLADA>" : parsed.description(), "the content of a Collada file",
                       "Export it again."});
   }
+  if (auto tree = NodeGraph(root).check(); !tree) return makeError(tree.error());
   ColladaText result;
   if (ColladaTidier(root, result).run()) {
     TextWriter writer(result.text);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstring>
 
+#include "geometry/nesting_limit.h"
 #include "workcell/file_content.h"
 #include "workcell/sdf_files.h"
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 constexpr std::size_t kMostElements = 200'000'000;
+constexpr std::size_t kMostZeros = 1'000'000;  ///< That a sparse accessor starts from.
 
 Error fault(std::string place, std::string found, std::string expected = "the content of a glTF file") {
   return {"", std::move(place), std::move(found), std::move(expected), "Export it again."};
@@ -147,10 +149,13 @@ Expected<GltfFile> GltfFile::open(const fs::path& file) {
   if (!chunks) return makeError(chunks.error());
   GltfFile result;
   const std::string_view text = chunks->first;
+  if (auto flat = geometry::checkNesting(text, geometry::NestedText::kJson, ""); !flat) return makeError(flat.error());
   try {
     result.json_ = Json::parse(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text);
-  } catch (const Json::exception& exception) {
-    return makeError(fault("", std::string("its JSON cannot be read (") + exception.what() + ")"));
+  } catch (const Json::parse_error& problem) {
+    return makeError(fault("byte " + std::to_string(problem.byte) + " of its JSON", "text that is not JSON"));
+  } catch (const Json::exception&) {
+    return makeError(fault("its JSON", "a number that no computer holds"));
   }
   if (!result.json_.is_object()) return makeError(fault("", "no JSON object"));
   if (auto loaded = result.loadBuffers(file, std::string(chunks->second)); !loaded) return makeError(loaded.error());
@@ -175,7 +180,7 @@ Expected<void> GltfFile::loadBuffers(const fs::path& file, std::string binary) {
       if (!fs::exists(path, ignored)) path = file.parent_path() / workcell::percentDecoded(uri);
       auto content = workcell::readFileContent(path);
       if (!content) {
-        return makeError({"", place, "its file " + uri + " is not there or not readable", "a file beside it",
+        return makeError({"", place, "its file " + uri.substr(0, 100) + ": " + content.error().found, "a file beside it",
                           "Put it there: a .gltf needs its .bin files."});
       }
       bytes = std::move(*content);
@@ -211,7 +216,9 @@ Expected<std::string_view> GltfFile::compressedView(std::size_t index, const Jso
   const std::size_t count = gltfNumber(how, "count", kNone);
   const bool there = buffer < buffers_.size() && offset <= buffers_[buffer].size() &&
                      length <= buffers_[buffer].size() - offset;
-  if (!there || stride == 0 || stride > 256 || count > kMostElements) {
+  // A packed block of 256 elements has at least a header of four bytes for each of their bytes.
+  constexpr std::size_t kPackedFold = 64, kAlways = 65536;
+  if (!there || stride == 0 || stride > 256 || count > kMostElements || count * stride > kPackedFold * length + kAlways) {
     return makeError(fault(place, "more bytes than its buffer holds"));
   }
   const auto* const source = reinterpret_cast<const unsigned char*>(buffers_[buffer].data() + offset);
@@ -248,6 +255,8 @@ Expected<GltfFile::Layout> GltfFile::layoutOf(const Json& accessor, std::size_t 
   if (number == kNone) {  // Zeros, for a sparse one to fill.
     const bool sparse = !gltfMember(accessor, "sparse").empty();
     if (!sparse && layout.count > 0) return makeError(fault("accessor", "no data"));
+    if (layout.count > kMostZeros)
+      return makeError(fault("accessor", std::to_string(layout.count) + " elements without data", "fewer than a million"));
     return layout;
   }
   const auto bytes = view(number);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "geometry/unfolding.h"
 #include "importer/draco_mesh.h"
 #include "importer/gltf_file.h"
 #include "workcell/content_rules.h"
@@ -17,7 +18,7 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t kNoIndex = static_cast<std::size_t>(-1);
-constexpr std::size_t kMostNodes = 1'000'000;
+constexpr std::size_t kMostNodes = 200'000;
 constexpr int kDeepestNode = 500;
 
 Error gltfFault(std::string place, std::string found, std::string expected) {
@@ -54,11 +55,13 @@ class GltfReader {
 
   Expected<ModelScene> read() {
     if (auto able = checkRequired(); !able) return makeError(able.error());
+    const std::vector<std::size_t> indices = rootNodes();
+    if (auto tree = checkNodes(indices); !tree) return makeError(tree.error());
     meetFeatures();
     addMaterials();
     if (auto added = addMeshes(); !added) return makeError(added.error());
     std::vector<std::unique_ptr<aiNode>> roots;
-    for (const std::size_t index : rootNodes()) {
+    for (const std::size_t index : indices) {
       auto node = nodeOf(index, 0);
       if (!node) return makeError(node.error());
       roots.push_back(std::move(*node));
@@ -220,15 +223,32 @@ class GltfReader {
     return roots;
   }
 
+  /// Counted before one of them is made.
+  Expected<void> checkNodes(const std::vector<std::size_t>& indices) const {
+    const json& nodes = gltfMember(file_.json(), "nodes");
+    std::vector<std::vector<std::uint32_t>> below(nodes.is_array() ? nodes.size() : 0);
+    const auto known = [&](std::size_t index) { return index < below.size(); };
+    for (std::size_t k = 0; k < below.size(); ++k) {
+      for (const json& child : gltfMember(nodes[k], "children")) {
+        if (!child.is_number_unsigned() || !known(child.get<std::size_t>())) continue;
+        below[k].push_back(static_cast<std::uint32_t>(child.get<std::size_t>()));
+      }
+    }
+    std::vector<std::uint32_t> roots;
+    for (const std::size_t index : indices) {
+      if (known(index)) roots.push_back(static_cast<std::uint32_t>(index));
+    }
+    return geometry::checkUnfolding(below, roots, {kDeepestNode + 1, kMostNodes},
+                                    [](std::uint32_t node) { return "node " + std::to_string(node); });
+  }
+
   Expected<std::unique_ptr<aiNode>> nodeOf(std::size_t index, int depth) {
     const json& nodes = gltfMember(file_.json(), "nodes");
     const std::string place = "node " + std::to_string(index);
     if (!nodes.is_array() || index >= nodes.size()) {
       return makeError(gltfFault(place, "no such node", "a node of the file"));
     }
-    if (depth > kDeepestNode || ++made_ > kMostNodes) {
-      return makeError(gltfFault(place, "nodes in a circle, or more than 500 below each other", "a tree"));
-    }
+    if (depth > kDeepestNode) return makeError(gltfFault(place, "more than 500 levels below each other", "a tree"));
     const json& source = nodes[index];
     const std::size_t number = gltfNumber(source, "mesh", kNoIndex);
     const json& mesh = gltfElement(gltfMember(file_.json(), "meshes"), number);
@@ -281,8 +301,9 @@ class GltfReader {
       lists[k] = std::move(*read);
       count = std::max(count, lists[k].size() / sizes[k]);
     }
-    made_ += count;
-    for (std::size_t k = 0; k < count && made_ <= kMostNodes; ++k) {
+    if ((made_ += count) > kMostNodes)
+      return makeError(gltfFault("node '" + name + "'", "more than " + std::to_string(kMostNodes) + " instances", "fewer"));
+    for (std::size_t k = 0; k < count; ++k) {
       const auto element = [&](int list, std::vector<float> otherwise) {
         const std::size_t at = k * otherwise.size();
         if (at + otherwise.size() > lists[list].size()) return otherwise;

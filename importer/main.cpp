@@ -6,15 +6,18 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <new>
+#include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "geometry/regular_file.h"
 #include "importer/assimp_reader.h"
 #include "importer/cad_reader.h"
+#include "importer/library_fault.h"
 #include "importer/parent_link.h"
 #include "importer/resource_limits.h"
 #include "importer/step_text.h"
@@ -33,6 +36,7 @@ struct Call {
   std::string action;
   fs::path file;
   std::map<std::string, double> numbers;  // By option.
+  std::set<int> skipped;
 
   std::optional<double> number(const std::string& option) const {
     const auto found = numbers.find(option);
@@ -44,17 +48,20 @@ Call parse(int argc, char** argv) {
   Call call;
   if (argc > 1) call.action = argv[1];
   if (argc > 2) call.file = argv[2];
-  for (int k = 3; k + 1 < argc; k += 2) call.numbers[argv[k]] = std::strtod(argv[k + 1], nullptr);
+  for (int k = 3; k + 1 < argc; k += 2) {
+    const double number = std::strtod(argv[k + 1], nullptr);
+    if (std::string_view(argv[k]) == "--skip") {
+      call.skipped.insert(static_cast<int>(number));
+    } else {
+      call.numbers[argv[k]] = number;
+    }
+  }
   return call;
 }
 
 /// STEP and IGES are OpenCASCADE's, told by content; glTF and 3MF have readers of their own, the rest is assimp's.
 bool isCad(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(65536, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  if (beginsAsStep(head)) return true;
+  if (beginsAsStep(hapticell::geometry::headOfFile(file, 65536))) return true;
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension == ".step" || extension == ".stp" || extension == ".p21" ||
@@ -69,6 +76,7 @@ Expected<std::string> readOne(const Call& call, const fs::path& file, ParentLink
   reading.tessellation.chord = call.number("--chord").value_or(reading.tessellation.chord);
   reading.tessellation.angle = call.number("--angle").value_or(reading.tessellation.angle);
   reading.relative_chord = call.number("--relative-chord").value_or(0.0);
+  reading.skipped = call.skipped;
   const auto scene = isCad(file) ? readCad(reading, parent) : readWithAssimp(reading, parent);
   if (!scene) return hapticell::makeError(scene.error());
   if (scene->meshes.empty()) {
@@ -92,12 +100,9 @@ Expected<Result> guarded(const Work& work) {
     return hapticell::makeError({"", "", "it needs more memory than an import may use", "a smaller or coarser model",
                                  "Choose a coarser tessellation or import it in parts."});
   } catch (const Standard_Failure& failure) {
-    const char* text = failure.GetMessageString();
-    return hapticell::makeError(
-        {"", "", std::string("OpenCASCADE refuses it: ") + failure.DynamicType()->Name() + " " + (text ? text : ""),
-         "a sound file", "Export it again."});
+    return hapticell::makeError(libraryFault(failure.DynamicType()->Name()));
   } catch (const std::exception& failure) {
-    return hapticell::makeError({"", "", std::string("it is refused: ") + failure.what(), "a sound file", ""});
+    return hapticell::makeError(libraryFault(failure.what()));
   }
 }
 

@@ -10,6 +10,8 @@
 #include <memory>
 #include <vector>
 
+#include "geometry/regular_file.h"
+
 namespace hapticell::importer {
 
 namespace {
@@ -53,6 +55,7 @@ bool leadsOut(const std::string& name) {
 }  // namespace
 
 Expected<ModelPackage> unpackModel(const fs::path& file) {
+  if (auto regular = geometry::checkRegularFile(file); !regular) return makeError(regular.error());
   const std::unique_ptr<archive, Closer> in(archive_read_new());
   archive_read_support_format_zip(in.get());
   if (archive_read_open_filename(in.get(), file.c_str(), 65536) != ARCHIVE_OK) {

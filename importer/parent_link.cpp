@@ -53,6 +53,10 @@ void ParentLink::setRange(double from, double to) {
   to_ = to;
 }
 
+void ParentLink::beginPart(int number) {
+  line("part " + std::to_string(number));
+}
+
 std::string ParentLink::flatParts(const Error& error) {
   return flat(error.place) + "\t" + flat(error.found) + "\t" + flat(error.expected) + "\t" + flat(error.fix);
 }

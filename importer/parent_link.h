@@ -15,6 +15,8 @@ class ParentLink {
   void progress(double share, const std::string& stage);
   /// From here on 0 to 1 of progress() are these shares of the whole: one of several files.
   void setRange(double from, double to);
+  /// Before a part that may break the process down: the parent runs it again without that part.
+  void beginPart(int number);
   void error(const Error& error);
   /// Place, found, expected and fix with tabs between, on one line.
   static std::string flatParts(const Error& error);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include "importer/parent_link.h"
 #include "workcell/import_scene.h"
@@ -15,6 +16,7 @@ struct Reading {
   std::optional<double> metres_per_unit = {};  ///< Where another unit than the file's was chosen.
   workcell::Tessellation tessellation = {};
   double relative_chord = 0.0;  ///< As in workcell::ImportOptions.
+  std::set<int> skipped = {};   ///< Parts at which earlier runs broke down, by the number of beginPart().
 };
 
 }  // namespace hapticell::importer

@@ -11,7 +11,11 @@
 #include <array>
 #include <cerrno>
 #include <memory>
+#include <set>
+#include <string>
+#include <vector>
 
+#include "geometry/regular_file.h"
 #include "workcell/file_content.h"
 
 namespace hapticell::importer {
@@ -114,6 +118,41 @@ std::string withNamesConverted(const std::string& content, const StepOutline& ou
   return result.append(content, done);
 }
 
+/// OpenCASCADE opens the files that a text names by itself: none of them, nor of those that they name, may be a pipe or
+/// a device. Which of the texts are names it decides; so all are looked at where there are any references.
+Expected<void> checkReferences(const std::string& content, const std::filesystem::path& folder) {
+  constexpr std::size_t kLongestName = 255, kMostNames = 100'000;
+  std::set<std::string> known;
+  std::vector<std::string> open;
+  const auto look = [&](std::string_view text) -> Expected<void> {
+    if (text.find("DOCUMENT_FILE") == text.npos && text.find("EXTERNAL_IDENTIFICATION") == text.npos) return {};
+    for (std::size_t at = text.find('\''); at < text.size() && known.size() < kMostNames;) {
+      const std::size_t end = std::min(text.find('\'', at + 1), text.size());
+      const std::string name(text.substr(at + 1, end - at - 1));
+      at = text.find('\'', end + 1);
+      if (name.empty() || name.size() > kLongestName || name.find('\n') != name.npos || !known.insert(name).second)
+        continue;
+      const std::filesystem::path path = folder / name;
+      std::error_code fault;
+      const auto status = std::filesystem::status(path, fault);
+      if (fault || !std::filesystem::exists(status) || std::filesystem::is_directory(status)) continue;
+      if (auto regular = geometry::checkRegularFile(path); !regular) {
+        return makeError({"", "reference to '" + name + "'", regular.error().found, "a file beside it", ""});
+      }
+      if (beginsAsStep(geometry::headOfFile(path, 65536))) open.push_back(path.string());
+    }
+    return {};
+  };
+  if (auto looked = look(content); !looked) return looked;
+  while (!open.empty()) {
+    const auto below = geometry::readRegularFile(open.back());
+    open.pop_back();
+    if (!below) continue;
+    if (auto looked = look(*below); !looked) return looked;
+  }
+  return {};
+}
+
 /// The first STEP file in a ZIP archive, or what is packed by gzip and the like.
 Expected<std::string> unpacked(const std::filesystem::path& file) {
   const std::unique_ptr<archive, ArchiveCloser> in(archive_read_new());
@@ -126,14 +165,19 @@ Expected<std::string> unpacked(const std::filesystem::path& file) {
                            "Unpack it, or export it as .step."});
   };
   if (archive_read_open_filename(in.get(), file.c_str(), 65536) != ARCHIVE_OK) return refused();
+  constexpr std::uintmax_t kHarmlessStep = std::uintmax_t{64} << 20, kStepFold = 200;
+  std::error_code ignored;
+  const std::uintmax_t most =
+      std::min<std::uintmax_t>(kMostUnpacked, std::max(kHarmlessStep, kStepFold * std::filesystem::file_size(file, ignored)));
   std::vector<char> block(std::size_t{1} << 20);
   while (archive_read_next_header(in.get(), &entry) == ARCHIVE_OK) {
     std::string content;
     la_ssize_t count = 0;
     while ((count = archive_read_data(in.get(), block.data(), block.size())) > 0) {
       content.append(block.data(), static_cast<std::size_t>(count));
-      if (content.size() > kMostUnpacked) {
-        return makeError({"", "", "more than 4 GB once unpacked", "a smaller file", ""});
+      if (content.size() > most) {
+        return makeError({"", "", "more than " + std::to_string(most >> 20) + " MB once unpacked",
+                          "at most 4 GB, and 200 times its own size", "Unpack it, or export it again."});
       }
     }
     if (count == 0 && beginsAsStep(std::string_view(content).substr(0, 65536))) return content;
@@ -243,6 +287,7 @@ std::string guessEncoding(const std::vector<std::string>& raw) {
 Expected<StepText> StepText::open(const std::filesystem::path& file) {
   auto content = workcell::readFileContent(file);
   if (!content) return makeError(content.error());
+  if (auto regular = checkReferences(*content, file.parent_path()); !regular) return makeError(regular.error());
   StepText result;
   result.name_ = file.filename().string();
   bool changed = false;

@@ -9,6 +9,8 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "geometry/nesting_limit.h"
+#include "geometry/unfolding.h"
 #include "importer/model_package.h"
 #include "workcell/content_rules.h"
 #include "workcell/text_cursor.h"
@@ -18,7 +20,7 @@ namespace hapticell::importer {
 namespace {
 
 constexpr int kDeepestComponent = 100;
-constexpr std::size_t kMostUses = 1'000'000;
+constexpr std::size_t kMostUses = 200'000;
 
 Error packageFault(std::string place, std::string found, std::string expected) {
   return {"", std::move(place), std::move(found), std::move(expected), "Export it again."};
@@ -106,6 +108,7 @@ class ThreeMfReader {
     readSlicerNames();
     std::vector<std::unique_ptr<aiNode>> items;
     const pugi::xml_node build = childNamed(model, "build");
+    if (auto tree = checkComponents(build, root); !tree) return makeError(tree.error());
     for (const pugi::xml_node item : build.children()) {
       if (!isNamed(item, "item")) continue;
       auto node = use(item, root, 0);
@@ -157,6 +160,8 @@ class ThreeMfReader {
     if (content == package_.parts.end()) {
       return makeError(packageFault(name, "that part is not in the package", "a part of the package"));
     }
+    if (auto flat = geometry::checkNesting(content->second, geometry::NestedText::kXml, ""); !flat)
+      return makeError(packageFault(name + ", " + flat.error().place, flat.error().found, flat.error().expected));
     auto document = std::make_unique<pugi::xml_document>();
     const auto parsed = document->load_buffer(content->second.data(), content->second.size());
     if (!parsed) {
@@ -206,14 +211,46 @@ class ThreeMfReader {
     }
   }
 
+  static std::string ownerOf(const pugi::xml_node& use, const std::string& in_part) {
+    const std::string path = attributeNamed(use, "path");
+    return path.empty() ? in_part : path.starts_with('/') ? path : "/" + path;
+  }
+
+  /// What the items unfold to is counted before one of them is made; what is not there is told when it is.
+  Expected<void> checkComponents(const pugi::xml_node& build, const std::string& root) {
+    std::map<Key, std::uint32_t> numbers;
+    std::vector<Key> keys;
+    std::vector<std::vector<std::uint32_t>> below;
+    const auto numberOfUse = [&](const pugi::xml_node& use, const std::string& in_part) {
+      const Key key{ownerOf(use, in_part), attributeNamed(use, "objectid")};
+      const auto [known, is_new] = numbers.try_emplace(key, static_cast<std::uint32_t>(keys.size()));
+      if (is_new) keys.push_back(key);
+      return known->second;
+    };
+    std::vector<std::uint32_t> roots;
+    for (const pugi::xml_node item : build.children()) {
+      if (isNamed(item, "item")) roots.push_back(numberOfUse(item, root));
+    }
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      const auto [owner, id] = keys[k];
+      below.emplace_back();
+      const auto document = part(owner);
+      if (!document) continue;
+      const pugi::xml_node object = objectOf(childNamed(childNamed(**document, "model"), "resources"), owner, id);
+      for (const pugi::xml_node component : childNamed(object, "components").children()) {
+        if (isNamed(component, "component")) below[k].push_back(numberOfUse(component, owner));
+      }
+    }
+    return geometry::checkUnfolding(
+        below, roots, {kDeepestComponent, kMostUses},
+        [&](std::uint32_t number) { return keys[number].first + ", object " + keys[number].second; });
+  }
+
   /// An <item> or <component>: an object, placed.
   Expected<std::unique_ptr<aiNode>> use(const pugi::xml_node& source, const std::string& in_part, int depth) {
-    const std::string id = attributeNamed(source, "objectid"), path = attributeNamed(source, "path");
-    const std::string owner = path.empty() ? in_part : path.starts_with('/') ? path : "/" + path;
+    const std::string id = attributeNamed(source, "objectid"), owner = ownerOf(source, in_part);
     const std::string place = owner + ", object " + id;
-    if (depth > kDeepestComponent || ++uses_ > kMostUses) {
-      return makeError(packageFault(place, "components in a circle, or more than a million", "a tree of components"));
-    }
+    if (depth > kDeepestComponent) return makeError(packageFault(place, "components in a circle", "a tree of components"));
     const auto document = part(owner);
     if (!document) return makeError(document.error());
     const pugi::xml_node resources = childNamed(childNamed(**document, "model"), "resources");
@@ -336,7 +373,6 @@ class ThreeMfReader {
   std::map<std::string, std::string> slicer_names_;
   std::vector<std::unique_ptr<aiMesh>> meshes_;
   std::vector<std::unique_ptr<aiMaterial>> materials_;
-  std::size_t uses_ = 0;
 };
 
 }  // namespace

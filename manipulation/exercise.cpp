@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "geometry/nesting_limit.h"
 #include "workcell/file_content.h"
 
 namespace hapticell::manipulation {
@@ -40,6 +41,8 @@ std::vector<NumberField> numbersOf(Exercise& exercise) {
 Expected<Exercise> readExercise(const fs::path& file) {
   const auto text = workcell::readFileContent(file);
   if (!text) return makeError(text.error());
+  auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
+  if (!flat) return makeError(flat.error());
   const json document = json::parse(*text, nullptr, false);
   const auto wrong = [&](const std::string& field, std::string found, std::string expected) {
     return makeError({file.string(), "field '" + field + "'", std::move(found), std::move(expected), ""});

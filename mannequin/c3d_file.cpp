@@ -3,9 +3,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <system_error>
 
+#include "geometry/regular_file.h"
 #include "mannequin/c3d_layout.h"
 #include "mannequin/c3d_parameters.h"
 #include "mannequin/marker_clip.h"
@@ -162,17 +162,9 @@ Expected<MarkerClip> parseC3d(std::string_view bytes, const std::string& name, s
 }
 
 Expected<MarkerClip> readC3d(const std::filesystem::path& file, std::optional<UpAxis> up) {
-  std::error_code fault;
-  if (!std::filesystem::is_regular_file(file, fault))
-    return makeError({file.string(), "", "there is no such file", "", ""});
-  if (std::filesystem::file_size(file, fault) > kMostC3dBytes) {
-    return makeError({file.string(), "", "a file over 1 GB", "a C3D recording", "Cut it into parts."});
-  }
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes(static_cast<std::size_t>(std::filesystem::file_size(file, fault)), '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (fault || !stream) return makeError({file.string(), "", "it cannot be read", "", "Look at its permissions."});
-  return parseC3d(bytes, file.string(), up);
+  const auto bytes = geometry::readRegularFile(file, kMostC3dBytes);
+  if (!bytes) return makeError(bytes.error());
+  return parseC3d(*bytes, file.string(), up);
 }
 
 }  // namespace hapticell::mannequin

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/atomic_file.h"
+#include "geometry/nesting_limit.h"
+#include "geometry/regular_file.h"
 
 namespace hapticell::mannequin {
 
@@ -30,9 +32,12 @@ Expected<GloveCalibration> readGloveCalibration(const std::filesystem::path& fil
   const auto refuse = [&](std::string found) {
     return makeError({file.string(), "", std::move(found), "a glove's calibration", "Calibrate the glove anew."});
   };
-  std::ifstream stream(file);
-  if (!stream) return refuse("the file cannot be read");
-  const json document = json::parse(stream, nullptr, false);
+  constexpr std::uintmax_t kMostGloveBytes = 1'000'000;
+  const auto text = geometry::readRegularFile(file, kMostGloveBytes);
+  if (!text) return refuse(text.error().found);
+  auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
+  if (!flat) return makeError(flat.error());
+  const json document = json::parse(*text, nullptr, false);
   if (!document.is_object() || document.value("format", json()) != "hapticell-glove") return refuse("something else");
   if (document.value("version", json()) != 1) return refuse("another version");
   GloveCalibration calibration;

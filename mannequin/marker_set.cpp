@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <initializer_list>
 #include <optional>
-#include <sstream>
 #include <utility>
+
+#include "geometry/nesting_limit.h"
+#include "geometry/regular_file.h"
 
 namespace hapticell::mannequin {
 
@@ -195,6 +196,7 @@ Expected<MarkerSet> recogniseMarkers(const MarkerClip& clip) {
 }
 
 Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& name, const MarkerClip& clip) {
+  if (auto flat = geometry::checkNesting(text, geometry::NestedText::kToml, name); !flat) return makeError(flat.error());
   toml::table table;
   try {
     table = toml::parse(text, name);
@@ -240,13 +242,9 @@ Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& n
 
 Expected<MarkerSet> readMarkerTable(const std::filesystem::path& file, const MarkerClip& clip) {
   constexpr std::uintmax_t kMostTable = 1u << 20;
-  std::error_code failed;
-  if (!std::filesystem::is_regular_file(file, failed) || std::filesystem::file_size(file, failed) > kMostTable)
-    return makeError({file.string(), "--markers", "no table to read", "a file in TOML of at most 1 MB", ""});
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parseMarkerTable(text.str(), file.string(), clip);
+  const auto text = geometry::readRegularFile(file, kMostTable);
+  if (!text) return makeError({file.string(), "--markers", text.error().found, "a table in TOML of at most 1 MB", ""});
+  return parseMarkerTable(*text, file.string(), clip);
 }
 
 }  // namespace hapticell::mannequin

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <sstream>
+
+#include "geometry/regular_file.h"
 
 namespace hapticell::mannequin {
 
@@ -19,16 +19,7 @@ bool sameWord(std::string_view a, std::string_view b) {
 }
 
 Expected<std::string> contentOf(const std::filesystem::path& file) {
-  std::error_code failed;
-  if (!std::filesystem::is_regular_file(file, failed))
-    return makeError({file.string(), "", "no file to read", "a motion file", ""});
-  if (std::filesystem::file_size(file, failed) > kMostBytes) {
-    return makeError({file.string(), "", "more than 256 megabytes", "a motion file", ""});
-  }
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  return geometry::readRegularFile(file, kMostBytes);
 }
 
 }  // namespace

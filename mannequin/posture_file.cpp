@@ -2,9 +2,10 @@
 #include "mannequin/posture_file.h"
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
+
+#include "geometry/nesting_limit.h"
+#include "geometry/regular_file.h"
 
 namespace hapticell::mannequin {
 
@@ -93,6 +94,8 @@ std::string postureText(const Posture& posture) {
 }
 
 Expected<Posture> parsePosture(std::string_view text, const std::string& name, bool* has_root) {
+  auto flat = geometry::checkNesting(text, geometry::NestedText::kOrderedJson, name);
+  if (!flat) return makeError(flat.error());
   const ordered_json json = ordered_json::parse(text.begin(), text.end(), nullptr, false);
   if (json.is_discarded()) return makeError({name, "", "text that is not JSON", "a posture", ""});
   if (const auto head = checkHead(json, name); !head) return makeError(head.error());
@@ -119,15 +122,10 @@ Expected<Posture> parsePosture(std::string_view text, const std::string& name, b
 }
 
 Expected<Posture> readPosture(const std::filesystem::path& file, bool* has_root) {
-  std::error_code failed;
-  const auto size = std::filesystem::file_size(file, failed);
-  if (failed || !std::filesystem::is_regular_file(file, failed))
-    return makeError({file.string(), "", "no file to read", "a posture", ""});
-  if (size > 1'000'000) return makeError({file.string(), "", "more than a megabyte", "a posture, a few kilobytes", ""});
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parsePosture(text.str(), file.string(), has_root);
+  constexpr std::uintmax_t kMostPostureBytes = 1'000'000;
+  const auto text = geometry::readRegularFile(file, kMostPostureBytes);
+  if (!text) return makeError(text.error());
+  return parsePosture(*text, file.string(), has_root);
 }
 
 }  // namespace hapticell::mannequin

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <string_view>
+
+#include "geometry/regular_file.h"
 
 namespace hapticell::trajectory {
 
@@ -47,10 +48,10 @@ class Reader {
  public:
   Reader(const std::filesystem::path& file, const std::vector<std::string>& wanted,
          const std::vector<std::string>& optional)
-      : name_(file.string()), stream_(file, std::ios::binary), wanted_(wanted), optional_(optional) {}
+      : name_(file.string()), stream_(file), wanted_(wanted), optional_(optional) {}
 
   Expected<CsvTable> read() {
-    if (!stream_) return makeError({name_, "", "the file cannot be opened", "a readable CSV file", ""});
+    if (!stream_) return makeError({name_, "", stream_.error().found, "a readable CSV file", ""});
     if (auto header = readHeader(); !header) return tl::unexpected(header.error());
     while (nextLine()) {
       if (auto row = readRow(); !row) return tl::unexpected(row.error());
@@ -130,7 +131,7 @@ class Reader {
   }
 
   std::string name_;
-  std::ifstream stream_;
+  geometry::RegularFileStream stream_;
   const std::vector<std::string>& wanted_;
   const std::vector<std::string>& optional_;
   std::string line_;

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 
+#include "geometry/regular_file.h"
 #include "trajectory/program_readers.h"
 
 namespace hapticell::trajectory {
@@ -30,13 +29,9 @@ bool isAmong(const std::string& word, std::initializer_list<const char*> words) 
 }
 
 Expected<std::string> textOf(const fs::path& file) {
-  std::error_code problem;
-  const auto size = fs::file_size(file, problem);
-  if (!problem && size > kLargestProgram)
-    return makeError({file.string(), "", "a file of more than 256 MB", "a robot's program", ""});
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return makeError({file.string(), "", "the file cannot be opened", "a readable program", ""});
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  auto content = geometry::readRegularFile(file, kLargestProgram);
+  if (!content) return makeError(content.error());
+  std::string text = std::move(*content);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   if (text.find('\0') != std::string::npos)
     return makeError({file.string(), "", "a binary file", "a program as text",

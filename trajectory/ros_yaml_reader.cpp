@@ -6,12 +6,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <sstream>
 
+#include "geometry/regular_file.h"
 #include "trajectory/csv_table.h"
 #include "trajectory/trajectory_io.h"
 
@@ -22,6 +21,7 @@ namespace {
 constexpr std::int64_t kSecond = 1'000'000'000;  ///< ns
 constexpr double kMostSeconds = 9e9;             ///< That a 64-bit count of nanoseconds holds.
 constexpr std::size_t kMostNodes = 1'000'000;    ///< Looked at for it: anchors may stand for ever more.
+constexpr std::uintmax_t kLargestYaml = 256'000'000;
 constexpr int kDeepest = 8;                      ///< Of a JointTrajectory inside other messages.
 
 const char* const kMessage = "a JointTrajectory (joint_names and points), or JointState messages (name and position)";
@@ -60,9 +60,9 @@ class RosYamlReader {
   explicit RosYamlReader(const std::filesystem::path& file) : name_(file.string()) {}
 
   Expected<Trajectory> read() {
-    std::ifstream stream(name_, std::ios::binary);
-    if (!stream) return makeError({name_, "", "the file cannot be opened", "a JointTrajectory in YAML", ""});
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const auto content = geometry::readRegularFile(name_, kLargestYaml);
+    if (!content) return makeError(content.error());
+    const std::string& text = *content;
     std::vector<YAML::Node> documents;
     try {
       if (const auto still = standstillOf(text))

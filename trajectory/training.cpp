@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "geometry/nesting_limit.h"
+#include "geometry/regular_file.h"
 #include "trajectory/path_progress.h"
 #include "trajectory/smoothing.h"
 #include "trajectory/trajectory_io.h"
@@ -231,9 +233,11 @@ std::optional<double> TrainingSession::restBefore(const std::string& date) const
 }
 
 Expected<TrainingSession> readTraining(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return makeError({file.string(), "", "the file cannot be opened", "a training session", ""});
-  const json document = json::parse(stream, nullptr, false);
+  const auto content = geometry::readRegularFile(file);
+  if (!content) return makeError(content.error());
+  auto flat = geometry::checkNesting(*content, geometry::NestedText::kJson, file.string());
+  if (!flat) return makeError(flat.error());
+  const json document = json::parse(*content, nullptr, false);
   const auto version = document.is_object() ? document.value("version", json()) : json();
   if (!document.is_object() || document.value("format", json()) != kTrainingFormat || !version.is_number_integer()) {
     return makeError(

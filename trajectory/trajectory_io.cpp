@@ -9,6 +9,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "geometry/nesting_limit.h"
+#include "geometry/regular_file.h"
 #include "trajectory/csv_table.h"
 #include "trajectory/program_reader.h"
 #include "trajectory/ros_yaml_reader.h"
@@ -67,7 +69,7 @@ struct CsvColumns {
 };
 
 CsvColumns csvColumns(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  geometry::RegularFileStream stream(file);
   std::string line;
   do {
     if (!std::getline(stream, line)) return {{}, true};
@@ -253,9 +255,11 @@ Expected<Trajectory> fromJson(const json& document) {
 }
 
 Expected<Trajectory> readJson(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return makeError({file.string(), "", "the file cannot be opened", "a readable trajectory", ""});
-  const json document = json::parse(stream, nullptr, false);
+  const auto text = geometry::readRegularFile(file);
+  if (!text) return makeError(text.error());
+  auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
+  if (!flat) return makeError(flat.error());
+  const json document = json::parse(*text, nullptr, false);
   if (document.is_discarded()) return makeError({file.string(), "", "it is not JSON", "a HaptiCell trajectory", ""});
   if (auto header = checkHeader(document, file); !header) return tl::unexpected(header.error());
   auto trajectory = fromJson(document);

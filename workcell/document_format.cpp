@@ -6,8 +6,11 @@
 #include <cstdio>
 #include <map>
 #include <set>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
+#include "geometry/regular_file.h"
 #include "workcell/command.h"
 #include "workcell/command_checks.h"
 #include "workcell/document_io.h"
@@ -15,6 +18,7 @@
 #include "workcell/entity_source.h"
 #include "workcell/guide_format.h"
 #include "workcell/mechanism_format.h"
+#include "workcell/perform_command.h"
 #include "workcell/source_format.h"
 #include "workcell/work_task_format.h"
 
@@ -26,6 +30,8 @@ namespace {
 
 constexpr const char* kFormat = "hapticell-workcell";
 constexpr int kVersion = 1;
+constexpr int kDeepestParents = 1000;  // Of CAD files it is 500.
+constexpr int kMostCarriers = 200;
 
 Json jsonFromPairSet(const PairSet& set) {
   Json json;
@@ -55,6 +61,32 @@ Json jsonFromPairRule(const PairRule& rule) {
 /// m and rad: what is written with all digits and read again is nearer than this.
 constexpr double kSamePlace = 1e-6;
 
+/// What is wrong with how names stand above each other.
+struct Levels {
+  std::unordered_set<std::string> in_circle;  ///< One name of each circle.
+  std::string too_deep;                       ///< A name with more than so many above it; empty: none.
+};
+
+/// `above`: the one above each name, where there is one. Linear: each name is looked at once.
+Levels levelsOf(const std::unordered_map<std::string, std::string>& above, int most) {
+  Levels result;
+  std::unordered_map<std::string, int> levels;  // 0: on the way that is gone.
+  for (const auto& [name, ignored] : above) {
+    std::vector<const std::string*> way;
+    const std::string* at = &name;
+    while (above.contains(*at) && levels.try_emplace(*at, 0).second) {
+      way.push_back(at);
+      at = &above.find(*at)->second;
+    }
+    const auto known = levels.find(*at);
+    if (known != levels.end() && known->second == 0) result.in_circle.insert(*at);
+    int level = known == levels.end() ? 0 : known->second;
+    for (auto step = way.rbegin(); step != way.rend(); ++step) levels[**step] = ++level;
+    if (level > most) result.too_deep = name;
+  }
+  return result;
+}
+
 class StateReader {
  public:
   StateReader(const fs::path& folder, Diagnostics& diagnostics, const LoadOptions& options)
@@ -71,6 +103,7 @@ class StateReader {
     readView(fields);
     readTrajectories(fields);
     if (!error_) fields.warnAboutOthers(diagnostics_);
+    if (entities && !error_) checkParents(*entities);
     for (std::size_t k = 0; entities && k < entities->size() && !error_; ++k) {
       reportEntity(k, entities->size());
       if (!error_) readEntity((*entities)[k], k);
@@ -109,6 +142,22 @@ class StateReader {
       fields.fail("version", number, "at most 1, the newest that this program knows");
       error_->fix = "Open the document with a newer HaptiCell.";
     }
+  }
+
+  /// How deep the tree is, before one of its entities is made. Those in a circle are told, and stand at the top.
+  void checkParents(const Json& entities) {
+    std::unordered_map<std::string, std::string> parents;
+    for (const Json& entity : entities) {
+      if (!entity.is_object() || !entity.contains("name") || !entity["name"].is_string()) continue;
+      if (entity.contains("parent") && entity["parent"].is_string())
+        parents.emplace(entity["name"].get<std::string>(), entity["parent"].get<std::string>());
+    }
+    Levels levels = levelsOf(parents, kDeepestParents);
+    in_circle_ = std::move(levels.in_circle);
+    if (levels.too_deep.empty()) return;
+    error_ = Error{"", "entity '" + levels.too_deep + "'",
+                   "more than " + std::to_string(kDeepestParents) + " assemblies within each other",
+                   "at most " + std::to_string(kDeepestParents) + " levels", "Correct \"parent\" in the document."};
   }
 
   void refuseCancelled() {
@@ -166,8 +215,26 @@ class StateReader {
     entity.unloaded = std::make_shared<const std::string>(json.dump());
     readEntityFields(fields, place, context_, entity);
     if (error_) return;
-    const auto added = apply(AddEntity{std::move(entity)}, state_, state_.entities.size() + 1);
+    add(place, std::move(entity));
+  }
+
+  bool add(const std::string& place, Entity entity) {
+    if (in_circle_.contains(entity.name)) {
+      diagnostics_.warn(place + " stands below itself by way of '" + entity.parent + "'; it is put at the top");
+      entity.parent.clear();
+    }
+    const std::string name = entity.name;
+    const bool is_new = index_.try_emplace(name, state_.entities.size()).second;
+    StateEdit edit(state_, state_.entities.size() + 1);
+    const auto added = is_new ? addNewlyNamed(entity, edit) : Expected<EntityId>(makeError(taken(name)));
     if (!added) context_.failIn(place, added.error());
+    return added.has_value();
+  }
+
+  const Entity* named(const std::string& name) const {
+    const auto found = index_.find(name);
+    return found == index_.end() || found->second >= state_.entities.size() ? nullptr
+                                                                            : state_.entities[found->second].get();
   }
 
   void addEntity(FieldReader& fields, const std::string& place, Entity entity) {
@@ -180,18 +247,26 @@ class StateReader {
     std::swap(attachment, entity.attachment);
     const Json* attached = fields.object("attached");
     const bool placed = attached != nullptr && attached->contains("placement");
-    const auto added = apply(AddEntity{std::move(entity)}, state_, state_.entities.size() + 1);
-    if (!added) return context_.failIn(place, added.error());
+    if (!add(place, std::move(entity))) return;
     if (!attachment.to.empty()) attachments_.push_back({state_.entities.size() - 1, std::move(attachment), placed});
   }
 
   /// All entities are there: what hangs on which.
   void hangUp() {
+    std::unordered_map<std::string, std::string> carriers;
+    for (const Hanging& hanging : attachments_)
+      carriers.emplace(state_.entities[hanging.index]->name, hanging.attachment.to);
+    if (const Levels levels = levelsOf(carriers, kMostCarriers); !levels.too_deep.empty()) {
+      error_ = Error{"", "entity '" + levels.too_deep + "'",
+                     "it hangs on more than " + std::to_string(kMostCarriers) + " entities in a row", "fewer",
+                     "Correct \"attached\" in the document."};
+      return;
+    }
     for (auto& [index, attachment, placed] : attachments_) {
       auto entity = std::make_shared<Entity>(*state_.entities[index]);
       const std::string place = "entity '" + entity->name + "'";
-      const Entity* carrier = state_.findByName(attachment.to);
-      for (const Entity* at = carrier; at; at = state_.findByName(at->attachment.to)) {
+      const Entity* carrier = named(attachment.to);
+      for (const Entity* at = carrier; at; at = at->attachment.to.empty() ? nullptr : named(at->attachment.to)) {
         if (at->name == entity->name) {
           error_ = Error{"", place, "it is attached to itself by way of '" + attachment.to + "'", "another entity", ""};
           return;
@@ -231,7 +306,7 @@ class StateReader {
 
   void placeOnCarrier(const Hanging& hanging) {
     auto entity = std::make_shared<Entity>(*state_.entities[hanging.index]);
-    const Entity* carrier = state_.findByName(entity->attachment.to);
+    const Entity* carrier = named(entity->attachment.to);
     if (carrier == nullptr || carrier->unloaded) return;
     const Pose X_WL = carrierPose(*carrier, entity->attachment.link);
     if (!hanging.placed) {
@@ -266,7 +341,7 @@ class StateReader {
     fields.warnAboutOthers(diagnostics_);
     for (const auto* side : {&set.first, &set.second}) {
       for (const std::string& name : *side) {
-        if (!state_.findByName(name))
+        if (!named(name))
           diagnostics_.warn("pair set '" + set.name + "' names '" + name + "', which is not there");
       }
     }
@@ -343,6 +418,9 @@ class StateReader {
       trajectory.read("name", reference.name);
       trajectory.read("file", reference.path);
       reference.path = (folder_ / reference.path).lexically_normal().string();
+      std::error_code ignored;
+      if (const auto regular = geometry::checkRegularFile(reference.path); !regular && fs::exists(reference.path, ignored))
+        diagnostics_.warn("trajectory '" + reference.name + "' is not read: " + regular.error().message());
       state_.trajectories.push_back(std::move(reference));
     }
   }
@@ -356,6 +434,8 @@ class StateReader {
   SourceReader sources_{context_};
   DocumentState state_;
   std::vector<Hanging> attachments_;
+  std::unordered_map<std::string, std::size_t> index_;  // Of the entities, by name.
+  std::unordered_set<std::string> in_circle_;           // One of each circle of parents.
 };
 
 }  // namespace

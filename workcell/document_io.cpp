@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "geometry/nesting_limit.h"
 #include "workcell/document_format.h"
 #include "workcell/file_content.h"
 #include "workcell/recordings.h"
@@ -38,6 +39,8 @@ Expected<Json> parseJson(std::string_view text, const std::string& name) {
 
 Expected<Document> parseDocument(std::string_view text, const fs::path& folder, const std::string& name,
                                  Diagnostics& diagnostics, const LoadOptions& options) {
+  auto flat = geometry::checkNesting(text, geometry::NestedText::kOrderedJson, name);
+  if (!flat) return makeError(flat.error());
   const Expected<Json> json = parseJson(text, name);
   if (!json) return makeError(json.error());
   Expected<DocumentState> state = stateFromJson(*json, folder, diagnostics, options);

@@ -8,8 +8,10 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -20,6 +22,7 @@
 #include <string_view>
 
 #include "config/user_folders.h"
+#include "geometry/sanitizers.h"
 #include "workcell/text_cursor.h"
 
 extern char** environ;
@@ -99,10 +102,11 @@ class Child {
   }
 
   /// 0 or an errno.
-  int start(const ImporterCall& call, int scene, int lines) {
+  int start(const ImporterCall& call, const std::vector<int>& skipped, int scene, int lines) {
     std::vector<std::string> words{findProgram().string()};
     if (words.front().empty()) return ENOENT;
     words.insert(words.end(), call.arguments.begin(), call.arguments.end());
+    for (const int part : skipped) words.insert(words.end(), {"--skip", std::to_string(part)});
     words.insert(words.end(), {"--memory", std::to_string(call.limits.bytes), "--seconds",
                                std::to_string(static_cast<long>(call.limits.seconds) + 1)});
     std::vector<char*> arguments;
@@ -121,6 +125,14 @@ class Child {
     posix_spawn_file_actions_destroy(&actions);
     if (fault != 0) id_ = -1;
     return fault;
+  }
+
+  /// Seconds of the processor that it has used; 0 where that is not known.
+  double processorSeconds() const {
+    clockid_t clock{};
+    timespec used{};
+    if (::clock_getcpuclockid(id_, &clock) != 0 || ::clock_gettime(clock, &used) != 0) return 0.0;
+    return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
   }
 
   /// The status of waitpid() once it has ended; kills it when it has not by then.
@@ -145,6 +157,8 @@ class Lines {
 
   bool done = false;
   std::optional<Error> error;
+  std::optional<int> last_part;  ///< That it began.
+  std::string stage;        ///< That it told last.
 
   void add(std::string_view bytes) {
     constexpr std::size_t kLongest = 100'000;
@@ -172,13 +186,16 @@ class Lines {
           *parts[part] += c;
         }
       }
-    } else if (line.starts_with("progress ") && call_.monitor) {
+    } else if (line.starts_with("part ")) {
+      const std::optional<double> number = parseNumber(line.substr(5));
+      if (number && *number >= 0.0 && *number < 1e9) last_part = static_cast<int>(*number);
+    } else if (line.starts_with("progress ")) {
       line.remove_prefix(9);
       const std::size_t space = line.find(' ');
       const std::optional<double> share = parseNumber(line.substr(0, space));
-      if (share && space != std::string_view::npos) {
-        call_.monitor->report(std::string(line.substr(space + 1)), *share);
-      }
+      if (!share || space == std::string_view::npos) return;
+      stage = line.substr(space + 1);
+      if (call_.monitor) call_.monitor->report(stage, *share);
     }
   }
 
@@ -190,17 +207,24 @@ Error inFile(const ImporterCall& call, std::string found, std::string expected =
   return {call.file, "", std::move(found), std::move(expected), std::move(fix)};
 }
 
+Error tookTooLong(const ImporterCall& call, const Lines& lines, double seconds) {
+  char text[80];
+  std::snprintf(text, sizeof text, "not done after %.3g s", seconds);
+  Error error = inFile(call, text, "a file that is read in the time that its size allows",
+                       "Export it again, or in another format; a file that is sound may be cut into parts.");
+  if (!lines.stage.empty()) error.place = lines.stage;
+  return error;
+}
+
 /// Reads lines until the child closes its end. An error when it was cancelled or its time is up.
-Expected<void> listen(const ImporterCall& call, int lines_end, Lines& lines) {
+Expected<void> listen(const ImporterCall& call, const Child& child, int lines_end, Lines& lines) {
   const auto end =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(call.limits.seconds));
   while (true) {
     if (call.monitor && call.monitor->isCancelled()) return makeError(inFile(call, "the import was cancelled"));
-    if (Clock::now() >= end) {
-      char text[80];
-      std::snprintf(text, sizeof text, "not done after %.0f s", call.limits.seconds);
-      return makeError(inFile(call, text, "a file that is read in that time", "Simplify it or raise the time limit."));
-    }
+    if (Clock::now() >= end) return makeError(tookTooLong(call, lines, call.limits.seconds));
+    if (child.processorSeconds() > call.processor_seconds)
+      return makeError(tookTooLong(call, lines, call.processor_seconds));
     pollfd waiting{lines_end, POLLIN, 0};
     constexpr int kCancelledWithinMs = 50;
     if (::poll(&waiting, 1, kCancelledWithinMs) <= 0) continue;
@@ -212,18 +236,19 @@ Expected<void> listen(const ImporterCall& call, int lines_end, Lines& lines) {
   }
 }
 
-Error crashed(const ImporterCall& call, int status) {
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
-    return inFile(call, "it took too much computing time", "a file that is read in the time allowed",
-                  "Simplify it or raise the time limit.");
-  }
-  const std::string how = WIFSIGNALED(status) ? std::string(" (") + ::strsignal(WTERMSIG(status)) + ")" : "";
-  return inFile(call, "the importer failed on it" + how, "a sound file", "Export it again, or in another format.");
+/// It ended without a word: a library crashed, or the system took its memory.
+Error brokeDown(const ImporterCall& call, const Lines& lines, int status) {
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+    return tookTooLong(call, lines, 2.0 * call.limits.seconds);
+  Error error = inFile(call, "content at which its reader breaks down", "a sound file",
+                       "Export it again, or in another format (STEP, glTF, STL), and without the part that is named.");
+  error.place = lines.stage.empty() ? "at its beginning" : lines.stage;
+  return error;
 }
 
-}  // namespace
-
-Expected<std::string> callImporter(const ImporterCall& call) {
+/// One run of the program: what it left, or why there is nothing. `broken`: the part at which it broke down.
+Expected<std::string> runImporter(const ImporterCall& call, const std::vector<int>& skipped,
+                                  std::optional<int>& broken) {
   const Descriptor scene(::memfd_create("hapticell-scene", MFD_CLOEXEC));
   int ends[2] = {-1, -1};
   const bool piped = ::pipe2(ends, O_CLOEXEC) == 0;
@@ -233,18 +258,44 @@ Expected<std::string> callImporter(const ImporterCall& call) {
     return makeError(inFile(call, std::string("no memory to import into: ") + std::strerror(errno)));
   }
   Child child;
-  if (const int fault = child.start(call, scene.get(), speaking.get()); fault != 0) {
+  if (const int fault = child.start(call, skipped, scene.get(), speaking.get()); fault != 0) {
     return makeError(inFile(call,
                             std::string("the program ") + kProgram + " could not be started: " + std::strerror(fault),
                             "it beside the other programs of HaptiCell", "Install HaptiCell again."));
   }
   speaking.close();
   Lines lines(call);
-  if (auto heard = listen(call, listening.get(), lines); !heard) return makeError(heard.error());
+  if (auto heard = listen(call, child, listening.get(), lines); !heard) return makeError(heard.error());
   const int status = child.wait(Clock::now() + std::chrono::seconds(2));
   if (lines.error) return makeError(*lines.error);
-  if (!lines.done) return makeError(crashed(call, status));
-  return readAll(scene.get());
+  if (lines.done) return readAll(scene.get());
+  broken = lines.last_part;
+  return makeError(brokeDown(call, lines, status));
+}
+
+}  // namespace
+
+void limitBySize(ImporterCall& call, std::uintmax_t bytes, bool finer) {
+  constexpr double kLeastSeconds = 1.5, kSecondsPerByte = 20e-6;
+  constexpr std::uint64_t kLeastBytes = std::uint64_t{3} << 29, kFold = 1024;
+  constexpr double kSlower = HAPTICELL_SANITIZED ? 20.0 : 1.0;
+  const double by_size = kSlower * (kLeastSeconds + kSecondsPerByte * static_cast<double>(bytes));
+  if (!finer) call.processor_seconds = std::min(call.limits.seconds, by_size);
+  const std::uint64_t most = call.limits.bytes;
+  call.limits.bytes = std::min<std::uint64_t>(most, kLeastBytes + kFold * std::min<std::uint64_t>(most, bytes));
+}
+
+Expected<std::string> callImporter(const ImporterCall& call) {
+  constexpr std::size_t kMostRuns = 8;
+  std::vector<int> skipped;
+  while (true) {
+    std::optional<int> broken;
+    auto result = runImporter(call, skipped, broken);
+    const bool again = !result && broken && skipped.size() + 1 < kMostRuns &&
+                       std::find(skipped.begin(), skipped.end(), *broken) == skipped.end();
+    if (!again) return result;
+    skipped.push_back(*broken);
+  }
 }
 
 }  // namespace hapticell::workcell

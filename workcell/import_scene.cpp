@@ -5,11 +5,11 @@
 #include <array>
 #include <cctype>
 #include <cstdio>
-#include <fstream>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/regular_file.h"
 #include "workcell/import_process.h"
 #include "workcell/scene_call.h"
 #include "workcell/scene_exchange.h"
@@ -19,20 +19,12 @@ namespace hapticell::workcell {
 
 namespace {
 
+constexpr std::size_t kSceneHead = 4096;
+
 std::string lowerExtension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
-}
-
-std::string headOf(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return {};
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(4096, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  return head;
 }
 
 std::string number(double value) {
@@ -62,10 +54,27 @@ Expected<void> checkTessellation(const ImportOptions& options, const std::filesy
 
 }  // namespace
 
+bool isFiner(const ImportOptions& options) {
+  constexpr double kUsualShare = 1e-4;
+  const Tessellation usual;
+  if (options.relative_chord > 0.0) return options.relative_chord < kUsualShare;
+  return options.tessellation.chord < usual.chord || options.tessellation.angle < usual.angle;
+}
+
+std::uintmax_t bytesToRead(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kPacked = 10;
+  std::error_code fault;
+  const std::uintmax_t size = std::filesystem::file_size(file, fault);
+  if (fault) return 0;
+  const std::string extension = lowerExtension(file), head = geometry::headOfFile(file, 4);
+  const bool packed = extension == ".stpz" || extension == ".3mf" || head.starts_with("PK") || head.starts_with("\x1F\x8B");
+  return packed ? kPacked * size : size;
+}
+
 bool holdsScene(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 12> kExtensions = {".step", ".stp", ".p21", ".stpz", ".iges", ".igs", ".gltf",
                                                             ".glb",  ".dae", ".3mf", ".fbx",  ".3ds"};
-  const std::string head = headOf(file);
+  const std::string head = geometry::headOfFile(file, kSceneHead);
   if (head.starts_with("ISO-10303-21") || head.starts_with("glTF") || head.starts_with("Kaydara FBX")) return true;
   if (head.find("<COLLADA") != std::string::npos) return true;
   const std::string extension = lowerExtension(file);
@@ -74,12 +83,8 @@ bool holdsScene(const std::filesystem::path& file) {
 
 Expected<ImportedScene> readScene(const std::filesystem::path& file, const ImportOptions& options,
                                   ImportMonitor* monitor) {
-  std::error_code fault;
+  if (auto regular = geometry::checkRegularFile(file); !regular) return makeError(regular.error());
   const std::filesystem::path absolute = std::filesystem::absolute(file);
-  if (!std::filesystem::exists(absolute, fault)) return makeError({file.string(), "", "there is no such file", "", ""});
-  if (!std::filesystem::is_regular_file(absolute, fault)) {
-    return makeError({file.string(), "", "not a regular file", "a file", ""});
-  }
   if (const auto sound = checkTessellation(options, file); !sound) return makeError(sound.error());
   if (isSdfCell(absolute)) return readSdfCell(absolute, monitor, !options.merge);
   ImporterCall call;
@@ -87,6 +92,7 @@ Expected<ImportedScene> readScene(const std::filesystem::path& file, const Impor
   call.arguments = {"read", absolute.string()};
   for (std::string& word : importerWords(options)) call.arguments.push_back(std::move(word));
   call.limits = options.limits;
+  limitBySize(call, bytesToRead(absolute), isFiner(options));
   call.monitor = monitor;
   const Expected<std::string> bytes = callImporter(call);
   if (!bytes) return makeError(bytes.error());

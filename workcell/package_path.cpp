@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/nesting_limit.h"
 #include "workcell/file_content.h"
 #include "workcell/xml_text.h"
 
@@ -46,6 +47,7 @@ bool isPackage(const fs::path& folder, const std::string& name) {
   if (!isFile(manifest) || fs::file_size(manifest, ignored) > kLargestManifest) return false;
   const auto content = readFileContent(manifest);
   if (!content) return false;
+  if (!geometry::checkNesting(*content, geometry::NestedText::kXml, manifest.string())) return false;
   TiXmlDocument document;
   document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) return false;

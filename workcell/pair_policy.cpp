@@ -5,7 +5,9 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace hapticell::workcell {
 
@@ -14,17 +16,28 @@ namespace {
 /// An entity's name and those of the assemblies it stands in: a set that names one of them means it.
 using Names = std::vector<std::string>;
 
-Names namesOf(std::span<const Entity> entities, const Entity& entity) {
-  Names names{entity.name};
-  for (std::string parent = entity.parent; !parent.empty();) {
-    if (std::find(names.begin(), names.end(), parent) != names.end()) break;
-    names.push_back(parent);
-    const auto above =
-        std::find_if(entities.begin(), entities.end(), [&](const Entity& e) { return e.name == parent; });
-    parent = above == entities.end() ? "" : above->parent;
+/// Looked up without a walk over all entities for each of them.
+class Tree {
+ public:
+  explicit Tree(std::span<const Entity> entities) {
+    for (const Entity& entity : entities) by_name_.emplace(entity.name, &entity);
   }
-  return names;
-}
+
+  Names namesOf(const Entity& entity) const {
+    Names names{entity.name};
+    // No more steps than entities: documents that were read may stand in circles.
+    for (std::string_view parent = entity.parent; !parent.empty() && names.size() <= by_name_.size() + 1;) {
+      if (parent == entity.name) break;
+      names.emplace_back(parent);
+      const auto above = by_name_.find(parent);
+      parent = above == by_name_.end() ? std::string_view() : std::string_view(above->second->parent);
+    }
+    return names;
+  }
+
+ private:
+  std::unordered_map<std::string_view, const Entity*> by_name_;
+};
 
 /// The names of an assembly and of all that stands below it; nothing for others. Parents may come behind their
 /// children.
@@ -32,10 +45,17 @@ std::set<std::string_view> familyNames(std::span<const Entity> entities, const E
   std::set<std::string_view> family;
   if (top.kind != EntityKind::kAssembly) return family;
   family.insert(top.name);
-  for (std::size_t before = 0; before != family.size();) {
-    before = family.size();
-    for (const Entity& entity : entities) {
-      if (family.contains(entity.parent)) family.insert(entity.name);
+  std::unordered_map<std::string_view, std::vector<std::string_view>> below;
+  for (const Entity& entity : entities) {
+    if (!entity.parent.empty()) below[entity.parent].push_back(entity.name);
+  }
+  std::vector<std::string_view> open{top.name};
+  while (!open.empty()) {
+    const auto children = below.find(open.back());
+    open.pop_back();
+    if (children == below.end()) continue;
+    for (const std::string_view child : children->second) {
+      if (family.insert(child).second) open.push_back(child);
     }
   }
   return family;
@@ -76,7 +96,8 @@ const PairSet* lastSetFor(std::span<const Entity> entities, std::span<const Pair
   };
   const auto first = find(a), second = find(b);
   if (sets.empty() || first == entities.end() || second == entities.end()) return nullptr;
-  const Names first_names = namesOf(entities, *first), second_names = namesOf(entities, *second);
+  const Tree tree(entities);
+  const Names first_names = tree.namesOf(*first), second_names = tree.namesOf(*second);
   const PairSet* last = nullptr;
   for (const PairSet& set : sets)
     if (set.enabled && joins(set, first_names, second_names)) last = &set;
@@ -131,7 +152,8 @@ std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std:
   std::vector<EffectivePair> pairs;
   const auto held = std::find_if(entities.begin(), entities.end(), [&](const Entity& e) { return e.id == moved; });
   if (held == entities.end() || !held->checked || held->kind == EntityKind::kFrame) return pairs;
-  const Names held_names = namesOf(entities, *held);
+  const Tree tree(entities);
+  const Names held_names = tree.namesOf(*held);
   const std::set<std::string_view> family = familyNames(entities, *held);
   for (const Entity& other : entities) {
     if (other.id == moved || !other.checked) continue;
@@ -140,7 +162,7 @@ std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std:
     if (family.contains(other.parent)) continue;                       // It goes along with the held assembly.
     if (sets.empty()) {
       pairs.push_back({moved, other.id, defaults.safety_distance, defaults.near_miss, held->on_contact});
-    } else if (const auto pair = pairOf(*held, held_names, other, namesOf(entities, other), sets)) {
+    } else if (const auto pair = pairOf(*held, held_names, other, tree.namesOf(other), sets)) {
       pairs.push_back(*pair);
     }
   }

@@ -44,6 +44,9 @@ Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit);
 Expected<EntityId> perform(const RemoveWorkTask& command, StateEdit& edit);
 Expected<EntityId> perform(const SetView& command, StateEdit& edit);
 
+/// As AddEntity, where the caller knows that no entity has its name: none is looked for.
+Expected<EntityId> addNewlyNamed(const Entity& added, StateEdit& edit);
+
 /// Whether the entity that `entity` hangs on is there, with the link that it names.
 Expected<void> checkAttachment(const Entity& entity, const DocumentState& state);
 

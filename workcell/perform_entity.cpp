@@ -12,7 +12,6 @@ namespace {
 
 Expected<void> checkNew(const Entity& entity, const DocumentState& state) {
   if (auto checked = checkName("the entity's name", entity.name); !checked) return checked;
-  if (state.findByName(entity.name)) return makeError(taken(entity.name));
   const bool solid = entity.kind == EntityKind::kSolid;
   const bool shapeless = entity.kind == EntityKind::kAssembly || entity.kind == EntityKind::kFrame;
   if (!shapeless && !entity.unloaded && (solid ? !entity.mesh : !entity.robot)) {
@@ -58,7 +57,12 @@ std::vector<double> jointsFor(const kinematics::RobotModel& model, const Entity&
 }  // namespace
 
 Expected<EntityId> perform(const AddEntity& command, StateEdit& edit) {
-  auto entity = std::make_shared<Entity>(command.entity);
+  if (edit.state().findByName(command.entity.name)) return makeError(taken(command.entity.name));
+  return addNewlyNamed(command.entity, edit);
+}
+
+Expected<EntityId> addNewlyNamed(const Entity& added, StateEdit& edit) {
+  auto entity = std::make_shared<Entity>(added);
   entity->id = edit.newId();
   if (auto checked = checkNew(*entity, edit.state()); !checked) return makeError(checked.error());
   if (entity->robot && entity->joints.empty()) entity->joints = kinematics::restPositions(*entity->robot);

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <string>
 #include <vector>
 
+#include "geometry/regular_file.h"
 #include "workcell/sdf_reader.h"
 #include "workcell/srdf.h"
 #include "workcell/xacro_file.h"
@@ -25,13 +25,7 @@ std::string lowerExtension(const fs::path& file) {
   return extension;
 }
 
-std::string headOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(65536, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  return head;
-}
+constexpr std::size_t kRobotHead = 65536;
 
 /// An XML text without its comments.
 std::string withoutComments(const std::string& text) {
@@ -102,7 +96,7 @@ void hintAtOpenLoops(const kinematics::RobotModel& model, Diagnostics& diagnosti
 std::optional<RobotFormat> robotFormatOf(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return std::nullopt;
-  const std::string extension = lowerExtension(file), head = headOf(file);
+  const std::string extension = lowerExtension(file), head = geometry::headOfFile(file, kRobotHead);
   if (extension == ".toml") return RobotFormat::kToml;
   const std::size_t begin = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (begin == std::string::npos || head[begin] != '<') return std::nullopt;

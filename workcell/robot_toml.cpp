@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "geometry/nesting_limit.h"
 #include "workcell/file_content.h"
 #include "workcell/robot_toml_reader.h"
 
@@ -15,6 +16,8 @@ namespace {
 Expected<toml::table> parse(const fs::path& path) {
   const Expected<std::string> text = readFileContent(path);
   if (!text) return makeError(text.error());
+  auto flat = geometry::checkNesting(*text, geometry::NestedText::kToml, path.string());
+  if (!flat) return makeError(flat.error());
   try {
     return toml::parse(*text);
   } catch (const toml::parse_error& problem) {

@@ -78,7 +78,10 @@ void SceneBatch::readAhead(const std::vector<std::filesystem::path>& files) {
   call.arguments = {"read-all", std::to_string(chosen.size())};
   for (std::string& word : importerWords(options_)) call.arguments.push_back(std::move(word));
   for (const std::string& file : chosen) call.scene += file + "\n";
+  std::uintmax_t size = 0;
+  for (const std::string& file : chosen) size += bytesToRead(file);
   call.limits = options_.limits;
+  limitBySize(call, size, isFiner(options_));
   call.monitor = monitor_;
   const Expected<std::string> bytes = callImporter(call);
   if (!bytes) return;

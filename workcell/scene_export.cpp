@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <unordered_map>
 
 #include "kinematics/robot_model.h"
 #include "workcell/document_io.h"
@@ -30,7 +31,9 @@ std::string lowerExtension(const fs::path& file) {
 /// Turns entities into nodes, parents first whatever the order of the document.
 class SceneCollector {
  public:
-  explicit SceneCollector(const DocumentState& state) : state_(state) {}
+  explicit SceneCollector(const DocumentState& state) : state_(state) {
+    for (const auto& entity : state.entities) by_name_.emplace(entity->name, entity.get());
+  }
 
   ImportedScene collect() {
     scene_.unit_is_stated = true;
@@ -61,7 +64,8 @@ class SceneCollector {
 
   int parentOf(const Entity& entity, std::size_t depth) {
     if (entity.parent.empty() || entity.parent == entity.name) return -1;
-    if (const Entity* parent = state_.findByName(entity.parent)) return nodeOf(*parent, depth + 1);
+    if (const auto parent = by_name_.find(entity.parent); parent != by_name_.end())
+      return nodeOf(*parent->second, depth + 1);
     const auto [folder, is_new] = folders_.try_emplace(entity.parent, -1);
     if (is_new) {
       SceneNode node;
@@ -117,6 +121,7 @@ class SceneCollector {
   }
 
   const DocumentState& state_;
+  std::unordered_map<std::string_view, const Entity*> by_name_;
   ImportedScene scene_;
   std::vector<Pose> X_W_;
   std::map<EntityId, int> nodes_;

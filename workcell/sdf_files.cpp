@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "geometry/nesting_limit.h"
 #include "workcell/file_content.h"
 #include "workcell/package_path.h"
 #include "workcell/xml_text.h"
@@ -63,6 +64,7 @@ std::optional<FoundFile> findAsWritten(const std::string& uri, const fs::path& f
 std::string fileNamedIn(const fs::path& manifest) {
   const auto content = readFileContent(manifest);
   if (!content || content->size() > (1u << 20) || content->find('\0') != std::string::npos) return {};
+  if (!geometry::checkNesting(*content, geometry::NestedText::kXml, manifest.string())) return {};
   TiXmlDocument document;
   document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
   const TiXmlElement* root = document.Error() ? nullptr : document.RootElement();

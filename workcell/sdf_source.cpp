@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <sdf/sdf.hh>
 
 #include "geometry/scratch_folder.h"
@@ -64,15 +66,22 @@ class Outliner {
       if (child->ValueStr() == "model") all.push_back(outlineOfModel(*child, file, depth));
       if (child->ValueStr() != "include") continue;
       const fs::path taken = findSdfModel(textOf(child, "uri"), file);
-      TiXmlDocument document;
-      const auto root = taken.empty() ? Expected<TiXmlElement*>(makeError({})) : parseSdf(taken, document);
-      const TiXmlElement* model = root ? (*root)->FirstChildElement("model") : nullptr;
-      if (model) all.push_back(outlineOfModel(*model, taken, depth + 1));
+      const auto [known, is_new] = of_file_.try_emplace(taken.string());
+      if (is_new) {
+        TiXmlDocument document;
+        const auto root = taken.empty() ? Expected<TiXmlElement*>(makeError({})) : parseSdf(taken, document);
+        const TiXmlElement* model = root ? (*root)->FirstChildElement("model") : nullptr;
+        // A file that takes itself in finds no model there, as where it is read.
+        if (model) of_file_[taken.string()] = outlineOfModel(*model, taken, depth + 1);
+      }
+      if (const auto& model = of_file_[taken.string()]) all.push_back(*model);
     }
     return all;
   }
 
  private:
+  std::map<std::string, std::optional<ModelOutline>> of_file_;  // Each is read once, however often it is taken in.
+
   ModelOutline outlineOfModel(const TiXmlElement& model, const fs::path& file, int depth) {
     ModelOutline outline;
     const bool moves = hasMovingJoint(model);
@@ -148,8 +157,11 @@ Expected<SdfSource> SdfSource::load(const fs::path& file) {
   sdf::Errors errors;
   try {
     errors = source.root_->LoadSdfString(*text);
-  } catch (const std::exception& exception) {
-    return makeError({file.string(), "", std::string("sdformat cannot read it (") + exception.what() + ")", "SDF", ""});
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    return makeError({file.string(), "", "content that the SDF library does not get through", "SDF",
+                      "Check it with another program (gz sdf --check), or export it again."});
   }
   if (source.models().empty()) {
     if (!errors.empty()) return makeError({file.string(), "", firstOf(errors), "valid SDF", ""});

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "workcell/file_content.h"
 #include "workcell/sdf_files.h"
@@ -21,6 +22,7 @@ namespace {
 constexpr int kNewestMinor = 9;  // Of SDF 1.x that the library reads.
 constexpr int kOldestListed = 4;
 constexpr int kFilesDeep = 20;
+constexpr std::size_t kMostElements = 200'000;
 
 int minorOf(const TiXmlElement& root) {
   int minor = -1;
@@ -106,6 +108,7 @@ Expected<std::string> SdfTidier::tidy(const fs::path& file) {
   const Place place = placeOf(**root, {file, 0, false});
   arrangeTop(**root, place);
   tidyChildren(**root, place);
+  if (refused_) return makeError(*refused_);
   TiXmlPrinter printer;
   printer.SetStreamPrinting();
   (*root)->Accept(&printer);
@@ -173,7 +176,26 @@ void SdfTidier::tidyChildren(TiXmlElement& parent, const Place& place) {
   parent.LinkEndChild(link);
 }
 
+std::string SdfTidier::Siblings::own(const std::string& wanted) {
+  if (names.insert(wanted).second) return wanted;
+  int& number = last.try_emplace(wanted, 1).first->second;
+  std::string name;
+  do {
+    name = wanted + "_" + std::to_string(++number);
+  } while (!names.insert(name).second);
+  return name;
+}
+
+bool SdfTidier::count(std::size_t elements, const Place& place) {
+  elements_ += elements;
+  if (elements_ > kMostElements && !refused_)
+    refused_ = Error{place.file.string(), "", "more than 200 000 elements with all that it includes", "fewer",
+                     "Look for models that include each other several times, or cut the world into parts."};
+  return !refused_;
+}
+
 bool SdfTidier::keep(TiXmlElement& parent, TiXmlElement& child, Names& names, const Place& place) {
+  if (!count(1, place)) return false;
   const std::string kind = child.ValueStr(), element = parent.ValueStr() + "/" + kind;
   if (!place.lenient || report_.rule(element)) {
     const std::string where = nameFor(&child) + (place.depth == 0 ? " in line " + std::to_string(child.Row()) : "");
@@ -215,8 +237,7 @@ void SdfTidier::giveName(TiXmlElement& element, Names& names, const Place& place
     wanted.replace(at, 2, "_");
   }
   if ((wanted == "world" && kind != "world") || (wanted.starts_with("__") && wanted.ends_with("__"))) wanted += "_";
-  std::string name = wanted;
-  for (int number = 2; !names[kind].insert(name).second; ++number) name = wanted + "_" + std::to_string(number);
+  const std::string name = names[kind].own(wanted);
   if (name == written) return;
   if (!written.empty()) {
     tell(element, place, "the name is there twice or not allowed; this <" + kind + "> is called '" + name + "'");
@@ -296,12 +317,12 @@ bool SdfTidier::keepInclude(TiXmlElement& parent, TiXmlElement& include, Names& 
     ++missing_models_[uri + taken.why];
     return false;
   }
+  if (!count(taken.elements, place)) return false;
   tidyChildren(include, place);
   TiXmlElement* name = include.FirstChildElement("name");
   if (!name) name = include.InsertEndChild(TiXmlElement("name"))->ToElement();
   const std::string written = textOf(*name), wanted = written.empty() ? taken.name : written;
-  std::string own = wanted;
-  for (int number = 2; !names["model"].insert(own).second; ++number) own = wanted + "_" + std::to_string(number);
+  const std::string own = names["model"].own(wanted);
   if (own != wanted && !written.empty()) tell(include, place, "the name is there twice; it is called '" + own + "'");
   setText(*name, own);
   setText(*include.FirstChildElement("uri"), taken.file.string());
@@ -316,7 +337,7 @@ bool SdfTidier::keepInclude(TiXmlElement& parent, TiXmlElement& include, Names& 
 const SdfTidier::Taken& SdfTidier::take(const fs::path& file, const Place& place) {
   const std::string key = fs::absolute(file).lexically_normal().string();
   if (const auto known = taken_.find(key); known != taken_.end()) return known->second;
-  static const Taken kLoop{{}, {}, " (it takes itself in)", nullptr};
+  static const Taken kLoop{{}, {}, " (it takes itself in)", nullptr, 0};
   if (place.depth >= kFilesDeep || open_.contains(key)) return kLoop;
   Taken taken;
   TiXmlDocument document;
@@ -333,7 +354,9 @@ const SdfTidier::Taken& SdfTidier::take(const fs::path& file, const Place& place
     child = next;
   }
   const Place inside = placeOf(**root, {file, place.depth + 1, false});
+  const std::size_t before = std::exchange(elements_, 0);
   tidyChildren(**root, inside);
+  taken.elements = std::exchange(elements_, before);
   open_.erase(key);
   taken.name = attributeOf(*model, "name");
   if (!inside.lenient && isPlain(*model)) taken.model = std::make_shared<TiXmlElement>(*model);
@@ -341,7 +364,8 @@ const SdfTidier::Taken& SdfTidier::take(const fs::path& file, const Place& place
   TiXmlPrinter printer;
   printer.SetStreamPrinting();
   (*root)->Accept(&printer);
-  if (!writeFileAtomically(taken.file, printer.Str(), {.durable = false})) taken = {{}, {}, " (no room for a copy)", nullptr};
+  if (!writeFileAtomically(taken.file, printer.Str(), {.durable = false}))
+    taken = {{}, {}, " (no room for a copy)", nullptr, 0};
   return taken_[key] = taken;
 }
 
@@ -395,7 +419,7 @@ void SdfTidier::settle(TiXmlElement& world, TiXmlElement& population, Names& nam
   if (!settled.remark.empty()) tell(population, place, settled.remark);
   const TiXmlElement* source = population.FirstChildElement("model");
   if (!source) source = population.FirstChildElement("include");
-  for (std::size_t k = 0; source && k < settled.positions.size(); ++k) {
+  for (std::size_t k = 0; source && !refused_ && k < settled.positions.size(); ++k) {
     TiXmlElement* const clone = world.InsertBeforeChild(&population, *source)->ToElement();
     const std::string name = attributeOf(*source, "name") + "_clone_" + std::to_string(k);
     while (TiXmlElement* pose = clone->FirstChildElement("pose")) clone->RemoveChild(pose);

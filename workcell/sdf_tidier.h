@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ class SdfTidier {
  public:
   explicit SdfTidier(std::filesystem::path folder) : folder_(std::move(folder)), report_("SDF") {}
 
-  /// Errors: see parseSdf().
+  /// Errors: see parseSdf(); more than 200 000 elements, all that is taken in counted as often as it is.
   Expected<std::string> tidy(const std::filesystem::path& file);
 
   std::vector<SdfMeshFile>& meshes() { return meshes_; }
@@ -31,7 +32,14 @@ class SdfTidier {
   std::vector<std::string> warnings() const;
 
  private:
-  using Names = std::map<std::string, std::set<std::string>>;  // By kind, of one parent.
+  /// Names that are in use among siblings of one kind.
+  struct Siblings {
+    std::set<std::string> names;
+    std::map<std::string, int> last;  // Number that was put behind a name.
+    /// The name, or where it is in use already the name with the next number.
+    std::string own(const std::string& wanted);
+  };
+  using Names = std::map<std::string, Siblings>;  // By kind, of one parent.
 
   struct Place {
     std::filesystem::path file;
@@ -43,6 +51,7 @@ class SdfTidier {
     std::string name;
     std::string why;
     std::shared_ptr<TiXmlElement> model;  // Where it means the same in any version: it is put in place of the include.
+    std::size_t elements = 0;             // With all that it takes in itself.
   };
 
   std::filesystem::path folder_;
@@ -52,9 +61,13 @@ class SdfTidier {
   std::map<std::string, Taken> taken_;
   std::set<std::string> open_;
   std::vector<std::string> told_;
+  std::size_t elements_ = 0;  // Of the file that is tidied, with all that it takes in.
+  std::optional<Error> refused_;
   std::map<std::string, int> missing_models_, missing_meshes_;
   std::set<std::filesystem::path> taken_packages_;  ///< That were reported as guessed.
 
+  /// False from where there are more elements than a library should be given.
+  bool count(std::size_t elements, const Place& place);
   Place placeOf(TiXmlElement& root, const Place& place);
   void arrangeTop(TiXmlElement& root, const Place& place);
   void tidyChildren(TiXmlElement& parent, const Place& place);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workcell/sdf_xml.h"
 
-#include <algorithm>
-#include <string_view>
-
-#include "workcell/file_content.h"
+#include "geometry/nesting_limit.h"
+#include "geometry/regular_file.h"
 #include "workcell/text_cursor.h"
 #include "workcell/xml_text.h"
 
@@ -12,21 +10,7 @@ namespace hapticell::workcell {
 
 namespace {
 
-constexpr int kDeepestXml = 200;
-
-/// Elements open at once at the deepest place; the XML library would recurse that far.
-int depthOf(std::string_view text) {
-  int depth = 0, deepest = 0;
-  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
-    const char next = at + 1 < text.size() ? text[at + 1] : '\0';
-    if (next == '!' || next == '?') continue;
-    const std::size_t end = text.find('>', at);
-    const bool closed = end != std::string_view::npos && text[end - 1] == '/';
-    depth += next == '/' ? -1 : closed ? 0 : 1;
-    deepest = std::max(deepest, depth);
-  }
-  return deepest;
-}
+constexpr std::uintmax_t kLargestSdf = std::uintmax_t{64} << 20;
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -37,11 +21,11 @@ std::string trimmed(const std::string& text) {
 }  // namespace
 
 Expected<TiXmlElement*> parseSdf(const std::filesystem::path& file, TiXmlDocument& document) {
-  const auto content = readFileContent(file);
+  const auto content = geometry::readRegularFile(file, kLargestSdf);
   if (!content) return makeError(content.error());
-  if (depthOf(*content) > kDeepestXml || content->find('\0') != std::string::npos) {
-    return makeError({file.string(), "", "XML nested deeper than 200, or bytes that are no text", "SDF", ""});
-  }
+  if (content->find('\0') != std::string::npos) return makeError({file.string(), "", "a NUL byte", "SDF", ""});
+  auto flat = geometry::checkNesting(*content, geometry::NestedText::kXml, file.string());
+  if (!flat) return makeError(flat.error());
   document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {
     return makeError({file.string(), "line " + std::to_string(document.ErrorRow()), document.ErrorDesc(), "XML", ""});

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "geometry/nesting_limit.h"
 #include "workcell/file_content.h"
 #include "workcell/text_cursor.h"
 #include "workcell/xml_text.h"
@@ -157,6 +158,8 @@ Expected<void> readSrdf(const fs::path& file, RobotModel& model, Diagnostics& di
         {file.string(), place, found, expected, "Correct the file or take it away from beside the robot."});
   };
   if (content->find('\0') != std::string::npos) return refuse(0, "a NUL byte", "XML text");
+  auto flat = geometry::checkNesting(*content, geometry::NestedText::kXml, file.string());
+  if (!flat) return flat;
   TiXmlDocument document;
   document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error())

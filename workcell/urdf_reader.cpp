@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workcell/urdf_reader.h"
 
-#include <fstream>
 #include <map>
-#include <sstream>
 
+#include "geometry/regular_file.h"
 #include "workcell/urdf_lines.h"
 #include "workcell/urdf_shapes.h"
 #include "workcell/urdf_structure.h"
@@ -18,22 +17,7 @@ using kinematics::Joint;
 using kinematics::JointType;
 using kinematics::RobotModel;
 
-constexpr std::uintmax_t kLargestFile = 64u << 20;
-
-Expected<std::string> readFile(const std::filesystem::path& path) {
-  std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem)) {
-    return makeError({path.string(), "", "there is no such file", "a URDF file", ""});
-  }
-  if (std::filesystem::file_size(path, problem) > kLargestFile) {
-    return makeError({path.string(), "", "a file over 64 MB", "a URDF file", ""});
-  }
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  if (!stream) return makeError({path.string(), "", "it cannot be read", "", "Look at its permissions."});
-  return content.str();
-}
+constexpr std::uintmax_t kLargestUrdf = 64u << 20;
 
 /// Follows a chain of mimic joints to the one that moves by itself (there is one: the structure was checked).
 void resolveMimic(const std::map<std::string, const UrdfJoint*>& sources, RobotModel& model, Joint& joint) {
@@ -73,7 +57,7 @@ void addTree(const UrdfStructure& structure, RobotModel& model) {
 
 Expected<RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics, ImportMonitor* monitor,
                               RobotContent content) {
-  const auto text = readFile(path);
+  const auto text = geometry::readRegularFile(path, kLargestUrdf);
   if (!text) return makeError(text.error());
   return readUrdfText(*text, path, diagnostics, monitor, content);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "geometry/regular_file.h"
 #include "workcell/file_content.h"
 #include "workcell/package_path.h"
 #include "workcell/xml_text.h"
@@ -15,12 +16,7 @@ namespace {
 constexpr std::uintmax_t kLargestXacro = std::uintmax_t{64} << 20;
 
 Expected<std::string> readXacroText(const std::filesystem::path& path) {
-  std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem))
-    return makeError({path.string(), "", "there is no such file", "a xacro file", ""});
-  if (std::filesystem::file_size(path, problem) > kLargestXacro)
-    return makeError({path.string(), "", "a file over 64 MB", "a xacro file", ""});
-  auto content = readFileContent(path);
+  auto content = geometry::readRegularFile(path, kLargestXacro);
   if (!content) return makeError(content.error());
   return soundXmlText(*content).text;
 }

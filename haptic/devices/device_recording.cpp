@@ -15,6 +15,9 @@
 
 #include "geometry/atomic_file.h"
 
+#include "geometry/nesting_limit.h"
+#include "geometry/regular_file.h"
+
 namespace hapticell::haptic {
 
 namespace {
@@ -114,8 +117,8 @@ Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file)
   const auto refuse = [&](std::string place, std::string found, std::string expected) {
     return makeError({file.string(), std::move(place), std::move(found), std::move(expected), ""});
   };
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return refuse("", "the file cannot be read", "a recorded device session (*.hdev)");
+  geometry::RegularFileStream stream(file);
+  if (!stream) return makeError(stream.error());
   char magic[kMagicSize] = {};
   std::uint32_t length = 0;
   stream.read(magic, sizeof magic);
@@ -126,6 +129,8 @@ Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file)
   std::string header(length, '\0');
   stream.read(header.data(), length);
   DeviceRecording recording;
+  if (auto flat = geometry::checkNesting(header, geometry::NestedText::kJson, file.string()); !flat)
+    return makeError(flat.error());
   if (!stream || !fromJson(json::parse(header, nullptr, false), recording.capabilities)) {
     return refuse("its header", "no capabilities", "JSON as a recording writes it");
   }

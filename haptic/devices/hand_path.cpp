@@ -5,11 +5,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 #include "geometry/assertion.h"
+#include "geometry/regular_file.h"
 #include "haptic/devices/hand_path_units.h"
 
 namespace hapticell::haptic {
@@ -147,12 +146,9 @@ Expected<HandPath> parseHandPath(std::string_view text, const std::string& name)
 }
 
 Expected<HandPath> readHandPath(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  // An empty file is readable although nothing can be streamed from it.
-  if (!stream) return makeError({file.string(), "", "the file cannot be read", "a hand path (CSV)", ""});
-  text << stream.rdbuf();
-  return parseHandPath(text.str(), file.string());
+  const auto text = geometry::readRegularFile(file);
+  if (!text) return makeError(text.error());
+  return parseHandPath(*text, file.string());
 }
 
 }  // namespace hapticell::haptic

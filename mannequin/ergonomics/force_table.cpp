@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <string_view>
+
+#include "geometry/regular_file.h"
 
 namespace hapticell::ergonomics {
 namespace {
@@ -139,8 +140,8 @@ std::optional<double> ForceTable::limitAt(int hand, double height_m, double reac
 }
 
 Expected<ForceTable> readForceTable(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return makeError({file.string(), "", "it cannot be opened", "a table of comma-separated values", ""});
+  geometry::RegularFileStream in(file);
+  if (!in) return makeError(in.error());
   TableReader reader(file.string());
   for (std::string line; std::getline(in, line);) {
     if (auto taken = reader.take(line); !taken) return tl::unexpected(taken.error());

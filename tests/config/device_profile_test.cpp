@@ -88,7 +88,7 @@ TEST(DeviceProfile, namesThePlaceOfASyntaxError) {
 TEST(DeviceProfile, saysWhichFileCannotBeRead) {
   const auto profile = readDeviceProfile("no/such/profile.toml");
   ASSERT_FALSE(profile.has_value());
-  EXPECT_THAT(profile.error().message(), HasSubstr("no/such/profile.toml: the file cannot be read"));
+  EXPECT_THAT(profile.error().message(), HasSubstr("no/such/profile.toml: there is no such file"));
 }
 
 }  // namespace

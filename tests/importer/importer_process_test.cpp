@@ -5,9 +5,13 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+#include <string>
 #include <thread>
+#include <vector>
 
+#include "geometry/sanitizers.h"
 #include "tests/support/test_data.h"
 #include "workcell/import_process.h"
 #include "workcell/import_scene.h"
@@ -36,13 +40,61 @@ class FakeImporter : public ::testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(FakeImporter, aCrashIsOneSentence) {
-  const auto scene = read("kill -SEGV $$");
+TEST_F(FakeImporter, aCrashIsOneSentenceOfWhatWasFoundAndWhatHelps) {
+  for (const char* const end : {"kill -SEGV $$", "kill -ABRT $$", "exit 3"}) {
+    const auto scene = read(std::string("echo progress 0.7 meshing part 2 of 3, Flange >&4; ") + end);
+    ASSERT_FALSE(scene);
+    EXPECT_THAT(scene.error().message(),
+                HasSubstr("part.step, meshing part 2 of 3, Flange: content at which its reader breaks down; expected a "
+                          "sound file. Export it again, or in another format"));
+  }
+  EXPECT_THAT(read("exit 3").error().message(), HasSubstr("part.step, at its beginning: "));
+}
+
+TEST_F(FakeImporter, aPartThatBreaksItDownIsLeftOut) {
+  const std::string counted = "echo \"$@\" >> " + (folder_.path() / "calls").string() + "\n";
+  const auto calls = [this] {
+    std::ifstream stream(folder_.path() / "calls");
+    std::vector<std::string> all;
+    for (std::string line; std::getline(stream, line);) all.push_back(line);
+    return all;
+  };
+  const auto scene = read(counted + R"(case "$*" in
+  *"--skip 2 --skip 5"*) echo 'error \tthe rest was read' >&4;;
+  *"--skip 2"*) echo part 5 >&4; kill -SEGV $$;;
+  *) echo part 1 >&4; echo part 2 >&4; kill -SEGV $$;;
+esac)");
   ASSERT_FALSE(scene);
-  EXPECT_THAT(scene.error().message(), HasSubstr("part.step"));
-  EXPECT_THAT(scene.error().message(), HasSubstr("Segmentation fault"));
-  EXPECT_THAT(read("kill -ABRT $$").error().message(), HasSubstr("failed on it"));
-  EXPECT_THAT(read("exit 3").error().message(), HasSubstr("failed on it"));
+  EXPECT_THAT(scene.error().message(), HasSubstr("the rest was read"));
+  EXPECT_EQ(calls().size(), 3u);
+  ASSERT_FALSE(read(counted + "echo part 1 >&4; kill -SEGV $$")) << "the same part again is not tried for ever";
+  EXPECT_EQ(calls().size(), 5u);
+  fs::remove(folder_.path() / "calls");
+  ASSERT_FALSE(read(counted + "echo part $# >&4; kill -SEGV $$")) << "nor is always another one";
+  EXPECT_EQ(calls().size(), 8u);
+}
+
+TEST_F(FakeImporter, whatKeepsTheProcessorBusyEndsByTheSizeOfTheFile) {
+  const auto scene = read("while :; do :; done");
+  ASSERT_FALSE(scene);
+  EXPECT_THAT(scene.error().message(), HasSubstr("not done after"));
+  EXPECT_THAT(scene.error().message(), HasSubstr("the time that its size allows"));
+}
+
+TEST(ImportLimits, FollowTheSizeOfTheFile) {
+  const auto limited = [](std::uintmax_t bytes, bool finer = false) {
+    ImporterCall call;
+    limitBySize(call, bytes, finer);
+    return call;
+  };
+  if (HAPTICELL_SANITIZED) GTEST_SKIP() << "sanitizers have more";
+  EXPECT_LT(limited(10'000).processor_seconds, 2.0);
+  EXPECT_NEAR(limited(1'000'000).processor_seconds, 21.5, 0.1);
+  EXPECT_EQ(limited(1'000'000'000).processor_seconds, 600.0);
+  EXPECT_LT(limited(10'000).limits.bytes, std::uint64_t{2} << 30);
+  EXPECT_EQ(limited(1'000'000'000).limits.bytes, std::uint64_t{6} << 30);
+  EXPECT_EQ(limited(~std::uintmax_t{0}).limits.bytes, std::uint64_t{6} << 30);
+  EXPECT_GT(limited(10'000, true).processor_seconds, 600.0) << "finer triangles than usual were asked for";
 }
 
 TEST_F(FakeImporter, aHangEndsWithTheTimeAllowed) {
