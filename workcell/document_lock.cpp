@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "geometry/atomic_file.h"
 
@@ -102,6 +103,24 @@ bool isStillCalled(int file, const fs::path& name) {
          open.st_dev == named.st_dev;
 }
 
+/// Removes what programs of this machine that died left in a folder. Of other machines and programs nothing is touched.
+void removeDeadLocks(const fs::path& folder) {
+  std::error_code fault;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
+    const std::string name = at->path().filename().string();
+    if (name.starts_with(".") && name.ends_with(".lock")) found.push_back(at->path());
+  }
+  for (const fs::path& name : found) {
+    const int file = ::open(name.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (file < 0) continue;
+    const bool is_free = ::flock(file, LOCK_EX | LOCK_NB) == 0 && isStillCalled(file, name);
+    const auto owner = is_free ? readOwner(file) : std::nullopt;
+    if (owner && owner->host == hostName() && owner->process_start != 0) ::unlink(name.c_str());
+    ::close(file);
+  }
+}
+
 /// Text of others, for one line of a message.
 std::string plain(const std::string& text) {
   constexpr std::size_t kMost = 64;
@@ -130,6 +149,7 @@ fs::path lockOf(const fs::path& document) {
 DocumentLock DocumentLock::take(const fs::path& document) {
   DocumentLock taken;
   taken.path_ = fs::absolute(lockOf(document));
+  removeDeadLocks(taken.path_.parent_path());
   taken.lock(false);
   return taken;
 }

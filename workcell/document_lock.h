@@ -28,7 +28,8 @@ class DocumentLock {
   /// None.
   DocumentLock() = default;
   /// Of the document at that path (what a symbolic link means), unless another has it: then owner() says who. Where no
-  /// file can be made, neither is so: there nobody can save either.
+  /// file can be made, neither is so: there nobody can save either. What dead programs of this machine left for other
+  /// documents of its folder is removed.
   static DocumentLock take(const std::filesystem::path& document);
   /// For what is written in one go. Error: another program has it open.
   static Expected<DocumentLock> takeForWriting(const std::filesystem::path& document);

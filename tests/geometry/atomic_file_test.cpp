@@ -271,6 +271,15 @@ TEST_F(AtomicFileTest, aScratchFolderGoesOrGetsItsPlace) {
   ASSERT_TRUE(folder);
   EXPECT_FALSE(folder->moveTo(at() / "new")) << "it is not empty";
   EXPECT_FALSE(folder->moveTo(at() / "kept"));
+  fs::create_directory(at() / "a disk's own");
+  auto inside = ScratchFolder::make(at() / "a disk's own");
+  ASSERT_TRUE(inside);
+  fs::create_directory(inside->path() / "files");
+  std::ofstream(inside->path() / "files/a") << "a";
+  std::ofstream(inside->path() / "cell.hcell") << "names a";
+  ASSERT_TRUE(inside->moveContentTo(at() / "a disk's own", "cell.hcell"));
+  EXPECT_EQ(contentOf(at() / "a disk's own/files/a"), "a");
+  EXPECT_EQ(contentOf(at() / "a disk's own/cell.hcell"), "names a");
 }
 
 }  // namespace

@@ -86,6 +86,22 @@ TEST_F(DocumentLockTest, goesWithItsOwner) {
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
+TEST_F(DocumentLockTest, whatDeadProgramsLeftForOtherDocumentsIsRemoved) {
+  const fs::path other = folder_.path() / "other.hcell", living = folder_.path() / "living.hcell";
+  OtherProgram dead(other), alive(living);
+  dead.kill();
+  std::ofstream(folder_.path() / ".package-lock.lock") << "another program's";
+  ASSERT_TRUE(fs::exists(lockOf(other)));
+  {
+    const DocumentLock lock = DocumentLock::take(file());
+    EXPECT_TRUE(lock.isHeld());
+    EXPECT_FALSE(fs::exists(lockOf(other)));
+    EXPECT_TRUE(fs::exists(lockOf(living)));
+    EXPECT_TRUE(fs::exists(folder_.path() / ".package-lock.lock"));
+  }
+  alive.kill();
+}
+
 TEST_F(DocumentLockTest, anotherMachinesLockCountsUntilItIsTakenOver) {
   std::ofstream(lockOf(file())) << R"({"user": "anna\nx", "host": "far", "process": 12, "since": "2026-11-26 09:30"})";
   DocumentLock lock = DocumentLock::take(file());
