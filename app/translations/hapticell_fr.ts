@@ -6807,6 +6807,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>La pièce est montrée dans une couleur plus sobre que %1</translation>
     </message>
     <message>
+        <source>The parts are moved; undo it, or search again in the cell as it is now.</source>
+        <translation>Les pièces sont déplacées : annulez, ou relancez la recherche dans la cellule telle qu’elle est.</translation>
+    </message>
+    <message>
         <source>The parts become solids again, where they stand now</source>
         <translation>Les pièces redeviennent des solides, où elles sont maintenant</translation>
     </message>
@@ -7069,6 +7073,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>This picture stands at the head of every report</source>
         <translation>Cette image figure en tête de chaque rapport</translation>
+    </message>
+    <message>
+        <source>This place does not keep what the search found</source>
+        <translation>Cet emplacement ne tient pas ce que la recherche avait trouvé</translation>
     </message>
     <message>
         <source>This pose is out of reach</source>

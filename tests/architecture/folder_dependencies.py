@@ -27,7 +27,7 @@ ALLOWED = {
     "xacro": {"geometry"},
     "workcell": {"geometry", "xacro", "config", "collision", "kinematics", "mannequin", "mannequin/ergonomics", "trajectory"},
     "importer": {"geometry", "workcell"},
-    "manipulation": {"geometry", "config", "collision", "kinematics", "mannequin", "mannequin/ergonomics", "trajectory", "workcell", "haptic/rendering",
+    "manipulation": {"geometry", "config", "collision", "kinematics", "mannequin", "mannequin/ergonomics", "trajectory", "trajectory/checks", "workcell", "haptic/rendering",
                      "haptic/protocol", "haptic/devices", "haptic/server", "haptic/client"},
     "feel": {"geometry", "config", "collision", "kinematics", "trajectory", "workcell", "manipulation",
              "haptic/rendering", "haptic/protocol", "haptic/devices", "haptic/server", "haptic/client"},
