@@ -161,7 +161,7 @@ def test_xacro_takes_arguments(case):
     (case.folder / "joints.csv").write_text("j\n0\n")
     for text, reach in (("arm.xacro,name:=mine", 1.0), ("arm.xacro,name:=mine,reach:=0.75", 1.5)):
         answer = case.run("fk", "--robot", text, "--joints", "joints.csv")
-        assert abs(answer["poses"][0][0] - reach) < 1e-12, answer
+        assert abs(answer["poses"][0]["x"] - reach) < 1e-12, answer
     case.run("workcell", "new", "cell.hcell", "--add", "arm.xacro,name:=mine,reach:=0.75,name=arm")
     cell = json.loads((case.folder / "cell.hcell").read_text())
     assert cell["entities"][0]["source"]["arguments"] == {"name": "mine", "reach": "0.75"}, cell["entities"][0]
