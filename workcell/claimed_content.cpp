@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <string>
 #include <string_view>
+
+#include "geometry/regular_file.h"
 
 namespace hapticell::workcell {
 
@@ -41,17 +42,6 @@ constexpr std::array kClaims = {
     Claim{".glbin", ""sv},
 };
 
-std::string headOfClaim(const fs::path& file) {
-  constexpr std::streamsize kHead = 64 * 1024;
-  std::error_code fault;
-  if (!fs::is_regular_file(file, fault)) return {};
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(kHead, '\0');
-  stream.read(head.data(), kHead);
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  return head;
-}
-
 /// The first word that is no comment, of a text; empty where it is none.
 std::string_view firstWord(std::string_view text) {
   if (text.find('\0') != std::string_view::npos) return {};
@@ -72,7 +62,8 @@ bool isWhatItClaims(const fs::path& file) {
   if (!fs::is_regular_file(file, fault)) return false;
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  std::string head = headOfClaim(file);
+  constexpr std::size_t kHead = 64 * 1024;
+  const std::string head = geometry::headOfFile(file, kHead);
   std::string_view text = head;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (extension == ".mtl") return fs::file_size(file, fault) == 0 || firstWord(text) == "newmtl";
