@@ -63,7 +63,7 @@ bool isWhatItClaims(const fs::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   constexpr std::size_t kHead = 64 * 1024;
-  std::string head = geometry::headOfFile(file, kHead);
+  const std::string head = geometry::headOfFile(file, kHead);
   std::string_view text = head;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (extension == ".mtl") return fs::file_size(file, fault) == 0 || firstWord(text) == "newmtl";

@@ -3,6 +3,7 @@
 
 #include "geometry/nesting_limit.h"
 #include "geometry/regular_file.h"
+#include "workcell/read_record.h"
 #include "workcell/text_cursor.h"
 #include "workcell/xml_text.h"
 
@@ -23,6 +24,7 @@ std::string trimmed(const std::string& text) {
 Expected<TiXmlElement*> parseSdf(const std::filesystem::path& file, TiXmlDocument& document) {
   const auto content = geometry::readRegularFile(file, kLargestSdf);
   if (!content) return makeError(content.error());
+  ReadRecord::note(file);
   if (content->find('\0') != std::string::npos) return makeError({file.string(), "", "a NUL byte", "SDF", ""});
   auto flat = geometry::checkNesting(*content, geometry::NestedText::kXml, file.string());
   if (!flat) return makeError(flat.error());

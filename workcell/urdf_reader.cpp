@@ -4,6 +4,7 @@
 #include <map>
 
 #include "geometry/regular_file.h"
+#include "workcell/read_record.h"
 #include "workcell/urdf_lines.h"
 #include "workcell/urdf_shapes.h"
 #include "workcell/urdf_structure.h"
@@ -59,6 +60,7 @@ Expected<RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& di
                               RobotContent content) {
   const auto text = geometry::readRegularFile(path, kLargestUrdf);
   if (!text) return makeError(text.error());
+  ReadRecord::note(path);
   return readUrdfText(*text, path, diagnostics, monitor, content);
 }
 

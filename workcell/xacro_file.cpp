@@ -7,6 +7,7 @@
 #include "geometry/regular_file.h"
 #include "workcell/file_content.h"
 #include "workcell/package_path.h"
+#include "workcell/read_record.h"
 #include "workcell/xml_text.h"
 
 namespace hapticell::workcell {
@@ -18,6 +19,7 @@ constexpr std::uintmax_t kLargestXacro = std::uintmax_t{64} << 20;
 Expected<std::string> readXacroText(const std::filesystem::path& path) {
   auto content = geometry::readRegularFile(path, kLargestXacro);
   if (!content) return makeError(content.error());
+  ReadRecord::note(path);
   return soundXmlText(*content).text;
 }
 

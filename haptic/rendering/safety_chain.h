@@ -24,7 +24,7 @@ struct SafetyOptions {
   double set_silence_limit = 2.0;  ///< A client that lives but says nothing of contacts: held so long, s,
   double set_silence_decay = 0.5;  ///< then to zero in this time, s.
   double close_decay = 0.04;       ///< Socket closed, or forces switched off: to zero in this time, s.
-  double speed_limit = 3.0;        ///< m/s: a stylus that is faster is in nobody's hand, or its encoders lie,
+  double speed_limit = 4.0;        ///< m/s: a stylus that is faster is in nobody's hand, or its encoders lie,
   int speed_ticks = 5;             ///< for so many ticks on end.
 };
 

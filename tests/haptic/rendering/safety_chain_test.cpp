@@ -252,7 +252,7 @@ TEST(SafetyChain, aDeviceThatIsNotReadyBeginsAnewWhenItIs) {
 }
 
 TEST(SafetyChain, aStylusThatIsFasterThanAHandTrips) {
-  for (const dvec3& v : {dvec3(0, 3.1, 0), dvec3(-40, 0, 0), dvec3(kNan, 0, 0), dvec3(0, 0, kInf)}) {
+  for (const dvec3& v : {dvec3(0, 4.1, 0), dvec3(-40, 0, 0), dvec3(kNan, 0, 0), dvec3(0, 0, kInf)}) {
     SafetyChain chain = openChain();
     SafetyInput input = wanting(dvec3(0, 0, 2));
     ASSERT_NEAR(run(chain, input, 10), 2.0, 1e-12);
@@ -267,7 +267,7 @@ TEST(SafetyChain, aStylusThatIsFasterThanAHandTrips) {
   }
   SafetyChain chain = openChain();
   SafetyInput input = wanting(dvec3(0, 0, 2));
-  input.v_DS = dvec3(0, 2.9, 0);
+  input.v_DS = dvec3(0, 3.9, 0);
   EXPECT_NEAR(run(chain, input, 500), 2.0, 1e-12);
 }
 
