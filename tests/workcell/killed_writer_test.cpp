@@ -214,7 +214,9 @@ TEST_F(KilledWriter, AutosavingLeavesTheOldCopyOrTheNew) {
     }
     ::close(ends[1]);
     char told = 0;
-    if (i % 2 == 1) EXPECT_EQ(::read(ends[0], &told, 1), 1);
+    if (i % 2 == 1) {
+      EXPECT_EQ(::read(ends[0], &told, 1), 1);
+    }
     ::usleep(static_cast<useconds_t>(pause(random)));
     ::kill(child, SIGKILL);
     ASSERT_EQ(::waitpid(child, nullptr, 0), child);
