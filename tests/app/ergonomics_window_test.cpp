@@ -367,7 +367,7 @@ TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {
     const auto& best = panel->map()->cells[static_cast<std::size_t>(panel->map()->best)];
     EXPECT_NEAR(page.document().document().find(bench)->X_WE.p.z - before.z, best.rise, 1e-9);
     EXPECT_EQ(page.document().document().find(shelf)->X_WE.p, shelf_before);
-    const auto told = [&] {
+    const auto warned = [&] {
       const auto& all = page.window().messages().messages();
       return std::count_if(all.begin(), all.end(), [](const Message& message) {
         return message.title == "This place does not keep what the search found";
@@ -375,13 +375,13 @@ TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {
     };
     QThreadPool::globalInstance()->waitForDone();
     page.settle();
-    EXPECT_EQ(told(), 0) << "the cell is as it was searched";
+    EXPECT_EQ(warned(), 0) << "the cell is as it was searched";
     // In the meantime somebody puts the shelf where the people are to stand.
     page.trigger("actionUndo");
     const dvec3 stands = best.postures[0].X_WR.p;
     ASSERT_TRUE(page.document().execute(workcell::SetPlacement{shelf, Pose::translation({stands.x, stands.y, 1.0})}));
     ASSERT_TRUE(page.clickForStep("buttonTakePlace"));
-    EXPECT_TRUE(page.until([&] { return told() == 1; }, ErgonomicsPage::kPatience));
+    EXPECT_TRUE(page.until([&] { return warned() == 1; }, ErgonomicsPage::kPatience));
   }
 }
 

@@ -127,7 +127,7 @@ TEST(RemarkLines, areGroupedByKindAndKnowTheirParts) {
   arm.name = "arm";
   clamp.name = "it's clamped";
   auto robot = std::make_shared<kinematics::RobotModel>();
-  robot->links.push_back({.name = "boom"});
+  robot->links.emplace_back().name = "boom";
   arm.robot = robot;
   NamedParts parts;
   addNames(arm, 3, parts);
