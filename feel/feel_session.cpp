@@ -34,7 +34,9 @@ SessionSetup withTorque(SessionSetup setup) {
 haptic::SafetyOptions limitsOf(const SessionSetup& setup) {
   haptic::SafetyOptions options;
   options.peak_torque = setup.renderer.peak_torque;
-  if (!setup.renderer.adapt) options.speed_limit = 1e9;  // What becomes unstable is to be seen, not to be stopped.
+  // What becomes unstable is to be seen, not to be stopped; and a conveyor's session begins beyond the arm's reach, from
+  // where the arm is thrown.
+  options.speed_limit = 1e9;
   return options;
 }
 

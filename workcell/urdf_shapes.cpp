@@ -31,7 +31,7 @@ std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i == 8) return text + " and " + std::to_string(names.size() - i) + " more";
-    text += (i > 0 ? ", " : "") + names[i];
+    text += std::string(i > 0 ? ", '" : "'") + names[i] + "'";
   }
   return text;
 }
@@ -90,7 +90,8 @@ void UrdfShapes::readAhead(const std::vector<UrdfLink>& links) {
 }
 
 void UrdfShapes::reportOnce(int line, const std::string& what, const std::string& sentence) {
-  if (reported_.insert(what).second) diagnostics_.warn(lines_.words(line) + ": " + sentence);
+  if (reported_.insert(what).second)
+    diagnostics_.warn(lines_.words(line) + ": " + sentence + " (link '" + link_ + "')");
 }
 
 Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::scaledMesh(const UrdfShape& source,
@@ -161,6 +162,7 @@ std::optional<LinkShape> UrdfShapes::shapeOf(const UrdfShape& source, int& lost)
 }
 
 Expected<void> UrdfShapes::fill(const UrdfLink& source, kinematics::Link& link) {
+  link_ = source.name;
   int lost_visuals = 0, lost_collisions = 0;
   std::optional<std::array<float, 4>> color;
   for (const UrdfShape& visual : source.visuals) {

@@ -47,6 +47,7 @@ class UrdfShapes {
   std::map<MeshKey, std::shared_ptr<const geometry::TriangleMesh>> meshes_;
   std::set<std::string> reported_, unreadable_formats_;
   bool package_missing_ = false;
+  std::string link_;  ///< That is being filled.
   std::vector<std::string> shown_by_collision_, checked_by_visual_, partly_, without_shape_;
 
   /// A shape, or nothing where it cannot be had; `lost` is then counted up, unless nothing is missed of it.

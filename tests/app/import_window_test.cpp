@@ -132,7 +132,7 @@ TEST(ImportWindow, RemarksAreGroupedAndAClickSelectsThePart) {
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(item).center());
   EXPECT_EQ(page.window().selection().current(), page.entity("arm")->id);
 
-  page.trigger("actionDelete");
+  page.trigger("actionRemove");
   WindowPage::settle();
   ASSERT_EQ(page.entity("arm"), nullptr);
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(item).center());

@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Fault{"NotXml", "this is no XML", {"XML"}}, Fault{"Empty", "", {}},
         Fault{"Cut", robotText(kTwoLinks).substr(0, 60), {"line"}},
-        Fault{"NulByte", robotText(kTwoLinks) + std::string(1, '\0'), {"NUL"}},
+        Fault{"NulByte", std::string(1, '\0') + robotText(kTwoLinks), {"NUL"}},
         Fault{"NotARobot", "<sdf version=\"1.5\"/>", {"<sdf>", "<robot"}},
         Fault{"NoLinks", robotText(""), {"no links"}},
         Fault{"Xacro", robotText("<xacro:include filename=\"x\"/>"), {"xacro:include", ".xacro"}},

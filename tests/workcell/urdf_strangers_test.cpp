@@ -164,8 +164,8 @@ TEST(UrdfOfStrangers, AMissingOrBrokenMeshLeavesItsShapeOut) {
   EXPECT_EQ(links[2].visuals.size(), 1u);
   EXPECT_EQ(links[3].collisions.size(), 1u) << "what is there of it is checked";
   for (const char* words : {"line 3: the mesh package://nowhere/a.stl is not there", "ROS_PACKAGE_PATH", "cut.stl",
-                            "not drawn and not checked are a, b, e", "the collision shape is shown instead for c",
-                            "not wholly drawn and checked are d", "leads out of the package"})
+                            "not drawn and not checked are 'a', 'b', 'e'", "the collision shape is shown instead for 'c'",
+                            "not wholly drawn and checked are 'd'", "leads out of the package"})
     EXPECT_THAT(read.said, HasSubstr(words));
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/plain_text.h"
 #include "haptic/protocol/codec.h"
 
 /// Generators of arbitrary well-formed messages, for property tests.
@@ -38,8 +39,9 @@ std::array<double, N> numbers(double most) {
   return values;
 }
 
+/// As it comes out of the decoder, which cleans it.
 inline std::string text() {
-  return *rc::gen::container<std::string>(rc::gen::arbitrary<char>());
+  return plainText(*rc::gen::container<std::string>(rc::gen::arbitrary<char>()));
 }
 
 inline Constraint constraint() {
