@@ -48,9 +48,11 @@ Expected<xacro::Expanded> expandXacroFile(const std::filesystem::path& file, con
   };
   auto expanded = xacro::expand(whole, arguments, {readXacroText, find}, declared, diagnostics);
   if (!expanded) return expanded;
-  for (const auto& [name, value] : arguments) {
-    const bool known = std::any_of(declared.begin(), declared.end(), [&](const auto& one) { return one.name == name; });
-    if (!known) diagnostics.warn("the file has no argument '" + name + "'; its value " + value + " was not used");
+  for (const auto& given : arguments) {
+    const bool known =
+        std::any_of(declared.begin(), declared.end(), [&](const auto& one) { return one.name == given.first; });
+    if (!known)
+      diagnostics.warn("the file has no argument '" + given.first + "'; its value " + given.second + " was not used");
   }
   return expanded;
 }
