@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
+#include "cli/file_commands.h"
 #include "cli/timing.h"
 #include "collision/contact_regions.h"
 #include "collision/scene.h"
 #include "trajectory/pose_csv.h"
-#include "workcell/imported_entities.h"
 #include "workcell/length_unit.h"
+#include "workcell/whole_mesh.h"
 
 namespace hapticell::cli {
 

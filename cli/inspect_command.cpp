@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/commands.h"
 #include "cli/entity_report.h"
+#include "cli/file_commands.h"
 #include "cli/import_arguments.h"
 #include "cli/progress_line.h"
 #include "cli/xacro_arguments.h"
@@ -23,6 +23,7 @@
 #include "workcell/mesh_reader.h"
 #include "workcell/robot_library.h"
 #include "workcell/robot_reader.h"
+#include "workcell/whole_mesh.h"
 
 namespace hapticell::cli {
 

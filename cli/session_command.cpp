@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
 #include "cli/server_address.h"
+#include "cli/session_commands.h"
 #include "cli/session_settings.h"
 #include "manipulation/local_server.h"
 #include "manipulation/session.h"
 #include "trajectory/trajectory_io.h"
+#include "workcell/assembly_solid.h"
 #include "workcell/document_io.h"
 #include "workcell/file_content.h"
-#include "workcell/imported_entities.h"
 
 namespace hapticell::cli {
 

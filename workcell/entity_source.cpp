@@ -16,6 +16,7 @@
 #include "workcell/robot_reader.h"
 #include "workcell/scene_exchange.h"
 #include "workcell/text_cursor.h"
+#include "workcell/whole_mesh.h"
 
 namespace hapticell::workcell {
 

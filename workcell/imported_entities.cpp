@@ -7,8 +7,6 @@
 #include <unordered_set>
 
 #include "workcell/mesh_care.h"
-#include "workcell/mesh_reader.h"
-#include "workcell/scene_batch.h"
 
 namespace hapticell::workcell {
 
@@ -203,64 +201,6 @@ Entity robotEntity(std::shared_ptr<const kinematics::RobotModel> robot, const st
   return entity;
 }
 
-Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file, const ImportOptions& options,
-                                               Diagnostics& diagnostics, const SceneBatch* batch) {
-  if (!holdsScene(file)) {
-    const MeshReadOptions reading{options.metres_per_unit, options.weld, options.warn_about_unit};
-    Diagnostics notes;
-    auto mesh = readMesh(file, reading, notes);
-    for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
-    return mesh;
-  }
-  ImportOptions as_solids = options;
-  as_solids.merge = true;
-  Expected<ImportedScene> scene = batch ? batch->scene(file) : readScene(file, as_solids, nullptr);
-  if (!scene) return makeError(scene.error());
-  for (const std::string& warning : scene->warnings) diagnostics.warn(warning);
-  const std::vector<Pose> X_F = nodePoses(*scene);
-  geometry::TriangleMesh whole;
-  for (std::size_t k = 0; k < X_F.size(); ++k) {
-    const int mesh = scene->nodes[k].mesh;
-    if (mesh >= 0) geometry::append(whole, scene->meshes[static_cast<std::size_t>(mesh)], X_F[k]);
-  }
-  if (!options.weld) return whole;
-  geometry::weld(whole, geometry::weldTolerance(whole));
-  Diagnostics notes;
-  FacingNote facing;
-  facing.look(whole);
-  facing.tell(notes);
-  for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
-  return whole;
-}
-
-ImportedScene sceneOfParts(MeshFileParts file, const std::string& stem) {
-  ImportedScene scene;
-  scene.format = formatName(file.format);
-  scene.metres_per_unit = file.metres_per_unit;
-  scene.unit_is_stated = file.unit_is_stated;
-  std::unordered_map<std::size_t, int> assemblies;
-  const auto add = [&scene](SceneNode node) {
-    scene.nodes.push_back(std::move(node));
-    return static_cast<int>(scene.nodes.size()) - 1;
-  };
-  for (MeshPart& part : file.parts) {
-    SceneNode node;
-    node.name = part.name.empty() ? stem : part.name;
-    node.color = part.color;
-    if (part.assembly_number > 0) {
-      const auto [known, is_new] = assemblies.try_emplace(part.assembly_number, -1);
-      SceneNode above;
-      above.name = part.assembly.empty() ? stem : part.assembly;
-      if (is_new) known->second = add(std::move(above));
-      node.parent = known->second;
-    }
-    node.mesh = static_cast<int>(scene.meshes.size());
-    scene.meshes.push_back(std::move(part.mesh));
-    add(std::move(node));
-  }
-  return scene;
-}
-
 Expected<ImportResult> entitiesFromScene(ImportedScene scene, const SourceFile& source, const ImportOptions& options,
                                          Diagnostics& diagnostics) {
   return SceneConverter(std::move(scene), source, options, diagnostics).convert();
@@ -306,42 +246,6 @@ Expected<std::vector<EntityId>> addImported(Document& document, std::vector<Enti
   }
   import.end();
   return ids;
-}
-
-DocumentState withAssemblyAsSolid(const DocumentState& state, const std::string& name) {
-  const Entity* assembly = state.findByName(name);
-  if (!assembly || assembly->kind != EntityKind::kAssembly) return state;
-  const std::vector<EntityId> family = familyOf(state, assembly->id);
-  const auto isBelow = [&](EntityId id) { return std::find(family.begin(), family.end(), id) != family.end(); };
-  geometry::TriangleMesh mesh = mergedMesh(state, assembly->id);
-  const bool all_solid = std::none_of(family.begin(), family.end(), [&](EntityId id) { return state.find(id)->robot; });
-  if (mesh.triangles.empty() || !all_solid) return state;
-  DocumentState folded = state;
-  auto solid = std::make_shared<Entity>(*assembly);
-  solid->kind = EntityKind::kSolid;
-  solid->mesh = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
-  std::erase_if(folded.entities, [&](const auto& entity) { return entity->id != solid->id && isBelow(entity->id); });
-  for (auto& entity : folded.entities) {
-    if (entity->id == solid->id) entity = solid;
-  }
-  for (PairSet& set : folded.pair_sets) {  // Sets that name a part mean the whole now.
-    for (auto* side : {&set.first, &set.second}) {
-      for (EntityId id : family) std::replace(side->begin(), side->end(), state.find(id)->name, name);
-    }
-  }
-  return folded;
-}
-
-geometry::TriangleMesh mergedMesh(const DocumentState& state, EntityId id) {
-  geometry::TriangleMesh whole;
-  const Entity* root = state.find(id);
-  if (!root) return whole;
-  const Pose X_EW = root->X_WE.inverse();
-  for (EntityId below : familyOf(state, id)) {
-    const Entity& entity = *state.find(below);
-    if (entity.mesh) geometry::append(whole, *entity.mesh, X_EW * entity.X_WE);
-  }
-  return whole;
 }
 
 }  // namespace hapticell::workcell

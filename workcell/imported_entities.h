@@ -11,9 +11,6 @@
 
 namespace hapticell::workcell {
 
-class SceneBatch;
-struct MeshFileParts;
-
 /// What an import did, for the user to read.
 struct ImportReport {
   std::string format;                              ///< "step", "stl", "urdf", ...
@@ -40,16 +37,6 @@ struct ImportResult {
 /// A robot as an entity at the origin, with the tip that a user most likely means; source and tools are left out.
 Entity robotEntity(std::shared_ptr<const kinematics::RobotModel> robot, const std::string& name);
 
-/// All that a mesh or CAD file holds as one mesh in the file's frame, metres. `metres_per_unit` as in ImportOptions; a
-/// size that suggests another unit is not told. `batch` (may be null) has the scenes that were read ahead, with its own
-/// options. Errors as readMeshFile() and readScene().
-Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file, const ImportOptions& options,
-                                               Diagnostics& diagnostics, const SceneBatch* batch = nullptr);
-
-/// The solids of a mesh file as a scene at the file's frame; what names nothing is called `stem`. An object of several
-/// solids is an assembly above them. The up axis is z.
-ImportedScene sceneOfParts(MeshFileParts file, const std::string& stem);
-
 /// Makes entities of a scene: a solid of every node with a mesh, an assembly of every other one; `merge` makes one
 /// solid named like the file. Nodes that hold nothing are left out and told. `source` is the file; each entity's own
 /// source names its part besides.
@@ -60,13 +47,5 @@ Expected<ImportResult> entitiesFromScene(ImportedScene scene, const SourceFile& 
 /// get a number behind them, `parent`s follow. On error nothing has changed. Gives the ids in the order of the
 /// entities.
 Expected<std::vector<EntityId>> addImported(Document& document, std::vector<Entity> entities, const Pose& X_WF);
-
-/// The state in which the assembly `name` and all solids below it are one solid of that name, so that it can be held as
-/// one body. The state itself where `name` is no assembly, or one with robots or mechanisms below it.
-DocumentState withAssemblyAsSolid(const DocumentState& state, const std::string& name);
-
-/// One solid of an entity and all that stands below it in the tree (robots left out), in the entity's frame: what an
-/// assembly is while it is held. Empty where there is no mesh at all.
-geometry::TriangleMesh mergedMesh(const DocumentState& state, EntityId id);
 
 }  // namespace hapticell::workcell

@@ -10,8 +10,8 @@
 #include <sdf/Sphere.hh>
 
 #include "geometry/shapes.h"
-#include "workcell/imported_entities.h"
 #include "workcell/mesh_reader.h"
+#include "workcell/whole_mesh.h"
 
 namespace hapticell::workcell {
 

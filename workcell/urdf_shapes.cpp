@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "geometry/shapes.h"
-#include "workcell/imported_entities.h"
 #include "workcell/urdf_lines.h"
+#include "workcell/whole_mesh.h"
 
 namespace hapticell::workcell {
 

@@ -5,12 +5,12 @@
 
 #include "geometry/shapes.h"
 #include "tests/support/test_data.h"
+#include "workcell/assembly_solid.h"
 #include "workcell/autosave.h"
 #include "workcell/change_report.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
 #include "workcell/file_content.h"
-#include "workcell/imported_entities.h"
 #include "workcell/named_files.h"
 #include "workcell/pack.h"
 
