@@ -9,7 +9,7 @@
 
 #include "geometry/nesting_limit.h"
 #include "workcell/file_content.h"
-#include "workcell/sdf_files.h"
+#include "workcell/package_path.h"
 
 namespace hapticell::importer {
 

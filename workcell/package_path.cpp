@@ -149,22 +149,6 @@ int hexDigit(char c) {
   return letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : -1;
 }
 
-/// RFC 3986; a percent sign without two digits stays.
-std::string percentDecoded(const std::string& uri) {
-  std::string text;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
-    const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
-    if (low < 0 || high * 16 + low == 0) {
-      text += uri[i];
-      continue;
-    }
-    text += static_cast<char>(high * 16 + low);
-    i += 2;
-  }
-  return text;
-}
-
 /// The reference as it is written, decoded, and with slashes for backslashes, each once.
 std::vector<std::string> spellingsOf(const std::string& uri) {
   std::vector<std::string> spellings = {uri};
@@ -199,6 +183,21 @@ std::optional<std::pair<std::string, fs::path>> packageAndRest(const std::string
 }
 
 }  // namespace
+
+std::string percentDecoded(const std::string& text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const int high = text[i] == '%' && i + 2 < text.size() ? hexDigit(text[i + 1]) : -1;
+    const int low = high >= 0 ? hexDigit(text[i + 2]) : -1;
+    if (low < 0 || high * 16 + low == 0) {
+      decoded += text[i];
+      continue;
+    }
+    decoded += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return decoded;
+}
 
 bool leavesPackage(const std::string& written) {
   const std::string uri = percentDecoded(withoutFileScheme(written));

@@ -38,4 +38,7 @@ std::string takenForPackage(const std::string& uri, const FoundFile& found);
 /// from a stranger might have other files looked at.
 bool leavesPackage(const std::string& uri);
 
+/// `text` with each %XX as the byte that it means (RFC 3986); one without two digits, and a zero byte, stay.
+std::string percentDecoded(const std::string& text);
+
 }  // namespace hapticell::workcell

@@ -195,17 +195,6 @@ Expected<ImportedScene> sceneFromBytes(std::string_view bytes) {
   return scene;
 }
 
-const char* axisName(UpAxis axis) {
-  return axis == UpAxis::kX ? "x" : axis == UpAxis::kY ? "y" : "z";
-}
-
-Expected<UpAxis> parseAxis(std::string_view text) {
-  for (UpAxis axis : {UpAxis::kX, UpAxis::kY, UpAxis::kZ}) {
-    if (text == axisName(axis)) return axis;
-  }
-  return makeError({"", "", "the axis '" + std::string(text.substr(0, 20)) + "'", "x, y or z", ""});
-}
-
 Pose turnedUp(UpAxis up) {
   constexpr double kQuarter = std::numbers::pi / 2.0;
   if (up == UpAxis::kY) return Pose::rotation(glm::angleAxis(kQuarter, dvec3(1.0, 0.0, 0.0)));

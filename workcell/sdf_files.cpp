@@ -4,7 +4,6 @@
 #include <tinyxml.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <vector>
 
@@ -85,23 +84,6 @@ std::string fileNamedIn(const fs::path& manifest) {
 }
 
 }  // namespace
-
-std::string percentDecoded(const std::string& text) {
-  const auto digit = [](char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    const int lower = std::tolower(static_cast<unsigned char>(c));
-    return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-  };
-  std::string decoded;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const int high = text[k] == '%' && k + 2 < text.size() ? digit(text[k + 1]) : -1;
-    const int low = high >= 0 ? digit(text[k + 2]) : -1;
-    const bool encoded = low >= 0 && high + low > 0;  // No zero byte.
-    decoded += encoded ? static_cast<char>(16 * high + low) : text[k];
-    if (encoded) k += 2;
-  }
-  return decoded;
-}
 
 std::optional<FoundFile> findSdfFile(const std::string& uri, const fs::path& file) {
   auto found = findAsWritten(uri, file);

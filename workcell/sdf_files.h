@@ -18,7 +18,4 @@ std::optional<FoundFile> findSdfFile(const std::string& uri, const std::filesyst
 /// model.config (else manifest.xml) names for the newest version up to 1.9, else model.sdf. Empty where there is none.
 std::filesystem::path findSdfModel(const std::string& uri, const std::filesystem::path& file);
 
-/// `text` with each %XX as the byte that it means.
-std::string percentDecoded(const std::string& text);
-
 }  // namespace hapticell::workcell

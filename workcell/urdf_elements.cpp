@@ -28,7 +28,7 @@ std::string attributeOf(const TiXmlElement& element, const char* name) {
 
 /// The numbers in a text, between blanks or commas with a blank behind ("0, 0, 1"); nothing where one is none. "inf" and
 /// "nan" are numbers here.
-std::optional<std::vector<double>> numbersIn(const std::string& text) {
+std::optional<std::vector<double>> urdfNumbers(const std::string& text) {
   std::vector<double> numbers;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
@@ -47,7 +47,7 @@ std::optional<std::vector<double>> numbersIn(const std::string& text) {
 Expected<std::vector<double>> readNumbers(const TiXmlElement& element, const char* attribute,
                                           std::vector<double> otherwise, const UrdfLines& lines) {
   const std::string text = attributeOf(element, attribute);
-  const auto numbers = numbersIn(text);
+  const auto numbers = urdfNumbers(text);
   if (numbers && numbers->empty()) return otherwise;
   const bool finite =
       numbers && std::all_of(numbers->begin(), numbers->end(), [](double x) { return std::isfinite(x); });
@@ -83,7 +83,7 @@ Expected<Pose> readOrigin(const TiXmlElement& element, const UrdfLines& lines) {
 std::optional<std::array<float, 4>> readColor(const TiXmlElement& color, const UrdfLines& lines,
                                               Diagnostics& diagnostics) {
   const std::string text = attributeOf(color, "rgba");
-  const auto numbers = numbersIn(text);
+  const auto numbers = urdfNumbers(text);
   const bool finite =
       numbers && std::all_of(numbers->begin(), numbers->end(), [](double x) { return std::isfinite(x); });
   if (!finite || numbers->size() < 3 || numbers->size() > 4) {
@@ -99,7 +99,7 @@ std::optional<std::array<float, 4>> readColor(const TiXmlElement& color, const U
 
 /// One length of a shape; nothing where it is not written as a number.
 std::optional<double> readLength(const TiXmlElement& element, const char* attribute) {
-  const auto numbers = numbersIn(attributeOf(element, attribute));
+  const auto numbers = urdfNumbers(attributeOf(element, attribute));
   return numbers && numbers->size() == 1 && !std::isnan(numbers->front()) ? std::optional(numbers->front())
                                                                           : std::nullopt;
 }
@@ -127,7 +127,7 @@ void readGeometry(const TiXmlElement& geometry, UrdfShape& shape) {
   const std::string& name = element->ValueStr();
   const auto length = [element](const char* attribute) { return readLength(*element, attribute); };
   if (name == "box") {
-    const auto numbers = numbersIn(attributeOf(*element, "size"));
+    const auto numbers = urdfNumbers(attributeOf(*element, "size"));
     if (!numbers || numbers->size() != 3) {
       shape.reason = "a box whose size is not three numbers";
       return;
@@ -145,7 +145,7 @@ void readGeometry(const TiXmlElement& geometry, UrdfShape& shape) {
   } else if (name == "mesh") {
     shape.mesh = attributeOf(*element, "filename");
     const std::string scale = attributeOf(*element, "scale");
-    const auto numbers = numbersIn(scale.empty() ? "1 1 1" : scale);
+    const auto numbers = urdfNumbers(scale.empty() ? "1 1 1" : scale);
     if (numbers && numbers->size() == 1) shape.size = dvec3(numbers->front());
     if (numbers && numbers->size() == 3) shape.size = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
     const double product = shape.size.x * shape.size.y * shape.size.z;
@@ -185,7 +185,7 @@ Expected<UrdfShape> readShape(const TiXmlElement& element, const UrdfLines& line
 /// A limit: "inf" and what is beyond any machine are no limit.
 Expected<double> readLimit(const TiXmlElement& limit, const char* attribute, const UrdfLines& lines) {
   const std::string text = attributeOf(limit, attribute);
-  const auto numbers = numbersIn(text);
+  const auto numbers = urdfNumbers(text);
   if (numbers && numbers->empty()) return 0.0;  // URDF: not written means zero.
   if (!numbers || numbers->size() != 1 || std::isnan(numbers->front()))
     return lines.refuse(limit.Row(), std::string("<limit> has ") + attribute + "=\"" + text.substr(0, 100) + "\"",
@@ -204,7 +204,7 @@ Expected<void> readLimits(const TiXmlElement& element, const UrdfLines& lines, U
                           Diagnostics& diagnostics) {
   const TiXmlElement* limit = element.FirstChildElement("limit");
   const std::string name = "joint '" + joint.joint.name + "'";
-  const auto velocity = limit ? numbersIn(attributeOf(*limit, "velocity")) : std::nullopt;
+  const auto velocity = limit ? urdfNumbers(attributeOf(*limit, "velocity")) : std::nullopt;
   const bool stated =
       velocity && velocity->size() == 1 && std::isfinite(velocity->front()) && velocity->front() < kBeyondAnyLimit;
   joint.states_velocity = stated;
