@@ -8,6 +8,7 @@
 #include "haptic/devices/hand_path.h"
 #include "manipulation/session.h"
 #include "trajectory/motion_curves.h"
+#include "trajectory/number_text.h"
 #include "trajectory/training.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/document_io.h"

@@ -6,7 +6,6 @@
 
 #include "collision/box_tree.h"
 #include "collision/collider_build.h"
-#include "collision/distance_result.h"
 #include "collision/shells.h"
 #include "geometry/bounds.h"
 #include "geometry/triangle_mesh.h"

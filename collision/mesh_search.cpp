@@ -6,6 +6,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "collision/distance_result.h"
 #include "collision/dual_traversal.h"
 #include "collision/ray.h"
 

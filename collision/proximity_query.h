@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "collision/distance_result.h"
 #include "collision/mesh_collider.h"
 #include "collision/near_pairs.h"
 #include "collision/triangle_pairs.h"

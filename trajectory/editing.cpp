@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "trajectory/trajectory_io.h"
+#include "trajectory/number_text.h"
 
 namespace hapticell::trajectory {
 

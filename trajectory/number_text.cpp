@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "trajectory/number_text.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
-
-#include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory {
 

@@ -5,9 +5,9 @@
 #include <cctype>
 
 #include "trajectory/csv_table.h"
+#include "trajectory/number_text.h"
 #include "trajectory/program_names.h"
 #include "trajectory/program_writers.h"
-#include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "trajectory/csv_table.h"
-#include "trajectory/trajectory_io.h"
+#include "trajectory/number_text.h"
 
 namespace hapticell::trajectory {
 

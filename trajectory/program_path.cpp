@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory {
 

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "trajectory/frame_use.h"
+#include "trajectory/number_text.h"
 #include "trajectory/simplification.h"
 #include "trajectory/straight_timing.h"
-#include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory {
 

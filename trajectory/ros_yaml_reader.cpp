@@ -12,7 +12,7 @@
 
 #include "geometry/regular_file.h"
 #include "trajectory/csv_table.h"
-#include "trajectory/trajectory_io.h"
+#include "trajectory/number_text.h"
 
 namespace hapticell::trajectory {
 

@@ -12,6 +12,7 @@
 
 #include "geometry/nesting_limit.h"
 #include "geometry/regular_file.h"
+#include "trajectory/number_text.h"
 #include "trajectory/path_progress.h"
 #include "trajectory/smoothing.h"
 #include "trajectory/trajectory_io.h"

@@ -12,6 +12,7 @@
 #include "geometry/nesting_limit.h"
 #include "geometry/regular_file.h"
 #include "trajectory/csv_table.h"
+#include "trajectory/number_text.h"
 #include "trajectory/program_reader.h"
 #include "trajectory/ros_yaml_reader.h"
 

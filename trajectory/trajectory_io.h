@@ -20,9 +20,4 @@ Expected<Trajectory> readTrajectory(const std::filesystem::path& file, std::vect
 std::string toJsonText(const Trajectory& trajectory);
 std::string toCsvText(const Trajectory& trajectory);
 
-/// The shortest decimal text that reads back as `value`, with `.` whatever the locale.
-std::string shortestText(double value);
-/// With `decimals` digits after the point, trailing zeros kept, never "-0.000".
-std::string fixedText(double value, int decimals);
-
 }  // namespace hapticell::trajectory

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trajectory/number_text.h"
 #include "trajectory/program_writers.h"
 #include "trajectory/robot_angles.h"
-#include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory {
 

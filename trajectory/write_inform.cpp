@@ -4,7 +4,6 @@
 
 #include "trajectory/program_writers.h"
 #include "trajectory/robot_angles.h"
-#include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "trajectory/number_text.h"
 #include "trajectory/program_writers.h"
 #include "trajectory/robot_angles.h"
-#include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trajectory/program_writers.h"
-#include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory {
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "trajectory/number_text.h"
 #include "trajectory/trajectory_io.h"
 
 #include <gtest/gtest.h>

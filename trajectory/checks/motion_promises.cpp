@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "trajectory/checks/motion_measures.h"
+#include "trajectory/number_text.h"
 #include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory_checks {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace hapticell::trajectory {
+
+/// The shortest decimal text that reads back as `value`, with `.` whatever the locale.
+std::string shortestText(double value);
+/// With `decimals` digits after the point, trailing zeros kept, never "-0.000".
+std::string fixedText(double value, int decimals);
+
+}  // namespace hapticell::trajectory
