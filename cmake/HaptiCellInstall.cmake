@@ -11,4 +11,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/HaptiCellConfigVersion.cm
 install(FILES ${PROJECT_BINARY_DIR}/HaptiCellConfig.cmake ${PROJECT_BINARY_DIR}/HaptiCellConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/HaptiCell)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/config/ DESTINATION ${CMAKE_INSTALL_DATADIR}/hapticell
-  PATTERN "*.h" EXCLUDE PATTERN "*.cpp" EXCLUDE PATTERN "CMakeLists.txt" EXCLUDE)
+  PATTERN "*.h" EXCLUDE PATTERN "*.cpp" EXCLUDE PATTERN "CMakeLists.txt" EXCLUDE PATTERN "README.md" EXCLUDE)
