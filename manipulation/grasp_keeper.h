@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "manipulation/scene_snapshot.h"
+#include "manipulation/pair_state.h"
 #include "mannequin/skeleton.h"
 
 namespace hapticell::manipulation {

@@ -15,8 +15,8 @@
 #include "geometry/error.h"
 #include "manipulation/constraint_builder.h"
 #include "manipulation/free_motion.h"
-#include "manipulation/manipulation_command.h"
 #include "manipulation/manipulator.h"
+#include "manipulation/moved_by.h"
 #include "manipulation/prepared_scene.h"
 #include "manipulation/robot_manipulator.h"
 

@@ -22,52 +22,6 @@ const std::string kFramePrefix = "frame:";
 
 }  // namespace
 
-Expected<MovedBy> parseMovedBy(const std::string& text) {
-  using Kind = MovedBy::Kind;
-  const std::pair<const char*, Kind> words[] = {{"tcp", Kind::kTcp},
-                                                {"base", Kind::kBase},
-                                                {"self_origin", Kind::kSelfOrigin},
-                                                {"geometric_center", Kind::kGeometricCenter},
-                                                {"whole", Kind::kWhole},
-                                                {"left_hand", Kind::kLeftHand},
-                                                {"right_hand", Kind::kRightHand},
-                                                {"both_hands", Kind::kBothHands},
-                                                {"head", Kind::kHead}};
-  for (const auto& [word, kind] : words) {
-    if (text == word) return MovedBy{kind};
-  }
-  if (text == "tcp_with_axes") return MovedBy{.kind = Kind::kTcp, .with_axes = true};
-  if (text == "base_keeping_tcp") return MovedBy{.kind = Kind::kBase, .keep_tcp = true};
-  if (startsWith(text, kFramePrefix) && text.size() > kFramePrefix.size()) {
-    return MovedBy{Kind::kFrame, text.substr(kFramePrefix.size())};
-  }
-  return unknown(
-      "moved_by", text,
-      "tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, "
-      "right_hand, both_hands or head");
-}
-
-Expected<void> parseLock(const std::string& text, MovedBy& moved_by) {
-  MovedBy locked = moved_by;
-  locked.lock_trunk = locked.lock_pelvis = locked.on_seat = false;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (word == "trunk") {
-      locked.lock_trunk = true;
-    } else if (word == "pelvis") {
-      locked.lock_pelvis = true;
-    } else if (word == "seat") {
-      locked.on_seat = true;
-    } else if (word != "feet" && word != "none") {
-      return unknown("lock", word, "trunk, feet, pelvis, seat or none");
-    }
-    begin = end + 1;
-  }
-  moved_by = locked;
-  return {};
-}
-
 Expected<ScaleChoice> parseScale(const std::string& text) {
   const std::pair<const char*, ScaleLevel> words[] = {{"rough", ScaleLevel::kRough},
                                                       {"medium", ScaleLevel::kMedium},

@@ -8,8 +8,8 @@
 
 #include "config/configuration.h"
 #include "geometry/error.h"
-#include "manipulation/manipulation_command.h"
 #include "manipulation/manipulator.h"
+#include "manipulation/moved_by.h"
 #include "manipulation/prepared_scene.h"
 
 namespace hapticell::manipulation {

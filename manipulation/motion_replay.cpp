@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "kinematics/inverse_factory.h"
-#include "manipulation/manipulation_command.h"
+#include "manipulation/moved_by.h"
 #include "manipulation/robot_manipulator.h"
 
 namespace hapticell::manipulation {

@@ -10,8 +10,8 @@
 
 #include "kinematics/inverse_model.h"
 #include "kinematics/jacobian.h"
+#include "manipulation/arm_configuration.h"
 #include "manipulation/motion_replay.h"
-#include "manipulation/take_recorder.h"
 
 namespace hapticell::manipulation {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "manipulation/pair_state.h"
 #include "manipulation/prepared_scene.h"
-#include "manipulation/scene_snapshot.h"
 
 namespace hapticell::manipulation {
 

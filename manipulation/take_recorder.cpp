@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kinematics/configuration_flags.h"
+#include "manipulation/arm_configuration.h"
 
 namespace hapticell::manipulation {
 
@@ -34,56 +34,6 @@ Trajectory shifted(const Trajectory& given, double shift) {
 }
 
 }  // namespace
-
-std::string wordOf(const MovedBy& moved_by, bool is_robot) {
-  switch (moved_by.kind) {
-    case MovedBy::Kind::kDefault:
-      return is_robot ? "tcp" : "self_origin";
-    case MovedBy::Kind::kTcp:
-      return moved_by.with_axes ? "tcp_with_axes" : "tcp";
-    case MovedBy::Kind::kBase:
-      return moved_by.keep_tcp ? "base_keeping_tcp" : "base";
-    case MovedBy::Kind::kSelfOrigin:
-      return "self_origin";
-    case MovedBy::Kind::kGeometricCenter:
-      return "geometric_center";
-    case MovedBy::Kind::kFrame:
-      return "frame:" + moved_by.frame;
-    case MovedBy::Kind::kWhole:
-      return "whole";
-    case MovedBy::Kind::kLeftHand:
-      return "left_hand";
-    case MovedBy::Kind::kRightHand:
-      return "right_hand";
-    case MovedBy::Kind::kHead:
-      return "head";
-    case MovedBy::Kind::kBothHands:
-      return "both_hands";
-  }
-  return {};
-}
-
-std::optional<kinematics::Chain> sixAxisChain(const workcell::Entity& entity) {
-  if (entity.kind != workcell::EntityKind::kRobot || !entity.robot || entity.robot->dof() != 6) return std::nullopt;
-  int tip = entity.robot->findLink(entity.tip_link);
-  if (tip < 0) tip = entity.robot->defaultTip();
-  if (tip < 0) return std::nullopt;
-  auto chain = kinematics::Chain::create(*entity.robot, tip, entity.X_LT);
-  if (!chain || chain->size() != 6) return std::nullopt;
-  return std::move(*chain);
-}
-
-std::optional<int> configurationNumber(const kinematics::Chain& chain, std::span<const double> joints) {
-  kinematics::ChainPositions x{};
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const auto variable = static_cast<std::size_t>(chain.variables()[i]);
-    if (variable >= joints.size()) return std::nullopt;
-    x[i] = joints[variable];
-  }
-  const auto shape = kinematics::armShape(chain, x);
-  if (!shape) return std::nullopt;
-  return (shape->front ? 0 : 1) + (shape->elbow_up ? 0 : 2) + (shape->flipped ? 4 : 0);
-}
 
 Trajectory emptyRecording(const workcell::Entity& entity, const MovedBy& moved_by) {
   const bool is_mannequin = entity.kind == workcell::EntityKind::kMannequin;

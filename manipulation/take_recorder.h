@@ -8,16 +8,11 @@
 #include <vector>
 
 #include "kinematics/chain.h"
-#include "manipulation/manipulation_command.h"
 #include "manipulation/manipulator.h"
-#include "manipulation/prepared_scene.h"
+#include "manipulation/moved_by.h"
 #include "trajectory/recorder.h"
 
 namespace hapticell::manipulation {
-
-/// "tcp", "frame:NAME", ...: what of an entity is moved, as files and INTERFACES say it. Robots: by default tcp, solids
-/// self_origin.
-std::string wordOf(const MovedBy& moved_by, bool is_robot);
 
 /// A trajectory of the entity without frames: names of its joints, and of the channels. A mannequin is recorded by its
 /// root (moved "whole") with all its joints, whatever the hand drew, so that the posture is whole.
@@ -74,10 +69,5 @@ class TakeRecorder {
   std::vector<workcell::EntityId> order_;
   std::map<workcell::EntityId, std::unique_ptr<Track>> tracks_;
 };
-
-/// Which branch a six-axis arm stands on: 1 back, 2 elbow down, 4 wrist flipped, added. Nothing for chains without.
-std::optional<int> configurationNumber(const kinematics::Chain& chain, std::span<const double> joints);
-/// The chain of a robot's six joints to its tip; nothing where there are others.
-std::optional<kinematics::Chain> sixAxisChain(const workcell::Entity& entity);
 
 }  // namespace hapticell::manipulation

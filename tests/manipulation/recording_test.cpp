@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/inverse_factory.h"
+#include "manipulation/arm_configuration.h"
 #include "manipulation/kept_free.h"
 #include "manipulation/motion_replay.h"
 #include "manipulation/take_recorder.h"
