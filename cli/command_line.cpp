@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/command_line.h"
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <clocale>
 #include <exception>
 
-#include "cli/commands.h"
+#include "cli/device_commands.h"
+#include "cli/ergonomics_commands.h"
+#include "cli/file_commands.h"
+#include "cli/mannequin_command.h"
+#include "cli/robot_commands.h"
+#include "cli/session_commands.h"
+#include "cli/trajectory_command.h"
+#include "cli/workcell_commands.h"
 
 namespace hapticell::cli {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "cli/commands.h"
+#include "cli/file_commands.h"
 #include "cli/import_arguments.h"
 #include "cli/kept_result.h"
 #include "cli/progress_line.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/device_commands.h"
 #include "cli/device_list.h"
 #include "config/configuration.h"
 #include "haptic/devices/presence_watch.h"

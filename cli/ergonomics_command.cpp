@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/commands.h"
+#include "cli/ergonomics_commands.h"
 #include "cli/ergonomics_input.h"
 #include "cli/ergonomics_report.h"
 #include "cli/motion_options.h"

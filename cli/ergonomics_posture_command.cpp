@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "cli/commands.h"
 #include "cli/ergonomics_advice_report.h"
+#include "cli/ergonomics_commands.h"
 #include "cli/ergonomics_input.h"
 #include "cli/ergonomics_posture_input.h"
 #include "cli/kept_result.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/commands.h"
+#include "cli/session_commands.h"
 #include "feel/benchmark.h"
 #include "workcell/mesh_reader.h"
 

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "cli/commands.h"
+#include "cli/robot_commands.h"
 #include "cli/robot_options.h"
 #include "trajectory/pose_csv.h"
 

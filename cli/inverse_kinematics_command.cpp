@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
+#include "cli/robot_commands.h"
 #include "cli/robot_options.h"
 #include "cli/timing.h"
 #include "kinematics/inverse_factory.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/commands.h"
+#include "cli/robot_commands.h"
 #include "workcell/robot_library.h"
 
 namespace hapticell::cli {

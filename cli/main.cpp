@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/commands.h"
+#include "cli/command_line.h"
 #include "config/user_folders.h"
 
 int main(int argc, char** argv) {

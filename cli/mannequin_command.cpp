@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/mannequin_command.h"
+
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "cli/commands.h"
 #include "cli/hand_targets.h"
 #include "cli/motion_options.h"
 #include "cli/timing.h"

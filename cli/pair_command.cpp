@@ -4,7 +4,7 @@
 #include <memory>
 #include <thread>
 
-#include "cli/commands.h"
+#include "cli/device_commands.h"
 #include "cli/server_address.h"
 #include "cli/typed_code.h"
 #include "geometry/plain_text.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/trajectory_command.h"
+
 #include <memory>
 #include <string>
 
-#include "cli/commands.h"
 #include "cli/kept_result.h"
 #include "cli/motion_file.h"
 #include "cli/trajectory_check.h"

@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "cli/commands.h"
+#include "cli/action.h"
+#include "cli/subcommand.h"
 #include "trajectory/trajectory.h"
 
 namespace hapticell::cli {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
 #include "cli/workcell_arguments.h"
+#include "cli/workcell_commands.h"
 #include "workcell/document_io.h"
 #include "workcell/document_lock.h"
 #include "workcell/entity_source.h"

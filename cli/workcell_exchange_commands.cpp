@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "cli/commands.h"
+#include "cli/workcell_commands.h"
 #include "workcell/change_report.h"
 #include "workcell/document_io.h"
 #include "workcell/pack.h"
