@@ -18,7 +18,7 @@
 #include "app/ergonomics/time_panel.h"
 #include "app/ergonomics/work_task_panel.h"
 #include "app/ergonomics/workplace_panel.h"
-#include "app/host/actions.h"
+#include "app/host/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QToolBar>
 
+#include "app/host/action_face.h"
 #include "app/host/top_menus.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
@@ -55,17 +56,6 @@ class ToolFit final : public QObject {
 };
 
 }  // namespace
-
-QAction* makeAction(QObject* parent, const ActionFace& face) {
-  auto* action = new QAction(face.text, parent);
-  action->setObjectName(QString::fromLatin1(face.name));
-  if (!face.icon.isEmpty()) action->setIcon(icon(face.icon));
-  action->setShortcut(face.key);
-  action->setIconText(face.word.isEmpty() ? QString(face.text).remove(QChar(0x2026)) : face.word);
-  const QString plain = QString(face.text).remove(QChar(0x2026));
-  action->setToolTip(face.key.isEmpty() ? plain : plain + "  (" + face.key.toString(QKeySequence::NativeText) + ")");
-  return action;
-}
 
 Actions::Actions(QMainWindow& window) {
   makeActions(window);

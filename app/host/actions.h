@@ -1,28 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QKeySequence>
-#include <QObject>
-#include <QString>
-
 class QAction;
 class QMainWindow;
 class QMenu;
 class QToolBar;
 
 namespace hapticell::app {
-
-/// What an action is called, looks like and is pressed by.
-struct ActionFace {
-  const char* name;  ///< objectName, for tests and for key settings.
-  QString text;      ///< As the menu says it; "…" where more input follows.
-  QString icon;      ///< Empty for none.
-  QKeySequence key;
-  QString word;  ///< Below the icon in the tool bar; empty: the text.
-};
-
-/// Makes an action with a tool tip that names its key.
-QAction* makeAction(QObject* parent, const ActionFace& face);
 
 /// All actions of the host window, in menus and tool bar of `window`. They only exist here; who listens connects to
 /// them.

@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 #include <QString>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -68,6 +69,9 @@ class Host {
   virtual void setSoundText(const QString& text, bool on) = 0;
   /// How often the window takes in the newest scene, a second.
   virtual void setGuiRate(double hertz) = 0;
+  /// Begins to open a workcell in place of the present one, without a question. `opened` is called once it was read or
+  /// could not be read (a message says why), unless `context` is gone by then.
+  virtual void openCell(const QString& path, QObject* context, const std::function<void()>& opened) = 0;
 };
 
 }  // namespace hapticell::app

@@ -14,6 +14,7 @@
 
 #include "app/help/about_dialog.h"
 #include "app/help/help_dock.h"
+#include "app/host/action_face.h"
 #include "app/host/command_box.h"
 #include "app/host/command_finder.h"
 #include "app/host/crash_guard.h"
@@ -79,7 +80,7 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
   addCorner();
   fillMenus();
   setTheme(configuration_.gui.theme != "light");
-  addSettings(*this);
+  addSettings(*this, [this](bool dark) { setTheme(dark); });
   connect(actions_->dark, &QAction::triggered, this, [this] { settings_.setValue("theme", "dark"); });
   connect(actions_->light, &QAction::triggered, this, [this] { settings_.setValue("theme", "light"); });
   documentChanged();

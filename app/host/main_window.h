@@ -63,6 +63,7 @@ class MainWindow : public QMainWindow, public Host {
   void setDeviceText(const QString& text, bool works) override;
   void setSoundText(const QString& text, bool on) override { status_->setSound(text, on); }
   void setGuiRate(double hertz) override;
+  void openCell(const QString& path, QObject* context, const std::function<void()>& opened) override;
 
   /// Begins to open a workcell; files().opened() tells when it is there. Problems stand in the messages.
   void openFile(const QString& path);

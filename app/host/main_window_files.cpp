@@ -152,6 +152,11 @@ void MainWindow::openFile(const QString& path) {
   files_->open(path);
 }
 
+void MainWindow::openCell(const QString& path, QObject* context, const std::function<void()>& opened) {
+  connect(files_.get(), &FileWork::opened, context, opened, Qt::SingleShotConnection);
+  openFile(path);
+}
+
 void MainWindow::importFiles(const QStringList& paths, bool ask) {
   if (!paths.isEmpty()) files_->import(paths, ask);
 }

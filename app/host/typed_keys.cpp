@@ -16,6 +16,7 @@
 
 #include "app/host/host.h"
 #include "app/host/message_log.h"
+#include "app/host/typed_key.h"
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
@@ -62,11 +63,6 @@ QLineEdit* searchFieldOf(const QWidget* widget) {
 }
 
 }  // namespace
-
-bool isTypedKey(int key, Qt::KeyboardModifiers modifiers) {
-  if (modifiers & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
-  return (key != 0 && key < Qt::Key_Escape) || isEraser(key);
-}
 
 TypedKeys::TypedKeys(Host& host, QObject* parent) : QObject(parent), host_(host) {
   qApp->installEventFilter(this);

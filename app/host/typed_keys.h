@@ -10,10 +10,6 @@ namespace hapticell::app {
 
 class Host;
 
-/// A key that is text where text is wanted: letters, digits, signs, Space, Delete and Backspace, with Shift or on the
-/// keypad too. Not with Ctrl, Alt or Meta; not Enter, arrows, function keys.
-bool isTypedKey(int key, Qt::KeyboardModifiers modifiers);
-
 /// Decides for the whole window (and its floating docks) whether a typed key is a command or text.
 ///
 /// It is a command where the hand is in the scene: the pointer is over it, or the stylus holds a part; and nothing

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/host/actions.h"
+#include "app/host/action_face.h"
 #include "app/host/command_finder.h"
 #include "app/host/key_overlay.h"
 

@@ -6,7 +6,7 @@
 #include <QMenu>
 #include <cmath>
 
-#include "app/host/actions.h"
+#include "app/host/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/host/actions.h"
+#include "app/host/action_face.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/host/top_menus.h"

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/host/typed_keys.h"
+#include "app/host/typed_key.h"
 #include "app/style/fonts.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"

@@ -11,7 +11,7 @@
 #include <QScrollArea>
 #include <QTimer>
 
-#include "app/host/actions.h"
+#include "app/host/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"

@@ -9,7 +9,7 @@
 #include <QStackedWidget>
 
 #include "app/host/command_finder.h"
-#include "app/host/main_window.h"
+#include "app/host/host.h"
 #include "app/panels/form.h"
 #include "app/settings/key_map.h"
 #include "app/settings/settings_pages.h"
@@ -51,15 +51,16 @@ QWidget* makeSettings(Host& host, KeyMap& keys) {
 
 }  // namespace
 
-void addSettings(MainWindow& window) {
-  followSettings(window);
-  auto* keys = new KeyMap(window, window.userSettings(), &window);
+void addSettings(Host& host, const std::function<void(bool dark)>& set_theme) {
+  followSettings(host, set_theme);
+  QMainWindow& window = host.window();
+  auto* keys = new KeyMap(window, host.userSettings(), &window);
   auto* action = window.findChild<QAction*>("actionSettings");
   if (!action) return;
-  const auto made = [&window, keys] {
+  const auto made = [&host, &window, keys] {
     auto* dock = window.findChild<QDockWidget*>("dockSettings");
     if (dock) return dock;
-    dock = makeDock("dockSettings", QObject::tr("Settings"), makeSettings(window, *keys));
+    dock = makeDock("dockSettings", QObject::tr("Settings"), makeSettings(host, *keys));
     dock->setWindowIcon(icon("settings"));
     dock->hide();
     window.addDockWidget(Qt::RightDockWidgetArea, dock);

@@ -5,9 +5,10 @@
 #include <algorithm>
 
 #include "app/host/document_model.h"
-#include "app/host/main_window.h"
+#include "app/host/host.h"
 #include "app/host/user_settings.h"
 #include "app/viewport/part_colors.h"
+#include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
 
@@ -45,23 +46,23 @@ QString languageFrom(const UserSettings& settings) {
   return QLocale::system().language() == QLocale::French ? QStringLiteral("fr") : QStringLiteral("en");
 }
 
-void followSettings(MainWindow& window) {
-  UserSettings& settings = window.userSettings();
-  const auto follow = [&window, &settings](const QString& key) {
+void followSettings(Host& host, const std::function<void(bool dark)>& set_theme) {
+  UserSettings& settings = host.userSettings();
+  const auto follow = [&host, &settings, set_theme](const QString& key) {
     const auto is = [&](const char* group) { return key.isEmpty() || key.startsWith(QLatin1String(group)); };
     if (is("units")) setUnitsNow(unitsFrom(settings));
-    if (is("navigation")) window.viewport().setNavigation(navigationFrom(settings));
-    if (is("motion")) window.viewport().setMotion(settings.value("motion", window.configuration().gui.motion).toBool());
+    if (is("navigation")) host.viewport().setNavigation(navigationFrom(settings));
+    if (is("motion")) host.viewport().setMotion(settings.value("motion", host.configuration().gui.motion).toBool());
     if (is("colors")) {
-      setFullColorsNow(settings.value("colors/full", window.configuration().gui.original_colors).toBool());
-      window.viewport().scene().setEntities(window.documentModel().document().snapshotEntities());
-      window.viewport().refresh();
+      setFullColorsNow(settings.value("colors/full", host.configuration().gui.original_colors).toBool());
+      host.viewport().scene().setEntities(host.documentModel().document().snapshotEntities());
+      host.viewport().refresh();
     }
     if (is("theme"))
-      window.setTheme(settings.value("theme", QString::fromStdString(window.configuration().gui.theme)).toString() !=
-                      QLatin1String("light"));
+      set_theme(settings.value("theme", QString::fromStdString(host.configuration().gui.theme)).toString() !=
+                QLatin1String("light"));
   };
-  QObject::connect(&settings, &UserSettings::changed, &window, follow);
+  QObject::connect(&settings, &UserSettings::changed, &host.window(), follow);
   follow({});
 }
 

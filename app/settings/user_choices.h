@@ -2,13 +2,14 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 
 #include "app/style/units.h"
 #include "app/viewport/navigation.h"
 
 namespace hapticell::app {
 
-class MainWindow;
+class Host;
 class UserSettings;
 
 /// What the settings say, as values; what they do not say is as shipped.
@@ -18,8 +19,8 @@ Navigation navigationFrom(const UserSettings& settings);
 /// "en" or "fr"; without a choice what the desktop speaks, where that is one of them.
 QString languageFrom(const UserSettings& settings);
 
-/// Lets the window follow its settings: units, navigation, theme, motion of the view. At once and at every change;
-/// owned by the window.
-void followSettings(MainWindow& window);
+/// Lets the window follow its settings: units, navigation, theme (by `set_theme`), motion of the view. At once and at
+/// every change; owned by the window.
+void followSettings(Host& host, const std::function<void(bool dark)>& set_theme);
 
 }  // namespace hapticell::app

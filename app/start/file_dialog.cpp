@@ -15,7 +15,7 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
-#include "app/start/recent_files.h"
+#include "app/start/kept_picture.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"
@@ -29,7 +29,7 @@ constexpr QSize kFileDialogSize(980, 560);
 /// The picture of a cell as the first page has it; of a picture, itself.
 QPixmap pictureOf(const QFileInfo& file) {
   if (file.suffix().compare(QStringLiteral("hcell"), Qt::CaseInsensitive) == 0)
-    return QPixmap::fromImage(RecentFiles::picture(file.absoluteFilePath()));
+    return QPixmap::fromImage(keptPicture(file.absoluteFilePath()));
   QImageReader reader(file.absoluteFilePath());
   const QSize whole = reader.size();
   if (!whole.isValid()) return {};

@@ -1,37 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/start/recent_files.h"
 
-#include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
 #include <QMenu>
-#include <QStandardPaths>
 
 #include "app/host/user_settings.h"
-#include "app/host/written_file.h"
+#include "app/start/kept_picture.h"
 
 namespace hapticell::app {
 namespace {
 
 const QString kKey = QStringLiteral("recent/files");
 
-QString pictureFile(const QString& path) {
-  const QByteArray name = QCryptographicHash::hash(path.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
-  return QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation))
-      .filePath(QStringLiteral("pictures/%1.jpg").arg(QLatin1String(name)));
-}
-
 }  // namespace
-
-QImage RecentFiles::picture(const QString& path) {
-  return QImage(pictureFile(QFileInfo(path).absoluteFilePath()));
-}
 
 void RecentFiles::keepPicture(const QString& path, const QImage& picture) const {
   if (path.isEmpty() || picture.isNull() || !settings_.isKept()) return;
-  const QString file = pictureFile(QFileInfo(path).absoluteFilePath());
-  QDir().mkpath(QFileInfo(file).path());
-  (void)writePicture(picture, file, 85);
+  storePicture(path, picture);
 }
 
 QStringList RecentFiles::files() const {

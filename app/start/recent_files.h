@@ -20,9 +20,7 @@ class RecentFiles : public QObject {
   QStringList files() const;
   void add(const QString& path);
   void clear();
-  /// What a cell looked like when it was left or saved last; null: not known. Kept in the user's cache,
-  /// where settings are kept at all.
-  static QImage picture(const QString& path);
+  /// Keeps what a cell looked like when it was left or saved (keptPicture()), where settings are kept at all.
   void keepPicture(const QString& path, const QImage& picture) const;
   /// Fills the menu whenever it is opened; a choice tells chosen().
   void fill(QMenu& menu);

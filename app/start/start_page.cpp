@@ -15,6 +15,7 @@
 
 #include "app/host/user_settings.h"
 #include "app/panels/form.h"
+#include "app/start/kept_picture.h"
 #include "app/start/left_work_card.h"
 #include "app/start/recent_card.h"
 #include "app/start/recent_files.h"
@@ -143,7 +144,7 @@ void StartPage::addOwn(QVBoxLayout& column) {
   grid->setSpacing(8);
   for (int i = 0; i < std::min<int>(kMostRecent, static_cast<int>(files.size())); ++i) {
     const QString& path = files[i];
-    auto* card = new RecentCard(path, QPixmap::fromImage(RecentFiles::picture(path)));
+    auto* card = new RecentCard(path, QPixmap::fromImage(keptPicture(path)));
     card->setObjectName("start_recent");
     connect(card, &QAbstractButton::clicked, this, [this, path] { emit fileWanted(path); });
     grid->addWidget(card, i / 2, i % 2);

@@ -4,7 +4,7 @@
 #include <QObject>
 #include <optional>
 
-#include "app/robot/gizmo.h"
+#include "app/viewport/gizmo.h"
 #include "app/viewport/pointer_tool.h"
 
 namespace hapticell::app {

@@ -7,8 +7,8 @@
 
 #include "app/guides/guide_curves.h"
 #include "app/host/document_model.h"
-#include "app/host/main_window.h"
-#include "app/import/file_work.h"
+#include "app/host/host.h"
+#include "app/host/recording_hub.h"
 #include "app/robot/robot_ghosts.h"
 #include "app/style/dock_title_bar.h"
 #include "app/trajectory/training_panel.h"
@@ -69,17 +69,11 @@ void TrainingDocks::openCell(const QString& path) {
     panel_->cellCame(tr("Save this cell first; then choose the exercise again."));
     return;
   }
-  auto* window = qobject_cast<MainWindow*>(&host_.window());
-  if (!window) return panel_->cellCame();
   // What is opened brings its own panel to the front; who trains goes on here.
-  connect(
-      &window->files(), &FileWork::opened, this,
-      [this] {
-        panel_->cellCame();
-        QTimer::singleShot(0, this, &TrainingDocks::open);
-      },
-      Qt::SingleShotConnection);
-  window->openFile(path);
+  host_.openCell(path, this, [this] {
+    panel_->cellCame();
+    QTimer::singleShot(0, this, &TrainingDocks::open);
+  });
 }
 
 void TrainingDocks::showGuide(const std::optional<workcell::Guide>& guide) {

@@ -14,7 +14,7 @@
 #include <QToolBar>
 #include <cmath>
 
-#include "app/host/actions.h"
+#include "app/host/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"

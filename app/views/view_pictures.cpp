@@ -10,7 +10,7 @@
 #include <QTimer>
 #include <memory>
 
-#include "app/host/actions.h"
+#include "app/host/action_face.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/render_command.h"

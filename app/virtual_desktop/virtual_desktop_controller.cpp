@@ -23,8 +23,7 @@ namespace command = manipulation::command;
 constexpr int kLeastPress = 90;   // Milliseconds that a press of the stylus's button lasts at least.
 constexpr int kInputPeriod = 16;  // Milliseconds between two looks at glove and 3-D mouse.
 
-}  // namespace
-
+/// "Fine".
 QString scaleName(manipulation::ScaleLevel level) {
   switch (level) {
     case manipulation::ScaleLevel::kRough:
@@ -40,6 +39,8 @@ QString scaleName(manipulation::ScaleLevel level) {
   }
   return {};
 }
+
+}  // namespace
 
 VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
     : QObject(parent),

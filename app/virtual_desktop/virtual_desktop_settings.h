@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QString>
 #include <string>
 
 #include "app/virtual_desktop/free_axes.h"
@@ -22,8 +21,5 @@ struct VirtualDesktopSettings {
   std::string axes_frame;   ///< For axes kFrame: an entity's name.
   std::string against;      ///< The one pair set that counts; empty: all that are switched on.
 };
-
-/// "Fine".
-QString scaleName(manipulation::ScaleLevel level);
 
 }  // namespace hapticell::app

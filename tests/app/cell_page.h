@@ -9,6 +9,7 @@
 #include <QTableView>
 #include <QTest>
 
+#include "app/host/typed_key.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 #include "geometry/shapes.h"

@@ -15,6 +15,7 @@
 #include "app/panels/swatch_row.h"
 #include "app/settings/configuration_fields.h"
 #include "app/settings/gesture_field.h"
+#include "app/start/recent_files.h"
 #include "app/start/start_page.h"
 #include "app/style/units.h"
 #include "tests/app/cell_page.h"

@@ -9,6 +9,7 @@
 #include <QPointer>
 #include <QTreeView>
 
+#include "app/host/typed_key.h"
 #include "app/panels/switch_list.h"
 #include "tests/app/cell_page.h"
 

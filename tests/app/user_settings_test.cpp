@@ -10,6 +10,7 @@
 #include "app/settings/key_map.h"
 #include "app/settings/toml_edit.h"
 #include "app/settings/user_choices.h"
+#include "app/start/kept_picture.h"
 #include "app/start/recent_files.h"
 #include "app/views/saved_views.h"
 #include "config/configuration.h"
@@ -125,10 +126,10 @@ TEST(RecentFiles, HaveTheirPicturesWhereSettingsAreKept) {
   picture.fill(Qt::red);
   UserSettings forgotten, kept(folder.filePath("window.ini"));
   RecentFiles(forgotten).keepPicture("/cells/a.hcell", picture);
-  EXPECT_TRUE(RecentFiles::picture("/cells/a.hcell").isNull());
+  EXPECT_TRUE(keptPicture("/cells/a.hcell").isNull());
   RecentFiles(kept).keepPicture("/cells/a.hcell", picture);
-  EXPECT_EQ(RecentFiles::picture("/cells/a.hcell").size(), picture.size());
-  EXPECT_TRUE(RecentFiles::picture("/cells/b.hcell").isNull());
+  EXPECT_EQ(keptPicture("/cells/a.hcell").size(), picture.size());
+  EXPECT_TRUE(keptPicture("/cells/b.hcell").isNull());
   qunsetenv("XDG_CACHE_HOME");
 }
 
