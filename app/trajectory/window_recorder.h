@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "manipulation/manipulation_command.h"
 #include "manipulation/take_recorder.h"
 
 namespace hapticell::app {
