@@ -12,7 +12,7 @@ namespace {
 /// What cannot improve the distance by more than this (m) is passed over: ties are common on CAD parts.
 constexpr double kNegligible = 5e-10;
 /// The same for pairs that were measured in double, as a share of the square.
-constexpr double kTie = 1e-12;
+constexpr double kTieShare = 1e-12;
 
 }  // namespace
 
@@ -133,7 +133,7 @@ void NearestSearch::tryExactly(const int* lanes, int count) {
   double squared[kTreeWidth];
   proximityKernels().exactDistances(pairs, squared);
   const int nearest = static_cast<int>(std::min_element(squared, squared + count) - squared);
-  if (squared[nearest] < best_.squared * (1.0 - kTie)) tryPair(packed_pair_[lanes[nearest]]);
+  if (squared[nearest] < best_.squared * (1.0 - kTieShare)) tryPair(packed_pair_[lanes[nearest]]);
 }
 
 }  // namespace hapticell::collision

@@ -24,7 +24,7 @@ struct Extreme {
   std::uint32_t vertex = 0;
 };
 
-geometry::Bounds grown(geometry::Bounds bounds, double by) {
+geometry::Bounds grownBox(geometry::Bounds bounds, double by) {
   bounds.min -= dvec3(by);
   bounds.max += dvec3(by);
   return bounds;
@@ -145,8 +145,8 @@ class DirectionFinder {
       : a_(moving),
         b_(obstacle),
         limits_(limits),
-        near_a_(grown(moving.bounds_W, limits.reach)),
-        near_b_(grown(obstacle.bounds_W, limits.reach)) {}
+        near_a_(grownBox(moving.bounds_W, limits.reach)),
+        near_b_(grownBox(obstacle.bounds_W, limits.reach)) {}
 
   std::vector<SeparatingDirection> run() {
     const auto rank = [](const PlacedPiece& piece, std::uint32_t plane) {
@@ -296,11 +296,11 @@ void completeSupports(SeparatingDirection& direction, const PlacedPiece& moving,
   direction.supports = {direction.support};
   if (direction.on_obstacle_face) {
     SupportCollector(moving, direction, limits.max_rotation)
-        .collect(grown(obstacle.bounds_W, limits.reach), true, direction.supports);
+        .collect(grownBox(obstacle.bounds_W, limits.reach), true, direction.supports);
   }
   if (direction.on_moving_face) {
     SupportCollector(obstacle, direction, limits.max_rotation)
-        .collect(grown(moving.bounds_W, limits.reach), false, direction.supports);
+        .collect(grownBox(moving.bounds_W, limits.reach), false, direction.supports);
   }
   thinOut(direction.supports, limits.max_supports);
 }
@@ -344,7 +344,8 @@ bool mayMeet(const PlacedPiece& moving, const PlacedPiece& obstacle, double reac
     return std::any_of(piece.piece->plane_blocks.begin(), piece.piece->plane_blocks.end(),
                        [&](const FeatureBlock& block) { return meets(near_M, block.bounds.min, block.bounds.max); });
   };
-  if (hasNear(moving, grown(obstacle.bounds_W, reach)) && hasNear(obstacle, grown(moving.bounds_W, reach))) return true;
+  if (hasNear(moving, grownBox(obstacle.bounds_W, reach)) && hasNear(obstacle, grownBox(moving.bounds_W, reach)))
+    return true;
   return isInside(moving, obstacle);
 }
 

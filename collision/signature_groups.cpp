@@ -21,11 +21,11 @@ constexpr double kSagittaShare = 1.2;
 constexpr double kOpposite = -0.5;     // cosine between two normals
 constexpr double kInwards = 0.2;       // share of the way to the facet's middle
 constexpr double kMostInwards = 2e-4;  // m
-constexpr double kSmall = 0.2;         // of the reach: a triangle's middle stands for it
+constexpr double kSmallExtent = 0.2;   // of the reach: a triangle's middle stands for it
 constexpr double kGrain = 0.05;        // of the reach
 constexpr std::size_t kMostTriangles = 3000;
 constexpr std::size_t kMostPairsSeen = 150000;  // of triangles and elements: about 15 ms
-constexpr std::size_t kMostGroups = 400;
+constexpr std::size_t kMostCellGroups = 400;
 constexpr std::size_t kMostCells = 30000;
 constexpr std::size_t kMostSignatures = 4000;
 constexpr std::size_t kSamplingWork = 60, kSampleWork = 8;  // of a triangle and a sample, in element values
@@ -50,7 +50,7 @@ std::vector<Signature> minimal(std::vector<Signature> all) {
   for (const Signature& one : all) {
     const bool implied = std::any_of(kept.begin(), kept.end(), [&](const auto& k) { return one.contains(k); });
     if (!implied) kept.push_back(one);
-    if (kept.size() > kMostGroups) break;
+    if (kept.size() > kMostCellGroups) break;
   }
   return kept;
 }
@@ -116,7 +116,7 @@ void SignatureCache::sample(std::uint32_t t, const geometry::Bounds& box, double
   };
   const double extent = std::max({glm::length(corners[1] - corners[0]), glm::length(corners[2] - corners[1]),
                                   glm::length(corners[0] - corners[2])});
-  if (extent < kSmall * reach) {
+  if (extent < kSmallExtent * reach) {
     // One for each small cube and surface is enough.
     const dvec3 place = glm::floor((middle - box.min) / (kGrain * reach));
     const Grain grain{static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z),
@@ -237,7 +237,7 @@ SignatureCell SignatureCache::made(const dvec3& center, double half, double radi
   }
   const bool too_many = signatures.size() > kMostSignatures;
   const std::vector<Signature> kept = too_many ? std::vector<Signature>() : minimal(signatures);
-  if (too_many || kept.size() > kMostGroups) {
+  if (too_many || kept.size() > kMostCellGroups) {
     cell.overfull = true;
     return cell;
   }

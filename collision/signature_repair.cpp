@@ -15,7 +15,7 @@ constexpr double kClear = 2e-5;              // m that the new plane stands belo
 constexpr double kBehindPlane = 2e-6;        // m: on a plane counts as behind it
 constexpr double kLeastRoom = 2e-5;          // m between a place that is freed and what stays blocked
 constexpr std::size_t kMostValues = 120000;  // element values
-constexpr std::size_t kMostTests = 400;      // of a place being free
+constexpr std::size_t kMostFreeTests = 400;  // of a place being free
 constexpr std::size_t kTestWork = 300;       // of one, in element values
 constexpr std::size_t kMostOwn = 128;        // new elements of a cell
 constexpr std::size_t kMostEnds = 3;
@@ -154,11 +154,11 @@ std::size_t Repair::run() {
     bool known_free = false;
     for (std::size_t group = 0; group < cell_.groups.size(); ++group) {
       if (!isBehind(group, q)) continue;
-      if (!known_free && (++tests > kMostTests || !isFree(q))) break;
+      if (!known_free && (++tests > kMostFreeTests || !isFree(q))) break;
       known_free = true;
       if (cell_.own.size() < kMostOwn) free(group, sample, q);
     }
-    if (tests > kMostTests || cell_.own.size() >= kMostOwn) break;
+    if (tests > kMostFreeTests || cell_.own.size() >= kMostOwn) break;
   }
   return work_ + values * std::min(most, task_.samples.size()) + tests * kTestWork;
 }

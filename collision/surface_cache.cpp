@@ -12,8 +12,8 @@ namespace hapticell::collision {
 namespace {
 
 /// Raised whenever recognition gives other surfaces.
-constexpr std::uint32_t kVersion = 2;
-constexpr char kMagic[8] = {'H', 'C', 'S', 'U', 'R', 'F', '\r', '\n'};
+constexpr std::uint32_t kSurfaceVersion = 2;
+constexpr char kSurfaceMagic[8] = {'H', 'C', 'S', 'U', 'R', 'F', '\r', '\n'};
 
 struct Header {
   char magic[8];
@@ -85,7 +85,7 @@ bool SurfaceCache::load(const ContentHash& mesh, RecognisedSurface& surface) con
   std::ifstream file(path, std::ios::binary);
   Header header{};
   if (none || !file.read(reinterpret_cast<char*>(&header), sizeof(header))) return false;
-  if (std::memcmp(header.magic, kMagic, sizeof(kMagic)) != 0 || header.version != kVersion ||
+  if (std::memcmp(header.magic, kSurfaceMagic, sizeof(kSurfaceMagic)) != 0 || header.version != kSurfaceVersion ||
       header.byte_order != 0x01020304u || header.mesh != mesh || header.triangles != surface.mesh.triangles.size() ||
       header.regions > header.triangles ||
       size != sizeof(header) + header.regions * sizeof(StoredShape) + header.triangles * sizeof(std::uint32_t)) {
@@ -113,8 +113,8 @@ void SurfaceCache::store(const ContentHash& mesh, const RecognisedSurface& surfa
   std::vector<StoredShape> shapes;
   for (const SurfaceRegion& region : surface.regions) shapes.push_back(stored(region.shape));
   Header header{};
-  std::memcpy(header.magic, kMagic, sizeof(kMagic));
-  header.version = kVersion;
+  std::memcpy(header.magic, kSurfaceMagic, sizeof(kSurfaceMagic));
+  header.version = kSurfaceVersion;
   header.byte_order = 0x01020304u;
   header.mesh = mesh;
   header.triangles = surface.mesh.triangles.size();

@@ -22,7 +22,7 @@ constexpr int kGoldenSteps = 14;
 constexpr std::size_t kFewRodPairs = 64;  // looked at without a search
 constexpr double kCapMargin = 0.1;        // rad beyond a ball's cap
 
-bool contains(const geometry::Bounds& a, const dvec3& p) {
+bool isWithin(const geometry::Bounds& a, const dvec3& p) {
   return glm::all(glm::lessThanEqual(a.min, p)) && glm::all(glm::lessThanEqual(p, a.max));
 }
 
@@ -135,7 +135,7 @@ bool SurfaceQuery::meet(const Meeting& meeting) {
   for (std::size_t i = 0; i < model.points().size(); ++i) {
     const BodyPoint& point = model.points()[i];
     const dvec3 p_M = X_MP * point.p_M;
-    if (!contains(point.radius > 0.0 ? grown(box, point.radius) : box, p_M)) continue;
+    if (!isWithin(point.radius > 0.0 ? grown(box, point.radius) : box, p_M)) continue;
     like.id = mixedId(meeting.like.id, i);
     const std::size_t before = groups_.size();
     const dvec3 p_W = meeting.points.X_W * point.p_M;
@@ -154,7 +154,7 @@ bool SurfaceQuery::meet(const Meeting& meeting) {
   for (std::size_t i = 0; i < model.circles().size(); ++i) {
     const BodyCircle& circle = model.circles()[i];
     const geometry::Bounds around = grown(box, circle.ring + circle.radius);
-    if (!contains(around, X_MP * circle.center_M)) continue;
+    if (!isWithin(around, X_MP * circle.center_M)) continue;
     if (!addCircle(meeting, circle, mixedId(meeting.like.id, (std::uint64_t{1} << 32) + i))) return false;
   }
   return true;

@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t kVersion = 1;
 constexpr char kMagic[8] = {'H', 'C', 'T', 'R', 'E', 'E', '\r', '\n'};
 
-struct Header {
+struct TreeHeader {
   char magic[8];
   std::uint32_t version;
   std::uint32_t byte_order;
@@ -96,7 +96,7 @@ std::optional<BoxTree> TreeCache::load(const geometry::TriangleMesh& mesh, const
   std::error_code none;
   const std::uintmax_t size = std::filesystem::file_size(path, none);
   std::ifstream file(path, std::ios::binary);
-  Header header{};
+  TreeHeader header{};
   if (none || !file.read(reinterpret_cast<char*>(&header), sizeof(header))) return std::nullopt;
   if (std::memcmp(header.magic, kMagic, sizeof(kMagic)) != 0 || header.version != kVersion ||
       header.byte_order != 0x01020304u || header.content != hash || header.node_size != sizeof(BoxNode) ||
@@ -118,7 +118,7 @@ std::optional<BoxTree> TreeCache::load(const geometry::TriangleMesh& mesh, const
 
 void TreeCache::store(const BoxTree& tree, const ContentHash& hash) const {
   if (folder_.empty() || tree.isEmpty()) return;
-  Header header{};
+  TreeHeader header{};
   std::memcpy(header.magic, kMagic, sizeof(kMagic));
   header.version = kVersion;
   header.byte_order = 0x01020304u;

@@ -19,7 +19,7 @@ constexpr std::size_t kFurtherSeeds = 300;
 /// Of startApart(): the nearest of the seeds is about so far; from further off a descent mostly ends elsewhere.
 constexpr double kNearStart = 0.5;
 constexpr double kNearEnough = 0.25;    // rad or m: an answer this near is not worth a search for a nearer one
-constexpr double kSameSolution = 1e-4;  // rad or m
+constexpr double kSameSearched = 1e-4;  // rad or m
 constexpr std::size_t kMaxAlternatives = 64;
 
 double largestChange(const ChainPositions& a, const ChainPositions& b, std::size_t n) {
@@ -224,7 +224,7 @@ std::vector<AlternativeSolution> NumericInverse::solveAll(const Pose& X_BT, cons
     if (!fit.converged || found.size() >= kMaxAlternatives) return;
     const bool within = takeNearestTurns(chain_, x_start, fit.x);
     const bool known = std::any_of(found.begin(), found.end(), [&](const ChainPositions& x) {
-      return sameButForTurns(chain_, x, fit.x, kSameSolution);
+      return sameButForTurns(chain_, x, fit.x, kSameSearched);
     });
     if (known) return;
     found.push_back(fit.x);

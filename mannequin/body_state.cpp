@@ -45,7 +45,7 @@ constexpr std::array<int, kVariables> makeDofs() {
   }
   return dofs;
 }
-constexpr std::array<int, kVariables> kDofs = makeDofs();
+constexpr std::array<int, kVariables> kDofOfVariable = makeDofs();
 
 /// R after a turn of the rotation vector w (in the frame that R maps to), kept orthonormal.
 dmat3 turned(const dvec3& w, const dmat3& R) {
@@ -134,7 +134,7 @@ void setArm(BodyState& state, Side side, const ArmAngles& arm) {
 }
 
 std::optional<Dof> dofOfVariable(int variable) {
-  const int dof = kDofs[static_cast<std::size_t>(variable)];
+  const int dof = kDofOfVariable[static_cast<std::size_t>(variable)];
   return dof < 0 ? std::nullopt : std::optional(static_cast<Dof>(dof));
 }
 
@@ -166,9 +166,9 @@ void applyStep(const Variables& step, const VariableAxes& axes, BodyState& state
   state.root.p_WS += dvec3(step[0], step[1], step[2]);
   state.root.R_WS = turned({step[3], step[4], step[5]}, state.root.R_WS);
   for (std::size_t v = 0; v < kVariables; ++v) {
-    if (kDofs[v] < 0) continue;
-    const DofInfo& info = dofInfo(static_cast<Dof>(kDofs[v]));
-    double& angle = state.angles[static_cast<std::size_t>(kDofs[v])];
+    if (kDofOfVariable[v] < 0) continue;
+    const DofInfo& info = dofInfo(static_cast<Dof>(kDofOfVariable[v]));
+    double& angle = state.angles[static_cast<std::size_t>(kDofOfVariable[v])];
     angle = std::clamp(angle + step[v], info.lower, info.upper);
   }
   for (std::size_t i = 0; i < 4; ++i) {

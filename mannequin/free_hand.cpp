@@ -19,12 +19,12 @@ using kinematics::JointType;
 using kinematics::RobotModel;
 
 constexpr const char* kName = "free hand";
-constexpr std::array<const char*, 5> kFingers{"thumb", "index", "middle", "ring", "pinky"};
+constexpr std::array<const char*, 5> kFingerNames{"thumb", "index", "middle", "ring", "pinky"};
 constexpr double kFingerSpread = 0.45;              // rad to either side,
 constexpr double kThumbIn = -0.6, kThumbOut = 1.2;  // the thumb's,
-constexpr double kBack = -0.35, kBent = 1.75;       // and how far joints bend.
+constexpr double kBack = -0.35, kForward = 1.75;    // and how far joints bend.
 constexpr double kThumbPalmward = 0.35;             // Of the way across the palm: away from it.
-constexpr std::array<std::size_t, 3> kBones{0, 1, 2};
+constexpr std::array<std::size_t, 3> kBoneIndices{0, 1, 2};
 
 class HandBuilder {
  public:
@@ -37,7 +37,7 @@ class HandBuilder {
   }
 
   RobotModel make() {
-    for (std::size_t finger = 0; finger < kFingers.size(); ++finger) addFinger(finger);
+    for (std::size_t finger = 0; finger < kFingerNames.size(); ++finger) addFinger(finger);
     addAdjacent();
     return std::move(model_);
   }
@@ -49,7 +49,7 @@ class HandBuilder {
     return body_.links[static_cast<std::size_t>(at)];
   }
   std::string bone(std::size_t finger, std::size_t k) const {
-    return prefix_ + kFingers[finger] + std::to_string(k + 1);
+    return prefix_ + kFingerNames[finger] + std::to_string(k + 1);
   }
   /// The joint that carries a bone in the whole figure; it stands on the bone before, unturned.
   const Joint& carrier(std::size_t finger, std::size_t k) const {
@@ -103,13 +103,13 @@ class HandBuilder {
   void addFinger(std::size_t finger) {
     at_ = 0;
     const bool thumb = finger == 0;
-    const std::string name = prefix_ + kFingers[finger];
+    const std::string name = prefix_ + kFingerNames[finger];
     const dvec3 spread = thumb ? carrier(0, 0).axis_J : spreadAxis(finger, bendAxis(finger, 0));
     addJoint(name + "_spread", carrier(finger, 0).X_PJ.p, spread, thumb ? kThumbIn : -kFingerSpread,
              thumb ? kThumbOut : kFingerSpread);
-    for (const std::size_t k : kBones) {
+    for (const std::size_t k : kBoneIndices) {
       const dvec3 p_PJ = k == 0 ? dvec3(0.0) : carrier(finger, k).X_PJ.p;
-      addJoint(name + std::to_string(k + 1) + "_bend", p_PJ, bendAxis(finger, k), kBack, kBent);
+      addJoint(name + std::to_string(k + 1) + "_bend", p_PJ, bendAxis(finger, k), kBack, kForward);
       dress(finger, k);
     }
   }
@@ -118,11 +118,11 @@ class HandBuilder {
   void addAdjacent() {
     const auto at = [&](std::size_t finger, std::size_t k) { return model_.findLink(bone(finger, k)); };
     const auto leave = [&](int first, int second) { model_.disabled_pairs.push_back({first, second, "Adjacent"}); };
-    for (std::size_t finger = 0; finger < kFingers.size(); ++finger) {
+    for (std::size_t finger = 0; finger < kFingerNames.size(); ++finger) {
       leave(0, at(finger, 0));
       leave(at(finger, 0), at(finger, 1));
       leave(at(finger, 1), at(finger, 2));
-      if (finger + 1 < kFingers.size()) leave(at(finger, 0), at(finger + 1, 0));
+      if (finger + 1 < kFingerNames.size()) leave(at(finger, 0), at(finger + 1, 0));
     }
   }
 

@@ -14,24 +14,24 @@ namespace {
 
 constexpr int kTurns = 18;  // Spine and neck: the first 18 of Dof.
 constexpr int kFirstNeck = 9;
-constexpr double kMostTurn = 0.6 * kDegree;  // Of an iteration; three make a tick.
-constexpr double kHeadLever = 0.2;           // m that a radian counts like.
-constexpr double kSpineWeight = 3.0;         // The neck moves more easily.
+constexpr double kMostHeadTurn = 0.6 * kDegree;  // Of an iteration; three make a tick.
+constexpr double kHeadLever = 0.2;               // m that a radian counts like.
+constexpr double kSpineWeight = 3.0;             // The neck moves more easily.
 constexpr double kDamping = 1e-4;
 
-using Rows = Eigen::Matrix<double, 6, 1>;
+using HeadRows = Eigen::Matrix<double, 6, 1>;
 using Jacobian = Eigen::Matrix<double, 6, kTurns>;
 
-struct Wish {
+struct HeadWish {
   const Figure& figure;
   Pose X_WEyes;
 };
 
-Rows errorOf(const Wish& wish, const FigurePose& pose) {
+HeadRows errorOf(const HeadWish& wish, const FigurePose& pose) {
   const Pose eyes = eyesFrame(wish.figure, pose);
   const dvec3 way = wish.X_WEyes.p - eyes.p;
   const dvec3 turn = rotationVector(glm::normalize(wish.X_WEyes.q * glm::conjugate(eyes.q)));
-  Rows error;
+  HeadRows error;
   for (int k = 0; k < 3; ++k) {
     error[k] = way[k];
     error[k + 3] = kHeadLever * turn[k];
@@ -57,7 +57,7 @@ dvec3 axisOf(const Posture& posture, const FigurePose& pose, const DofInfo& info
   return parent.R_WS * aboutY(y) * aboutX(x) * axis;
 }
 
-Jacobian jacobianOf(const Wish& wish, const Posture& posture, const FigurePose& pose) {
+Jacobian jacobianOf(const HeadWish& wish, const Posture& posture, const FigurePose& pose) {
   Jacobian J;
   const dvec3 eyes = eyesFrame(wish.figure, pose).p;
   for (int i = 0; i < kTurns; ++i) {
@@ -73,8 +73,8 @@ Jacobian jacobianOf(const Wish& wish, const Posture& posture, const FigurePose& 
 }
 
 /// One step; a joint at its limit that is pushed outwards is left out and the others are asked again.
-Posture stepped(const Wish& wish, const Posture& posture, const FigurePose& pose, double most, bool trunk_locked) {
-  const Rows error = errorOf(wish, pose);
+Posture stepped(const HeadWish& wish, const Posture& posture, const FigurePose& pose, double most, bool trunk_locked) {
+  const HeadRows error = errorOf(wish, pose);
   const Jacobian J = jacobianOf(wish, posture, pose);
   std::array<double, kTurns> weight{};
   for (int i = 0; i < kTurns; ++i)
@@ -114,12 +114,12 @@ Pose eyesFrame(const Figure& figure, const FigurePose& pose) {
 }
 
 HeadResult followHead(const Figure& figure, const Posture& from, const Pose& X_WEyes, bool trunk_locked) {
-  const Wish wish{figure, X_WEyes};
+  const HeadWish wish{figure, X_WEyes};
   Posture best = from;
   FigurePose pose;
   forwardKinematics(figure, best, pose);
   double least = errorOf(wish, pose).squaredNorm();
-  double most = kMostTurn;
+  double most = kMostHeadTurn;
   for (int i = 0; i < 3; ++i) {
     const Posture next = stepped(wish, best, pose, most, trunk_locked);
     FigurePose there;
@@ -133,7 +133,7 @@ HeadResult followHead(const Figure& figure, const Posture& from, const Pose& X_W
     pose = there;
     least = error;
   }
-  const Rows error = errorOf(wish, pose);
+  const HeadRows error = errorOf(wish, pose);
   HeadResult result{best, 0.0, 0.0};
   result.position_error = error.head<3>().norm();
   result.orientation_error = error.tail<3>().norm() / kHeadLever;

@@ -13,7 +13,7 @@ namespace hapticell::mannequin {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double rad(double degrees) {
+constexpr double radians(double degrees) {
   return degrees * kPi / 180.0;
 }
 
@@ -61,14 +61,15 @@ Knot knotAt(const Cone& cone, const dvec3& d) {
 
 Cone makeShoulder() {
   Cone cone;
-  const double azimuth = rad(45.0), elevation = rad(75.0);
+  const double azimuth = radians(45.0), elevation = radians(75.0);
   cone.c = direction(azimuth, elevation);
   cone.towards_zero = direction(azimuth, elevation + 0.5 * kPi);
   cone.towards_quarter = {-std::sin(azimuth), std::cos(azimuth), 0.0};
   cone.R_middle = leastTurn({0.0, 0.0, -1.0}, cone.c);
   constexpr double kBoundary[][2] = {{0, 130},  {45, 140}, {90, 130}, {112, 110}, {125, 90}, {150, 70},
                                      {180, 55}, {225, 35}, {270, 25}, {305, 50},  {320, 90}, {340, 115}};
-  for (const auto& point : kBoundary) cone.knots.push_back(knotAt(cone, direction(rad(point[0]), rad(point[1]))));
+  for (const auto& point : kBoundary)
+    cone.knots.push_back(knotAt(cone, direction(radians(point[0]), radians(point[1]))));
   std::sort(cone.knots.begin(), cone.knots.end(), [](const Knot& a, const Knot& b) { return a.psi < b.psi; });
   double narrowest = kPi;
   for (const Knot& knot : cone.knots) narrowest = std::min(narrowest, knot.rho);
@@ -78,13 +79,13 @@ Cone makeShoulder() {
 
 Cone makeHip() {
   Cone cone;
-  const double flexion = rad(45.0), abduction = rad(7.5);
+  const double flexion = radians(45.0), abduction = radians(7.5);
   cone.c = {std::sin(flexion) * std::cos(abduction), std::sin(abduction), -std::cos(flexion) * std::cos(abduction)};
   cone.towards_zero = glm::normalize(dvec3(std::cos(flexion), 0.0, std::sin(flexion)));
   cone.towards_quarter = glm::cross(cone.towards_zero, -cone.c);
   cone.R_middle = leastTurn({0.0, 0.0, -1.0}, cone.c);
-  cone.half_flexion = rad(75.0);
-  cone.half_abduction = rad(37.5);
+  cone.half_flexion = radians(75.0);
+  cone.half_abduction = radians(37.5);
   return cone;
 }
 
@@ -226,11 +227,11 @@ BallAxes ballAxes(BallJoint joint, Side side, const dmat3& R_PS) {
 }
 
 double girdleElevation(double arm_elevation) {
-  return 0.22 * std::max(0.0, arm_elevation - rad(30.0));
+  return 0.22 * std::max(0.0, arm_elevation - radians(30.0));
 }
 
 double girdleProtraction(double forward) {
-  return rad(10.0) * forward;
+  return radians(10.0) * forward;
 }
 
 }  // namespace hapticell::mannequin

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uintmax_t kMostBytes = 256u << 20;
 
-bool sameWord(std::string_view a, std::string_view b) {
+bool sameName(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
     return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
   });
@@ -26,7 +26,7 @@ Expected<std::string> contentOf(const std::filesystem::path& file) {
 
 int MotionClip::find(std::string_view name) const {
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    if (sameWord(joints[i].name, name)) return static_cast<int>(i);
+    if (sameName(joints[i].name, name)) return static_cast<int>(i);
   }
   return -1;
 }

@@ -80,8 +80,8 @@ Posture swapHands(const Posture& posture) {
 
 namespace {
 
-constexpr std::array<Dof, 4> kBalls = {Dof::kLeftShoulderFlexion, Dof::kRightShoulderFlexion, Dof::kLeftHipFlexion,
-                                       Dof::kRightHipFlexion};
+constexpr std::array<Dof, 4> kBallStarts = {Dof::kLeftShoulderFlexion, Dof::kRightShoulderFlexion, Dof::kLeftHipFlexion,
+                                            Dof::kRightHipFlexion};
 
 dvec3 turnOfBall(const Posture& from, const Posture& to, Dof first) {
   return rotationVector(glm::quat_cast(ballRotationOf(to, first) * glm::transpose(ballRotationOf(from, first))));
@@ -93,7 +93,7 @@ Posture interpolate(const Posture& from, const Posture& to, double s) {
   Posture posture = from;
   posture.X_WR = interpolate(from.X_WR, to.X_WR, s);
   for (std::size_t i = 0; i < kDofCount; ++i) posture.angles[i] += s * (to.angles[i] - from.angles[i]);
-  for (const Dof first : kBalls) {
+  for (const Dof first : kBallStarts) {
     const dquat part = quaternionFromRotationVector(s * turnOfBall(from, to, first));
     setBallRotation(posture, first, glm::mat3_cast(part) * ballRotationOf(from, first));
   }
@@ -109,7 +109,7 @@ std::array<double, kSegmentCount> turnsBetween(const Posture& from, const Postur
     const Dof dof = static_cast<Dof>(i);
     if (!isCoupled(dof)) turns[indexOf(dofInfo(dof).segment)] += std::abs(to.angles[i] - from.angles[i]);
   }
-  for (const Dof first : kBalls) {
+  for (const Dof first : kBallStarts) {
     turns[indexOf(dofInfo(first).segment)] = glm::length(turnOfBall(from, to, first));
   }
   return turns;

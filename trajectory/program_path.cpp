@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-
 namespace hapticell::trajectory {
 
 namespace {
@@ -15,7 +14,7 @@ constexpr double kArcError = 1e-4;    // m between an arc and its chords
 constexpr double kLeastStep = 1e-3;   // s between frames
 constexpr double kJointLinear = 1.0;  // m/s and rad/s assumed for a joint move at full speed
 constexpr double kJointAngular = kPi;
-constexpr std::size_t kMostFrames = 2'000'000;
+constexpr std::size_t kMostTargets = 2'000'000;
 constexpr std::size_t kMostLineNotes = 20;
 constexpr std::size_t kMostArcFrames = 2000;
 
@@ -100,7 +99,7 @@ void ProgramPath::add(std::size_t line, const Pose& X_B, const std::optional<Joi
     }
     noteMissed("before the first");
   }
-  if (targets_.size() >= kMostFrames) return fail(line, "more than 2 000 000 targets", "fewer", "");
+  if (targets_.size() >= kMostTargets) return fail(line, "more than 2 000 000 targets", "fewer", "");
   targets_.push_back({X_B, joints, durationTo(X_B, is_joint_move), 0.0});
   here_ = X_B;
   joints_ = joints;

@@ -15,7 +15,7 @@ namespace hapticell::trajectory {
 namespace {
 
 constexpr double kFanucDegree = 0.017453292519943295;  // rad
-constexpr std::size_t kMostRounds = 500'000;
+constexpr std::size_t kMostSteps = 500'000;
 
 /// Runs the lines of /MN.
 class FanucRun {
@@ -30,7 +30,7 @@ class FanucRun {
     std::size_t rounds = 0;
     for (at_ = 0; at_ < file_.lines.size() && !path_.hasFailed();) {
       const FanucLine& line = file_.lines[at_++];
-      if (++rounds > kMostRounds + file_.lines.size())
+      if (++rounds > kMostSteps + file_.lines.size())
         return path_.fail(line.line, "a loop that does not end", "a program that comes to an end", "");
       step(line);
     }

@@ -22,7 +22,7 @@ constexpr std::int64_t kSecond = 1'000'000'000;  ///< ns
 constexpr double kMostSeconds = 9e9;             ///< That a 64-bit count of nanoseconds holds.
 constexpr std::size_t kMostNodes = 1'000'000;    ///< Looked at for it: anchors may stand for ever more.
 constexpr std::uintmax_t kLargestYaml = 256'000'000;
-constexpr int kDeepest = 8;                      ///< Of a JointTrajectory inside other messages.
+constexpr int kDeepestNesting = 8;  ///< Of a JointTrajectory inside other messages.
 
 const char* const kMessage = "a JointTrajectory (joint_names and points), or JointState messages (name and position)";
 
@@ -100,7 +100,7 @@ class RosYamlReader {
 
   /// JointTrajectory messages anywhere in the document.
   Expected<void> search(const YAML::Node& node, std::vector<YAML::Node>& found, int depth) {
-    if (depth > kDeepest) return {};
+    if (depth > kDeepestNesting) return {};
     if (++searched_ > kMostNodes) return fault(node, "no end of lists within lists", kMessage);
     if (node.IsMap()) {
       if (node["joint_names"]) {

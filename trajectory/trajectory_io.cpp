@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr int kVersion = 1;
 constexpr const char* kFormat = "hapticell-trajectory";
-constexpr double kUnitTolerance = 1e-3;
+constexpr double kUnitQuaternionTolerance = 1e-3;
 constexpr std::array<double, 7> kNoPose{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};  ///< Of a motion of joints alone.
 
 const std::vector<std::string>& poseColumns() {
@@ -37,7 +37,7 @@ const std::vector<std::string>& poseColumns() {
 Expected<Pose> poseOf(const double* v) {
   const dquat q(v[3], v[4], v[5], v[6]);
   const double norm = glm::length(q);
-  if (!(std::abs(norm - 1.0) <= kUnitTolerance)) {
+  if (!(std::abs(norm - 1.0) <= kUnitQuaternionTolerance)) {
     return makeError({"", "qw,qx,qy,qz", "a quaternion of length " + shortestText(norm), "a unit quaternion", ""});
   }
   return Pose{{v[0], v[1], v[2]}, std::abs(norm - 1.0) < 1e-9 ? q : q / norm};

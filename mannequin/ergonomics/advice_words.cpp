@@ -14,7 +14,7 @@ struct FieldWords {
   std::string_view field, english, french, unit;
 };
 
-constexpr auto kWords = std::to_array<FieldWords>({
+constexpr auto kFieldWords = std::to_array<FieldWords>({
     {"upper_arm_flexion", "upper arm", "bras", "°"},
     {"lower_arm_flexion", "elbow", "coude", "°"},
     {"wrist_flexion", "wrist", "poignet", "°"},
@@ -60,8 +60,9 @@ constexpr auto kWords = std::to_array<FieldWords>({
 });
 
 const FieldWords& wordsOf(std::string_view field) {
-  const auto found = std::find_if(kWords.begin(), kWords.end(), [&](const FieldWords& w) { return w.field == field; });
-  return found == kWords.end() ? kWords.back() : *found;
+  const auto found =
+      std::find_if(kFieldWords.begin(), kFieldWords.end(), [&](const FieldWords& w) { return w.field == field; });
+  return found == kFieldWords.end() ? kFieldWords.back() : *found;
 }
 
 std::string nameOfField(std::string_view field, Language language) {

@@ -18,7 +18,7 @@ using mannequin::Posture;
 using mannequin::Segment;
 using mannequin::Side;
 
-constexpr double kDegrees = 57.295779513082323;
+constexpr double kDegreesPerRadian = 57.295779513082323;
 constexpr double kLevelThigh = 35.0, kBentKnee = 45.0, kUprightShank = 60.0;  ///< Degrees, of the seated.
 constexpr double kOffTheSoles = 0.03;  ///< m that their weight is outside the soles;
 constexpr double kSoleDegree = 0.01;   ///< of this so much counts as a degree.
@@ -140,7 +140,7 @@ double offSeat(const Figure& figure, const FigurePose& pose) {
     const dvec3 knee = pose[legSegment(side, Segment::kLeftShank)].p_WS;
     const dvec3 ankle = pose[legSegment(side, Segment::kLeftFoot)].p_WS;
     const dvec3 thigh = glm::normalize(knee - hip), shank = glm::normalize(ankle - knee);
-    const auto inDegrees = [](double cosine) { return kDegrees * std::acos(std::clamp(cosine, -1.0, 1.0)); };
+    const auto inDegrees = [](double cosine) { return kDegreesPerRadian * std::acos(std::clamp(cosine, -1.0, 1.0)); };
     off =
         std::max({off, 90.0 - inDegrees(std::abs(thigh.z)) - kLevelThigh, kBentKnee - inDegrees(glm::dot(thigh, shank)),
                   inDegrees(-shank.z) - kUprightShank});  // Farther: kneeling.
@@ -165,7 +165,7 @@ PostureScores scorePosture(const Figure& figure, const Posture& posture, const F
   whole.load_kg = task.totalLoad().value_or(0.0);
   scores.head_inclination = headInclination(pose);
   const Pose eyes = mannequin::eyePose(figure, pose, posture.gaze);
-  scores.gaze_below_horizontal = kDegrees * std::asin(std::clamp(eyes.rotate({0.0, 0.0, 1.0}).z, -1.0, 1.0));
+  scores.gaze_below_horizontal = kDegreesPerRadian * std::asin(std::clamp(eyes.rotate({0.0, 0.0, 1.0}).z, -1.0, 1.0));
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const std::size_t i = static_cast<std::size_t>(side);
     SideScores& one = scores.sides[i];

@@ -7,30 +7,30 @@
 namespace hapticell::ergonomics {
 namespace {
 
-constexpr std::array<SubScore, Reba::kCount> kSubScores{{{"neck", 1, 3},
-                                                         {"trunk", 1, 5},
-                                                         {"legs", 1, 4},
-                                                         {"upper_arm", 1, 6},
-                                                         {"lower_arm", 1, 2},
-                                                         {"wrist", 1, 3},
-                                                         {"load", 0, 3, false},
-                                                         {"coupling", 0, 3, false},
-                                                         {"activity", 0, 3, false}}};
+constexpr std::array<SubScore, Reba::kCount> kRebaSubScores{{{"neck", 1, 3},
+                                                             {"trunk", 1, 5},
+                                                             {"legs", 1, 4},
+                                                             {"upper_arm", 1, 6},
+                                                             {"lower_arm", 1, 2},
+                                                             {"wrist", 1, 3},
+                                                             {"load", 0, 3, false},
+                                                             {"coupling", 0, 3, false},
+                                                             {"activity", 0, 3, false}}};
 
 // Rows: trunk 1 to 5; columns: neck 1 to 3, each with legs 1 to 4.
-constexpr int kTableA[5][12] = {
+constexpr int kRebaTableA[5][12] = {
     {1, 2, 3, 4, 1, 2, 3, 4, 3, 3, 5, 6}, {2, 3, 4, 5, 3, 4, 5, 6, 4, 5, 6, 7}, {2, 4, 5, 6, 4, 5, 6, 7, 5, 6, 7, 8},
     {3, 5, 6, 7, 5, 6, 7, 8, 6, 7, 8, 9}, {4, 6, 7, 8, 6, 7, 8, 9, 7, 8, 9, 9},
 };
 
 // Rows: upper arm 1 to 6; columns: lower arm 1 and 2, each with wrist 1 to 3.
-constexpr int kTableB[6][6] = {
+constexpr int kRebaTableB[6][6] = {
     {1, 2, 2, 1, 2, 3}, {1, 2, 3, 2, 3, 4}, {3, 4, 5, 4, 5, 5},
     {4, 5, 5, 5, 6, 7}, {6, 7, 8, 7, 8, 8}, {7, 8, 8, 8, 9, 9},
 };
 
 // Rows: score A 1 to 12; columns: score B 1 to 12.
-constexpr int kTableC[12][12] = {
+constexpr int kRebaTableC[12][12] = {
     {1, 1, 1, 2, 3, 3, 4, 5, 6, 7, 7, 7},
     {1, 2, 2, 3, 4, 4, 5, 6, 6, 7, 7, 8},
     {2, 3, 3, 3, 4, 5, 6, 7, 7, 8, 8, 8},
@@ -45,28 +45,28 @@ constexpr int kTableC[12][12] = {
     {12, 12, 12, 12, 12, 12, 12, 12, 12, 12, 12, 12},
 };
 
-struct Steps {
+struct RebaSteps {
   int table_a, score_a, table_b, score_b, score_c, final;
 };
 
-Steps stepsOf(std::span<const int> v) {
-  Steps steps{};
-  steps.table_a = kTableA[v[Reba::kTrunk] - 1][4 * (v[Reba::kNeck] - 1) + v[Reba::kLegs] - 1];
+RebaSteps rebaSteps(std::span<const int> v) {
+  RebaSteps steps{};
+  steps.table_a = kRebaTableA[v[Reba::kTrunk] - 1][4 * (v[Reba::kNeck] - 1) + v[Reba::kLegs] - 1];
   steps.score_a = steps.table_a + v[Reba::kLoad];
-  steps.table_b = kTableB[v[Reba::kUpperArm] - 1][3 * (v[Reba::kLowerArm] - 1) + v[Reba::kWrist] - 1];
+  steps.table_b = kRebaTableB[v[Reba::kUpperArm] - 1][3 * (v[Reba::kLowerArm] - 1) + v[Reba::kWrist] - 1];
   steps.score_b = steps.table_b + v[Reba::kCoupling];
-  steps.score_c = kTableC[std::min(steps.score_a, 12) - 1][std::min(steps.score_b, 12) - 1];
+  steps.score_c = kRebaTableC[std::min(steps.score_a, 12) - 1][std::min(steps.score_b, 12) - 1];
   steps.final = steps.score_c + v[Reba::kActivity];
   return steps;
 }
 
-int trunk(double flexion) {
+int rebaTrunk(double flexion) {
   if (flexion > 60.0) return 4;
   if (flexion > 20.0 || flexion < -20.0) return 3;
   return flexion == 0.0 ? 1 : 2;
 }
 
-int upperArm(double flexion) {
+int rebaUpperArm(double flexion) {
   if (flexion > 90.0) return 4;
   if (flexion > 45.0) return 3;
   return flexion > 20.0 || flexion < -20.0 ? 2 : 1;
@@ -88,15 +88,15 @@ std::string_view Reba::source() const {
 }
 
 std::span<const SubScore> Reba::subScores() const {
-  return kSubScores;
+  return kRebaSubScores;
 }
 
 int Reba::score(std::span<const int> values) const {
-  return stepsOf(values).final;
+  return rebaSteps(values).final;
 }
 
 Evaluation Reba::evaluate(std::span<const int> values) const {
-  const Steps steps = stepsOf(values);
+  const RebaSteps steps = rebaSteps(values);
   Evaluation result;
   result.score = steps.final;
   result.level = levelOf(steps.final);
@@ -135,7 +135,7 @@ Reba::Values rebaValues(const PostureAngles& angles, std::vector<std::string_vie
   }
   if (angles.trunk_flexion) {
     values[Reba::kTrunk] =
-        trunk(neutralSettled(angles, *angles.trunk_flexion)) +
+        rebaTrunk(neutralSettled(angles, *angles.trunk_flexion)) +
         either(is(angles.trunk_twisted, "trunk_twisted"), is(angles.trunk_side_bent, "trunk_side_bent"));
   }
   const bool is_seated = angles.seated.value_or(false);
@@ -150,10 +150,10 @@ Reba::Values rebaValues(const PostureAngles& angles, std::vector<std::string_vie
   if (angles.upper_arm_flexion) {
     const int out =
         either(is(angles.upper_arm_abducted, "upper_arm_abducted"), angles.upper_arm_rotated.value_or(false));
-    values[Reba::kUpperArm] =
-        std::clamp(upperArm(*angles.upper_arm_flexion) + out + (is(angles.shoulder_raised, "shoulder_raised") ? 1 : 0) -
-                       (is(angles.arm_supported, "arm_supported") ? 1 : 0),
-                   1, 6);
+    values[Reba::kUpperArm] = std::clamp(rebaUpperArm(*angles.upper_arm_flexion) + out +
+                                             (is(angles.shoulder_raised, "shoulder_raised") ? 1 : 0) -
+                                             (is(angles.arm_supported, "arm_supported") ? 1 : 0),
+                                         1, 6);
   }
   if (angles.lower_arm_flexion) {
     values[Reba::kLowerArm] = *angles.lower_arm_flexion >= 60.0 && *angles.lower_arm_flexion <= 100.0 ? 1 : 2;

@@ -7,20 +7,20 @@
 namespace hapticell::ergonomics {
 namespace {
 
-constexpr std::array<SubScore, Rula::kCount> kSubScores{{{"upper_arm", 1, 6},
-                                                         {"lower_arm", 1, 3},
-                                                         {"wrist", 1, 4},
-                                                         {"wrist_twist", 1, 2},
-                                                         {"neck", 1, 6},
-                                                         {"trunk", 1, 6},
-                                                         {"legs", 1, 2},
-                                                         {"muscle_use_arm", 0, 1, false},
-                                                         {"force_arm", 0, 3, false},
-                                                         {"muscle_use_body", 0, 1, false},
-                                                         {"force_body", 0, 3, false}}};
+constexpr std::array<SubScore, Rula::kCount> kRulaSubScores{{{"upper_arm", 1, 6},
+                                                             {"lower_arm", 1, 3},
+                                                             {"wrist", 1, 4},
+                                                             {"wrist_twist", 1, 2},
+                                                             {"neck", 1, 6},
+                                                             {"trunk", 1, 6},
+                                                             {"legs", 1, 2},
+                                                             {"muscle_use_arm", 0, 1, false},
+                                                             {"force_arm", 0, 3, false},
+                                                             {"muscle_use_body", 0, 1, false},
+                                                             {"force_body", 0, 3, false}}};
 
 // Rows: upper arm 1 to 6, each with lower arm 1 to 3; columns: wrist 1 to 4, each with twist 1 and 2.
-constexpr int kTableA[18][8] = {
+constexpr int kRulaTableA[18][8] = {
     {1, 2, 2, 2, 2, 3, 3, 3}, {2, 2, 2, 2, 3, 3, 3, 3}, {2, 3, 3, 3, 3, 3, 4, 4},  // upper arm 1
     {2, 3, 3, 3, 3, 4, 4, 4}, {3, 3, 3, 3, 3, 4, 4, 4}, {3, 4, 4, 4, 4, 4, 5, 5},  // 2
     {3, 3, 4, 4, 4, 4, 5, 5}, {3, 4, 4, 4, 4, 4, 5, 5}, {4, 4, 4, 4, 4, 5, 5, 5},  // 3
@@ -30,34 +30,34 @@ constexpr int kTableA[18][8] = {
 };
 
 // Rows: neck 1 to 6; columns: trunk 1 to 6, each with legs 1 and 2.
-constexpr int kTableB[6][12] = {
+constexpr int kRulaTableB[6][12] = {
     {1, 3, 2, 3, 3, 4, 5, 5, 6, 6, 7, 7}, {2, 3, 2, 3, 4, 5, 5, 5, 6, 7, 7, 7}, {3, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 7},
     {5, 5, 5, 6, 6, 7, 7, 7, 7, 7, 8, 8}, {7, 7, 7, 7, 7, 8, 8, 8, 8, 8, 8, 8}, {8, 8, 8, 8, 8, 8, 8, 9, 9, 9, 9, 9},
 };
 
 // Rows: score C 1 to 8 and more; columns: score D 1 to 7 and more.
-constexpr int kTableC[8][7] = {
+constexpr int kRulaTableC[8][7] = {
     {1, 2, 3, 3, 4, 5, 5}, {2, 2, 3, 4, 4, 5, 5}, {3, 3, 3, 4, 4, 5, 6}, {3, 3, 3, 4, 5, 6, 6},
     {4, 4, 4, 5, 6, 7, 7}, {4, 4, 5, 6, 6, 7, 7}, {5, 5, 6, 6, 7, 7, 7}, {5, 5, 6, 7, 7, 7, 7},
 };
 
-struct Steps {
+struct RulaSteps {
   int table_a, score_c, table_b, score_d, final;
 };
 
-Steps stepsOf(std::span<const int> v) {
+RulaSteps rulaSteps(std::span<const int> v) {
   const auto at = [&](Rula::Index index) { return v[index]; };
-  Steps steps{};
-  steps.table_a = kTableA[3 * (at(Rula::kUpperArm) - 1) + at(Rula::kLowerArm) - 1]
-                         [2 * (at(Rula::kWrist) - 1) + at(Rula::kWristTwist) - 1];
+  RulaSteps steps{};
+  steps.table_a = kRulaTableA[3 * (at(Rula::kUpperArm) - 1) + at(Rula::kLowerArm) - 1]
+                             [2 * (at(Rula::kWrist) - 1) + at(Rula::kWristTwist) - 1];
   steps.score_c = steps.table_a + at(Rula::kMuscleUseArm) + at(Rula::kForceArm);
-  steps.table_b = kTableB[at(Rula::kNeck) - 1][2 * (at(Rula::kTrunk) - 1) + at(Rula::kLegs) - 1];
+  steps.table_b = kRulaTableB[at(Rula::kNeck) - 1][2 * (at(Rula::kTrunk) - 1) + at(Rula::kLegs) - 1];
   steps.score_d = steps.table_b + at(Rula::kMuscleUseBody) + at(Rula::kForceBody);
-  steps.final = kTableC[std::min(steps.score_c, 8) - 1][std::min(steps.score_d, 7) - 1];
+  steps.final = kRulaTableC[std::min(steps.score_c, 8) - 1][std::min(steps.score_d, 7) - 1];
   return steps;
 }
 
-int upperArm(double flexion) {
+int rulaUpperArm(double flexion) {
   if (flexion >= 90.0) return 4;
   if (flexion > 45.0) return 3;
   return flexion > 20.0 || flexion < -20.0 ? 2 : 1;
@@ -72,7 +72,7 @@ int neck(double flexion, bool is_measured) {
 }
 
 /// The text names forward angles only; a trunk leaning back counts by its size.
-int trunk(double flexion) {
+int rulaTrunk(double flexion) {
   const double size = std::abs(flexion);
   if (size >= 60.0) return 4;
   if (size > 20.0) return 3;
@@ -86,15 +86,15 @@ std::string_view Rula::source() const {
 }
 
 std::span<const SubScore> Rula::subScores() const {
-  return kSubScores;
+  return kRulaSubScores;
 }
 
 int Rula::score(std::span<const int> values) const {
-  return stepsOf(values).final;
+  return rulaSteps(values).final;
 }
 
 Evaluation Rula::evaluate(std::span<const int> values) const {
-  const Steps steps = stepsOf(values);
+  const RulaSteps steps = rulaSteps(values);
   Evaluation result;
   result.score = steps.final;
   result.level = levelOf(steps.final);
@@ -126,7 +126,7 @@ Rula::Values rulaValues(const PostureAngles& angles, std::vector<std::string_vie
   Rula::Values values;
   if (angles.upper_arm_flexion) {
     values[Rula::kUpperArm] =
-        std::clamp(upperArm(*angles.upper_arm_flexion) + is(angles.upper_arm_abducted, "upper_arm_abducted") +
+        std::clamp(rulaUpperArm(*angles.upper_arm_flexion) + is(angles.upper_arm_abducted, "upper_arm_abducted") +
                        is(angles.shoulder_raised, "shoulder_raised") - is(angles.arm_supported, "arm_supported"),
                    1, 6);
   }
@@ -145,7 +145,8 @@ Rula::Values rulaValues(const PostureAngles& angles, std::vector<std::string_vie
                           is(angles.neck_side_bent, "neck_side_bent");
   }
   if (angles.trunk_flexion) {
-    const int base = angles.trunk_supported.value_or(false) ? 1 : trunk(neutralSettled(angles, *angles.trunk_flexion));
+    const int base =
+        angles.trunk_supported.value_or(false) ? 1 : rulaTrunk(neutralSettled(angles, *angles.trunk_flexion));
     values[Rula::kTrunk] =
         base + is(angles.trunk_twisted, "trunk_twisted") + is(angles.trunk_side_bent, "trunk_side_bent");
   }
