@@ -114,10 +114,12 @@ class Child {
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    const bool loud = std::getenv("HAPTICELL_IMPORTER_VERBOSE") != nullptr;
-    for (int standard = 0; standard < (loud ? 1 : 3); ++standard) {
-      posix_spawn_file_actions_addopen(&actions, standard, "/dev/null", standard == 0 ? O_RDONLY : O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    // What the foreign readers print is shown only where someone looks for it, and never among the answers of this program.
+    if (std::getenv("HAPTICELL_IMPORTER_VERBOSE") == nullptr) {
+      posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     }
+    posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, scene, kSceneDescriptor);
     posix_spawn_file_actions_adddup2(&actions, lines, kLinesDescriptor);
     posix_spawn_file_actions_addclosefrom_np(&actions, kLinesDescriptor + 1);
