@@ -15,12 +15,12 @@
 #include <memory>
 #include <optional>
 
-#include "app/host/application.h"
-#include "app/host/end_signals.h"
+#include "app/shell/application.h"
+#include "app/shell/end_signals.h"
 #include "app/host/language.h"
-#include "app/host/main_window.h"
-#include "app/host/render_command.h"
-#include "app/host/written_file.h"
+#include "app/shell/main_window.h"
+#include "app/views/render_command.h"
+#include "app/kit/written_file.h"
 #include "app/import/file_work.h"
 #include "app/settings/user_choices.h"
 #include "app/start/recent_files.h"

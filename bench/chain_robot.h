@@ -5,8 +5,8 @@
 #include <string>
 
 #include "bench/collision_scenes.h"
-#include "kinematics/robot_model.h"
-#include "workcell/entity.h"
+#include "kinematics/model/robot_model.h"
+#include "workcell/entity/entity.h"
 
 namespace hapticell::bench {
 

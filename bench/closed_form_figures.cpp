@@ -8,10 +8,10 @@
 #include <random>
 
 #include "bench/kinematics_figures.h"
-#include "kinematics/analytic_inverse.h"
-#include "kinematics/opw_geometry.h"
-#include "kinematics/turns.h"
-#include "tests/kinematics/test_robots.h"
+#include "kinematics/closed_form/analytic_inverse.h"
+#include "kinematics/closed_form/opw_geometry.h"
+#include "kinematics/model/turns.h"
+#include "tests/kinematics/model/test_robots.h"
 
 namespace hapticell::bench {
 

@@ -16,9 +16,9 @@
 
 #include "bench/collision_scenes.h"
 #include "bench/thread_clock.h"
-#include "collision/proximity_query.h"
-#include "collision/scene.h"
-#include "workcell/mesh_reader.h"
+#include "collision/queries/proximity_query.h"
+#include "collision/queries/scene.h"
+#include "workcell/meshes/mesh_reader.h"
 #ifdef HAPTICELL_HAS_FCL
 #include "bench/fcl_peer.h"
 #endif

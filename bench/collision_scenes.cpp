@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "collision/proximity_query.h"
-#include "geometry/shapes.h"
+#include "collision/queries/proximity_query.h"
+#include "geometry/shapes/shapes.h"
 
 namespace hapticell::bench {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/pose.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/shapes/pose.h"
+#include "geometry/shapes/triangle_mesh.h"
 
 namespace hapticell::bench {
 

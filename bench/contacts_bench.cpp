@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "collision/contact_finder.h"
-#include "collision/proximity_query.h"
-#include "collision/surface_recognition.h"
-#include "geometry/shapes.h"
-#include "workcell/mesh_reader.h"
+#include "collision/contacts/contact_finder.h"
+#include "collision/queries/proximity_query.h"
+#include "collision/surfaces/surface_recognition.h"
+#include "geometry/shapes/shapes.h"
+#include "workcell/meshes/mesh_reader.h"
 
 namespace {
 

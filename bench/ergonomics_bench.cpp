@@ -8,11 +8,11 @@
 
 #include "bench/mannequin_goals.h"
 #include "bench/thread_clock.h"
-#include "mannequin/ergonomics/better_place.h"
-#include "mannequin/ergonomics/body_sizes.h"
-#include "mannequin/ergonomics/driving_parts.h"
-#include "mannequin/ergonomics/method_advice.h"
-#include "mannequin/ergonomics/posture_scores.h"
+#include "mannequin/ergonomics/advice/better_place.h"
+#include "mannequin/ergonomics/advice/body_sizes.h"
+#include "mannequin/ergonomics/advice/driving_parts.h"
+#include "mannequin/ergonomics/advice/method_advice.h"
+#include "mannequin/ergonomics/scores/posture_scores.h"
 
 namespace {
 

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "app/style/theme.h"
-#include "app/viewport/detail_level.h"
-#include "app/viewport/frame_colors.h"
-#include "app/viewport/rest_picture.h"
-#include "app/viewport/scene_renderer.h"
-#include "geometry/shapes.h"
+#include "app/viewport/drawing/detail_level.h"
+#include "app/viewport/drawing/frame_colors.h"
+#include "app/viewport/widget/rest_picture.h"
+#include "app/viewport/drawing/scene_renderer.h"
+#include "geometry/shapes/shapes.h"
 
 namespace {
 

@@ -15,9 +15,9 @@
 #include <sstream>
 #include <string>
 
-#include "workcell/entity_source.h"
-#include "workcell/import_scene.h"
-#include "workcell/mesh_reader.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/scenes/import_scene.h"
+#include "workcell/meshes/mesh_reader.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <kdl/chainiksolvervel_pinv.hpp>
 #include <string>
 
-#include "kinematics/jacobian.h"
+#include "kinematics/model/jacobian.h"
 
 namespace hapticell::bench {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "kinematics/robot_model.h"
+#include "kinematics/model/robot_model.h"
 
 namespace hapticell::bench {
 

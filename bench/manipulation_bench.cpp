@@ -17,8 +17,8 @@
 #include "bench/chain_robot.h"
 #include "bench/collision_scenes.h"
 #include "bench/thread_clock.h"
-#include "manipulation/manipulation_step.h"
-#include "tests/manipulation/hand_link.h"
+#include "manipulation/engine/manipulation_step.h"
+#include "tests/manipulation/session/hand_link.h"
 
 namespace hapticell::bench {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "bench/mannequin_goals.h"
 #include "bench/mannequin_recorded.h"
-#include "mannequin/joint_limits.h"
-#include "mannequin/support_polygon.h"
+#include "mannequin/body/joint_limits.h"
+#include "mannequin/posture/support_polygon.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mannequin/joint_limits.h"
-#include "mannequin/limb_inverse.h"
-#include "mannequin/support_polygon.h"
+#include "mannequin/body/joint_limits.h"
+#include "mannequin/posture/limb_inverse.h"
+#include "mannequin/posture/support_polygon.h"
 
 namespace hapticell::bench {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <random>
 
-#include "mannequin/posture_solver.h"
+#include "mannequin/posture/posture_solver.h"
 
 namespace hapticell::bench {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "bench/thread_clock.h"
-#include "mannequin/forward_kinematics.h"
-#include "mannequin/limb_inverse.h"
-#include "mannequin/retarget.h"
+#include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/posture/limb_inverse.h"
+#include "mannequin/motion/retarget.h"
 
 namespace hapticell::bench {
 

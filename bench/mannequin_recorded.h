@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mannequin/motion_clip.h"
-#include "mannequin/posture_solver.h"
+#include "mannequin/motion/motion_clip.h"
+#include "mannequin/posture/posture_solver.h"
 
 namespace hapticell::bench {
 

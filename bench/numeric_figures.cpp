@@ -5,9 +5,9 @@
 #include <random>
 
 #include "bench/kinematics_figures.h"
-#include "kinematics/inverse_factory.h"
-#include "kinematics/numeric_inverse.h"
-#include "tests/kinematics/test_robots.h"
+#include "kinematics/closed_form/inverse_factory.h"
+#include "kinematics/numeric/numeric_inverse.h"
+#include "tests/kinematics/model/test_robots.h"
 #ifdef HAPTICELL_HAS_KDL
 #include "bench/kdl_peer.h"
 #endif

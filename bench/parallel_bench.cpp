@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "kinematics/delta.h"
-#include "kinematics/hexapod.h"
+#include "kinematics/closures/delta.h"
+#include "kinematics/closures/hexapod.h"
 
 namespace {
 

@@ -14,13 +14,13 @@
 #include <string>
 
 #include "bench/chain_robot.h"
-#include "collision/proximity_query.h"
-#include "manipulation/path_check.h"
-#include "tests/trajectory/motions.h"
-#include "trajectory/simplification.h"
-#include "trajectory/smoothing.h"
-#include "trajectory/time_optimal.h"
-#include "trajectory/trajectory_io.h"
+#include "collision/queries/proximity_query.h"
+#include "manipulation/checks/path_check.h"
+#include "tests/trajectory/motion/motions.h"
+#include "trajectory/editing/simplification.h"
+#include "trajectory/editing/smoothing.h"
+#include "trajectory/timing/time_optimal.h"
+#include "trajectory/files/trajectory_io.h"
 
 namespace hapticell::bench {
 namespace {

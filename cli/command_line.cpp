@@ -7,14 +7,14 @@
 #include <clocale>
 #include <exception>
 
-#include "cli/device_commands.h"
-#include "cli/ergonomics_commands.h"
-#include "cli/file_commands.h"
-#include "cli/mannequin_command.h"
-#include "cli/robot_commands.h"
-#include "cli/session_commands.h"
-#include "cli/trajectory_command.h"
-#include "cli/workcell_commands.h"
+#include "cli/device/device_commands.h"
+#include "cli/ergonomics/ergonomics_commands.h"
+#include "cli/files/file_commands.h"
+#include "cli/mannequin/mannequin_command.h"
+#include "cli/robot/robot_commands.h"
+#include "cli/session/session_commands.h"
+#include "cli/trajectory/trajectory_command.h"
+#include "cli/workcell/workcell_commands.h"
 
 namespace hapticell::cli {
 

@@ -80,6 +80,8 @@ function(hapticell_add_library name)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hapticell>)
   target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PUBLIC glm::glm tl::expected)
+  target_compile_definitions(${target} PUBLIC GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:hapticell_warnings>)
   target_compile_options(${target} PRIVATE ${HAPTICELL_PRECOMPILED_WARNINGS})
   if(ARG_PRECOMPILED)  # Besides the common ones; such a library parses its own.
@@ -93,6 +95,17 @@ function(hapticell_add_library name)
     cmake_path(GET header PARENT_PATH below)
     install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hapticell/${folder}/${below})
   endforeach()
+endfunction()
+
+# hapticell_add_bundle(NAME LIBRARY...): hapticell::NAME stands for all libraries of a folder's sub-folders.
+function(hapticell_add_bundle name)
+  set(target hapticell_${name})
+  add_library(${target} INTERFACE)
+  add_library(hapticell::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  list(TRANSFORM ARGN PREPEND hapticell::)
+  target_link_libraries(${target} INTERFACE ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY HAPTICELL_LIBRARIES ${target})
 endfunction()
 
 # hapticell_add_executable(NAME SOURCES ... [LIBRARIES ...] [WITHOUT_HEADERS]): a program in bin/. One with Qt, or without the

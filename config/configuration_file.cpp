@@ -8,8 +8,8 @@
 #include "config/configuration.h"
 #include "config/toml_place.h"
 #include "config/user_folders.h"
-#include "geometry/nesting_limit.h"
-#include "geometry/regular_file.h"
+#include "geometry/system/nesting_limit.h"
+#include "geometry/system/regular_file.h"
 
 namespace hapticell::config {
 

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "config/toml_place.h"
-#include "geometry/nesting_limit.h"
-#include "geometry/regular_file.h"
+#include "geometry/system/nesting_limit.h"
+#include "geometry/system/regular_file.h"
 
 namespace hapticell::config {
 

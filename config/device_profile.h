@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/error.h"
-#include "geometry/vector.h"
+#include "geometry/system/error.h"
+#include "geometry/shapes/vector.h"
 
 namespace hapticell::config {
 

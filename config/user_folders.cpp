@@ -13,7 +13,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "geometry/plain_text.h"
+#include "geometry/system/plain_text.h"
 
 namespace hapticell::config {
 

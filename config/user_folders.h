@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::config {
 

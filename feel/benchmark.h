@@ -7,7 +7,7 @@
 
 #include "feel/figure.h"
 #include "feel/part_scenes.h"
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::feel {
 

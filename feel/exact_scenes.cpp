@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "feel/scene.h"
-#include "geometry/assertion.h"
+#include "geometry/system/assertion.h"
 
 #include <algorithm>
 #include <cmath>

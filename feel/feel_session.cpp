@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/assertion.h"
+#include "geometry/system/assertion.h"
 
 namespace hapticell::feel {
 

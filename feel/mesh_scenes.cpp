@@ -8,12 +8,12 @@
 #include <optional>
 #include <utility>
 
-#include "collision/contact_finder.h"
-#include "collision/surface_model.h"
-#include "geometry/assertion.h"
-#include "geometry/shapes.h"
-#include "manipulation/constraint_builder.h"
-#include "manipulation/solid_manipulator.h"
+#include "collision/contacts/contact_finder.h"
+#include "collision/surfaces/surface_model.h"
+#include "geometry/system/assertion.h"
+#include "geometry/shapes/shapes.h"
+#include "manipulation/holding/constraint_builder.h"
+#include "manipulation/manipulators/solid_manipulator.h"
 
 namespace hapticell::feel {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "feel/scene.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/shapes/triangle_mesh.h"
 
 namespace hapticell::feel {
 

@@ -4,7 +4,7 @@
 
 #include "feel/feel_session.h"
 #include "feel/scene.h"
-#include "manipulation/motion_mapping.h"
+#include "manipulation/holding/motion_mapping.h"
 
 namespace hapticell::feel {
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <memory>
 
-#include "collision/mesh_collider.h"
-#include "collision/proximity_query.h"
-#include "geometry/shapes.h"
+#include "collision/trees/mesh_collider.h"
+#include "collision/queries/proximity_query.h"
+#include "geometry/shapes/shapes.h"
 
 namespace hapticell::feel {
 

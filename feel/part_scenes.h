@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "feel/mesh_scenes.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/shapes/triangle_mesh.h"
 
 namespace hapticell::feel {
 

@@ -5,10 +5,10 @@
 
 #include "feel/scene.h"
 #include "haptic/rendering/proxy_metric.h"
-#include "kinematics/numeric_inverse.h"
-#include "manipulation/motion_mapping.h"
-#include "manipulation/robot_manipulator.h"
-#include "workcell/entity_source.h"
+#include "kinematics/numeric/numeric_inverse.h"
+#include "manipulation/holding/motion_mapping.h"
+#include "manipulation/manipulators/robot_manipulator.h"
+#include "workcell/import/entity_source.h"
 
 namespace hapticell::feel {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 #include "haptic/devices/simulated_hand.h"
 #include "haptic/rendering/constraint_set.h"
 

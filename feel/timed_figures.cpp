@@ -10,9 +10,9 @@
 
 #include "feel/figure_job.h"
 #include "feel/rendering_way.h"
-#include "geometry/shapes.h"
-#include "manipulation/local_server.h"
-#include "manipulation/session.h"
+#include "geometry/shapes/shapes.h"
+#include "manipulation/session/local_server.h"
+#include "manipulation/session/session.h"
 
 namespace hapticell::feel {
 

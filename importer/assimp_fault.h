@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::importer {
 

@@ -17,8 +17,8 @@
 #include <glm/mat4x4.hpp>
 #include <string>
 
-#include "geometry/nesting_limit.h"
-#include "geometry/regular_file.h"
+#include "geometry/system/nesting_limit.h"
+#include "geometry/system/regular_file.h"
 #include "importer/assimp_fault.h"
 #include "importer/collada_text.h"
 #include "importer/gltf_file.h"

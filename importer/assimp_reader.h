@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 #include "importer/reading.h"
 
 namespace hapticell::importer {

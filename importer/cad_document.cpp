@@ -23,10 +23,10 @@
 #include <gp_Trsf.hxx>
 #include <map>
 
-#include "geometry/regular_file.h"
-#include "geometry/unfolding.h"
+#include "geometry/system/regular_file.h"
+#include "geometry/system/unfolding.h"
 #include "importer/step_text.h"
-#include "workcell/scene_exchange.h"
+#include "workcell/scenes/scene_exchange.h"
 
 namespace hapticell::importer {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/error.h"
-#include "geometry/pose.h"
+#include "geometry/system/error.h"
+#include "geometry/shapes/pose.h"
 
 namespace hapticell::importer {
 

@@ -4,7 +4,7 @@
 #include <pugixml.hpp>
 #include <vector>
 
-#include "geometry/vector.h"
+#include "geometry/shapes/vector.h"
 
 namespace hapticell::importer {
 

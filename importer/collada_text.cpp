@@ -7,12 +7,12 @@
 #include <set>
 #include <unordered_map>
 
-#include "geometry/nesting_limit.h"
-#include "geometry/unfolding.h"
+#include "geometry/system/nesting_limit.h"
+#include "geometry/system/unfolding.h"
 #include "importer/collada_holes.h"
-#include "workcell/content_rules.h"
-#include "workcell/file_content.h"
-#include "workcell/text_cursor.h"
+#include "workcell/text/content_rules.h"
+#include "workcell/text/file_content.h"
+#include "workcell/text/text_cursor.h"
 
 namespace hapticell::importer {
 

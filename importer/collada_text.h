@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/error.h"
-#include "workcell/import_options.h"
+#include "geometry/system/error.h"
+#include "workcell/entity/import_options.h"
 
 namespace hapticell::importer {
 

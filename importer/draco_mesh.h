@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::importer {
 

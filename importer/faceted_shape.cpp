@@ -15,7 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "geometry/mass_properties.h"
+#include "geometry/shapes/mass_properties.h"
 
 namespace hapticell::importer {
 

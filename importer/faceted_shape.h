@@ -3,7 +3,7 @@
 
 #include <TopoDS_Shape.hxx>
 
-#include "geometry/triangle_mesh.h"
+#include "geometry/shapes/triangle_mesh.h"
 
 namespace hapticell::importer {
 

@@ -7,9 +7,9 @@
 #include <array>
 #include <cstring>
 
-#include "geometry/nesting_limit.h"
-#include "workcell/file_content.h"
-#include "workcell/package_path.h"
+#include "geometry/system/nesting_limit.h"
+#include "workcell/text/file_content.h"
+#include "workcell/text/package_path.h"
 
 namespace hapticell::importer {
 

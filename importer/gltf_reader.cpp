@@ -6,10 +6,10 @@
 #include <optional>
 #include <set>
 
-#include "geometry/unfolding.h"
+#include "geometry/system/unfolding.h"
 #include "importer/draco_mesh.h"
 #include "importer/gltf_file.h"
-#include "workcell/content_rules.h"
+#include "workcell/text/content_rules.h"
 
 namespace hapticell::importer {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::importer {
 

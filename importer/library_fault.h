@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::importer {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // hapticell-importer: reads and writes CAD files for the other programs, so that a library that crashes, hangs or eats
-// all memory takes nobody with it. What it is told and what it answers: workcell/import_process.h.
+// all memory takes nobody with it. What it is told and what it answers: workcell/scenes/import_process.h.
 #include <unistd.h>
 #include <Standard_Failure.hxx>
 #include <cstdlib>
@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/regular_file.h"
+#include "geometry/system/regular_file.h"
 #include "importer/assimp_reader.h"
 #include "importer/cad_reader.h"
 #include "importer/library_fault.h"
@@ -22,8 +22,8 @@
 #include "importer/resource_limits.h"
 #include "importer/step_text.h"
 #include "importer/step_writer.h"
-#include "workcell/scene_batch.h"
-#include "workcell/scene_exchange.h"
+#include "workcell/scenes/scene_batch.h"
+#include "workcell/scenes/scene_exchange.h"
 
 namespace {
 

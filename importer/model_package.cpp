@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/regular_file.h"
+#include "geometry/system/regular_file.h"
 
 namespace hapticell::importer {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::importer {
 

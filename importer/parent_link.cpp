@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 
-#include "workcell/import_process.h"
+#include "workcell/scenes/import_process.h"
 
 namespace hapticell::importer {
 

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::importer {
 
-/// The importer's end of what workcell/import_process.h describes: lines to the parent, the scene's bytes both ways.
+/// The importer's end of what workcell/scenes/import_process.h describes: lines to the parent, the scene's bytes both ways.
 /// One thread.
 class ParentLink {
  public:

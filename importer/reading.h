@@ -6,7 +6,7 @@
 #include <set>
 
 #include "importer/parent_link.h"
-#include "workcell/import_scene.h"
+#include "workcell/scenes/import_scene.h"
 
 namespace hapticell::importer {
 

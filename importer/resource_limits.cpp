@@ -6,7 +6,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "geometry/sanitizers.h"
+#include "geometry/system/sanitizers.h"
 
 namespace hapticell::importer {
 

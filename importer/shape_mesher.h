@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "geometry/triangle_mesh.h"
-#include "workcell/import_options.h"
+#include "geometry/shapes/triangle_mesh.h"
+#include "workcell/entity/import_options.h"
 
 namespace hapticell::importer {
 

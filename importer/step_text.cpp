@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/regular_file.h"
-#include "workcell/file_content.h"
+#include "geometry/system/regular_file.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::importer {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::importer {
 

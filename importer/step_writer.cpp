@@ -26,7 +26,7 @@
 #include "importer/cad_document.h"
 #include "importer/faceted_shape.h"
 #include "importer/shape_mesher.h"
-#include "workcell/scene_exchange.h"
+#include "workcell/scenes/scene_exchange.h"
 
 namespace hapticell::importer {
 

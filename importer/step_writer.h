@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 #include "importer/parent_link.h"
-#include "workcell/import_scene.h"
+#include "workcell/scenes/import_scene.h"
 
 namespace hapticell::importer {
 

@@ -9,11 +9,11 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "geometry/nesting_limit.h"
-#include "geometry/unfolding.h"
+#include "geometry/system/nesting_limit.h"
+#include "geometry/system/unfolding.h"
 #include "importer/model_package.h"
-#include "workcell/content_rules.h"
-#include "workcell/text_cursor.h"
+#include "workcell/text/content_rules.h"
+#include "workcell/text/text_cursor.h"
 
 namespace hapticell::importer {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "geometry/nesting_limit.h"
+#include "geometry/system/nesting_limit.h"
 
 namespace hapticell::xacro {
 

@@ -12,10 +12,10 @@
 #include "app/edit/part_panel.h"
 #include "app/host/host.h"
 #include "app/host/user_settings.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/icon.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/style/units.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

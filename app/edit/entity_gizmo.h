@@ -8,8 +8,8 @@
 
 #include "app/edit/moved_entities.h"
 #include "app/edit/snap.h"
-#include "app/viewport/gizmo.h"
-#include "app/viewport/pointer_tool.h"
+#include "app/viewport/tools/gizmo.h"
+#include "app/viewport/tools/pointer_tool.h"
 
 namespace hapticell::app {
 

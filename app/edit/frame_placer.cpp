@@ -7,10 +7,10 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
-#include "app/viewport/floor_point.h"
-#include "app/viewport/frame_triads.h"
-#include "app/viewport/viewport_widget.h"
-#include "workcell/entity_source.h"
+#include "app/viewport/widget/floor_point.h"
+#include "app/viewport/scene/frame_triads.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "workcell/import/entity_source.h"
 
 namespace hapticell::app {
 namespace {

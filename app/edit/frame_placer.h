@@ -5,7 +5,7 @@
 #include <QPointF>
 #include <optional>
 
-#include "geometry/pose.h"
+#include "geometry/shapes/pose.h"
 
 namespace hapticell::app {
 

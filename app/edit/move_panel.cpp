@@ -15,9 +15,9 @@
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/host/user_settings.h"
-#include "app/panels/form.h"
-#include "app/panels/pose_text.h"
-#include "app/panels/reference_choice.h"
+#include "app/kit/form.h"
+#include "app/controls/pose_text.h"
+#include "app/controls/reference_choice.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "app/edit/entity_gizmo.h"
-#include "app/viewport/picked_feature.h"
+#include "app/viewport/tools/picked_feature.h"
 
 class QCheckBox;
 class QLabel;

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "workcell/command.h"
-#include "workcell/document_state.h"
+#include "workcell/document/command.h"
+#include "workcell/document/document_state.h"
 
 namespace hapticell::app {
 

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "workcell/built_in_parts.h"
+#include "workcell/entity/built_in_parts.h"
 
 namespace hapticell::app {
 

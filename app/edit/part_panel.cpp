@@ -13,14 +13,14 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
-#include "app/panels/form.h"
-#include "app/panels/ghost_placer.h"
-#include "app/panels/place_fields.h"
-#include "app/panels/pose_text.h"
+#include "app/kit/form.h"
+#include "app/controls/ghost_placer.h"
+#include "app/controls/place_fields.h"
+#include "app/controls/pose_text.h"
 #include "app/style/icon.h"
 #include "app/style/live_label.h"
 #include "app/style/value_field.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

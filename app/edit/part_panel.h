@@ -6,8 +6,8 @@
 #include <array>
 #include <optional>
 
-#include "app/robot/robot_picture.h"
-#include "workcell/built_in_parts.h"
+#include "app/controls/robot_picture.h"
+#include "workcell/entity/built_in_parts.h"
 
 class QComboBox;
 class QLabel;

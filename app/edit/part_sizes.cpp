@@ -9,10 +9,10 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/value_field.h"
-#include "workcell/built_in_parts.h"
-#include "workcell/part_resize.h"
+#include "workcell/entity/built_in_parts.h"
+#include "workcell/document/part_resize.h"
 
 namespace hapticell::app {
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <array>
 
-#include "workcell/entity.h"
+#include "workcell/entity/entity.h"
 
 class QLabel;
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 

@@ -18,17 +18,17 @@
 #include "app/ergonomics/time_panel.h"
 #include "app/ergonomics/work_task_panel.h"
 #include "app/ergonomics/workplace_panel.h"
-#include "app/host/action_face.h"
+#include "app/kit/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
-#include "app/host/top_menus.h"
+#include "app/kit/top_menus.h"
 #include "app/mannequin/mannequin_context.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/dock_title_bar.h"
-#include "app/viewport/viewport_widget.h"
-#include "mannequin/body_shape.h"
-#include "mannequin/figure_model.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "mannequin/shape/body_shape.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::app {
 namespace {

@@ -18,8 +18,8 @@
 #include "app/host/message_log.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/panels/form.h"
-#include "app/start/file_dialog.h"
+#include "app/kit/form.h"
+#include "app/kit/file_dialog.h"
 #include "app/style/segmented.h"
 
 namespace hapticell::app {

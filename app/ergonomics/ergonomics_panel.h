@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "mannequin/ergonomics/better_place.h"
+#include "mannequin/ergonomics/advice/better_place.h"
 
 class QCheckBox;
 class QLabel;

@@ -9,7 +9,7 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/user_settings.h"
-#include "app/mannequin/beside.h"
+#include "app/kit/beside.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/style/units.h"
 

@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
-#include "mannequin/ergonomics/advice_words.h"
-#include "mannequin/ergonomics/force_table.h"
+#include "mannequin/ergonomics/advice/advice_words.h"
+#include "mannequin/ergonomics/scores/force_table.h"
 
 namespace hapticell::app {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/ergonomics/live_scores.h"
-#include "mannequin/ergonomics/hand_force.h"
+#include "mannequin/ergonomics/scores/hand_force.h"
 
 namespace hapticell::app {
 namespace {

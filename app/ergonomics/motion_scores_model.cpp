@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "app/mannequin/beside.h"
+#include "app/kit/beside.h"
 
 namespace hapticell::app {
 namespace {

@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "mannequin/ergonomics/motion_scores.h"
-#include "mannequin/ergonomics/posture_report.h"
-#include "mannequin/retarget.h"
+#include "mannequin/ergonomics/advice/motion_scores.h"
+#include "mannequin/ergonomics/report/posture_report.h"
+#include "mannequin/motion/retarget.h"
 
 namespace hapticell::app {
 

@@ -11,7 +11,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/user_settings.h"
-#include "app/start/file_dialog.h"
+#include "app/kit/file_dialog.h"
 
 namespace hapticell::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "mannequin/ergonomics/report.h"
+#include "mannequin/ergonomics/report/report.h"
 
 class QLineEdit;
 class QPushButton;

@@ -17,15 +17,15 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/mannequin/beside.h"
+#include "app/kit/beside.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/panels/form.h"
-#include "app/start/file_dialog.h"
+#include "app/kit/form.h"
+#include "app/kit/file_dialog.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
-#include "app/viewport/viewport_widget.h"
-#include "mannequin/figure_model.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::app {
 namespace {

@@ -7,8 +7,8 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/viewport/picture_renderer.h"
-#include "mannequin/ergonomics/posture_report.h"
+#include "app/viewport/drawing/picture_renderer.h"
+#include "mannequin/ergonomics/report/posture_report.h"
 
 class QComboBox;
 class QLabel;

@@ -10,7 +10,7 @@
 #include "app/host/host.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/style/units.h"
-#include "mannequin/support_polygon.h"
+#include "mannequin/posture/support_polygon.h"
 
 namespace hapticell::app {
 namespace {

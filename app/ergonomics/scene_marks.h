@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "app/viewport/overlay_labels.h"
-#include "app/viewport/scene_curve.h"
-#include "mannequin/ergonomics/driving_parts.h"
+#include "app/viewport/overlay/overlay_labels.h"
+#include "app/viewport/scene/scene_curve.h"
+#include "mannequin/ergonomics/advice/driving_parts.h"
 
 namespace hapticell::app {
 

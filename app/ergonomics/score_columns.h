@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <map>
 
-#include "mannequin/body_shape.h"
-#include "mannequin/ergonomics/posture_scores.h"
+#include "mannequin/shape/body_shape.h"
+#include "mannequin/ergonomics/scores/posture_scores.h"
 
 namespace hapticell::app {
 

@@ -6,7 +6,7 @@
 
 #include "app/style/pattern.h"
 #include "app/style/theme.h"
-#include "app/viewport/render_item.h"
+#include "app/viewport/scene/render_item.h"
 
 class QPainter;
 

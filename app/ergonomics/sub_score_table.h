@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "mannequin/ergonomics/posture_scores.h"
+#include "mannequin/ergonomics/scores/posture_scores.h"
 
 namespace hapticell::app {
 

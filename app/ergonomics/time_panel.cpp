@@ -20,12 +20,12 @@
 #include "app/host/message_log.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/panels/form.h"
-#include "app/start/file_dialog.h"
-#include "app/viewport/viewport_widget.h"
-#include "geometry/atomic_file.h"
-#include "mannequin/figure_model.h"
-#include "mannequin/motion_writer.h"
+#include "app/kit/form.h"
+#include "app/kit/file_dialog.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "geometry/system/atomic_file.h"
+#include "mannequin/shape/figure_model.h"
+#include "mannequin/motion/motion_writer.h"
 
 namespace hapticell::app {
 namespace {

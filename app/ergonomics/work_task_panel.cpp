@@ -11,7 +11,7 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/mannequin/mannequin_context.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 

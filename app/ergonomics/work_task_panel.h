@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "mannequin/ergonomics/work_task.h"
+#include "mannequin/ergonomics/scores/work_task.h"
 
 class QCheckBox;
 class QComboBox;

@@ -16,14 +16,14 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/mannequin/beside.h"
+#include "app/kit/beside.h"
 #include "app/mannequin/mannequin_context.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
-#include "manipulation/workplace_check.h"
-#include "workcell/built_in_parts.h"
-#include "workcell/part_resize.h"
+#include "manipulation/checks/workplace_check.h"
+#include "workcell/entity/built_in_parts.h"
+#include "workcell/document/part_resize.h"
 
 namespace hapticell::app {
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <optional>
 
-#include "manipulation/mannequin_workplace.h"
-#include "mannequin/ergonomics/posture_report.h"
+#include "manipulation/checks/mannequin_workplace.h"
+#include "mannequin/ergonomics/report/posture_report.h"
 
 class QCheckBox;
 class QLabel;

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "app/style/units.h"
-#include "geometry/vector.h"
+#include "geometry/shapes/vector.h"
 
 namespace hapticell::app {
 

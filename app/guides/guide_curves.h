@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "app/viewport/scene_curve.h"
-#include "workcell/guide.h"
+#include "app/viewport/scene/scene_curve.h"
+#include "workcell/entity/guide.h"
 
 namespace hapticell::app {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/viewport/picked_feature.h"
-#include "workcell/guide.h"
+#include "app/viewport/tools/picked_feature.h"
+#include "workcell/entity/guide.h"
 
 namespace hapticell::app {
 

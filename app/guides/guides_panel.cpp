@@ -19,8 +19,8 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
-#include "app/panels/form.h"
-#include "app/panels/switch_list.h"
+#include "app/kit/form.h"
+#include "app/kit/switch_list.h"
 #include "app/style/icon.h"
 #include "app/style/value_field.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <functional>
 
-#include "workcell/guide.h"
+#include "workcell/entity/guide.h"
 
 class QBoxLayout;
 class QButtonGroup;

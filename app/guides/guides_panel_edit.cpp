@@ -21,13 +21,13 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
-#include "app/panels/form.h"
-#include "app/panels/pose_text.h"
-#include "app/panels/switch_list.h"
-#include "app/start/file_dialog.h"
+#include "app/kit/form.h"
+#include "app/controls/pose_text.h"
+#include "app/kit/switch_list.h"
+#include "app/kit/file_dialog.h"
 #include "app/style/value_field.h"
-#include "app/viewport/viewport_widget.h"
-#include "trajectory/trajectory_io.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "trajectory/files/trajectory_io.h"
 
 namespace hapticell::app {
 namespace {

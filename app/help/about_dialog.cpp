@@ -13,7 +13,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 
 namespace hapticell::app {
 namespace {

@@ -13,12 +13,12 @@
 #include "app/help/scene_text.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "app/host/key_overlay.h"
+#include "app/kit/key_overlay.h"
 #include "app/host/language.h"
 #include "app/host/selection.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/icon.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/viewport/scene_model.h"
-#include "workcell/document_state.h"
+#include "app/viewport/scene/scene_model.h"
+#include "workcell/document/document_state.h"
 
 namespace hapticell::app {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "workcell/document_io.h"
-#include "workcell/imported_entities.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/imported_entities.h"
 
 namespace hapticell::app {
 namespace {

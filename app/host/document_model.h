@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "workcell/document.h"
+#include "workcell/document/document.h"
 
 namespace hapticell::app {
 

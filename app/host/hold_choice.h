@@ -4,8 +4,8 @@
 #include <QObject>
 #include <string>
 
-#include "manipulation/manipulation_command.h"
-#include "workcell/entity.h"
+#include "manipulation/engine/manipulation_command.h"
+#include "workcell/entity/entity.h"
 
 namespace hapticell::app {
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "config/configuration.h"
-#include "manipulation/scene_snapshot.h"
+#include "manipulation/engine/scene_snapshot.h"
 
 class QAction;
 class QDockWidget;

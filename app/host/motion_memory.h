@@ -8,8 +8,8 @@
 #include <map>
 #include <vector>
 
-#include "geometry/pose.h"
-#include "workcell/entity.h"
+#include "geometry/shapes/pose.h"
+#include "workcell/entity/entity.h"
 
 namespace hapticell::app {
 

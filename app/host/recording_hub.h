@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "manipulation/manipulation_command.h"
-#include "workcell/guide.h"
+#include "manipulation/engine/manipulation_command.h"
+#include "workcell/entity/guide.h"
 
 namespace hapticell::app {
 

@@ -4,7 +4,7 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 
 namespace hapticell::app {
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "app/host/written_file.h"
+#include "app/kit/written_file.h"
 
 namespace hapticell::app {
 

@@ -10,11 +10,11 @@
 #include <mutex>
 
 #include "app/host/document_model.h"
-#include "workcell/autosave.h"
+#include "workcell/files/autosave.h"
 
 namespace hapticell::app {
 
-/// Keeps a copy of the unsaved document against a crash (workcell/autosave.h): twice a minute where something changed,
+/// Keeps a copy of the unsaved document against a crash (workcell/files/autosave.h): twice a minute where something changed,
 /// written by another thread, and at once where the program breaks. GUI thread, but for keepNow().
 class Autosaver : public QObject {
   Q_OBJECT

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/host/written_file.h"
-#include "workcell/file_content.h"
+#include "app/kit/written_file.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <QString>
 #include <vector>
 
-#include "workcell/change_report.h"
+#include "workcell/import/change_report.h"
 
 namespace hapticell::app {
 

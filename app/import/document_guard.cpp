@@ -2,9 +2,9 @@
 #include "app/import/document_guard.h"
 
 #include "app/host/document_model.h"
-#include "geometry/atomic_file.h"
-#include "workcell/content_name.h"
-#include "workcell/document_io.h"
+#include "geometry/system/atomic_file.h"
+#include "workcell/files/content_name.h"
+#include "workcell/format/document_io.h"
 
 namespace hapticell::app {
 

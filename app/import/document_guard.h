@@ -5,14 +5,14 @@
 #include <QString>
 #include <string>
 
-#include "workcell/document_lock.h"
+#include "workcell/files/document_lock.h"
 
 namespace hapticell::app {
 
 class DocumentModel;
 
 /// Keeps two programs on one file from undoing each other's work: says that this window has the open document
-/// (workcell/document_lock.h), and whether saving should be asked about. It goes by content, not by clocks. GUI thread.
+/// (workcell/files/document_lock.h), and whether saving should be asked about. It goes by content, not by clocks. GUI thread.
 class DocumentGuard : public QObject {
   Q_OBJECT
  public:

@@ -4,9 +4,9 @@
 #include <QFileInfo>
 #include <exception>
 
-#include "workcell/autosave.h"
-#include "workcell/background_thread.h"
-#include "workcell/content_name.h"
+#include "workcell/files/autosave.h"
+#include "workcell/import/background_thread.h"
+#include "workcell/files/content_name.h"
 
 namespace hapticell::app {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "workcell/document_io.h"
+#include "workcell/format/document_io.h"
 
 namespace hapticell::app {
 

@@ -11,13 +11,13 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
-#include "app/host/system_open.h"
+#include "app/kit/system_open.h"
 #include "app/import/change_page.h"
-#include "app/start/file_dialog.h"
+#include "app/kit/file_dialog.h"
 #include "app/style/plain_lines.h"
-#include "workcell/document_io.h"
-#include "workcell/pack.h"
-#include "workcell/scene_export.h"
+#include "workcell/format/document_io.h"
+#include "workcell/files/pack.h"
+#include "workcell/files/scene_export.h"
 
 namespace hapticell::app {
 namespace {

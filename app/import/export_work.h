@@ -5,7 +5,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "app/import/background_work.h"
+#include "app/host/background_work.h"
 
 namespace hapticell::app {
 

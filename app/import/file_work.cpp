@@ -19,12 +19,12 @@
 #include "app/import/import_report_text.h"
 #include "app/import/mesh_care_panel.h"
 #include "app/import/shape_reload.h"
-#include "app/start/file_dialog.h"
+#include "app/kit/file_dialog.h"
 #include "app/style/dock_title_bar.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 #include "config/configuration.h"
-#include "kinematics/start_posture.h"
-#include "workcell/document_io.h"
+#include "kinematics/model/start_posture.h"
+#include "workcell/format/document_io.h"
 
 namespace hapticell::app {
 namespace {

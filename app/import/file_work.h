@@ -7,7 +7,7 @@
 
 #include "app/host/message_log.h"
 #include "app/import/autosaver.h"
-#include "app/import/background_work.h"
+#include "app/host/background_work.h"
 #include "app/import/document_guard.h"
 #include "app/import/document_opener.h"
 #include "app/import/export_work.h"

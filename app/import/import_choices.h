@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "workcell/import_options.h"
+#include "workcell/entity/import_options.h"
 
 namespace hapticell::app {
 

@@ -5,7 +5,7 @@
 #include <QFileInfo>
 
 #include "app/import/preview_picture.h"
-#include "workcell/length_unit.h"
+#include "workcell/meshes/length_unit.h"
 
 namespace hapticell::app {
 

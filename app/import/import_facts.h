@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "app/import/import_choices.h"
-#include "workcell/imported_entities.h"
+#include "workcell/import/imported_entities.h"
 
 namespace hapticell::app {
 

@@ -14,7 +14,7 @@
 
 #include "app/import/argument_fields.h"
 #include "app/import/unit_question.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/segmented.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "workcell/imported_entities.h"
+#include "workcell/import/imported_entities.h"
 
 namespace hapticell::app {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "workcell/entity_source.h"
-#include "workcell/robot_reader.h"
-#include "workcell/scene_exchange.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/robots/robot_reader.h"
+#include "workcell/scenes/scene_exchange.h"
 
 namespace hapticell::app {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/import/import_facts.h"
-#include "workcell/importer.h"
+#include "workcell/import/importer.h"
 
 namespace hapticell::app {
 

@@ -11,11 +11,11 @@
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/import/import_choices.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/segmented.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
-#include "workcell/mesh_care.h"
+#include "workcell/meshes/mesh_care.h"
 
 namespace hapticell::app {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
-#include "app/import/background_work.h"
-#include "workcell/command.h"
+#include "app/host/background_work.h"
+#include "workcell/document/command.h"
 
 class QLabel;
 class QPushButton;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/viewport/part_colors.h"
+#include "app/viewport/scene/part_colors.h"
 
 namespace hapticell::app {
 namespace {

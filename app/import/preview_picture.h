@@ -4,7 +4,7 @@
 #include <QImage>
 #include <vector>
 
-#include "workcell/entity.h"
+#include "workcell/entity/entity.h"
 
 namespace hapticell::app {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "workcell/entity.h"
+#include "workcell/entity/entity.h"
 
 namespace hapticell::app {
 

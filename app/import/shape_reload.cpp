@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "workcell/entity_source.h"
-#include "workcell/mesh_care.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/meshes/mesh_care.h"
 
 namespace hapticell::app {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "workcell/command.h"
-#include "workcell/document_state.h"
-#include "workcell/import_monitor.h"
+#include "workcell/document/command.h"
+#include "workcell/document/document_state.h"
+#include "workcell/scenes/import_monitor.h"
 
 namespace hapticell::app {
 

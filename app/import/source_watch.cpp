@@ -3,7 +3,7 @@
 
 #include <QFileInfo>
 
-#include "workcell/entity_source.h"
+#include "workcell/import/entity_source.h"
 
 namespace hapticell::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "app/import/preview_picture.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
 

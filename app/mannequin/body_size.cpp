@@ -12,10 +12,10 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/mannequin/beside.h"
+#include "app/kit/beside.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 

@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "mannequin/anthropometry.h"
+#include "mannequin/body/anthropometry.h"
 
 class QComboBox;
 class QLabel;

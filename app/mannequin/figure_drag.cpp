@@ -8,8 +8,8 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/mannequin/mannequin_context.h"
-#include "mannequin/figure_model.h"
-#include "mannequin/forward_kinematics.h"
+#include "mannequin/shape/figure_model.h"
+#include "mannequin/posture/forward_kinematics.h"
 
 namespace hapticell::app {
 

@@ -7,9 +7,9 @@
 #include <map>
 #include <memory>
 
-#include "geometry/triangle_mesh.h"
-#include "manipulation/prepared_scene.h"
-#include "mannequin/posture.h"
+#include "geometry/shapes/triangle_mesh.h"
+#include "manipulation/scene/prepared_scene.h"
+#include "mannequin/posture/posture.h"
 
 class QCheckBox;
 class QLabel;

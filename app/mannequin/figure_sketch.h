@@ -6,8 +6,8 @@
 #include <functional>
 #include <memory>
 
-#include "app/viewport/render_item.h"
-#include "mannequin/figure_outline.h"
+#include "app/viewport/scene/render_item.h"
+#include "mannequin/shape/figure_outline.h"
 
 namespace hapticell::app {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/host/host.h"
-#include "app/mannequin/beside.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/kit/beside.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

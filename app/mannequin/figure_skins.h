@@ -4,14 +4,14 @@
 #include <QObject>
 #include <memory>
 
-#include "mannequin/figure_skin.h"
-#include "workcell/entity.h"
+#include "mannequin/shape/figure_skin.h"
+#include "workcell/entity/entity.h"
 
 namespace hapticell::app {
 
 class Host;
 
-/// Sees to it that every mannequin is drawn in its skin (mannequin/figure_skin.h) in place of its links. It is made
+/// Sees to it that every mannequin is drawn in its skin (mannequin/shape/figure_skin.h) in place of its links. It is made
 /// beside the window once for each size; until it is there, some seconds, the links are seen. GUI thread.
 class FigureSkins : public QObject {
  public:

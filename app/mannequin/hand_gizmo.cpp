@@ -8,7 +8,7 @@
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/style/units.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

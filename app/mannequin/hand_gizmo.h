@@ -4,9 +4,9 @@
 #include <QObject>
 #include <optional>
 
-#include "app/viewport/gizmo.h"
-#include "app/viewport/pointer_tool.h"
-#include "manipulation/manipulation_command.h"
+#include "app/viewport/tools/gizmo.h"
+#include "app/viewport/tools/pointer_tool.h"
+#include "manipulation/engine/manipulation_command.h"
 
 namespace hapticell::app {
 

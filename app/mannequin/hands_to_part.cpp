@@ -6,20 +6,20 @@
 #include <QMenu>
 #include <cmath>
 
-#include "app/host/action_face.h"
+#include "app/kit/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/mannequin/beside.h"
+#include "app/kit/beside.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/style/units.h"
-#include "app/viewport/viewport_widget.h"
-#include "mannequin/ergonomics/body_sizes.h"
-#include "mannequin/hands_to.h"
-#include "mannequin/sitting.h"
-#include "workcell/built_in_parts.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "mannequin/ergonomics/advice/body_sizes.h"
+#include "mannequin/posture/hands_to.h"
+#include "mannequin/shape/sitting.h"
+#include "workcell/entity/built_in_parts.h"
 
 namespace hapticell::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "app/viewport/picked_feature.h"
+#include "app/viewport/tools/picked_feature.h"
 
 class QAction;
 class QMenu;

@@ -11,9 +11,9 @@
 #include "app/host/host.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/panels/form.h"
-#include "app/panels/joint_row.h"
-#include "mannequin/joint_limits.h"
+#include "app/kit/form.h"
+#include "app/controls/joint_row.h"
+#include "mannequin/body/joint_limits.h"
 
 namespace hapticell::app {
 namespace {

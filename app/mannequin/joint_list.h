@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "mannequin/skeleton.h"
+#include "mannequin/body/skeleton.h"
 
 class QComboBox;
 

@@ -4,8 +4,8 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
-#include "app/viewport/viewport_widget.h"
-#include "mannequin/figure_model.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <QObject>
 #include <memory>
 
-#include "mannequin/posture.h"
-#include "workcell/entity.h"
+#include "mannequin/posture/posture.h"
+#include "workcell/entity/entity.h"
 
 namespace hapticell::app {
 

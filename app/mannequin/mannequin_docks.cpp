@@ -11,13 +11,13 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/host/action_face.h"
+#include "app/kit/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
-#include "app/host/top_menus.h"
-#include "app/mannequin/beside.h"
+#include "app/kit/top_menus.h"
+#include "app/kit/beside.h"
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/figure_drawings.h"
 #include "app/mannequin/figure_skins.h"
@@ -27,11 +27,11 @@
 #include "app/mannequin/mannequin_edits.h"
 #include "app/mannequin/mannequin_panel.h"
 #include "app/mannequin/marker_panel.h"
-#include "app/panels/dock_front.h"
-#include "app/panels/form.h"
-#include "app/panels/refresh_timer.h"
+#include "app/kit/dock_front.h"
+#include "app/kit/form.h"
+#include "app/controls/refresh_timer.h"
 #include "app/style/dock_title_bar.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

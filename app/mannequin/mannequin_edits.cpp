@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mannequin/body_request_text.h"
-#include "mannequin/figure_model.h"
-#include "mannequin/forward_kinematics.h"
-#include "workcell/entity_source.h"
+#include "mannequin/body/body_request_text.h"
+#include "mannequin/shape/figure_model.h"
+#include "mannequin/posture/forward_kinematics.h"
+#include "workcell/import/entity_source.h"
 
 namespace hapticell::app {
 

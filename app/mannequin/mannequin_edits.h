@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "mannequin/anthropometry.h"
-#include "mannequin/posture.h"
-#include "workcell/command.h"
+#include "mannequin/body/anthropometry.h"
+#include "mannequin/posture/posture.h"
+#include "workcell/document/command.h"
 
 namespace hapticell::app {
 

@@ -21,13 +21,13 @@
 #include "app/mannequin/joint_list.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
-#include "geometry/vector.h"
-#include "mannequin/hand_shape.h"
+#include "geometry/shapes/vector.h"
+#include "mannequin/shape/hand_shape.h"
 
 namespace hapticell::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <array>
 
-#include "manipulation/manipulation_command.h"
-#include "mannequin/skeleton.h"
+#include "manipulation/engine/manipulation_command.h"
+#include "mannequin/body/skeleton.h"
 
 class QCheckBox;
 class QComboBox;

@@ -12,13 +12,13 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/mannequin/beside.h"
+#include "app/kit/beside.h"
 #include "app/mannequin/mannequin_context.h"
-#include "app/panels/form.h"
-#include "app/start/file_dialog.h"
-#include "app/viewport/viewport_widget.h"
-#include "geometry/shapes.h"
-#include "mannequin/marker_set.h"
+#include "app/kit/form.h"
+#include "app/kit/file_dialog.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "geometry/shapes/shapes.h"
+#include "mannequin/motion/marker_set.h"
 
 namespace hapticell::app {
 namespace {

@@ -5,9 +5,9 @@
 #include <QWidget>
 #include <memory>
 
-#include "geometry/pose.h"
-#include "geometry/triangle_mesh.h"
-#include "mannequin/marker_clip.h"
+#include "geometry/shapes/pose.h"
+#include "geometry/shapes/triangle_mesh.h"
+#include "mannequin/motion/marker_clip.h"
 
 class QLabel;
 class QPushButton;

@@ -13,10 +13,10 @@
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/mannequin/mannequin_panel.h"
-#include "app/start/file_dialog.h"
-#include "geometry/atomic_file.h"
-#include "mannequin/motion_writer.h"
-#include "mannequin/posture_file.h"
+#include "app/kit/file_dialog.h"
+#include "geometry/system/atomic_file.h"
+#include "mannequin/motion/motion_writer.h"
+#include "mannequin/posture/posture_file.h"
 
 namespace hapticell::app {
 

@@ -8,7 +8,7 @@
 
 #include "app/host/host.h"
 #include "app/measure/measure_panel.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/icon.h"
 

@@ -14,11 +14,11 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/style/units.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "app/viewport/picked_feature.h"
+#include "app/viewport/tools/picked_feature.h"
 
 namespace hapticell::app {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "collision/proximity_query.h"
+#include "collision/queries/proximity_query.h"
 
 namespace hapticell::app {
 

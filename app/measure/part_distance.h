@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/viewport/scene_model.h"
-#include "collision/distance_result.h"
-#include "collision/mesh_collider.h"
+#include "app/viewport/scene/scene_model.h"
+#include "collision/queries/distance_result.h"
+#include "collision/trees/mesh_collider.h"
 
 namespace hapticell::app {
 

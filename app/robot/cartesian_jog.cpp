@@ -5,9 +5,9 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "app/panels/form.h"
-#include "app/panels/pose_text.h"
-#include "app/panels/reference_choice.h"
+#include "app/kit/form.h"
+#include "app/controls/pose_text.h"
+#include "app/controls/reference_choice.h"
 #include "app/robot/robot_context.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <array>
 
-#include "kinematics/jog.h"
+#include "kinematics/model/jog.h"
 
 #include "app/robot/jog_buttons.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/joint_row.h"
+#include "app/controls/joint_row.h"
 #include "app/style/units.h"
 
 namespace hapticell::app {

@@ -4,8 +4,8 @@
 #include <QAbstractTableModel>
 #include <vector>
 
-#include "kinematics/solution_list.h"
-#include "manipulation/joint_motion.h"
+#include "kinematics/model/solution_list.h"
+#include "manipulation/checks/joint_motion.h"
 
 namespace hapticell::app {
 

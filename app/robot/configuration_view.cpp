@@ -15,14 +15,14 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/robot/joint_mover.h"
 #include "app/robot/motion_worker.h"
 #include "app/robot/robot_context.h"
-#include "app/robot/robot_ghosts.h"
+#include "app/controls/robot_ghosts.h"
 #include "app/style/theme.h"
-#include "app/viewport/overlay_painter.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/overlay/overlay_painter.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

@@ -12,13 +12,13 @@
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/robot/robot_context.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/style/units.h"
-#include "kinematics/inverse_factory.h"
-#include "kinematics/mounted_robot.h"
+#include "kinematics/closed_form/inverse_factory.h"
+#include "kinematics/model/mounted_robot.h"
 
 namespace hapticell::app {
 namespace {

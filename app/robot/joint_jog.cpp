@@ -5,10 +5,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/panels/joint_row.h"
+#include "app/controls/joint_row.h"
 #include "app/robot/robot_context.h"
 #include "app/style/value_field.h"
-#include "kinematics/jog.h"
+#include "kinematics/model/jog.h"
 
 namespace hapticell::app {
 

@@ -7,8 +7,8 @@
 #include "app/host/host.h"
 #include "app/robot/motion_worker.h"
 #include "app/robot/robot_context.h"
-#include "app/robot/robot_ghosts.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/controls/robot_ghosts.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "manipulation/joint_motion.h"
-#include "workcell/entity.h"
+#include "manipulation/checks/joint_motion.h"
+#include "workcell/entity/entity.h"
 
 namespace hapticell::app {
 

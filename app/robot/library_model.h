@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "workcell/entity.h"
-#include "workcell/robot_library.h"
+#include "workcell/entity/entity.h"
+#include "workcell/robots/robot_library.h"
 
 namespace hapticell::app {
 

@@ -15,13 +15,13 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
-#include "app/panels/form.h"
-#include "app/panels/ghost_placer.h"
-#include "app/panels/place_fields.h"
+#include "app/kit/form.h"
+#include "app/controls/ghost_placer.h"
+#include "app/controls/place_fields.h"
 #include "app/robot/robot_facts.h"
 #include "app/style/icon.h"
-#include "app/viewport/viewport_widget.h"
-#include "workcell/entity_source.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "workcell/import/entity_source.h"
 
 namespace hapticell::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "app/robot/library_model.h"
-#include "app/robot/robot_picture.h"
+#include "app/controls/robot_picture.h"
 
 class QComboBox;
 class QLabel;

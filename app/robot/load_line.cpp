@@ -5,12 +5,12 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/robot/robot_context.h"
 #include "app/style/live_label.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
-#include "workcell/robot_library.h"
+#include "workcell/robots/robot_library.h"
 
 namespace hapticell::app {
 namespace {

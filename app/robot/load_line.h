@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "workcell/carried_load.h"
+#include "workcell/document/carried_load.h"
 
 namespace hapticell::app {
 

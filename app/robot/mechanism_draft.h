@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/viewport/picked_feature.h"
-#include "app/viewport/scene_curve.h"
-#include "workcell/command.h"
+#include "app/viewport/tools/picked_feature.h"
+#include "app/viewport/scene/scene_curve.h"
+#include "workcell/document/command.h"
 
 namespace hapticell::app {
 

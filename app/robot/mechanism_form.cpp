@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <limits>
 
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/robot/mechanism_panel.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"

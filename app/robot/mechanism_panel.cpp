@@ -15,12 +15,12 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/robot/robot_context.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

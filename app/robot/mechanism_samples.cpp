@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "workcell/entity_source.h"
+#include "workcell/import/entity_source.h"
 
 namespace hapticell::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/error.h"
-#include "workcell/document.h"
+#include "geometry/system/error.h"
+#include "workcell/document/document.h"
 
 namespace hapticell::app {
 

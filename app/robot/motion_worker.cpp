@@ -3,7 +3,7 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "kinematics/inverse_factory.h"
+#include "kinematics/closed_form/inverse_factory.h"
 
 namespace hapticell::app {
 

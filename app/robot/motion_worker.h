@@ -7,9 +7,9 @@
 #include <functional>
 #include <memory>
 
-#include "kinematics/solution_list.h"
-#include "manipulation/joint_motion.h"
-#include "manipulation/prepared_scene.h"
+#include "kinematics/model/solution_list.h"
+#include "manipulation/checks/joint_motion.h"
+#include "manipulation/scene/prepared_scene.h"
 
 namespace hapticell::app {
 

@@ -6,10 +6,10 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
-#include "app/panels/joint_row.h"
-#include "app/panels/pose_text.h"
-#include "app/viewport/viewport_widget.h"
-#include "kinematics/inverse_factory.h"
+#include "app/controls/joint_row.h"
+#include "app/controls/pose_text.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "kinematics/closed_form/inverse_factory.h"
 
 namespace hapticell::app {
 namespace {

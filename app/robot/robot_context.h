@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "kinematics/inverse_model.h"
-#include "workcell/entity.h"
+#include "kinematics/model/inverse_model.h"
+#include "workcell/entity/entity.h"
 
 namespace hapticell::app {
 

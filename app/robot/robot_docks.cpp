@@ -11,13 +11,13 @@
 #include <QScrollArea>
 #include <QTimer>
 
-#include "app/host/action_face.h"
+#include "app/kit/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
-#include "app/host/top_menus.h"
-#include "app/panels/form.h"
-#include "app/panels/refresh_timer.h"
+#include "app/kit/top_menus.h"
+#include "app/kit/form.h"
+#include "app/controls/refresh_timer.h"
 #include "app/robot/joint_mover.h"
 #include "app/robot/library_panel.h"
 #include "app/robot/mechanism_panel.h"
@@ -27,7 +27,7 @@
 #include "app/robot/tcp_gizmo.h"
 #include "app/robot/tools_panel.h"
 #include "app/style/dock_title_bar.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "kinematics/robot_model.h"
+#include "kinematics/model/robot_model.h"
 
 namespace hapticell::app {
 

@@ -11,7 +11,7 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/robot/cartesian_jog.h"
 #include "app/robot/configuration_view.h"
 #include "app/robot/holding_view.h"
@@ -24,8 +24,8 @@
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/style/units.h"
-#include "kinematics/jog.h"
-#include "workcell/named_poses.h"
+#include "kinematics/model/jog.h"
+#include "workcell/entity/named_poses.h"
 
 namespace hapticell::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "kinematics/jog.h"
+#include "kinematics/model/jog.h"
 
 class QComboBox;
 class QLabel;

@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <utility>
 
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/robot/robot_context.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"

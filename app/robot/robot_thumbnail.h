@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/robot/robot_picture.h"
+#include "app/controls/robot_picture.h"
 
 namespace hapticell::app {
 

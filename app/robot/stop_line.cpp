@@ -5,10 +5,10 @@
 #include <QLabel>
 #include <QPainter>
 
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/library_text.h"
 #include "app/style/theme.h"
-#include "app/viewport/overlay_painter.h"
+#include "app/viewport/overlay/overlay_painter.h"
 
 namespace hapticell::app {
 

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "app/viewport/strip_text.h"
+#include "app/viewport/scene/strip_text.h"
 
 class QLabel;
 

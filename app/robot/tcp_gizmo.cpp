@@ -7,7 +7,7 @@
 #include "app/robot/joint_mover.h"
 #include "app/robot/robot_context.h"
 #include "app/robot/stop_line.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

@@ -4,9 +4,9 @@
 #include <QObject>
 #include <optional>
 
-#include "app/viewport/gizmo.h"
-#include "app/viewport/pointer_tool.h"
-#include "kinematics/jog.h"
+#include "app/viewport/tools/gizmo.h"
+#include "app/viewport/tools/pointer_tool.h"
+#include "kinematics/model/jog.h"
 
 namespace hapticell::app {
 

@@ -11,14 +11,14 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "app/panels/entity_icon.h"
-#include "app/panels/form.h"
-#include "app/panels/pose_text.h"
+#include "app/controls/entity_icon.h"
+#include "app/kit/form.h"
+#include "app/controls/pose_text.h"
 #include "app/robot/load_line.h"
 #include "app/robot/robot_context.h"
 #include "app/style/icon.h"
 #include "app/style/value_field.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

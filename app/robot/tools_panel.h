@@ -5,7 +5,7 @@
 #include <array>
 #include <functional>
 
-#include "workcell/entity.h"
+#include "workcell/entity/entity.h"
 
 class QComboBox;
 class QLineEdit;

@@ -15,15 +15,15 @@
 #include <cmath>
 
 #include "app/host/host.h"
-#include "app/host/system_open.h"
-#include "app/panels/form.h"
+#include "app/kit/system_open.h"
+#include "app/kit/form.h"
 #include "app/settings/configuration_fields.h"
 #include "app/settings/settings_pages.h"
 #include "app/settings/toml_edit.h"
 #include "app/style/value_field.h"
 #include "config/configuration.h"
 #include "config/setting_visitor.h"
-#include "geometry/atomic_file.h"
+#include "geometry/system/atomic_file.h"
 
 namespace hapticell::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::app {
 

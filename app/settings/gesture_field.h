@@ -3,7 +3,7 @@
 
 #include <QPushButton>
 
-#include "app/viewport/navigation.h"
+#include "app/viewport/tools/navigation.h"
 
 namespace hapticell::app {
 

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/settings/key_map.h"
 #include "app/settings/settings_pages.h"
 

@@ -8,9 +8,9 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
-#include "app/host/command_finder.h"
+#include "app/kit/command_finder.h"
 #include "app/host/host.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/settings/key_map.h"
 #include "app/settings/settings_pages.h"
 #include "app/settings/user_choices.h"

@@ -5,7 +5,7 @@
 
 #include "app/host/host.h"
 #include "app/host/user_settings.h"
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/settings/settings_pages.h"
 #include "app/settings/user_choices.h"
 #include "app/style/segmented.h"

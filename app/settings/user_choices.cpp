@@ -7,8 +7,8 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/user_settings.h"
-#include "app/viewport/part_colors.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/scene/part_colors.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 

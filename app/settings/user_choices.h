@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "app/style/units.h"
-#include "app/viewport/navigation.h"
+#include "app/viewport/tools/navigation.h"
 
 namespace hapticell::app {
 

@@ -10,7 +10,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/panels/form.h"
+#include "app/kit/form.h"
 #include "app/style/icon.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"

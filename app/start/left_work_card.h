@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "workcell/autosave.h"
+#include "workcell/files/autosave.h"
 
 class QHBoxLayout;
 

@@ -6,7 +6,7 @@
 #include <QMenu>
 
 #include "app/host/user_settings.h"
-#include "app/start/kept_picture.h"
+#include "app/kit/kept_picture.h"
 
 namespace hapticell::app {
 namespace {

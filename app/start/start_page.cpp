@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "app/host/user_settings.h"
-#include "app/panels/form.h"
-#include "app/start/kept_picture.h"
+#include "app/kit/form.h"
+#include "app/kit/kept_picture.h"
 #include "app/start/left_work_card.h"
 #include "app/start/recent_card.h"
 #include "app/start/recent_files.h"

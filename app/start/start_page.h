@@ -4,7 +4,7 @@
 #include <QFrame>
 #include <vector>
 
-#include "workcell/autosave.h"
+#include "workcell/files/autosave.h"
 
 class QScrollArea;
 class QVBoxLayout;

@@ -3,7 +3,7 @@
 
 #include <QStringList>
 
-#include "geometry/plain_text.h"
+#include "geometry/system/plain_text.h"
 
 namespace hapticell::app {
 

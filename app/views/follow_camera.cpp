@@ -4,11 +4,11 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
-#include "app/panels/pose_text.h"
-#include "app/viewport/viewport_widget.h"
-#include "mannequin/figure_model.h"
-#include "mannequin/forward_kinematics.h"
-#include "mannequin/vision.h"
+#include "app/controls/pose_text.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "mannequin/shape/figure_model.h"
+#include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/posture/vision.h"
 
 namespace hapticell::app {
 namespace {

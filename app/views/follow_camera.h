@@ -5,8 +5,8 @@
 #include <QTimer>
 #include <optional>
 
-#include "app/viewport/camera.h"
-#include "geometry/pose.h"
+#include "app/viewport/scene/camera.h"
+#include "geometry/shapes/pose.h"
 
 namespace hapticell::app {
 

@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <optional>
 
-#include "app/viewport/camera.h"
+#include "app/viewport/scene/camera.h"
 
 namespace hapticell::app {
 

@@ -6,11 +6,11 @@
 #include <QMainWindow>
 #include <QMenu>
 
-#include "app/host/action_face.h"
+#include "app/kit/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 #include "app/views/follow_camera.h"
 #include "app/views/saved_views.h"
 #include "app/views/view_pictures.h"

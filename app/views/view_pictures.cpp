@@ -10,13 +10,13 @@
 #include <QTimer>
 #include <memory>
 
-#include "app/host/action_face.h"
+#include "app/kit/action_face.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/host/render_command.h"
-#include "app/start/file_dialog.h"
+#include "app/views/render_command.h"
+#include "app/kit/file_dialog.h"
 #include "app/style/theme.h"
-#include "app/viewport/viewport_widget.h"
+#include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {

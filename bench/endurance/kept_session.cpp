@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <string>
 
-#include "workcell/document_io.h"
-#include "workcell/file_content.h"
+#include "workcell/format/document_io.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::endurance {
 

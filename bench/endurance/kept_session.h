@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "manipulation/session.h"
-#include "workcell/document.h"
+#include "manipulation/session/session.h"
+#include "workcell/document/document.h"
 
 namespace hapticell::endurance {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "bench/endurance/shift.h"
-#include "manipulation/local_server.h"
+#include "manipulation/session/local_server.h"
 
 namespace {
 

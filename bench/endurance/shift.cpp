@@ -7,12 +7,12 @@
 
 #include "bench/endurance/kept_session.h"
 #include "bench/endurance/random_hand.h"
-#include "trajectory/trajectory_io.h"
-#include "workcell/document_io.h"
-#include "workcell/entity_source.h"
-#include "workcell/file_content.h"
-#include "workcell/imported_entities.h"
-#include "workcell/scene_export.h"
+#include "trajectory/files/trajectory_io.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/text/file_content.h"
+#include "workcell/import/imported_entities.h"
+#include "workcell/files/scene_export.h"
 
 namespace hapticell::endurance {
 

@@ -10,8 +10,8 @@
 
 #include "config/configuration.h"
 #include "config/device_profile.h"
-#include "manipulation/session.h"
-#include "workcell/document.h"
+#include "manipulation/session/session.h"
+#include "workcell/document/document.h"
 
 namespace hapticell::endurance {
 

@@ -15,9 +15,9 @@
 #include <thread>
 #include <utility>
 
-#include "haptic/client/message_stream.h"
-#include "haptic/client/press_latch.h"
-#include "haptic/client/secure_stream.h"
+#include "haptic/transport/message_stream.h"
+#include "haptic/transport/press_latch.h"
+#include "haptic/transport/secure_stream.h"
 #include "haptic/protocol/heartbeat.h"
 #include "haptic/rendering/triple_buffer.h"
 

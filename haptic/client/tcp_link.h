@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "haptic/client/haptic_link.h"
-#include "haptic/client/pairing_key.h"
+#include "haptic/transport/haptic_link.h"
+#include "haptic/transport/pairing_key.h"
 
 namespace hapticell::haptic {
 

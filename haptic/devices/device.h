@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "geometry/error.h"
-#include "geometry/pose.h"
+#include "geometry/system/error.h"
+#include "geometry/shapes/pose.h"
 
 namespace hapticell::haptic {
 

@@ -13,10 +13,10 @@
 #include <thread>
 #include <utility>
 
-#include "geometry/atomic_file.h"
+#include "geometry/system/atomic_file.h"
 
-#include "geometry/nesting_limit.h"
-#include "geometry/regular_file.h"
+#include "geometry/system/nesting_limit.h"
+#include "geometry/system/regular_file.h"
 
 namespace hapticell::haptic {
 

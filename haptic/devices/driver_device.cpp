@@ -14,7 +14,7 @@
 #include <thread>
 #include <utility>
 
-#include "geometry/plain_text.h"
+#include "geometry/system/plain_text.h"
 #include "haptic/devices/driver_library.h"
 #include "haptic/devices/driver_support.h"
 #include "haptic/rendering/triple_buffer.h"

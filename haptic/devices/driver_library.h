@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 #include "haptic/devices/driver_interface.h"
 
 namespace hapticell::haptic {

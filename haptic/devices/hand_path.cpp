@@ -7,8 +7,8 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/assertion.h"
-#include "geometry/regular_file.h"
+#include "geometry/system/assertion.h"
+#include "geometry/system/regular_file.h"
 #include "haptic/devices/hand_path_units.h"
 
 namespace hapticell::haptic {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/error.h"
-#include "geometry/pose.h"
+#include "geometry/system/error.h"
+#include "geometry/shapes/pose.h"
 
 namespace hapticell::haptic {
 

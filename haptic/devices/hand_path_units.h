@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 #include "haptic/devices/hand_path.h"
 
 namespace hapticell::haptic {

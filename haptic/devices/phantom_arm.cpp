@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/assertion.h"
+#include "geometry/system/assertion.h"
 
 namespace hapticell::haptic {
 

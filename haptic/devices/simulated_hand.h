@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "geometry/pose.h"
+#include "geometry/shapes/pose.h"
 
 namespace hapticell::haptic {
 

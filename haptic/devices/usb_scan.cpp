@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "geometry/plain_text.h"
+#include "geometry/system/plain_text.h"
 
 namespace hapticell::driver {
 

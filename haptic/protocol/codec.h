@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 #include "haptic/protocol/messages.h"
 
 namespace hapticell::haptic {

@@ -2,7 +2,7 @@
 #include <cstring>
 #include <string>
 
-#include "geometry/plain_text.h"
+#include "geometry/system/plain_text.h"
 #include "haptic/protocol/codec.h"
 #include "haptic/protocol/hapticell_generated.h"
 #include "haptic/protocol/wire_values.h"

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/assertion.h"
+#include "geometry/system/assertion.h"
 #include "haptic/protocol/codec.h"
 #include "haptic/protocol/hapticell_generated.h"
 #include "haptic/protocol/wire_values.h"

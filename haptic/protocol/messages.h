@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "geometry/pose.h"
+#include "geometry/shapes/pose.h"
 #include "haptic/protocol/device_condition.h"
 #include "haptic/rendering/constraint_set.h"
 #include "haptic/rendering/held_load.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "geometry/pose.h"
+#include "geometry/shapes/pose.h"
 
 namespace hapticell::haptic {
 

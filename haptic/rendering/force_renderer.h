@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "geometry/pose.h"
+#include "geometry/shapes/pose.h"
 #include "haptic/rendering/constraint_set.h"
 #include "haptic/rendering/held_load.h"
 #include "haptic/rendering/passivity.h"

@@ -4,7 +4,7 @@
 #include <bitset>
 #include <cstddef>
 
-#include "geometry/pose.h"
+#include "geometry/shapes/pose.h"
 #include "haptic/rendering/active_set_solver.h"
 #include "haptic/rendering/proxy_metric.h"
 #include "haptic/rendering/proxy_rows.h"

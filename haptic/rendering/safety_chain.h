@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "geometry/vector.h"
+#include "geometry/shapes/vector.h"
 
 namespace hapticell::haptic {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "geometry/plain_text.h"
+#include "geometry/system/plain_text.h"
 #include "haptic/devices/device_care.h"
 #include "haptic/server/clock.h"
 #include "haptic/server/force_loop.h"

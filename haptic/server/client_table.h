@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "haptic/client/message_stream.h"
+#include "haptic/transport/message_stream.h"
 #include "haptic/protocol/codec.h"
 #include "haptic/protocol/heartbeat.h"
 #include "haptic/server/beat_watch.h"

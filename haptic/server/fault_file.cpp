@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "config/user_folders.h"
-#include "geometry/atomic_file.h"
+#include "geometry/system/atomic_file.h"
 #include "haptic/server/clock.h"
 
 namespace hapticell::haptic {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "geometry/error.h"
+#include "geometry/system/error.h"
 #include "haptic/server/fault_recorder.h"
 
 namespace hapticell::haptic {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/pose.h"
+#include "geometry/shapes/pose.h"
 
 namespace hapticell::haptic {
 

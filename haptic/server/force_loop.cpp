@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/assertion.h"
+#include "geometry/system/assertion.h"
 #include "haptic/devices/simulated_device.h"
 
 namespace hapticell::haptic {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "geometry/assertion.h"
+#include "geometry/system/assertion.h"
 
 namespace hapticell::haptic {
 

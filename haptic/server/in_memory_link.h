@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "haptic/client/haptic_link.h"
-#include "haptic/client/press_latch.h"
+#include "haptic/transport/haptic_link.h"
+#include "haptic/transport/press_latch.h"
 #include "haptic/protocol/codec.h"
 #include "haptic/server/force_loop.h"
 

@@ -12,7 +12,7 @@
 
 #include "config/configuration.h"
 #include "config/user_folders.h"
-#include "geometry/plain_text.h"
+#include "geometry/system/plain_text.h"
 #include "haptic/devices/device_choice.h"
 #include "haptic/devices/device_recording.h"
 #include "haptic/devices/simulated_device.h"

@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "haptic/client/secure_stream.h"
+#include "haptic/transport/secure_stream.h"
 #include "haptic/server/client_table.h"
 #include "haptic/server/clock.h"
 #include "haptic/server/force_loop.h"

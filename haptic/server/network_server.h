@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "geometry/error.h"
-#include "haptic/client/pairing_key.h"
+#include "geometry/system/error.h"
+#include "haptic/transport/pairing_key.h"
 #include "haptic/protocol/messages.h"
 
 namespace hapticell::haptic {

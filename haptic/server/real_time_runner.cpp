@@ -13,7 +13,7 @@
 #include <cstring>
 #include <future>
 
-#include "geometry/assertion.h"
+#include "geometry/system/assertion.h"
 #include "haptic/server/force_loop.h"
 
 namespace hapticell::haptic {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "geometry/plain_text.h"
+#include "geometry/system/plain_text.h"
 #include "haptic/server/clock.h"
 
 namespace hapticell::haptic {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/vector.h"
+#include "geometry/shapes/vector.h"
 
 namespace hapticell::haptic {
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every file is written by the one writer (geometry/atomic_file.h): nothing in the programs opens a file for writing, renames one
+"""Every file is written by the one writer (geometry/system/atomic_file.h): nothing in the programs opens a file for writing, renames one
 or hands a name to a library that writes, but what is listed here with its reason.
 
 usage: file_writers.py PROJECT_ROOT | --self-test
@@ -23,17 +23,17 @@ WRITERS = re.compile(
 
 # File: why it may.
 ALLOWED = {
-    "geometry/atomic_file.cpp": "the writer",
-    "geometry/scratch_folder.cpp": "the writer, of folders",
-    "workcell/document_lock.cpp": "a lock is no content: it is made where none is, and goes with its owner",
-    "workcell/autosave.cpp": "the lock of a run's folder; whole copies are handed from a dead run to a living one",
-    "workcell/pack.cpp": "copies into a folder that has no name yet, read back before it gets one",
-    "workcell/import_process.cpp": "/dev/null, for the importer's output",
+    "geometry/system/atomic_file.cpp": "the writer",
+    "geometry/system/scratch_folder.cpp": "the writer, of folders",
+    "workcell/files/document_lock.cpp": "a lock is no content: it is made where none is, and goes with its owner",
+    "workcell/files/autosave.cpp": "the lock of a run's folder; whole copies are handed from a dead run to a living one",
+    "workcell/files/pack.cpp": "copies into a folder that has no name yet, read back before it gets one",
+    "workcell/scenes/import_process.cpp": "/dev/null, for the importer's output",
     "importer/step_writer.cpp": "writes under the unfinished name that its caller gives it",
-    "app/host/crash_guard.cpp": "a signal handler may not allocate; the note goes into the run's own folder",
+    "app/shell/crash_guard.cpp": "a signal handler may not allocate; the note goes into the run's own folder",
     "app/host/user_settings.cpp": "QSettings writes aside, flushes and renames by itself, and merges what two windows change",
     "app/host/user_settings.h": "the same",
-    "app/host/written_file.cpp": "Qt draws into memory here",
+    "app/kit/written_file.cpp": "Qt draws into memory here",
     "haptic/devices/drivers/cyberglove/serial_port.cpp": "a device",
 }
 # Ports of devices and cables to them are opened for reading and writing.
@@ -58,7 +58,7 @@ def offences(name, text):
         found = WRITERS.search(line)
         if not found or (name.startswith(DEVICES) and found.group().lower() in DEVICE_WORDS):
             continue
-        yield f"{name}:{number}: {found.group()} writes past geometry/atomic_file.h: {line.strip()}"
+        yield f"{name}:{number}: {found.group()} writes past geometry/system/atomic_file.h: {line.strip()}"
 
 
 def self_test():

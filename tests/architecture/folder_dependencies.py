@@ -1,6 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Keeps docs/architecture.md's table: a folder includes only the folders (and foreign libraries) it is allowed.
+"""Keeps the order of the folders: folders.txt lists all of them bottom to top, and a file includes only what lies in its own
+folder or in one above it in that list. There are no exceptions.
+
+Besides: which top folders a top folder may use, which foreign headers belong where, that a folder directly holds at most
+30 sources (a header and its source count as one) and a README.md, and that tests mirror the folders.
 
 usage: folder_dependencies.py PROJECT_ROOT | --self-test
 """
@@ -8,32 +12,35 @@ import pathlib
 import re
 import sys
 
-# Folder -> folders it may include besides itself. Kept in the order of docs/architecture.md.
+HERE = pathlib.Path(__file__).resolve().parent
+ORDER = [line.split("#")[0].strip() for line in (HERE / "folders.txt").read_text().splitlines() if line.split("#")[0].strip()]
+MOST_SOURCES = 30
+
+# Which folders the files below a folder may include besides those below the same one. "*": any lower one.
+ENGINES = {"geometry", "config", "collision", "kinematics", "mannequin", "trajectory"}
 ALLOWED = {
     "geometry": set(),
     "config": {"geometry"},
     "collision": {"geometry"},
     "kinematics": {"geometry"},
     "mannequin": {"geometry", "kinematics"},
-    "mannequin/ergonomics": {"geometry", "mannequin"},
     "trajectory": {"geometry", "kinematics"},
-    "trajectory/checks": {"geometry", "trajectory"},
     "haptic/rendering": {"geometry"},
     "haptic/protocol": {"geometry", "haptic/rendering"},
+    "haptic/transport": {"geometry", "config", "haptic/rendering", "haptic/protocol"},
     "haptic/devices": {"geometry", "config", "haptic/rendering", "haptic/protocol"},
-    "haptic/client": {"geometry", "config", "haptic/rendering", "haptic/protocol"},
-    "haptic/server": {"geometry", "config", "haptic/rendering", "haptic/protocol", "haptic/devices",
-                      "haptic/client"},
+    "haptic/server": {"geometry", "config", "haptic/rendering", "haptic/protocol", "haptic/transport", "haptic/devices"},
+    "haptic/client": {"geometry", "config", "haptic/rendering", "haptic/protocol", "haptic/transport"},
     "xacro": {"geometry"},
-    "workcell": {"geometry", "xacro", "config", "collision", "kinematics", "mannequin", "mannequin/ergonomics", "trajectory"},
+    "workcell": ENGINES | {"xacro"},
     "importer": {"geometry", "workcell"},
-    "manipulation": {"geometry", "config", "collision", "kinematics", "mannequin", "mannequin/ergonomics", "trajectory", "trajectory/checks", "workcell", "haptic/rendering",
-                     "haptic/protocol", "haptic/devices", "haptic/server", "haptic/client"},
-    "feel": {"geometry", "config", "collision", "kinematics", "trajectory", "workcell", "manipulation",
-             "haptic/rendering", "haptic/protocol", "haptic/devices", "haptic/server", "haptic/client"},
+    "manipulation": ENGINES | {"workcell", "haptic"},
+    "feel": ENGINES - {"mannequin"} | {"workcell", "manipulation", "haptic"},
     "cli": {"*"},
     "app": {"*"},
 }
+# Tests that belong to no folder of the program, or serve several of one.
+TESTS_BESIDE = {"support", "architecture", "consumer", "fuzz", "app/pages", "haptic/devices/odd_drivers"}
 # Foreign headers that only some folders may see.
 FOREIGN = {
     r"^Q[A-Z]|^QtCore|^Qt": {"app"},
@@ -42,8 +49,8 @@ FOREIGN = {
     r"^archive": {"workcell", "importer"},
     r"^meshoptimizer": {"mannequin", "workcell", "importer", "app"},
     r"^toml\+\+": {"config", "mannequin", "workcell"},
-    r"^asio": {"haptic/server", "haptic/client"},
-    r"^openssl/": {"haptic/client"},
+    r"^asio": {"haptic/transport", "haptic/server", "haptic/client"},
+    r"^openssl/": {"haptic/transport"},
     r"^CLI/": {"cli"},
     r"^cairo": {"mannequin"},
     r"^OpenMesh/": {"geometry"},
@@ -55,41 +62,59 @@ SOURCE_ONLY = re.compile(r"^Eigen/")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
-def folder_of(path):
+def room_of(path):
+    """The entry of ALLOWED that a path belongs to."""
     parts = path.split("/")
-    if len(parts) < 2:
-        return None
     two = "/".join(parts[:2])
-    if two in ALLOWED:
-        return two
-    return parts[0] if parts[0] in ALLOWED else None
+    return two if two in ALLOWED else parts[0] if parts[0] in ALLOWED and len(parts) > 1 else None
 
 
 def offences(name, text):
-    """Yields a sentence for each include in the file `name` (relative to the root) that the table forbids."""
-    own = folder_of(name)
-    if own is None:
+    """Yields a sentence for each include in the file `name` (relative to the root) that is not allowed."""
+    folder, room = name.rpartition("/")[0], room_of(name)
+    if room is None:
         return
     for number, line in enumerate(text.splitlines(), 1):
         match = INCLUDE.match(line)
         if not match:
             continue
         target = match.group(2)
-        used = folder_of(target)
-        if used and used != own and "*" not in ALLOWED[own] and used not in ALLOWED[own]:
-            yield f"{name}:{number}: {own}/ may not use {used}/ ({target})"
+        used, used_room = target.rpartition("/")[0], room_of(target)
+        if used_room and used_room != room:
+            allowed = ALLOWED[room]
+            if "*" not in allowed and used_room not in allowed and used_room.split("/")[0] not in allowed:
+                yield f"{name}:{number}: {room}/ may not use {used_room}/ ({target})"
+        if used in ORDER and folder in ORDER and ORDER.index(used) > ORDER.index(folder):
+            yield f"{name}:{number}: {folder}/ lies below {used}/ and may not use it ({target})"
         if SOURCE_ONLY.match(target) and name.endswith(".h"):
             yield f"{name}:{number}: Eigen belongs in .cpp files only"
         for pattern, folders in FOREIGN.items():
-            if re.match(pattern, target) and own.split("/")[0] not in folders and own not in folders:
+            if re.match(pattern, target) and room.split("/")[0] not in folders and room not in folders:
                 yield f"{name}:{number}: only {', '.join(sorted(folders))} may include {target}"
+
+
+def crowding(folder, names, has_readme):
+    """Yields what is wrong with what lies in a folder directly."""
+    stems = {name.rpartition(".")[0] for name in names}
+    if len(stems) > MOST_SOURCES:
+        yield f"{folder}/ holds {len(stems)} sources; at most {MOST_SOURCES}: make a sub-folder"
+    if folder not in ORDER:
+        yield f"{folder}/ is not in tests/architecture/folders.txt"
+    if not has_readme:
+        yield f"{folder}/ has no README.md that says what lives there, what it may use and where to begin reading"
 
 
 def self_test():
     def found(name, line):
         return list(offences(name, line + "\n"))
 
-    assert found("geometry/a.cpp", '#include "collision/b.h"')
+    assert found("geometry/shapes/a.cpp", '#include "collision/trees/b.h"')
+    assert found("workcell/text/a.cpp", '#include "workcell/files/b.h"')
+    assert not found("workcell/files/a.cpp", '#include "workcell/text/b.h"')
+    assert found("app/style/a.cpp", '#include "app/shell/b.h"')
+    assert list(crowding("workcell/text", [f"{n}.h" for n in range(31)], True))
+    assert not list(crowding("workcell/text", [f"{n}.{e}" for n in range(30) for e in ("h", "cpp")], True))
+    assert list(crowding("workcell/text", [], False)) and list(crowding("workcell/nowhere", [], True))
     assert found("collision/a.h", "#include <Eigen/Core>")
     assert found("haptic/server/a.cpp", "#include <QString>")
     assert found("haptic/rendering/a.cpp", '#include "haptic/server/loop.h"')
@@ -97,8 +122,8 @@ def self_test():
     assert found("app/a.cpp", "#include <assimp/scene.h>")
     assert not found("importer/a.cpp", "#include <STEPCAFControl_Reader.hxx>")
     assert not found("collision/a.cpp", "#include <Eigen/Core>")
-    assert not found("collision/a.cpp", '#include "geometry/pose.h"')
-    assert not found("manipulation/a.cpp", '#include "haptic/client/haptic_link.h"')
+    assert not found("collision/a.cpp", '#include "geometry/shapes/pose.h"')
+    assert not found("manipulation/a.cpp", '#include "haptic/transport/haptic_link.h"')
     assert not found("app/a.cpp", "#include <QString>")
 
 
@@ -109,11 +134,23 @@ def main():
         return 0
     root = pathlib.Path(sys.argv[1])
     bad, read = [], 0
-    for folder in sorted({name.split("/")[0] for name in ALLOWED}):
-        for path in sorted((root / folder).rglob("*")):
+    for top in sorted({name.split("/")[0] for name in ALLOWED}):
+        inside = {}
+        for path in sorted((root / top).rglob("*")):
             if path.suffix in (".h", ".cpp"):
                 read += 1
-                bad += offences(path.relative_to(root).as_posix(), path.read_text(encoding="utf-8"))
+                name = path.relative_to(root).as_posix()
+                inside.setdefault(name.rpartition("/")[0], []).append(path.name)
+                bad += offences(name, path.read_text(encoding="utf-8"))
+        for folder, names in inside.items():
+            bad += crowding(folder, names, (root / folder / "README.md").exists())
+    bad += [f"{folder}/ of folders.txt holds no source" for folder in ORDER if not list((root / folder).glob("*.*"))]
+    parents = {folder[:at] for folder in ORDER for at in range(len(folder)) if folder[at] == "/"}
+    for path in sorted((root / "tests").rglob("*.cpp")):
+        folder = path.parent.relative_to(root / "tests").as_posix()
+        beside = any(folder == other or folder.startswith(other + "/") for other in TESTS_BESIDE)
+        if not beside and folder not in ORDER and folder not in parents:
+            bad.append(f"tests/{folder}/ mirrors no folder of the program")
     print("\n".join(bad) if bad else f"{read} files keep the table")
     return 1 if bad or read == 0 else 0
 

@@ -16,12 +16,12 @@ FORBIDDEN = re.compile(r"(?<![\w.>:])(?<!DualSystem )(?:std::|::)?(?:system|pope
                        r"|\b(?:start|startDetached|setProgram)\s*\(\s*(?:QStringLiteral\(|QLatin1String\()?\"(?!/)")
 # Who may start one at all; what each starts. A new place belongs here once its path is absolute.
 MAY_START = {
-    "workcell/import_process.cpp": "the importer beside the program",
-    "app/host/system_open.cpp": "xdg-open, by config::systemProgram()",
-    "app/host/video_writer.cpp": "ffmpeg, by config::systemProgram()",
-    "app/virtual_desktop/server_process.cpp": "the haptic server beside the program",
-    "app/virtual_desktop/device_listing.cpp": "hapticell-cli beside the program",
-    "cli/device_list.cpp": "itself, to ask a driver apart",
+    "workcell/scenes/import_process.cpp": "the importer beside the program",
+    "app/kit/system_open.cpp": "xdg-open, by config::systemProgram()",
+    "app/kit/video_writer.cpp": "ffmpeg, by config::systemProgram()",
+    "app/virtual_desktop/devices/server_process.cpp": "the haptic server beside the program",
+    "app/virtual_desktop/devices/device_listing.cpp": "hapticell-cli beside the program",
+    "cli/device/device_list.cpp": "itself, to ask a driver apart",
 }
 STARTS = re.compile(r"\bQProcess\b|\bposix_spawn\s*\(|\bexecv[e]?\s*\(|(?<![\w.>:])fork\s*\(")
 COMMENT = re.compile(r"//[^\n]*")
@@ -40,10 +40,10 @@ def self_test():
     for bad in ('std::system("ls");', 'FILE* f = ::popen(x, "r");', "execvp(a, b);", "posix_spawnp(&id, a);",
                 'process.start("ffmpeg", arguments);', 'QProcess::startDetached(QStringLiteral("xdg-open"), {});',
                 "QDesktopServices::openUrl(url);", 'p.startCommand("a b");', 'QStandardPaths::findExecutable("x")'):
-        assert list(offences("app/host/video_writer.cpp", bad)), bad
+        assert list(offences("app/kit/video_writer.cpp", bad)), bad
     for good in ("process.start(program, arguments);", "QLocale::system().language()", "timer_.start(20);", "thread.start();",
                  "clock.system(1)", "motion.start(x);", "// system(x)"):
-        assert not list(offences("app/host/video_writer.cpp", good)), good
+        assert not list(offences("app/kit/video_writer.cpp", good)), good
     assert list(offences("app/new.cpp", "QProcess process;"))
 
 

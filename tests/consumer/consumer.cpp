@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <collision/proximity_query.h>
-#include <geometry/shapes.h>
+#include <collision/queries/proximity_query.h>
+#include <geometry/shapes/shapes.h>
 
 #include <cstdio>
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "workcell/document_io.h"
+#include "workcell/format/document_io.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hapticell;

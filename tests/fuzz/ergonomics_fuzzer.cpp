@@ -7,12 +7,12 @@
 #include <string>
 #include <string_view>
 
-#include "cli/ergonomics_input.h"
-#include "cli/ergonomics_posture_input.h"
-#include "mannequin/ergonomics/niosh.h"
-#include "mannequin/ergonomics/owas.h"
-#include "mannequin/ergonomics/reba.h"
-#include "mannequin/ergonomics/rula.h"
+#include "cli/ergonomics/ergonomics_input.h"
+#include "cli/ergonomics/ergonomics_posture_input.h"
+#include "mannequin/ergonomics/methods/niosh.h"
+#include "mannequin/ergonomics/methods/owas.h"
+#include "mannequin/ergonomics/methods/reba.h"
+#include "mannequin/ergonomics/methods/rula.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string>
 
-#include "workcell/entity_source.h"
+#include "workcell/import/entity_source.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hapticell;

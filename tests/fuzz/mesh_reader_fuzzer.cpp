@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "workcell/mesh_formats.h"
-#include "workcell/mesh_parts.h"
-#include "workcell/mesh_reader.h"
+#include "workcell/meshes/mesh_formats.h"
+#include "workcell/meshes/mesh_parts.h"
+#include "workcell/meshes/mesh_reader.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "mannequin/motion_clip.h"
+#include "mannequin/motion/motion_clip.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hapticell;

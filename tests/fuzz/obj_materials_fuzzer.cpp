@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "workcell/obj_materials.h"
+#include "workcell/meshes/obj_materials.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hapticell;

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "workcell/urdf_reader.h"
+#include "workcell/robots/urdf_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hapticell;

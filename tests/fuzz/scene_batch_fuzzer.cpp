@@ -2,7 +2,7 @@
 // Any bytes as what the importer's process leaves for several files.
 #include <cstdlib>
 
-#include "workcell/scene_batch.h"
+#include "workcell/scenes/scene_batch.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hapticell::workcell;

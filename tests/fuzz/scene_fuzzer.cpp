@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "workcell/scene_exchange.h"
+#include "workcell/scenes/scene_exchange.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hapticell;

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "workcell/srdf.h"
-#include "workcell/urdf_reader.h"
+#include "workcell/robots/srdf.h"
+#include "workcell/robots/urdf_reader.h"
 
 namespace {
 constexpr const char* kRobot =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one rule for what a file holds and is not used: files that have every listed thing, and the table of the page.
-#include "workcell/content_rules.h"
+#include "workcell/text/content_rules.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 
 #include "tests/importer/model_texts.h"
 #include "tests/support/test_data.h"
-#include "workcell/file_content.h"
-#include "workcell/import_scene.h"
-#include "workcell/sdf_cell_reader.h"
+#include "workcell/text/file_content.h"
+#include "workcell/scenes/import_scene.h"
+#include "workcell/scenes/sdf_cell_reader.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -3,16 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 #include "tests/support/test_data.h"
-#include "workcell/assembly_solid.h"
-#include "workcell/autosave.h"
-#include "workcell/change_report.h"
-#include "workcell/document_io.h"
-#include "workcell/entity_source.h"
-#include "workcell/file_content.h"
-#include "workcell/named_files.h"
-#include "workcell/pack.h"
+#include "workcell/document/assembly_solid.h"
+#include "workcell/files/autosave.h"
+#include "workcell/import/change_report.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/text/file_content.h"
+#include "workcell/files/named_files.h"
+#include "workcell/files/pack.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -4,13 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "geometry/mass_properties.h"
-#include "geometry/shapes.h"
+#include "geometry/shapes/mass_properties.h"
+#include "geometry/shapes/shapes.h"
 #include "tests/support/test_data.h"
-#include "workcell/file_content.h"
-#include "workcell/gltf_writer.h"
-#include "workcell/mesh_reader.h"
-#include "workcell/scene_export.h"
+#include "workcell/text/file_content.h"
+#include "workcell/scenes/gltf_writer.h"
+#include "workcell/meshes/mesh_reader.h"
+#include "workcell/files/scene_export.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -11,10 +11,10 @@
 #include <thread>
 #include <vector>
 
-#include "geometry/sanitizers.h"
+#include "geometry/system/sanitizers.h"
 #include "tests/support/test_data.h"
-#include "workcell/import_process.h"
-#include "workcell/import_scene.h"
+#include "workcell/scenes/import_process.h"
+#include "workcell/scenes/import_scene.h"
 
 namespace hapticell::workcell {
 namespace {

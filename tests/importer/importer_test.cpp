@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "workcell/importer.h"
+#include "workcell/import/importer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

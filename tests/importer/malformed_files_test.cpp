@@ -6,12 +6,12 @@
 
 #include <random>
 
-#include "geometry/sanitizers.h"
-#include "geometry/shapes.h"
+#include "geometry/system/sanitizers.h"
+#include "geometry/shapes/shapes.h"
 #include "tests/support/test_data.h"
-#include "workcell/file_content.h"
-#include "workcell/gltf_writer.h"
-#include "workcell/scene_export.h"
+#include "workcell/text/file_content.h"
+#include "workcell/scenes/gltf_writer.h"
+#include "workcell/files/scene_export.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -7,8 +7,8 @@
 #include <cctype>
 
 #include "tests/support/test_data.h"
-#include "workcell/document_io.h"
-#include "workcell/entity_source.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/entity_source.h"
 
 namespace hapticell::workcell {
 namespace {

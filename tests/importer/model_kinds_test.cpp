@@ -8,14 +8,14 @@
 #include <filesystem>
 #include <numeric>
 
-#include "geometry/mass_properties.h"
+#include "geometry/shapes/mass_properties.h"
 #include "tests/importer/model_texts.h"
 #include "tests/support/test_data.h"
-#include "workcell/archive.h"
-#include "workcell/content_rules.h"
-#include "workcell/file_content.h"
-#include "workcell/import_scene.h"
-#include "workcell/scene_export.h"
+#include "workcell/files/archive.h"
+#include "workcell/text/content_rules.h"
+#include "workcell/text/file_content.h"
+#include "workcell/scenes/import_scene.h"
+#include "workcell/files/scene_export.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/test_data.h"
-#include "workcell/archive.h"
-#include "workcell/import_scene.h"
+#include "workcell/files/archive.h"
+#include "workcell/scenes/import_scene.h"
 
 namespace hapticell::workcell {
 namespace {

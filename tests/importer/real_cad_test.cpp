@@ -7,9 +7,9 @@
 #include <set>
 
 #include "tests/support/test_data.h"
-#include "workcell/document_io.h"
-#include "workcell/entity_source.h"
-#include "workcell/imported_entities.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/import/imported_entities.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene files of a package are read by one run of the importer, as if each had been read by itself.
-#include "workcell/scene_batch.h"
+#include "workcell/scenes/scene_batch.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 #include <sstream>
 
 #include "tests/support/test_data.h"
-#include "workcell/sdf_cell_reader.h"
-#include "workcell/urdf_reader.h"
+#include "workcell/scenes/sdf_cell_reader.h"
+#include "workcell/robots/urdf_reader.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "workcell/scene_exchange.h"
+#include "workcell/scenes/scene_exchange.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstring>
 #include <random>
 
-#include "geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "workcell/sdf_cell_reader.h"
+#include "workcell/scenes/sdf_cell_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

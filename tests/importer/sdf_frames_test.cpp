@@ -8,7 +8,7 @@
 #include <random>
 
 #include "tests/support/test_data.h"
-#include "workcell/sdf_cell_reader.h"
+#include "workcell/scenes/sdf_cell_reader.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-#include "geometry/mass_properties.h"
+#include "geometry/shapes/mass_properties.h"
 #include "tests/support/test_data.h"
-#include "workcell/document_io.h"
-#include "workcell/entity_source.h"
-#include "workcell/mesh_writer.h"
-#include "workcell/robot_reader.h"
-#include "workcell/sdf_cell_reader.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/meshes/mesh_writer.h"
+#include "workcell/robots/robot_reader.h"
+#include "workcell/scenes/sdf_cell_reader.h"
 
 namespace hapticell::workcell {
 namespace {

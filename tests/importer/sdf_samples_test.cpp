@@ -9,11 +9,11 @@
 #include <optional>
 #include <sdf/sdf.hh>
 
-#include "kinematics/robot_model.h"
+#include "kinematics/model/robot_model.h"
 #include "tests/support/test_data.h"
-#include "workcell/sdf_cell_reader.h"
-#include "workcell/sdf_reader.h"
-#include "workcell/sdf_source.h"
+#include "workcell/scenes/sdf_cell_reader.h"
+#include "workcell/scenes/sdf_reader.h"
+#include "workcell/scenes/sdf_source.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "tests/support/test_data.h"
-#include "workcell/entity_source.h"
-#include "workcell/import_scene.h"
-#include "workcell/mesh_reader.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/scenes/import_scene.h"
+#include "workcell/meshes/mesh_reader.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/test_data.h"
-#include "workcell/document_io.h"
-#include "workcell/entity_source.h"
-#include "workcell/imported_entities.h"
-#include "workcell/named_files.h"
-#include "workcell/pack.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/import/imported_entities.h"
+#include "workcell/files/named_files.h"
+#include "workcell/files/pack.h"
 
 namespace hapticell::workcell {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "tests/support/test_data.h"
 #include "tests/xacro/memory_files.h"
-#include "workcell/robot_reader.h"
+#include "workcell/robots/robot_reader.h"
 
 namespace hapticell::xacro {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/test_data.h"
-#include "workcell/robot_reader.h"
+#include "workcell/robots/robot_reader.h"
 
 namespace hapticell::xacro {
 namespace {

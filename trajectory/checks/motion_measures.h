@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "trajectory/trajectory.h"
+#include "trajectory/motion/trajectory.h"
 
 namespace hapticell::trajectory_checks {
 

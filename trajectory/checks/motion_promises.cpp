@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "trajectory/checks/motion_measures.h"
-#include "trajectory/number_text.h"
-#include "trajectory/trajectory_io.h"
+#include "trajectory/motion/number_text.h"
+#include "trajectory/files/trajectory_io.h"
 
 namespace hapticell::trajectory_checks {
 

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <functional>
 
-#include "geometry/error.h"
-#include "geometry/promise.h"
-#include "trajectory/retiming.h"
-#include "trajectory/trajectory.h"
+#include "geometry/system/error.h"
+#include "geometry/system/promise.h"
+#include "trajectory/timing/retiming.h"
+#include "trajectory/motion/trajectory.h"
 
 namespace hapticell::trajectory_checks {
 

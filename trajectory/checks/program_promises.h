@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "geometry/error.h"
-#include "geometry/promise.h"
-#include "trajectory/program_export.h"
-#include "trajectory/trajectory.h"
+#include "geometry/system/error.h"
+#include "geometry/system/promise.h"
+#include "trajectory/programs/writing/program_export.h"
+#include "trajectory/motion/trajectory.h"
 
 namespace hapticell::trajectory_checks {
 

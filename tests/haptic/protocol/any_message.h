@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/plain_text.h"
+#include "geometry/system/plain_text.h"
 #include "haptic/protocol/codec.h"
 
 /// Generators of arbitrary well-formed messages, for property tests.

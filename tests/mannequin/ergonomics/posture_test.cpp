@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "mannequin/ergonomics/eaws.h"
-#include "mannequin/ergonomics/posture_advice.h"
-#include "mannequin/ergonomics/rula.h"
-#include "mannequin/ergonomics/static_posture.h"
+#include "mannequin/ergonomics/methods/eaws.h"
+#include "mannequin/ergonomics/advice/posture_advice.h"
+#include "mannequin/ergonomics/methods/rula.h"
+#include "mannequin/ergonomics/methods/static_posture.h"
 
 namespace hapticell::ergonomics {
 namespace {

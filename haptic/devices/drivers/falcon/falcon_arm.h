@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "geometry/vector.h"
+#include "geometry/shapes/vector.h"
 
 namespace hapticell::driver {
 

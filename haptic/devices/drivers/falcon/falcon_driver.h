@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/pose.h"
+#include "geometry/shapes/pose.h"
 #include "haptic/devices/command_steps.h"
 #include "haptic/devices/driver_support.h"
 #include "haptic/devices/drivers/falcon/falcon_packets.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/pose.h"
+#include "geometry/shapes/pose.h"
 
 namespace hapticell::driver {
 

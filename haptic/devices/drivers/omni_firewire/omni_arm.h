@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "geometry/pose.h"
+#include "geometry/shapes/pose.h"
 #include "haptic/devices/drivers/omni_firewire/omni_packets.h"
 #include "haptic/devices/phantom_arm.h"
 

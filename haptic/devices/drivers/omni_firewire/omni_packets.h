@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "geometry/vector.h"
+#include "geometry/shapes/vector.h"
 
 namespace hapticell::driver {
 

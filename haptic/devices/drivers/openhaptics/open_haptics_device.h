@@ -4,7 +4,7 @@
 #include <atomic>
 #include <string>
 
-#include "geometry/pose.h"
+#include "geometry/shapes/pose.h"
 #include "haptic/devices/command_steps.h"
 #include "haptic/devices/drivers/openhaptics/hd_library.h"
 #include "haptic/rendering/triple_buffer.h"

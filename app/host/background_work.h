@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <deque>
+#include <functional>
+#include <memory>
+
+#include "geometry/system/error.h"
+#include "workcell/scenes/import_monitor.h"
+
+namespace hapticell::app {
+
+/// Work on files beside the window that ends in a sentence or in a change of the document: exports, reports, reading
+/// shapes again. One piece after the other. GUI thread, but for the work itself.
+class BackgroundWork : public QObject {
+  Q_OBJECT
+ public:
+  /// Done in the worker; must not touch anything of the window. Gives what is then done in the window's thread.
+  using Then = std::function<void()>;
+  using Work = std::function<Expected<Then>(workcell::ImportMonitor& monitor)>;
+  using Failed = std::function<void(const Error&)>;
+
+  explicit BackgroundWork(QObject* parent = nullptr);
+  /// Ends what is under way within a second, where that asks its monitor.
+  ~BackgroundWork() override;
+
+  /// `name` is shown while it lasts. What the work throws becomes an error.
+  void start(const QString& name, Work work, Failed failed);
+  bool isBusy() const { return !runs_.empty(); }
+  QString name() const;
+  workcell::ImportProgress progress() const;
+  /// Gives up the piece that is under way.
+  void cancel();
+
+ signals:
+  void progressed();  ///< Twenty times a second while busy, and once when all is done.
+
+ private:
+  struct Run;
+  std::deque<std::shared_ptr<Run>> runs_;
+  QTimer poll_;
+  QThreadPool worker_;
+};
+
+}  // namespace hapticell::app

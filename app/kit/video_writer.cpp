@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/kit/video_writer.h"
+
+#include <QFileInfo>
+#include <QImage>
+
+#include "config/user_folders.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kPatience = 30000;          // Milliseconds for one picture.
+constexpr int kEndPatience = 120000;      // For the last ones and the index.
+constexpr qint64 kMostWaiting = 1 << 25;  // Bytes that may wait for the program.
+
+}  // namespace
+
+bool VideoWriter::isVideo(const QString& file) {
+  const QString suffix = QFileInfo(file).suffix().toLower();
+  return suffix == "mp4" || suffix == "webm" || suffix == "mkv" || suffix == "gif";
+}
+
+Expected<std::unique_ptr<VideoWriter>> VideoWriter::open(const QString& file, const QSize& size, int frames_a_second) {
+  const QString program = QString::fromStdString(config::systemProgram("ffmpeg").string());
+  if (program.isEmpty()) {
+    return makeError({file.toStdString(), "", "the program ffmpeg is not installed", "ffmpeg, which writes videos",
+                      "Install ffmpeg, or write a picture (png)."});
+  }
+  if (size.isEmpty() || size.width() % 2 != 0 || size.height() % 2 != 0) {
+    return makeError({file.toStdString(), "",
+                      "a picture of " + std::to_string(size.width()) + " x " + std::to_string(size.height()),
+                      "an even width and height", ""});
+  }
+  std::unique_ptr<VideoWriter> writer(new VideoWriter);
+  writer->file_ = file;
+  writer->size_ = size;
+  const QFileInfo info(file);
+  auto part = AtomicFile::begin(file.toStdString());
+  if (!part) return makeError(part.error());
+  writer->part_.emplace(std::move(*part));
+  QStringList arguments{"-y",
+                        "-loglevel",
+                        "error",
+                        "-f",
+                        "rawvideo",
+                        "-pix_fmt",
+                        "rgb24",
+                        "-s",
+                        QStringLiteral("%1x%2").arg(size.width()).arg(size.height()),
+                        "-r",
+                        QString::number(frames_a_second),
+                        "-i",
+                        "-",
+                        "-an"};
+  if (info.suffix().toLower() != "gif")
+    arguments << "-pix_fmt"
+              << "yuv420p";
+  arguments << QString::fromStdString(writer->part_->aside().string());
+  writer->ffmpeg_.setProcessChannelMode(QProcess::MergedChannels);
+  writer->ffmpeg_.start(program, arguments);
+  if (!writer->ffmpeg_.waitForStarted(kPatience)) return makeError(writer->failure("it could not be started"));
+  return writer;
+}
+
+VideoWriter::~VideoWriter() {
+  if (ffmpeg_.state() == QProcess::NotRunning) return;
+  ffmpeg_.kill();
+  ffmpeg_.waitForFinished(kPatience);
+}
+
+Error VideoWriter::failure(const QString& what) {
+  const QString said = QString::fromLocal8Bit(ffmpeg_.readAll()).simplified();
+  return {file_.toStdString(), "ffmpeg", (said.isEmpty() ? what : said).toStdString(), "a video that can be written",
+          "Look whether the folder exists, and whether ffmpeg knows this ending."};
+}
+
+Expected<void> VideoWriter::add(const QImage& picture) {
+  const QImage frame =
+      (picture.size() == size_ ? picture : picture.scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation))
+          .convertToFormat(QImage::Format_RGB888);
+  for (int row = 0; row < frame.height(); ++row)  // Rows of an image are padded.
+    ffmpeg_.write(reinterpret_cast<const char*>(frame.constScanLine(row)), 3LL * frame.width());
+  while (ffmpeg_.bytesToWrite() > kMostWaiting)
+    if (!ffmpeg_.waitForBytesWritten(kPatience)) return makeError(failure("it takes no more pictures"));
+  if (ffmpeg_.state() == QProcess::NotRunning) return makeError(failure("it has ended early"));
+  return {};
+}
+
+Expected<void> VideoWriter::finish() {
+  ffmpeg_.closeWriteChannel();
+  if (!ffmpeg_.waitForFinished(kEndPatience)) return makeError(failure("it does not end"));
+  if (ffmpeg_.exitStatus() != QProcess::NormalExit || ffmpeg_.exitCode() != 0) {
+    return makeError(failure("it has ended with a fault"));
+  }
+  return part_->commit();
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QProcess>
+#include <QSize>
+#include <QString>
+#include <memory>
+#include <optional>
+
+#include "geometry/system/atomic_file.h"
+#include "geometry/system/error.h"
+
+class QImage;
+
+namespace hapticell::app {
+
+/// Writes pictures, one after the other, into a video by the program `ffmpeg`, which must be on the path. The file is
+/// there whole or not at all. Any one thread; add() waits while the program is behind.
+class VideoWriter {
+ public:
+  /// True for "film.mp4", "film.webm", "film.mkv", "film.gif".
+  static bool isVideo(const QString& file);
+  /// Refused: no such program, odd or no size (both sides are made even by the caller).
+  static Expected<std::unique_ptr<VideoWriter>> open(const QString& file, const QSize& size, int frames_a_second);
+  ~VideoWriter();
+
+  /// Of the size given to open(); another one is scaled.
+  Expected<void> add(const QImage& picture);
+  Expected<void> finish();
+
+ private:
+  VideoWriter() = default;
+  Error failure(const QString& what);
+  QProcess ffmpeg_;
+  QString file_;
+  std::optional<AtomicFile> part_;
+  QSize size_;
+};
+
+}  // namespace hapticell::app

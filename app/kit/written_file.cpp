@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/kit/written_file.h"
+
+#include <QBuffer>
+#include <QFileInfo>
+#include <QImage>
+#include <QImageWriter>
+#include <QPdfWriter>
+
+namespace hapticell::app {
+
+namespace {
+
+Expected<void> writeBytes(const QString& path, const QByteArray& bytes) {
+  return writeFileAtomically(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
+}  // namespace
+
+Expected<void> writePicture(const QImage& picture, const QString& path, int quality) {
+  const QByteArray format = QFileInfo(path).suffix().toLatin1().toLower();
+  if (!QImageWriter::supportedImageFormats().contains(format)) {
+    return makeError({path.toStdString(), "", "a picture format that cannot be written", "png, jpg, bmp or tiff",
+                      "Give the file another ending."});
+  }
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  if (!picture.save(&buffer, format.constData(), quality))
+    return makeError({path.toStdString(), "", "there is no picture", "something that is drawn", ""});
+  return writeBytes(path, buffer.data());
+}
+
+Expected<void> writePdf(const QString& path, const std::function<void(QPdfWriter&)>& draw) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  {
+    QPdfWriter writer(&buffer);
+    draw(writer);
+  }
+  return writeBytes(path, buffer.data());
+}
+
+}  // namespace hapticell::app

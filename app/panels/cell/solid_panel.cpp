@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panels/cell/solid_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPointer>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/edit/moved_entities.h"
+#include "app/edit/part_sizes.h"
+#include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
+#include "app/host/host.h"
+#include "app/host/selection.h"
+#include "app/controls/color_choice.h"
+#include "app/kit/form.h"
+#include "app/controls/pose_text.h"
+#include "app/controls/reference_choice.h"
+#include "app/kit/swatch_row.h"
+#include "app/style/segmented.h"
+#include "app/style/units.h"
+#include "app/style/value_field.h"
+#include "app/viewport/widget/viewport_widget.h"
+
+namespace hapticell::app {
+namespace {
+
+using Kind = HoldChoice::Kind;
+
+constexpr const char* kCurves = "solid";
+constexpr int kInParent = 1, kInFrame = 2;  // Of the choices of a reference.
+
+/// The middle of the solid's bounds in its own frame, as the hand takes it by kGeometricCenter.
+dvec3 centerOf(const workcell::Entity& solid) {
+  const geometry::Bounds bounds = solid.mesh->bounds();
+  return 0.5 * (bounds.min + bounds.max);
+}
+
+/// Three axes with letters, each `length` long.
+void appendAxes(const Pose& X_WF, double length, std::vector<SceneCurve>& curves) {
+  const SceneCurve::Role roles[]{SceneCurve::Role::kAxisX, SceneCurve::Role::kAxisY, SceneCurve::Role::kAxisZ};
+  for (int i = 0; i < 3; ++i)
+    curves.push_back({{X_WF.p, X_WF * (length * dvec3(i == 0, i == 1, i == 2))},
+                      roles[i],
+                      SceneCurve::Style::kSolid,
+                      2.0,
+                      std::string(1, "XYZ"[i])});
+}
+
+}  // namespace
+
+SolidPanel::SolidPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host) {
+  setMinimumWidth(320);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  nothing_ = makeLabel(tr("No solid is selected. Click a part in the scene or in the tree."), TextRole::kText, true);
+  nothing_->setWordWrap(true);
+  nothing_->setContentsMargins(12, 12, 12, 12);
+  column->addWidget(nothing_);
+  content_ = new QWidget;
+  auto* inside = new QVBoxLayout(content_);
+  inside->setContentsMargins(0, 0, 0, 0);
+  inside->setSpacing(0);
+  addTurn(*inside);
+  addPlace(*inside);
+  sizes_ = new PartSizes(host_);
+  inside->addWidget(sizes_);
+  addFeel(*inside);
+  addFlags(*inside);
+  column->addWidget(content_);
+  column->addStretch(1);
+  connect(&host_.selection(), &Selection::changed, this, &SolidPanel::rebuild);
+  connect(&host_.documentModel(), &DocumentModel::changed, this, &SolidPanel::rebuild);
+  connect(&host_.holdChoice(), &HoldChoice::changed, this, &SolidPanel::rebuild);
+  rebuild();
+}
+
+void SolidPanel::addTurn(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, {});
+  title_ = makeLabel({}, TextRole::kPanelState);
+  title_->setObjectName("labelSolid");
+  section->addWidget(title_);
+  turns_ = new Segmented({tr("Own origin"), tr("Centre"), tr("Frame")});
+  turns_->setObjectName("segmentsTurns");
+  addRow(*section, tr("Turns about"), turns_);
+  frame_ = new QComboBox;
+  frame_->setObjectName("comboOwnFrame");
+  frame_row_ = addRow(*section, tr("Frame"), frame_);
+  new_frame_ = new QPushButton(tr("New frame…"));
+  new_frame_->setObjectName("buttonNewFrame");
+  new_frame_->setToolTip(tr("A frame of this solid on picked geometry"));
+  addRow(*section, {}, new_frame_);
+  turn_note_ = makeLive(2, TextRole::kSecond, true);
+  turn_note_->setObjectName("labelTurns");
+  turn_note_->setContentsMargins(kLabelColumn, 0, 0, 0);
+  section->addWidget(turn_note_);
+  connect(turns_, &Segmented::chosen, this, [this](int index) {
+    const Kind kinds[]{Kind::kSelfOrigin, Kind::kGeometricCenter, Kind::kFrame};
+    host_.holdChoice().set(kinds[index], index == 2 ? frame_->currentText().toStdString() : std::string());
+  });
+  connect(frame_, &QComboBox::activated, this,
+          [this] { host_.holdChoice().set(Kind::kFrame, frame_->currentText().toStdString()); });
+  connect(new_frame_, &QPushButton::clicked, this, &SolidPanel::pickFrame);
+}
+
+void SolidPanel::addPlace(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, {});
+  place_in_ = new Segmented({tr("World"), tr("Parent"), tr("Frame")});
+  place_in_->setObjectName("segmentsPlaceIn");
+  place_in_->setCurrent(0);
+  addRow(*section, tr("Place in"), place_in_);
+  place_frame_ = new ReferenceChoice(host_, {});
+  place_frame_->setObjectName("comboPlaceFrame");
+  place_frame_row_ = addRow(*section, tr("Frame"), place_frame_);
+  const char* const names[]{"X", "Y", "Z", "A", "B", "C"};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double range = i < 3 ? 1e6 : 360.0;
+    place_[i] = new ValueField({i < 3 ? tr("mm") : QStringLiteral("°"), 1, -range, range, 1.0});
+    place_[i]->setObjectName(QStringLiteral("fieldSolid") + QString::fromLatin1(names[i]));
+    connect(place_[i], &ValueField::edited, this, &SolidPanel::place);
+  }
+  addRow(*section, tr("X Y Z"), sideBySide({place_[0], place_[1], place_[2]}));
+  addRow(*section, tr("A B C"), sideBySide({place_[3], place_[4], place_[5]}));
+  for (std::size_t i = 0; i < 6; ++i)
+    place_[i]->setAccessibleName(QString::fromLatin1(names[i]) + (i < 3 ? tr(" in millimetres") : tr(" in degrees")));
+  connect(place_in_, &Segmented::chosen, this, &SolidPanel::rebuild);
+  connect(place_frame_, &ReferenceChoice::referenceChanged, this, &SolidPanel::showNow);
+}
+
+void SolidPanel::addFeel(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, {});
+  force_class_ = new Segmented({tr("Constant"), tr("Contact"), tr("Dynamics")});
+  force_class_->setObjectName("segmentsSolidForce");
+  addRow(*section, tr("Force"), force_class_);
+  material_ = new QComboBox;
+  material_->setObjectName("comboSolidMaterial");
+  for (const auto& [key, material] : host_.configuration().materials) {
+    QString name = QString::fromStdString(key);
+    name[0] = name[0].toUpper();
+    material_->addItem(tr("%1, µ %2").arg(name).arg(material.friction, 0, 'f', 2), QString::fromStdString(key));
+  }
+  addRow(*section, tr("Material"), material_);
+  mass_ = new ValueField({tr("kg"), 2, 0.01, 10000.0, 0.1});
+  mass_->setObjectName("fieldSolidMass");
+  mass_->setToolTip(tr("Felt in the class Dynamics; counts in the load of the robot that carries it"));
+  addRow(*section, tr("Mass"), mass_);
+  on_contact_ = new Segmented({tr("Stop"), tr("Slide"), tr("Pass")});
+  on_contact_->setObjectName("segmentsSolidOnContact");
+  addRow(*section, tr("On contact"), on_contact_);
+  connect(force_class_, &Segmented::chosen, this,
+          [this](int i) { execute({.force_class = static_cast<workcell::ForceClass>(i)}); });
+  connect(material_, &QComboBox::activated, this,
+          [this](int i) { execute({.material = material_->itemData(i).toString().toStdString()}); });
+  connect(mass_, &ValueField::edited, this, [this](double kg) { execute({.mass = kg}); });
+  connect(on_contact_, &Segmented::chosen, this,
+          [this](int i) { execute({.on_contact = static_cast<workcell::OnContact>(i)}); });
+}
+
+void SolidPanel::addFlags(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, {});
+  checked_ = new QCheckBox(tr("Checked for collision"));
+  locked_ = new QCheckBox(tr("Locked in place"));
+  visible_ = new QCheckBox(tr("Shown"));
+  checked_->setObjectName("switchChecked");
+  locked_->setObjectName("switchLocked");
+  visible_->setObjectName("switchShown");
+  triangles_ = makeLabel({}, TextRole::kSecond, true);
+  for (QCheckBox* box : {checked_, locked_, visible_}) {
+    box->setMinimumHeight(24);
+    auto* row = new QHBoxLayout;
+    row->addWidget(box, 1);
+    if (box == checked_) row->addWidget(triangles_);
+    section->addLayout(row);
+  }
+  color_ = new SwatchRow(quietColors());
+  color_->offerOther();
+  color_->setObjectName("swatchSolid");
+  addRow(*section, tr("Colour"), color_);
+  connect(checked_, &QCheckBox::clicked, this, [this](bool on) { execute({.checked = on}); });
+  connect(locked_, &QCheckBox::clicked, this, [this](bool on) { execute({.locked = on}); });
+  connect(visible_, &QCheckBox::clicked, this, [this](bool on) { execute({.visible = on}); });
+  const auto paint = [this](const QColor& color) {
+    execute({.color = std::array<float, 3>{static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
+                                           static_cast<float>(color.blueF())}});
+  };
+  connect(color_, &SwatchRow::chosen, this, paint);
+  connect(color_, &SwatchRow::otherWanted, this, [this, paint] { choosePartColor(host_, color_->current(), paint); });
+}
+
+const workcell::Entity* SolidPanel::solid() const {
+  const workcell::Entity* entity = host_.documentModel().document().find(host_.selection().current());
+  return entity && entity->kind == workcell::EntityKind::kSolid && entity->mesh ? entity : nullptr;
+}
+
+const workcell::DocumentState& SolidPanel::state() const {
+  return host_.documentModel().document().state();
+}
+
+void SolidPanel::execute(workcell::SetProperties change) {
+  if (!solid()) return;
+  change.id = solid()->id;
+  if (!host_.documentModel().execute(change)) rebuild();
+}
+
+void SolidPanel::rebuild() {
+  const workcell::Entity* now = solid();
+  nothing_->setVisible(!now);
+  content_->setVisible(now);
+  if (now) {
+    title_->setText(QString::fromStdString(now->name));
+    showTurn(*now);
+    showFeel(*now);
+    sizes_->showPart(*now);
+  }
+  showNow();
+}
+
+void SolidPanel::showTurn(const workcell::Entity& solid) {
+  frame_->clear();
+  for (const workcell::Frame& frame : solid.frames) frame_->addItem(QString::fromStdString(frame.name));
+  const HoldChoice& hold = host_.holdChoice();
+  const int index = hold.kind() == Kind::kGeometricCenter ? 1 : hold.kind() == Kind::kFrame ? 2 : 0;
+  turns_->setChoiceEnabled(2, !solid.frames.empty(), tr("This solid has no frame yet: make one below"));
+  turns_->setCurrent(index);
+  frame_row_->setVisible(index == 2);
+  if (index == 2) frame_->setCurrentText(QString::fromStdString(hold.frame()));
+  const dvec3 c = centerOf(solid);
+  const QString middle = tr("Geometric centre, %1 from own origin").arg(lengthText(glm::length(c)));
+  turn_note_->setText(index == 1   ? middle
+                      : index == 2 ? tr("Own frame %1").arg(frame_->currentText())
+                                   : tr("Own origin, as the file has it"));
+}
+
+void SolidPanel::showFeel(const workcell::Entity& solid) {
+  force_class_->setCurrent(static_cast<int>(solid.force_class));
+  on_contact_->setCurrent(static_cast<int>(solid.on_contact));
+  material_->setCurrentIndex(material_->findData(QString::fromStdString(solid.material)));
+  if (!mass_->hasFocus()) mass_->setValue(solid.mass);
+  checked_->setChecked(solid.checked);
+  locked_->setChecked(solid.locked);
+  visible_->setChecked(solid.visible);
+  triangles_->setText(
+      tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(solid.mesh->triangles.size()))));
+  color_->setCurrent(QColor::fromRgbF(solid.color[0], solid.color[1], solid.color[2]));
+  place_in_->setChoiceEnabled(kInParent, !solid.attachment.to.empty() || !solid.parent.empty(),
+                              tr("It stands below nothing"));
+  for (ValueField* field : place_) field->setEnabled(!solid.locked);
+  place_frame_->leaveOut(solid.id);
+  const bool frames = place_frame_->hasFrames();
+  if (!frames && place_in_->current() == kInFrame) place_in_->setCurrent(0);
+  place_in_->setChoiceEnabled(kInFrame, frames, tr("This cell has no frame yet: Insert, Frame makes one"));
+  place_frame_row_->setVisible(frames);
+  place_frame_->setEnabled(place_in_->current() == kInFrame);
+}
+
+/// What its place is given in.
+Pose SolidPanel::placeReference_W(const workcell::Entity& solid) const {
+  if (place_in_->current() == kInFrame) return place_frame_->frame_W().value_or(Pose::identity());
+  return place_in_->current() == kInParent ? parentPose_W(state(), solid) : Pose::identity();
+}
+
+void SolidPanel::showPlace(const workcell::Entity& solid) {
+  const Pose X_WE = host_.viewport().scene().placement_W(solid);
+  const auto numbers = poseNumbers(placeReference_W(solid).inverse() * X_WE);
+  for (std::size_t i = 0; i < 6; ++i)
+    if (!place_[i]->hasFocus()) place_[i]->setValue(numbers[i]);
+}
+
+void SolidPanel::place() {
+  const workcell::Entity* now = solid();
+  if (!now) return;
+  std::array<double, 6> numbers{};
+  for (std::size_t i = 0; i < 6; ++i) numbers[i] = place_[i]->value();
+  const Pose X_WE = placeReference_W(*now) * poseFromNumbers(numbers);
+  if (!host_.documentModel().execute(workcell::SetPlacement{now->id, X_WE})) showPlace(*now);
+}
+
+void SolidPanel::showNow() {
+  const workcell::Entity* now = solid();
+  if (now && isSeen(*this)) showPlace(*now);
+  showMarks();
+}
+
+/// Own origin, centre and frames in the scene; what it turns about has axes.
+void SolidPanel::showMarks() {
+  std::vector<SceneCurve> curves;
+  const workcell::Entity* now = solid();
+  if (now && isSeen(*this)) {
+    const Pose X_WE = host_.viewport().scene().placement_W(*now);
+    const HoldChoice& hold = host_.holdChoice();
+    const double length = 0.5 * glm::length(now->mesh->bounds().size()) + 0.03;
+    const Pose center = X_WE * Pose::translation(centerOf(*now));
+    const bool by_center = hold.kind() == Kind::kGeometricCenter;
+    const Pose* taken = by_center ? &center : &X_WE;
+    std::vector<std::pair<Pose, std::string>> marks{{X_WE, tr("origin").toStdString()},
+                                                    {center, tr("centre").toStdString()}};
+    for (const workcell::Frame& frame : now->frames) marks.emplace_back(X_WE * frame.X_EF, frame.name);
+    for (std::size_t i = 2; i < marks.size(); ++i)
+      if (hold.kind() == Kind::kFrame && marks[i].second == hold.frame()) taken = &marks[i].first;
+    for (const auto& [X_WF, name] : marks)
+      curves.push_back({{X_WF.p}, SceneCurve::Role::kSelection, SceneCurve::Style::kSolid, 1.6, name});
+    appendAxes(*taken, length, curves);
+  }
+  host_.viewport().setCurves(kCurves, std::move(curves));
+}
+
+void SolidPanel::pickFrame() {
+  const workcell::Entity* now = solid();
+  if (!now) return;
+  host_.viewport().startPick(
+      {{true, true, true},
+       tr("Pick where the frame shall be · Esc: end"),
+       [self = QPointer(this), id = now->id](const std::optional<PickedFeature>& feature) {
+         const workcell::Entity* entity = self && feature ? self->host_.documentModel().document().find(id) : nullptr;
+         if (!entity) return;
+         std::vector<workcell::Frame> frames = entity->frames;
+         std::string name;
+         const auto taken = [&] {
+           return std::any_of(frames.begin(), frames.end(), [&](const auto& frame) { return frame.name == name; });
+         };
+         for (int n = 1; name.empty() || taken(); ++n) name = "frame " + std::to_string(n);
+         const Pose X_WE = self->host_.viewport().scene().placement_W(*entity);
+         frames.push_back({name, X_WE.inverse() * featureFrame_W(*feature)});
+         if (self->host_.documentModel().execute(workcell::SetFrames{id, std::move(frames)}))
+           self->host_.holdChoice().set(Kind::kFrame, name);
+       }});
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "workcell/document/command.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+class Host;
+class PartSizes;
+class Segmented;
+class ReferenceChoice;
+class SwatchRow;
+class ValueField;
+
+/// The dialog of a solid: what it turns about when held (own origin, geometric centre, own frame; all three shown in
+/// the scene), where it stands in the world, in what it hangs on or in a frame, how it feels, what it is checked for.
+/// Follows the selection. Each edit is a command of the document.
+class SolidPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SolidPanel(Host& host, QWidget* parent = nullptr);
+  /// Newest numbers and the marks in the scene; called a few times a second.
+  void showNow();
+  /// The marks alone, where the solid is shown now.
+  void showMarks();
+
+ private:
+  void addTurn(QVBoxLayout& column);
+  void addPlace(QVBoxLayout& column);
+  void addFeel(QVBoxLayout& column);
+  void addFlags(QVBoxLayout& column);
+  void rebuild();
+  void showTurn(const workcell::Entity& solid);
+  void showPlace(const workcell::Entity& solid);
+  Pose placeReference_W(const workcell::Entity& solid) const;
+  void showFeel(const workcell::Entity& solid);
+  void pickFrame();
+  void place();
+  void execute(workcell::SetProperties change);
+  const workcell::Entity* solid() const;
+  const workcell::DocumentState& state() const;
+
+  Host& host_;
+  QLabel *nothing_, *title_, *turn_note_, *triangles_;
+  QWidget* content_;
+  Segmented *turns_, *place_in_, *force_class_, *on_contact_;
+  QComboBox *frame_, *material_;
+  QWidget* frame_row_;
+  ReferenceChoice* place_frame_;  ///< In which frame, where one of the cell is meant.
+  QWidget* place_frame_row_;
+  QPushButton* new_frame_;
+  std::array<ValueField*, 6> place_{};
+  ValueField* mass_;
+  QCheckBox *visible_, *checked_, *locked_;
+  SwatchRow* color_;
+  PartSizes* sizes_;
+};
+
+}  // namespace hapticell::app

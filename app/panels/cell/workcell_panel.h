@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QSet>
+#include <QSortFilterProxyModel>
+#include <QTreeView>
+#include <QWidget>
+
+#include "app/panels/tree/workcell_tree_model.h"
+
+class QLineEdit;
+class QMenu;
+
+namespace hapticell::app {
+
+class Host;
+
+/// The tree view of the workcell: rows with icon, name, state mark, lock and eye.
+class WorkcellTreeView : public QTreeView {
+  Q_OBJECT
+ public:
+  explicit WorkcellTreeView(QWidget* parent = nullptr);
+  /// Where the eye and the lock of a row are, in the viewport's pixels.
+  QRect eyeRect(const QModelIndex& index) const;
+  QRect lockRect(const QModelIndex& index) const;
+
+ signals:
+  void eyeClicked(const QModelIndex& index);
+  void lockClicked(const QModelIndex& index);
+  void removeWanted();        ///< Delete was pressed: what is selected.
+  void moveWanted(int rows);  ///< Alt and an arrow key: the current row goes up (-1) or down (1).
+
+ protected:
+  void drawRow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  bool pressedMark(const QPoint& place);
+};
+
+/// The dock's content: filter, tree, in step with the selection of the window.
+class WorkcellPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit WorkcellPanel(Host& host, QWidget* parent = nullptr);
+  void showSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) { model_.setSnapshot(snapshot); }
+  WorkcellTreeModel& model() { return model_; }
+  WorkcellTreeView& tree() { return *tree_; }
+  /// Those of the selected rows and below them.
+  std::vector<workcell::EntityId> chosenEntities() const;
+  /// What can be done with the selected rows; `index` is the one that was pointed at.
+  void fillMenu(QMenu& menu, const QModelIndex& index);
+  /// The row of a motion's frame becomes the current one.
+  void chooseFrame(const QString& motion, std::size_t frame);
+  /// Brings the tree to the front and edits the name there.
+  void rename(workcell::EntityId entity);
+
+ signals:
+  /// The menu of a row is about to be shown: whoever knows more of the row adds entries.
+  void menuFilled(QMenu* menu, const QModelIndex& index);
+  /// Delete was pressed on a motion or one of its frames; or Alt and an arrow key on a frame.
+  void motionRemoveWanted(const QModelIndex& index);
+  void pointStepWanted(const QModelIndex& index, int rows);
+
+ private:
+  void takeSelection();
+  void showSelection();
+  void openMenu(const QPoint& place);
+  void keepExpanded();
+  QString keyOf(const QModelIndex& index) const;
+  QModelIndex source(const QModelIndex& index) const { return filter_model_.mapToSource(index); }
+
+  Host& host_;
+  WorkcellTreeModel model_;
+  QSortFilterProxyModel filter_model_;
+  QLineEdit* filter_;
+  WorkcellTreeView* tree_;
+  QSet<QString> collapsed_, expanded_;
+  bool restoring_ = false;
+};
+
+}  // namespace hapticell::app

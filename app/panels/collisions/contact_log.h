@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "manipulation/engine/scene_snapshot.h"
+
+namespace hapticell::app {
+
+/// Something that happened between two things while one of them was moved.
+struct ContactEvent {
+  enum class Kind { kNearMissBegan, kContactBegan, kContactEnded, kNearMissEnded };
+  Kind kind = Kind::kContactBegan;
+  double time_s = 0.0;  ///< Since the loop was started.
+  std::string moved, other;
+  double distance = 0.0;    ///< m at that time; ends: the least of all the while.
+  double force_n = 0.0;     ///< On the hand at that time; ends: the greatest of all the while.
+  double duration_s = 0.0;  ///< Ends only.
+};
+
+/// "Contact began", "Near miss ended" ...
+std::string eventName(ContactEvent::Kind kind);
+
+/// Makes events of snapshots, in the order that RobotStudio's collision sets have: near miss begins, contact begins,
+/// contact ends, near miss ends. A contact that is lost for less than kPause goes on. The oldest events go when there
+/// are more than kMost; how many went is told. A value; one thread; no Qt.
+class ContactLog {
+ public:
+  static constexpr double kPause = 0.15;  ///< s
+  static constexpr std::size_t kMost = 5000;
+  using Namer = std::function<std::string(workcell::EntityId, const std::string& part)>;
+
+  /// Takes a snapshot; one that is not newer than the last is ignored, an older one begins a new loop's time.
+  void take(const manipulation::SceneSnapshot& snapshot, const Namer& name_of);
+  const std::deque<ContactEvent>& events() const { return events_; }
+  std::size_t dropped() const { return dropped_; }
+  /// Grows with each event.
+  std::size_t count() const { return dropped_ + events_.size(); }
+  void clear();
+
+  /// The events as CSV: `t,event,moved,against,distance,force,duration` in s, m and N, `.` as decimal point.
+  std::string csv() const;
+
+ private:
+  using Key = std::tuple<workcell::EntityId, std::string, workcell::EntityId, std::string>;
+  struct State {
+    std::string moved, other;
+    double began_s = 0.0, seen_s = 0.0;
+    double least_distance = 0.0, greatest_force = 0.0;
+  };
+  struct Now {
+    const manipulation::PairState* pair = nullptr;
+    double time_s = 0.0, force_n = 0.0;
+  };
+  void follow(std::map<Key, State>& states, const Key& key, const Now& now, const Namer& name_of,
+              ContactEvent::Kind began);
+  void endThose(std::map<Key, State>& states, double time_s, bool all, ContactEvent::Kind ended);
+  void add(ContactEvent event);
+  std::deque<ContactEvent> events_;
+  std::map<Key, State> near_, touching_;
+  std::size_t dropped_ = 0;
+  double last_s_ = -1.0;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "app/panels/collisions/contact_log_model.h"
+
+class QTableView;
+
+namespace hapticell::app {
+
+class Host;
+
+/// The log of contacts as a table that can be cleared and saved.
+class ContactLogPage : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ContactLogPage(Host& host, QWidget* parent = nullptr);
+  /// Takes a picture's contacts; changed() tells when that made events.
+  void take(const manipulation::SceneSnapshot& snapshot);
+  void clear();
+  /// As CSV; false, and told in the messages, where the file cannot be written.
+  bool save(const QString& path);
+  const ContactLog& log() const { return log_; }
+  /// The newest events in one line; empty where there are none.
+  QString lastLine() const;
+
+ signals:
+  void changed();
+
+ private:
+  Host& host_;
+  ContactLog log_;
+  ContactLogModel model_;
+};
+
+/// The tables of the collisions' dock look alike.
+void setUpPairTable(QTableView& table, QAbstractItemModel& model);
+
+}  // namespace hapticell::app

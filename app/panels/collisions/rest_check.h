@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "manipulation/engine/scene_snapshot.h"
+#include "workcell/entity/entity.h"
+
+namespace hapticell::manipulation {
+class PreparedScene;
+}
+
+namespace hapticell::app {
+
+/// Measures the cell as it stands in a thread of the pool, while nothing is held: distances of the chosen entity, and
+/// what touches. Asked again and again by its owner (GUI thread); never waits, never outlives what it needs.
+class RestCheck {
+ public:
+  static constexpr double kMeasured = 0.3;  ///< m: what is farther is not told.
+
+  /// Starts what is due: distances of `moved` (0: none) when scene or entity are others than the last, touching pairs
+  /// when other entities are in the scene than before, one is attached elsewhere, or askAgain() was called.
+  void watch(const std::shared_ptr<const manipulation::PreparedScene>& scene, workcell::EntityId moved);
+  /// Takes what has become ready; true when there was something.
+  bool takeResults();
+  /// Those of the entity asked for last; empty until they are measured.
+  const std::vector<manipulation::PairState>& distances() const { return distances_; }
+  /// Rules that leave out what touches at rest, once for each finding; nothing while there is none to be asked about.
+  std::optional<std::vector<workcell::PairRule>> takeTouching();
+  /// What touches shall be looked for again.
+  void askAgain() { asked_entities_.reset(); }
+  bool isBusy() const { return job_ != nullptr; }
+
+ private:
+  /// An entity and what it hangs on: what touches is asked about anew where one of these has changed.
+  struct Standing {
+    workcell::EntityId entity;
+    std::string to, link;
+    auto operator<=>(const Standing&) const = default;
+  };
+  struct Job;
+  std::shared_ptr<Job> job_;
+  std::weak_ptr<const manipulation::PreparedScene> measured_scene_;
+  workcell::EntityId measured_ = 0;
+  std::vector<manipulation::PairState> distances_;
+  std::optional<std::set<Standing>> asked_entities_;
+  std::optional<std::vector<workcell::PairRule>> touching_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QMainWindow>
+#include <functional>
+#include <memory>
+
+#include "app/shell/actions.h"
+#include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
+#include "app/host/host.h"
+#include "app/shell/layouts.h"
+#include "app/host/message_log.h"
+#include "app/shell/module_loader.h"
+#include "app/host/motion_memory.h"
+#include "app/host/recording_hub.h"
+#include "app/host/selection.h"
+#include "app/shell/status_line.h"
+#include "app/shell/typed_keys.h"
+#include "app/host/user_settings.h"
+#include "app/shell/view_menus.h"
+#include "app/viewport/widget/viewport_widget.h"
+#include "workcell/files/autosave.h"
+
+namespace hapticell::app {
+
+class CrashGuard;
+class FileWork;
+class RecentFiles;
+class StartPage;
+class TabbedDocks;
+
+/// The host window: scene in the middle, docks round it, modules from the Applications menu. It knows of no device and
+/// of no force; it works without any module.
+class MainWindow : public QMainWindow, public Host {
+  Q_OBJECT
+ public:
+  /// `settings` is the file that the user's choices are kept in; empty: they are forgotten.
+  explicit MainWindow(const config::Configuration& configuration, const QString& settings = {});
+  ~MainWindow() override;
+
+  QMainWindow& window() override { return *this; }
+  ViewportWidget& viewport() override { return *viewport_; }
+  DocumentModel& documentModel() override { return document_; }
+  Selection& selection() override { return selection_; }
+  HoldChoice& holdChoice() override { return hold_choice_; }
+  MessageLog& messages() override { return messages_; }
+  RecordingHub& recording() override { return recording_; }
+  const config::Configuration& configuration() const override { return configuration_; }
+  UserSettings& userSettings() override { return settings_; }
+  bool typedKeysAct() const override { return typed_keys_.act(); }
+  void addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto) override;
+  void removeDock(QDockWidget* dock) override;
+  void addToToolBar(QWidget* widget) override;
+  void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) override;
+  const std::optional<manipulation::SceneSnapshot>& snapshot() const override { return viewport_->scene().snapshot(); }
+  void setPreparedScene(std::shared_ptr<const manipulation::PreparedScene> scene) override {
+    prepared_scene_ = std::move(scene);
+  }
+  std::shared_ptr<const manipulation::PreparedScene> preparedScene() const override { return prepared_scene_; }
+  void setDeviceText(const QString& text, bool works) override;
+  void setSoundText(const QString& text, bool on) override { status_->setSound(text, on); }
+  void setGuiRate(double hertz) override;
+  void openCell(const QString& path, QObject* context, const std::function<void()>& opened) override;
+
+  /// Begins to open a workcell; files().opened() tells when it is there. Problems stand in the messages.
+  void openFile(const QString& path);
+  /// Begins to import files, each one step of undo; `ask`: after showing what they are. files().imported() tells.
+  void importFiles(const QStringList& paths, bool ask = true);
+  FileWork& files() { return *files_; }
+  void loadModules(const QStringList& folders);
+  /// The page with samples and recent files, over the scene.
+  void showStartPage();
+  RecentFiles& recentFiles() { return *recent_; }
+  /// Starts the module of that name; false when there is none.
+  bool startModule(const QString& name);
+  void setTheme(bool dark);
+  Actions& actions() { return *actions_; }
+  Layouts& layouts() { return layouts_; }
+  /// At start, once the modules' docks are there: window and docks as they were left.
+  void restoreLayout();
+  const StatusLine& statusLine() const { return *status_; }
+  /// Ends the program without a question, as the system asks at its shutdown: what is being recorded goes into the
+  /// cell, what is not saved is kept as after a crash and offered at the next start, modules end with their server.
+  void endNow();
+  /// From here on what is not saved is kept to the last edit when the program breaks (CrashGuard), and what broke is
+  /// noted for the next start. For the program itself; once.
+  void guardAgainstCrash();
+  /// The whole window with the finished picture of the scene.
+  QPixmap picture();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void connectFileActions();
+  void addCorner();
+  void addEscape();
+  void fillMenus();
+  MotionMemory::Places placesNow() const;
+  void goBack();
+  void connectViewActions();
+  void connectScene();
+  void openFromDialog();
+  void importFromDialog();
+  void addRobotFromDialog();
+  bool saveDocument(bool ask_where);
+  /// Empty: the user does not want it saved after all.
+  QString placeToSave(bool ask_where);
+  bool mayDiscard();
+  /// Calls `then` once what is being recorded is in the cell and the user has agreed to let go what is not saved.
+  void replaceDocument(const std::function<void()>& then);
+  /// Calls `then` once what is being recorded, if anything, is in the cell.
+  void whenRecorded(const std::function<void()>& then);
+  void showSavedView();
+  void connectSelection();
+  void connectStart();
+  void connectLeftWork();
+  /// What the cell looks like, for the first page.
+  void keepPicture();
+  bool mayDiscardCopy(const workcell::LeftWork& left);
+  void documentChanged();
+  void updateTitle();
+  void updateStatus();
+
+  config::Configuration configuration_;
+  UserSettings settings_;
+  DocumentModel document_;
+  Selection selection_;
+  HoldChoice hold_choice_;
+  MessageLog messages_;
+  RecordingHub recording_;
+  ViewportWidget* viewport_;
+  StatusLine* status_;
+  TabbedDocks* right_docks_;
+  RecentFiles* recent_;
+  StartPage* start_;
+  QLabel* file_label_;
+  std::unique_ptr<Actions> actions_;
+  Layouts layouts_;
+  std::unique_ptr<ViewMenus> view_menus_;
+  std::unique_ptr<ModuleLoader> modules_;
+  std::unique_ptr<FileWork> files_;
+  std::unique_ptr<CrashGuard> crash_guard_;
+  std::shared_ptr<const manipulation::PreparedScene> prepared_scene_;
+  MotionMemory memory_;
+  TypedKeys typed_keys_;
+  bool going_back_ = false;  ///< Once what is held is let go.
+  double gui_rate_ = 0.0;
+  QElapsedTimer since_numbers_;
+};
+
+}  // namespace hapticell::app

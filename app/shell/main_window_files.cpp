@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+// Opening, saving, importing, closing: everything of the window that asks for a file or keeps what is not in one yet.
+#include <QAbstractButton>
+#include <QAction>
+#include <QCloseEvent>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTimer>
+#include <QUrl>
+#include <algorithm>
+
+#include "app/shell/crash_guard.h"
+#include "app/shell/main_window.h"
+#include "app/import/file_work.h"
+#include "app/panels/tree/tree_edits.h"
+#include "app/kit/file_dialog.h"
+#include "app/start/recent_files.h"
+#include "app/start/start_page.h"
+
+namespace hapticell::app {
+
+namespace {
+constexpr int kPictureWidth = 368;  // Pixels: for the first page at 200 %.
+}
+
+void MainWindow::connectFileActions() {
+  connect(&files_->guard(), &DocumentGuard::changed, this, &MainWindow::updateTitle);
+  connect(actions_->new_cell, &QAction::triggered, this, [this] { replaceDocument([this] { files_->clear(); }); });
+  connect(actions_->open, &QAction::triggered, this, &MainWindow::openFromDialog);
+  connect(actions_->save, &QAction::triggered, this, [this] { saveDocument(false); });
+  connect(actions_->save_as, &QAction::triggered, this, [this] { saveDocument(true); });
+  connect(actions_->import_mesh, &QAction::triggered, this, &MainWindow::importFromDialog);
+  connect(actions_->add_robot_file, &QAction::triggered, this, &MainWindow::addRobotFromDialog);
+  ExportWork& exports = files_->exports();
+  const auto on = [this](QAction* action, auto&& slot) { connect(action, &QAction::triggered, this, slot); };
+  on(actions_->export_cell, [&exports] { exports.askExport(false); });
+  on(actions_->export_selection, [&exports] { exports.askExport(true); });
+  on(actions_->pack, [&exports] { exports.askPack(); });
+  on(actions_->report_saved, [&exports] { exports.askReport(ExportWork::Against::kSaved); });
+  on(actions_->report_import, [&exports] { exports.askReport(ExportWork::Against::kImport); });
+  on(actions_->report_other, [&exports] { exports.askReport(ExportWork::Against::kOtherCell); });
+  on(actions_->mesh_care, [this] { files_->showMeshCare(); });
+  on(actions_->reload, [this] { files_->reloadSelected(); });
+  on(actions_->duplicate, [this] {
+    const Entities copies = duplicateEntities(document_, selection_.all());
+    if (!copies.empty()) selection_.set(copies.front());
+  });
+  on(actions_->isolate, [this] { isolateEntities(document_, selection_.all()); });
+  on(actions_->show_all, [this] { showAll(document_); });
+  connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
+  connect(actions_->undo, &QAction::triggered, &document_, &DocumentModel::undo);
+  connect(actions_->redo, &QAction::triggered, &document_, &DocumentModel::redo);
+}
+
+void MainWindow::connectStart() {
+  connect(files_.get(), &FileWork::opened, this, [this](const QString& path, bool done) {
+    if (!done) return;
+    if (!document_.document().path().empty()) recent_->add(path);  // Samples stand on the first page.
+    start_->hide();
+    showSavedView();
+  });
+  connect(files_.get(), &FileWork::imported, start_, [this](const QString&, bool done) {
+    if (done) start_->hide();
+  });
+  connectLeftWork();
+  recent_->fill(*actions_->recent);
+  const auto openAfterAsking = [this](const QString& path) { replaceDocument([this, path] { openFile(path); }); };
+  connect(recent_, &RecentFiles::chosen, this, openAfterAsking);
+  connect(start_, &StartPage::fileWanted, this, openAfterAsking);
+  connect(start_, &StartPage::actionWanted, this, [this](const QString& name) {
+    if (name == QLatin1String("actionNew")) start_->hide();
+    if (auto* action = findChild<QAction*>(name)) action->trigger();
+  });
+  connect(actions_->first_page, &QAction::triggered, this, &MainWindow::showStartPage);
+  connect(&layouts_, &Layouts::chosen, this, [this](const QString& name) {
+    // Its dock is made when it is first wanted.
+    auto* check = name == QLatin1String("device") ? findChild<QAbstractButton*>("buttonCheckDevice") : nullptr;
+    if (check && !findChild<QDockWidget*>("dockDeviceCheck")) check->click();
+  });
+  connect(actions_->reset_layout, &QAction::triggered, &layouts_, &Layouts::reset);
+}
+
+void MainWindow::showStartPage() {
+  start_->open(files_->leftWork());
+}
+
+/// Unsaved work after a crash: seen to on the first page.
+void MainWindow::connectLeftWork() {
+  connect(files_.get(), &FileWork::leftWorkChanged, this, &MainWindow::showStartPage);
+  connect(start_, &StartPage::restoreWanted, this,
+          [this](const workcell::LeftWork& left) { replaceDocument([this, left] { files_->restore(left); }); });
+  // Queued: the page is made anew, and the button that was clicked goes with it.
+  const auto after = [this](auto signal, auto act) {
+    connect(
+        start_, signal, this,
+        [this, act](const workcell::LeftWork& left) {
+          if (act(left)) showStartPage();
+        },
+        Qt::QueuedConnection);
+  };
+  after(&StartPage::laterWanted, [this](const workcell::LeftWork& left) {
+    files_->putOffLeft(left.run);
+    return true;
+  });
+  after(&StartPage::discardWanted, [this](const workcell::LeftWork& left) {
+    if (!left.copy.empty() && !mayDiscardCopy(left)) return false;
+    files_->discardLeft(left.run);
+    return true;
+  });
+}
+
+bool MainWindow::mayDiscardCopy(const workcell::LeftWork& left) {
+  const QString name =
+      left.document.empty() ? tr("New workcell") : QString::fromStdString(left.document.filename().string());
+  QMessageBox question(QMessageBox::Question, tr("Discard the copy"),
+                       tr("The unsaved changes of %1 are lost for good if its copy is discarded.").arg(name),
+                       QMessageBox::Cancel, this);
+  const QAbstractButton* discard = question.addButton(tr("Discard copy"), QMessageBox::DestructiveRole);
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  return question.clickedButton() == discard;
+}
+
+void MainWindow::importFromDialog() {
+  importFiles(askToOpenSeveral(
+      this, tr("Import"), {},
+      tr("All that can be read (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae "
+         "*.3mf *.fbx "
+         "*.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl "
+         "*.obj *.ply "
+         "*.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;"
+         "All files (*)")));
+}
+
+void MainWindow::addRobotFromDialog() {
+  importFiles(askToOpenSeveral(this, tr("Add a robot"), {}, tr("Robots (*.urdf *.xacro *.sdf *.toml);;All files (*)")));
+}
+
+void MainWindow::openFromDialog() {
+  replaceDocument([this] {
+    const QString path = askToOpen(this, tr("Open a workcell"), {}, tr("Workcells (*.hcell);;All files (*)"));
+    if (!path.isEmpty()) openFile(path);
+  });
+}
+
+void MainWindow::openFile(const QString& path) {
+  files_->open(path);
+}
+
+void MainWindow::openCell(const QString& path, QObject* context, const std::function<void()>& opened) {
+  connect(files_.get(), &FileWork::opened, context, opened, Qt::SingleShotConnection);
+  openFile(path);
+}
+
+void MainWindow::importFiles(const QStringList& paths, bool ask) {
+  if (!paths.isEmpty()) files_->import(paths, ask);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  const auto isFile = [](const QUrl& url) { return url.isLocalFile(); };
+  if (std::any_of(urls.begin(), urls.end(), isFile)) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList parts;
+  QString cell;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (!url.isLocalFile()) continue;
+    const QString path = url.toLocalFile();
+    path.endsWith(".hcell", Qt::CaseInsensitive) ? void(cell = path) : parts.append(path);
+  }
+  event->acceptProposedAction();
+  // Queued: the program that is dragged from waits until this returns, and a question may follow.
+  QMetaObject::invokeMethod(
+      this,
+      [this, cell, parts] {
+        if (!cell.isEmpty()) replaceDocument([this, cell] { openFile(cell); });
+        importFiles(parts);
+      },
+      Qt::QueuedConnection);
+}
+
+void MainWindow::showSavedView() {
+  const auto& view = document_.document().state().view;
+  if (!view) return viewport_->fitAll(false);
+  viewport_->setCamera(viewport_->camera().looking(view->p_WEye, view->p_WTarget), false);
+}
+
+namespace {
+
+enum class SaveAnswer { kElsewhere, kAnyway, kNot };
+
+/// Another program has the file, or has changed it.
+SaveAnswer askAboutSaving(QWidget* parent, const QString& path, const QString& doubt) {
+  QMessageBox question(QMessageBox::Warning, MainWindow::tr("Save the workcell"),
+                       MainWindow::tr("%1 may hold the work of others.").arg(QFileInfo(path).fileName()),
+                       QMessageBox::NoButton, parent);
+  question.setObjectName("askSaving");
+  question.setInformativeText(doubt);
+  QPushButton* elsewhere = question.addButton(MainWindow::tr("Save as…"), QMessageBox::AcceptRole);
+  QPushButton* anyway = question.addButton(MainWindow::tr("Save anyway"), QMessageBox::DestructiveRole);
+  question.addButton(QMessageBox::Cancel);
+  question.setDefaultButton(elsewhere);
+  question.exec();
+  if (question.clickedButton() == elsewhere) return SaveAnswer::kElsewhere;
+  return question.clickedButton() == anyway ? SaveAnswer::kAnyway : SaveAnswer::kNot;
+}
+
+}  // namespace
+
+QString MainWindow::placeToSave(bool ask_where) {
+  QString path = QString::fromStdString(document_.document().path().string());
+  for (;;) {
+    if (path.isEmpty() || ask_where)
+      path = askToSave(this, tr("Save the workcell"), path.isEmpty() ? document_.title() + ".hcell" : path,
+                       tr("Workcells (*.hcell)"));
+    if (path.isEmpty()) return {};
+    const QString doubt = files_->guard().doubtAbout(path);
+    if (doubt.isEmpty()) return path;
+    const SaveAnswer answer = askAboutSaving(this, path, doubt);
+    if (answer == SaveAnswer::kAnyway) return path;
+    if (answer == SaveAnswer::kNot) return {};
+    ask_where = true;
+  }
+}
+
+bool MainWindow::saveDocument(bool ask_where) {
+  const QString path = placeToSave(ask_where);
+  if (path.isEmpty()) return false;
+  const auto saved = document_.save(path);
+  if (!saved) {
+    messages_.tell(Severity::kProblem, tr("The workcell was not saved"),
+                   QString::fromStdString(saved.error().message()));
+    return false;
+  }
+  files_->guard().noteSaved();
+  recent_->add(path);
+  keepPicture();
+  files_->autosaver().discard();
+  messages_.tell(Severity::kInformation, tr("%1 is saved").arg(QFileInfo(path).fileName()));
+  return true;
+}
+
+bool MainWindow::mayDiscard() {
+  if (!document_.isDirty()) return true;
+  QMessageBox question(QMessageBox::Question, tr("Changes are not saved"),
+                       tr("%1 has changes that are not saved.").arg(document_.title()),
+                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  question.setInformativeText(tr("They are lost if they are not saved."));
+  const int answer = question.exec();
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveDocument(false));
+}
+
+void MainWindow::keepPicture() {
+  const QString path = QString::fromStdString(document_.document().path().string());
+  if (settings_.isKept() && !path.isEmpty() && !document_.isDirty())
+    recent_->keepPicture(path, viewport_->smallPicture(kPictureWidth));
+}
+
+void MainWindow::replaceDocument(const std::function<void()>& then) {
+  whenRecorded([this, then] {
+    if (mayDiscard()) then();
+  });
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (recording_.isRecording()) {
+    event->ignore();
+    return whenRecorded([this] { close(); });
+  }
+  if (!mayDiscard()) {
+    event->ignore();
+    return;
+  }
+  keepPicture();
+  layouts_.store();
+  files_->autosaver().discard();
+  hide();  // Gone at once; what is under way is given up behind it.
+  if (modules_)
+    for (Module* module : modules_->modules()) module->stop();
+  event->accept();
+}
+
+void MainWindow::whenRecorded(const std::function<void()>& then) {
+  if (!recording_.isRecording()) return then();
+  constexpr int kLongestMilliseconds = 2000;  // A module that does not answer must not keep the window open.
+  auto* once = new QTimer(this);
+  once->setSingleShot(true);
+  connect(once, &QTimer::timeout, this, [once, then] {
+    once->deleteLater();
+    then();
+  });
+  // After those that take the recording into the cell, which were connected before.
+  connect(&recording_, &RecordingHub::recorded, once, [once] { once->start(0); });
+  once->start(kLongestMilliseconds);
+  recording_.stop();
+}
+
+void MainWindow::guardAgainstCrash() {
+  Autosaver& autosaver = files_->autosaver();
+  const auto folder = autosaver.runFolder();
+  if (!folder) {
+    messages_.tell(Severity::kWarning, tr("No copy against a crash could be written"),
+                   QString::fromStdString(folder.error().message()));
+    return;
+  }
+  crash_guard_ =
+      std::make_unique<CrashGuard>([&autosaver] { return autosaver.keepNow(); }, workcell::crashNoteIn(*folder));
+}
+
+void MainWindow::endNow() {
+  whenRecorded([this] {
+    layouts_.store();
+    files_->autosaver().save();
+    if (modules_)
+      for (Module* module : modules_->modules()) module->stop();
+    QCoreApplication::exit(0);  // quit() would ask the window whether it may close.
+  });
+}
+
+}  // namespace hapticell::app

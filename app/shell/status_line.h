@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QStatusBar>
+#include <QTimer>
+
+#include "app/host/message_log.h"
+#include "app/style/steady_number.h"
+#include "app/viewport/scene/strip_text.h"
+
+namespace hapticell::app {
+
+/// The bottom line: one sentence of state, three loop rates, device, units. A new message stands there for 8 seconds.
+class StatusLine : public QStatusBar {
+  Q_OBJECT
+ public:
+  explicit StatusLine(QWidget* parent = nullptr);
+  /// What the rates are measured against: 1000 Hz, the shipped limits.
+  struct Rates {
+    double haptic_hz = 0.0, collision_hz = 0.0, window_hz = 0.0;
+    double haptic_full = 1000.0, collision_full = 1000.0, window_full = 60.0;
+    bool idle = false;  ///< Nothing is to be done: collision and window are said to be idle.
+  };
+  void setSentence(Mark mark, const QString& sentence);
+  /// Shown anew where they differ visibly, twice a second at most; at once where a loop begins, ends or is idle.
+  void setRates(const Rates& rates);
+  void setDevice(const QString& text, bool works);
+  const QString& device() const { return device_; }
+  bool deviceWorks() const { return device_works_; }
+  const Rates& rates() const { return rates_; }
+  void setSound(const QString& text, bool on);
+  void show(const Message& message);
+  QString sentence() const { return sentence_; }
+  QSize sizeHint() const override { return {400, 26}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintSentence(QPainter& painter, const QRect& rect) const;
+  int paintRate(QPainter& painter, int right, const QString& name, double value, double full, bool idle = false) const;
+  Mark mark_ = Mark::kNone;
+  QString sentence_, device_, message_, sound_;
+  bool sound_on_ = false, device_works_ = true;
+  Severity severity_ = Severity::kInformation;
+  static constexpr double kShare = 0.05;  ///< A rate is shown anew when it differs by so much.
+  Rates rates_;
+  QElapsedTimer rates_shown_;
+  SteadyNumber haptic_{kShare}, collision_{kShare}, window_{kShare};
+  QTimer message_timer_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "app/viewport/tools/gizmo.h"
+#include "app/viewport/tools/pointer_tool.h"
+
+namespace hapticell::app {
+
+class Host;
+
+/// Arrows and rings at a frame of a motion, to drag it elsewhere in the scene. GUI thread.
+class FrameGizmo final : public QObject, public PointerTool {
+  Q_OBJECT
+ public:
+  explicit FrameGizmo(Host& host, QObject* parent = nullptr);
+  ~FrameGizmo() override;
+
+  /// Where the frame stands; nothing: the gizmo is gone.
+  void setFrame(const std::optional<Pose>& X_WT);
+  /// Takes a drag back; false where none is.
+  bool cancel();
+
+  bool press(const PointerEvent& event) override;
+  bool move(const PointerEvent& event) override;
+  bool release(const PointerEvent& event) override;
+  bool wheel(const PointerEvent&) override { return false; }
+  QString hint() const override;
+
+ signals:
+  void dragged(const hapticell::Pose& X_WT);  ///< On the way.
+  void dropped(const hapticell::Pose& X_WT);  ///< At its end.
+
+ private:
+  Gizmo gizmoAt(const Pose& X_WT, const Camera& camera, const ViewSize& view) const;
+  void draw();
+  Host& host_;
+  std::optional<Pose> X_WT_;
+  std::optional<Gizmo::Handle> over_;
+  struct Drag {
+    Gizmo gizmo;
+    Gizmo::Handle handle;
+    double from = 0.0;
+    Pose X_WT;
+  };
+  std::optional<Drag> drag_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the buttons of the motion panel do, and what it shows.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <cmath>
+
+#include "app/host/host.h"
+#include "app/style/segmented.h"
+#include "app/style/theme.h"
+#include "app/style/units.h"
+#include "app/style/value_field.h"
+#include "app/trajectory/motions/motion_list.h"
+#include "app/trajectory/docks/motion_panel.h"
+#include "app/trajectory/motions/motion_player.h"
+#include "app/trajectory/motions/motion_work.h"
+#include "app/trajectory/motions/track_rows.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr double kRadians = 0.017453292519943295;
+
+using Made = Expected<std::vector<trajectory::Trajectory>>;
+
+Made oneOf(Expected<trajectory::Trajectory> made) {
+  if (!made) return makeError(made.error());
+  return std::vector<trajectory::Trajectory>{std::move(*made)};
+}
+
+}  // namespace
+
+manipulation::command::StartRecording MotionPanel::recordingWanted() const {
+  using trajectory::RecordingMode;
+  constexpr RecordingMode kModes[] = {RecordingMode::kByTime, RecordingMode::kByDistance, RecordingMode::kByHand,
+                                      RecordingMode::kEveryStep};
+  manipulation::command::StartRecording wanted;
+  wanted.options.mode = kModes[std::max(0, mode_->current())];
+  wanted.options.interval_s = 1e-3 * interval_->value();
+  wanted.options.spacing = {1e-3 * spacing_->value(), kRadians * turn_spacing_->value()};
+  wanted.mark_by_button = second_button_->isChecked();
+  return wanted;
+}
+
+double MotionPanel::reach() const {
+  return reach_->value();
+}
+
+void MotionPanel::showLine(const QString& line, bool careful) {
+  line_->setText(line);
+  line_->setForegroundRole(careful ? QPalette::WindowText : kQuietText);
+  line_->setPalette({});
+}
+
+void MotionPanel::markMissed() {
+  QPalette red = line_->palette();
+  red.setColor(QPalette::WindowText, themeOf(palette()).contact);
+  line_->setPalette(red);
+}
+
+void MotionPanel::setFrame(std::optional<std::size_t> frame) {
+  if (frame == frame_) return;
+  frame_ = frame;
+  showFrame();
+  emit frameChanged();
+}
+
+void MotionPanel::showSection(const QString& heading) {
+  for (const auto& [name, widget] : sections_)
+    if (name == heading) emit sectionWanted(widget);
+}
+
+std::optional<TimeBar::Part> MotionPanel::part() const {
+  return bar_.part();
+}
+
+void MotionPanel::show() {
+  const int mode = mode_->current();
+  interval_row_->setVisible(mode == 0);
+  spacing_row_->setVisible(mode == 1);
+  speed_row_->setVisible(timing_->currentIndex() == 1);
+  jerk_row_->setVisible(timing_->currentIndex() == 3);
+  const Motion* motion = list_.current();
+  const bool any = motion && motion->trajectory;
+  for (QPushButton* button : need_motion_) button->setEnabled(any);
+  name_->setEnabled(motion != nullptr);
+  if (!name_->hasFocus()) name_->setText(motion ? QString::fromStdString(motion->name) : QString());
+  if (!any) {
+    facts_->setText(motion ? (motion->problem.isEmpty() ? tr("being read") : motion->problem)
+                           : tr("No motion yet. Record one, or import a file."));
+  } else {
+    const auto& trajectory = *motion->trajectory;
+    QStringList words{tr("frames: %1").arg(trajectory.size()), tr("%1 s").arg(trajectory.duration(), 0, 'f', 2)};
+    if (!trajectory.entity.empty()) words << tr("of %1").arg(QString::fromStdString(trajectory.entity));
+    if (!trajectory.moved.empty()) words << tr("by %1").arg(QString::fromStdString(trajectory.moved));
+    if (trajectory.hasJoints()) words << tr("joints: %1").arg(trajectory.joint_names.size());
+    if (!trajectory.touches.empty()) words << tr("contacts felt: %1").arg(trajectory.touches.size());
+    facts_->setText(words.join(QStringLiteral(" · ")) +
+                    (motion->problem.isEmpty() ? QString() : QStringLiteral("\n") + motion->problem));
+  }
+  showFrame();
+  showCheck();
+}
+
+void MotionPanel::showCheck() {
+  findings_->clear();
+  const Motion* motion = list_.current();
+  if (!motion || !motion->check) {
+    findings_->addItem(tr("Not checked yet"));
+    return;
+  }
+  const Theme& theme = themeOf(palette());
+  for (const auto& finding : motion->check->findings) {
+    auto* item = new QListWidgetItem(tr("%1 s  %2").arg(finding.t_in, 0, 'f', 2).arg(findingText(finding)), findings_);
+    item->setData(Qt::UserRole, finding.t_in);
+    const CheckMark mark = markOf(finding);
+    QPixmap dot(12, 12);
+    dot.fill(colorOf(mark, theme));
+    item->setIcon(QIcon(dot));
+  }
+  if (motion->check->findings.empty()) findings_->addItem(checkLine(*motion->check));
+  for (const auto& touch : motion->check->touching_at_start)
+    findings_->addItem(tr("Touches from the beginning: %1 and %2")
+                           .arg(QString::fromStdString(touch.first), QString::fromStdString(touch.second)));
+}
+
+void MotionPanel::showFrame() {
+  const Motion* motion = list_.current();
+  const bool any = motion && motion->trajectory && !motion->trajectory->empty();
+  const bool chosen = any && frame_ && *frame_ < motion->trajectory->size();
+  for (QPushButton* button : need_frame_) button->setEnabled(chosen);
+  if (!chosen) {
+    frame_label_->setText(any ? tr("Click a dot in the time bar to take hold of a frame; drag it in the scene.")
+                              : tr("No frames"));
+    return;
+  }
+  const auto& frame = (*motion->trajectory)[*frame_];
+  QString text =
+      tr("Frame %1 of %2 at %3 s: %4, %5, %6").arg(*frame_ + 1).arg(motion->trajectory->size()).arg(frame.t, 0, 'f', 3);
+  text = text.arg(lengthText(frame.X_WT.p.x), lengthText(frame.X_WT.p.y), lengthText(frame.X_WT.p.z));
+  if (frame.by_hand) text += tr(", by hand");
+  if (frame.dwell > 0.0) text += tr(", waits %1 s").arg(frame.dwell, 0, 'f', 2);
+  frame_label_->setText(text);
+}
+
+void MotionPanel::showProgress() {
+  BackgroundWork& work = list_.work();
+  const bool busy = work.isBusy();
+  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, cancel_, busy_}) widget->setVisible(busy);
+  if (!busy) return;
+  const auto progress = work.progress();
+  busy_->setText(QStringLiteral("%1 · %2 %").arg(work.name()).arg(std::lround(100.0 * progress.share)));
+  progress_->setValue(static_cast<int>(100.0 * progress.share));
+}
+
+void MotionPanel::smooth() {
+  work_.smooth({1e-3 * tolerance_->value(), kRadians * turn_tolerance_->value()}, keep_free_->isChecked());
+}
+
+void MotionPanel::trim() {
+  const auto chosen = part();
+  if (!chosen) {
+    showLine(tr("Choose a part first: its brackets stand in the time bar now."), true);
+    const auto& playback = player_.playback();
+    const double length = playback.end() - playback.begin();
+    bar_.setPart(TimeBar::Part{playback.begin() + 0.25 * length, playback.begin() + 0.75 * length});
+    return;
+  }
+  work_.edit(tr("trimmed"),
+             [p = *chosen](const auto& given) { return oneOf(trajectory::trimmed(given, p.from, p.to)); });
+}
+
+void MotionPanel::retime() {
+  trajectory::RetimingOptions options;
+  if (timing_->currentIndex() == 0) {
+    const double sample = 1e-3 * interval_->value();
+    return work_.edit(tr("resampled"),
+                      [sample](const auto& given) { return oneOf(trajectory::resampled(given, sample)); });
+  }
+  options.mode =
+      timing_->currentIndex() == 1 ? trajectory::TimingMode::kConstantSpeed : trajectory::TimingMode::kTimeOptimal;
+  options.speed = 1e-3 * speed_->value();
+  if (timing_->currentIndex() == 3) options.limits.jerk = {1e-3 * jerk_time_->value()};
+  work_.retime(options, keep_free_->isChecked());
+}
+
+void MotionPanel::insertFrame() {
+  const Motion* motion = list_.current();
+  if (!motion || !motion->trajectory || motion->trajectory->empty()) return;
+  const double t = player_.playback().time();
+  work_.edit(tr("with a frame"),
+             [t](const auto& given) { return oneOf(trajectory::withFrame(given, t, given.poseAt(t))); });
+}
+
+void MotionPanel::deletePart() {
+  const Motion* motion = list_.current();
+  if (!motion || !motion->trajectory) return;
+  if (const auto chosen = part(); chosen && !frame_) {
+    return work_.edit(tr("without a part"), [p = *chosen](const auto& given) -> Made {
+      std::size_t first = given.size(), last = 0;
+      for (std::size_t i = 0; i < given.size(); ++i) {
+        if (given[i].t < p.from || given[i].t > p.to) continue;
+        first = std::min(first, i);
+        last = i;
+      }
+      return oneOf(trajectory::withoutFrames(given, first, last));
+    });
+  }
+  if (!frame_) return showLine(tr("Click a dot in the time bar, or choose a part."), true);
+  work_.edit(tr("without a frame"),
+             [i = *frame_](const auto& given) { return oneOf(trajectory::withoutFrames(given, i, i)); });
+}
+
+void MotionPanel::addWay(bool approach) {
+  trajectory::StraightWay way;
+  way.length = 1e-3 * way_->value();
+  way.speed = 1e-3 * speed_->value();
+  work_.edit(approach ? tr("with approach") : tr("with retract"), [way, approach](const auto& given) {
+    return oneOf(approach ? trajectory::withApproach(given, way) : trajectory::withRetract(given, way));
+  });
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <optional>
+
+#include "app/trajectory/docks/time_bar.h"
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace hapticell::app {
+
+class Host;
+class MotionChart;
+class MotionList;
+class MotionPlayer;
+class StripChart;
+
+/// The dock under the scene: transport, recording, the time bar and the curves of the current motion on one time axis.
+class TrajectoryPanel : public QWidget {
+  Q_OBJECT
+ public:
+  TrajectoryPanel(Host& host, MotionList& list, MotionPlayer& player, QWidget* parent = nullptr);
+
+  TimeBar& timeBar() { return *bar_; }
+  MotionChart& chart() { return *chart_; }
+  /// What the recording is at, told ten times a second; nothing: none is going on.
+  struct Recording {
+    double seconds = 0.0;
+    std::size_t frames = 0, by_hand = 0;
+  };
+  void showRecording(const std::optional<Recording>& recording);
+  /// What an edit did, until the next.
+  void showLine(const QString& line, bool careful);
+  void markMissed();  ///< The line that is shown misses what was asked: red, until the next one.
+  /// The frame of the current motion that is worked on.
+  void setFrame(std::optional<std::size_t> frame);
+
+ signals:
+  void recordWanted();
+  void editWanted();  ///< The panel with what can be done.
+  void smoothWanted();
+  void checkWanted();
+  void exportWanted();
+  void trimWanted();
+  void frameChosen(std::size_t frame);
+  void roomWanted();  ///< All four curves are shown: they need a high dock.
+
+ private:
+  QToolButton* button(const char* name, const QString& icon, const QString& tip, const QString& word = {});
+  QWidget* makeTransport();
+  void connectBar();
+  void showMotions();
+  void showCurrent();
+  void showTime();
+  void chooseCurves();
+  void layLiveChart();
+
+  Host& host_;
+  MotionList& list_;
+  MotionPlayer& player_;
+  TimeBar* bar_;
+  MotionChart* chart_;
+  StripChart* live_;  ///< Force and gap of what is being recorded, in the chart's place.
+  QToolButton *first_, *back_, *play_, *next_, *last_, *loop_, *shown_, *swept_, *record_, *trim_, *smooth_, *check_,
+      *export_, *edit_;
+  QComboBox *speed_, *group_, *order_;
+  QLabel* info_;
+  QTimer live_timer_;
+  bool recording_ = false, slow_told_ = false;  ///< Told once a play.
+  double recorded_from_s_ = 0.0;                ///< The snapshots' time at which the recording began.
+  std::shared_ptr<const trajectory::Trajectory> shown_motion_;
+};
+
+}  // namespace hapticell::app

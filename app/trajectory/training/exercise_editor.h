@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+#include <array>
+
+#include "manipulation/session/exercise.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+class Host;
+class MotionList;
+class ValueField;
+
+/// Makes an exercise of the open cell and one of its motions, or changes one: name, what is to be done, the expert's
+/// motion, how the trainee is led and what costs points. What is missing is told below its field and nothing is saved
+/// until it is right. Not modal: the cell can be saved meanwhile. Closes with the cell. GUI thread.
+class ExerciseEditor : public QDialog {
+  Q_OBJECT
+ public:
+  /// `folder`: where it is saved.
+  ExerciseEditor(Host& host, MotionList& list, const QString& folder, QWidget* parent = nullptr);
+  /// Begins with what an exercise has; `file`: where it is from; empty: it is the open cell's and not saved yet. One of
+  /// another folder is saved as a copy.
+  void edit(const QString& file, const manipulation::Exercise& exercise, const trajectory::Trajectory& expert);
+
+ signals:
+  void saved(const QString& file);
+
+ private:
+  void addWords(QVBoxLayout& column);
+  void addMotion(QVBoxLayout& column);
+  void addNumbers(QVBoxLayout& column);
+  void takeMotions();
+  const trajectory::Trajectory* chosenMotion() const;
+  bool usesOpenCell() const;
+  QString nameProblem() const;
+  QString motionProblem() const;
+  QString cellProblem() const;
+  bool check();
+  void showHeld();
+  void save();
+
+  Host& host_;
+  MotionList& list_;
+  QString folder_, file_;
+  manipulation::Exercise exercise_;
+  trajectory::Trajectory expert_;
+  bool tried_ = false;  ///< Problems are told from the first attempt to save on.
+  QLineEdit* name_;
+  QPlainTextEdit* text_;
+  QComboBox* motion_;
+  QLabel *held_, *cell_, *name_problem_, *text_problem_, *motion_problem_, *cell_problem_, *file_problem_;
+  std::array<ValueField*, 7> numbers_;
+  std::array<double, 7> began_;  ///< What the fields showed at first.
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "trajectory/training/training.h"
+
+namespace hapticell::app {
+
+/// Order in which runs are shown: practice, then, apart, retention, then transfer; each by time.
+std::vector<std::size_t> shownOrder(const std::vector<trajectory::TrainingAttempt>& attempts);
+
+/// Points and help of a trainee's runs over time: bars for the points (hatched where the run was no success), a stepped
+/// line for the help of practice. Runs without guidance stand apart behind it, in another colour.
+class ProgressPlot : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ProgressPlot(QWidget* parent = nullptr);
+  /// `pass`: points from which a run is a success.
+  void setAttempts(std::vector<trajectory::TrainingAttempt> attempts, double pass);
+  QSize sizeHint() const override { return {300, 132}; }
+  QSize minimumSizeHint() const override { return {200, 110}; }
+  /// Paints it anywhere: on the panel and in the report.
+  static void paint(QPainter& painter, const QRect& rect, const std::vector<trajectory::TrainingAttempt>& attempts,
+                    double pass, const QPalette& palette);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::vector<trajectory::TrainingAttempt> attempts_;
+  double pass_ = 60.0;
+};
+
+}  // namespace hapticell::app

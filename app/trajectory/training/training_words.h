@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+#include "trajectory/training/training.h"
+
+namespace hapticell::app {
+
+/// "Practice", "Retention", "Transfer".
+QString runKindName(trajectory::RunKind kind);
+
+/// How long ago the practice was: "40 min", "26 h", "7 d". `seconds` >= 0.
+QString restText(double seconds);
+
+/// The points of runs without guidance, apart from those of practice: "Retention after 26 h: 74 points. Transfer: 61
+/// points." Each rest once, with its newest run. Says that there are none where there are none.
+QString unaidedText(const trajectory::TrainingSession& session);
+
+}  // namespace hapticell::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/shapes/triangle_mesh.h"
+
+namespace hapticell::app {
+
+/// A vertex as the graphics card gets it: position relative to the mesh's centre, unit normal.
+struct DisplayVertex {
+  fvec3 position;
+  fvec3 normal;
+};
+
+/// An edge as it gets it: ends relative to the centre, and the unit normals of its two faces. A crease is always drawn;
+/// any other only while one face is turned to the eye and the other away. A border has two opposite normals.
+struct DisplayEdge {
+  fvec3 from;
+  fvec3 to;
+  fvec3 normal_a;
+  fvec3 normal_b;
+};
+
+/// Some of a display mesh's indices: all its triangles, or fewer that stand for them.
+struct DetailStep {
+  std::size_t first = 0, count = 0;  ///< Indices.
+  double error = 0.0;                ///< Metres between its surface and the mesh's, about.
+};
+
+/// A mesh made ready for drawing. No OpenGL in here.
+struct DisplayMesh {
+  dvec3 center{0.0};        ///< p_MC; positions are relative to it, so that large coordinates keep their digits.
+  geometry::Bounds bounds;  ///< In M.
+  std::vector<DisplayVertex> vertices;
+  std::vector<std::uint32_t> indices;  ///< Three a triangle; those of all steps, one after the other.
+  std::vector<DetailStep> steps;       ///< The first is the mesh itself; addDetailSteps() adds coarser ones.
+  std::vector<DisplayEdge> edges;      ///< Creases and borders first, then the smooth ones.
+  std::size_t creases = 0;             ///< How many of `edges` are creases or borders.
+  bool closed = true;                  ///< Each edge has two triangles: it bounds a solid.
+};
+
+inline constexpr double kPartCrease = 0.48869219;  ///< 28 degrees.
+inline constexpr double kSkinCrease = 1.9;         ///< rad: only where a surface folds back on itself.
+
+/// Normals are smoothed over faces that meet at less than `crease_angle` (rad); corners at the same place count as one.
+/// Ends soon, with a mesh that is good for nothing, once `given_up` is set.
+DisplayMesh makeDisplayMesh(const geometry::TriangleMesh& mesh, double crease_angle = kPartCrease,
+                            const std::atomic<bool>* given_up = nullptr);
+
+/// Appends the triangles of `mesh` (in M) with vertices of their own to those of `display`, smoothed likewise.
+void addSmoothed(const geometry::TriangleMesh& mesh, double crease_angle, DisplayMesh& display);
+
+}  // namespace hapticell::app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "app/viewport/scene/camera.h"
+#include "app/viewport/scene/stylus_mesh.h"
+
+namespace hapticell::app {
+
+/// Length of a drawn pen, pixels at 100 %: a fifth of the view's height, so that it hides little of a small one.
+inline double penPixels(const ViewSize& view) {
+  return std::clamp(0.2 * view.height, 70.0, 150.0);
+}
+
+/// Colour of a pen's body, sRGB; the second one's is told from the first one's and from its band's, also with protan
+/// and deutan vision.
+std::array<float, 3> penColor(bool second, bool dark_theme);
+
+/// The second stylus: as makeStylusMesh(), with two bands, so that it is told apart without colours too.
+StylusMesh makeSecondStylusMesh();
+
+}  // namespace hapticell::app

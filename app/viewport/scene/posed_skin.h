@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "app/viewport/meshes/posed_mesh.h"
+#include "app/viewport/scene/render_item.h"
+#include "mannequin/shape/figure_skin.h"
+
+namespace hapticell::app {
+
+/// The skin of one figure as it is drawn: what of it has one look is one item, in the figure's frame. Which that is
+/// seldom changes, so triangles are gathered anew only then; from picture to picture only places and normals are.
+class PosedSkin {
+ public:
+  explicit PosedSkin(std::shared_ptr<const mannequin::FigureSkin> skin) : skin_(std::move(skin)) {}
+
+  /// How a body is drawn: marks, and in place of its clothes' colours its own where it has one.
+  struct BodyLook {
+    std::uint32_t state = kPlain;
+    std::optional<LinkLook> own = {};
+    bool operator==(const BodyLook&) const = default;
+  };
+  /// `bodies`: one for each, as mannequin::fleshOf() counts them. The items are the same as long as nothing changes.
+  const std::vector<RenderItem>& items(const mannequin::Posture& posture, const std::vector<BodyLook>& bodies);
+
+ private:
+  using Look = std::tuple<bool, std::array<float, 3>, std::uint8_t, std::uint32_t>;  ///< Face, colour, pattern, state.
+  struct Group {
+    Look look;
+    std::vector<std::size_t> patches;
+    std::vector<geometry::Triangle> triangles;
+    std::shared_ptr<const std::vector<PosedMesh::Step>> steps;
+  };
+  void gather(const std::vector<BodyLook>& bodies);
+
+  std::shared_ptr<const mannequin::FigureSkin> skin_;
+  std::vector<BodyLook> bodies_;
+  bool full_colors_ = false;
+  std::optional<mannequin::Posture> posture_;
+  std::vector<Group> groups_;
+  std::vector<fvec3> places_, normals_;
+  std::vector<RenderItem> items_;
+};
+
+}  // namespace hapticell::app

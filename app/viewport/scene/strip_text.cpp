@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/scene/strip_text.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/style/units.h"
+
+namespace hapticell::app {
+namespace {
+
+std::string fixed(double value, int decimals) {
+  if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0.0;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  for (char* c = text; *c; ++c)
+    if (*c == ',') *c = '.';  // Whatever the process's locale says.
+  return text;
+}
+
+std::string shortNumber(double value) {
+  return fixed(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1);
+}
+
+/// What stands over the scene, in the window's language.
+struct StripText {
+  Q_DECLARE_TR_FUNCTIONS(StripText)
+};
+
+}  // namespace
+
+std::string millimetres(double metres) {
+  if (!std::isfinite(metres)) return StripText::tr("none").toStdString();
+  const bool usual = unitsNow().length == Units::Length::kMillimetre;
+  if (usual && std::abs(metres) >= 10.0) return fixed(metres, 2) + " m";
+  return lengthText(metres).toStdString();
+}
+
+std::string newtons(double value) {
+  return forceText(value).toStdString();
+}
+
+std::string scaleText(double motion_scale) {
+  if (!(motion_scale > 0.0)) return StripText::tr("none").toStdString();
+  if (motion_scale >= 1.0) return shortNumber(motion_scale) + " : 1";
+  return "1 : " + shortNumber(1.0 / motion_scale);
+}
+
+std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, const StripContext& context) {
+  const bool contact = !snapshot.pairs.empty() && snapshot.pairs.front().contact;
+  // The nearest pair that does not touch: what touches is told by the force.
+  const auto free =
+      std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& pair) { return !pair.contact; });
+  const bool known = free != snapshot.pairs.end();
+  std::vector<StripCell> cells;
+  const auto say = [](const QString& text) { return text.toStdString(); };
+  StripCell gap{Mark::kNone, known ? millimetres(free->distance) : say(StripText::tr("none near")),
+                say(StripText::tr("free gap"))};
+  if (known && (free->near_miss || free->distance <= context.near_miss_distance)) gap.mark = Mark::kNearMiss;
+  cells.push_back(gap);
+  const std::string force = snapshot.forces_on ? newtons(snapshot.force_n) : say(StripText::tr("off"));
+  cells.push_back({contact ? Mark::kContact : Mark::kNone, force, say(StripText::tr("force"))});
+  const std::string name = context.scale_name.empty() ? "" : context.scale_name + " ";
+  cells.push_back({Mark::kNone, name + scaleText(snapshot.motion_scale), say(StripText::tr("scale"))});
+  const QString on_contact = context.on_contact == workcell::OnContact::kStop    ? StripText::tr("Stop")
+                             : context.on_contact == workcell::OnContact::kSlide ? StripText::tr("Slide")
+                                                                                 : StripText::tr("Pass");
+  cells.push_back(
+      {Mark::kNone, say(snapshot.stopped ? StripText::tr("Stopped") : on_contact), say(StripText::tr("on contact"))});
+  cells.push_back({Mark::kNone, snapshot.clutched ? say(StripText::tr("Clutch")) : context.free_axes,
+                   say(StripText::tr("free to move"))});
+  StripCell edge{Mark::kNone, say(lengthText(snapshot.device_edge_m, 0)), say(StripText::tr("to device edge"))};
+  if (snapshot.device_edge_m < 0.005) edge.mark = Mark::kLimit;
+  cells.push_back(edge);
+  return cells;
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "manipulation/engine/scene_snapshot.h"
+#include "workcell/entity/entity.h"
+
+namespace hapticell::app {
+
+enum class Mark { kNone, kContact, kNearMiss, kLimit };
+
+/// One cell of the stylus strip: a value with its unit, and what it is.
+struct StripCell {
+  Mark mark = Mark::kNone;
+  std::string value;
+  std::string meaning;
+  friend bool operator==(const StripCell&, const StripCell&) = default;
+};
+
+/// What is needed besides the snapshot.
+struct StripContext {
+  workcell::OnContact on_contact = workcell::OnContact::kSlide;
+  std::string free_axes = "X Y Z";
+  std::string scale_name;             ///< "Fine"; empty where a number was chosen.
+  double near_miss_distance = 0.010;  ///< m
+};
+
+/// The stylus strip: free gap, force, scale, on contact, free axes, distance to the device's edge.
+std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, const StripContext& context);
+
+/// "6.4 mm"; a minus zero is never shown; from 10 m on in metres.
+std::string millimetres(double metres);
+/// "1.1 N".
+std::string newtons(double newtons);
+/// "1 : 4" for 0.25, "2 : 1" for 2: millimetres of the cell a millimetre of hand.
+std::string scaleText(double motion_scale);
+
+}  // namespace hapticell::app

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <list>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/viewport/scene/camera.h"
+#include "app/viewport/tools/picked_feature.h"
+#include "app/viewport/scene/render_item.h"
+#include "app/viewport/scene/section_plane.h"
+#include "collision/trees/ray.h"
+
+namespace hapticell::app {
+
+struct EdgeChain;
+
+/// Finds the face, edge or corner of a part that a pixel means.
+///
+/// How dialogs use it: ViewportWidget::startPick() (see PickRequest there). This class is the arithmetic behind it: no
+/// OpenGL, no widgets. The id buffer says which part is seen; its triangle is found by a ray; about that triangle the
+/// smooth surroundings are flooded (at most kFloodLimit triangles, so that a part of millions costs no more than one of
+/// thousands), their surfaces recognised (collision/surfaces/surface_recognition.h), and the face's borders are its edges.
+/// Chains of border edges are fitted by lines and circles. What was last looked at is kept, so hovering is cheap. One
+/// thread.
+class FeaturePicker {
+ public:
+  static constexpr std::size_t kFloodLimit = 4000;
+  static constexpr double kVertexPixels = 10.0;  ///< So near a corner is taken,
+  static constexpr double kEdgePixels = 7.0;     ///< so near an edge.
+
+  /// What was asked: the items of one entity and link (as the id buffer told), and the pixel.
+  struct Question {
+    const std::vector<RenderItem>* items = nullptr;
+    workcell::EntityId entity = 0;
+    int link = -1;
+    Camera camera;
+    ViewSize size;
+    glm::dvec2 pixel{0.0};
+    FeatureFilter filter;
+    std::optional<SectionPlane> section = {};  ///< What it cuts away is not picked.
+  };
+  FeaturePicker();
+  ~FeaturePicker();
+
+  /// Nothing where the ray meets no triangle of those items or the filter leaves nothing.
+  std::optional<PickedFeature> pick(const Question& question);
+
+ private:
+  struct Incidence;
+  struct Patch;
+  struct Hit {
+    const RenderItem* item = nullptr;
+    std::uint32_t triangle = 0;
+    double along = 0.0;
+  };
+  struct Snap {
+    const EdgeChain* chain = nullptr;
+    dvec3 p_WEdge{0.0}, p_WCorner{0.0};
+    double edge_pixels = 1e300, corner_pixels = 1e300;
+  };
+  static std::optional<Hit> meetOrBeside(Question& question, Ray& ray_W);
+  static Snap snap(const Patch& patch, const Pose& X_WM, const Question& question);
+  static std::optional<Hit> meet(const Question& question, const Ray& ray_W);
+  std::shared_ptr<const Incidence> incidenceOf(const std::shared_ptr<const geometry::TriangleMesh>& mesh);
+  const Patch& patchAbout(const Hit& hit, const collision::Ray& ray_M);
+
+  std::list<std::shared_ptr<const Incidence>> incidences_;  // Of the meshes last picked, newest first.
+  std::unique_ptr<Patch> patch_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/virtual_desktop/devices/force_reason.h"
+
+#include "app/style/units.h"
+
+#include <QObject>
+#include <cmath>
+
+namespace hapticell::app {
+namespace {
+
+constexpr double kFewHertz = 0.95;    // Of the 1000 a second that are wanted.
+constexpr double kLateWarning = 0.5;  // Milliseconds.
+
+QString tr(const char* text) {
+  return QObject::tr(text);
+}
+
+QString timeText(double milliseconds) {
+  return milliseconds < 1000.0 ? tr("%1 ms").arg(milliseconds, 0, 'f', 2)
+                               : tr("%1 s").arg(1e-3 * milliseconds, 0, 'f', 3);
+}
+
+DeviceCheck serverCheck(const QString& server, const haptic::ServerStatistics& figures) {
+  const QString where = tr("%1, round trip %2 ms").arg(server).arg(figures.round_trip_ms, 0, 'f', 2);
+  const QString clocks = figures.clock_offset_ms
+                             ? tr(", its clock %1 from ours").arg(timeText(std::abs(*figures.clock_offset_ms)))
+                             : QString();
+  return {DeviceCheck::Result::kGood, tr("The haptic server answers"), where + clocks};
+}
+
+/// How old contacts are when they are felt. Nothing is late before the first.
+DeviceCheck contactsCheck(const haptic::ServerStatistics& figures) {
+  const QString counts =
+      tr("%1 late and %2 refused since the server's start").arg(figures.late_sets).arg(figures.refused_sets);
+  if (!(figures.set_age_p99_ms > 0.0)) return {DeviceCheck::Result::kOpen, tr("No contacts sent lately"), counts};
+  const bool late = figures.set_age_p99_ms > 1e3 * haptic::kLateSetAge;
+  return {late ? DeviceCheck::Result::kWarning : DeviceCheck::Result::kGood,
+          late ? tr("Contacts come late at times") : tr("Contacts come in time"),
+          tr("%1 ms old in the middle, %2 ms in 99 of 100; %3")
+              .arg(figures.set_age_p50_ms, 0, 'f', 1)
+              .arg(figures.set_age_p99_ms, 0, 'f', 1)
+              .arg(counts)};
+}
+
+/// How soon contacts are on the screen.
+DeviceCheck sightCheck(const TouchSight& sight) {
+  const TouchMeter::Figures& figures = sight.figures;
+  if (figures.contacts == 0)
+    return {DeviceCheck::Result::kOpen, tr("No contact on the screen yet"),
+            tr("Touch something with forces on: how long after it is felt it is seen is told here")};
+  const double limit = longestUnnoticed(sight);
+  const bool late = figures.median_s > limit;
+  return {late ? DeviceCheck::Result::kWarning : DeviceCheck::Result::kGood,
+          late ? tr("Contacts are seen late") : tr("Contacts are seen as they are felt"),
+          tr("%1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed")
+                  .arg(1e3 * figures.median_s, 0, 'f', 0)
+                  .arg(1e3 * figures.worst_s, 0, 'f', 0)
+                  .arg(figures.contacts)
+                  .arg(1e3 * limit, 0, 'f', 0) +
+              (late ? tr(". A smaller window helps") : QString())};
+}
+
+}  // namespace
+
+double longestUnnoticed(const TouchSight& sight) {
+  constexpr double kSoftware = 0.050, kBeyondFrame = 0.015;
+  return sight.software ? kSoftware : kBeyondFrame + sight.frame_s;
+}
+
+ForceReason forceReason(const ForceFacts& facts) {
+  using Mend = ForceReason::Mend;
+  if (!facts.started) return {tr("Forces off"), tr("No stylus is connected"), Mend::kConnect, tr("Connect")};
+  if (facts.watching)
+    return {tr("Forces off"), tr("Another window has the stylus; this one watches"), Mend::kTakeStylus,
+            tr("Take the stylus")};
+  if (!facts.connected) {
+    // The first sentence; the whole of it stands beside the device's state.
+    const int end = static_cast<int>(facts.problem.indexOf(QStringLiteral(". ")));
+    const QString first = end < 0 ? facts.problem : facts.problem.left(end + 1);
+    const QString why = facts.problem.isEmpty() ? tr("Waiting for the haptic server") : first;
+    return {tr("Forces off"), why, Mend::kStartServer, tr("Start the server")};
+  }
+  if (facts.device_fault)
+    return {tr("Forces off"), tr("The device does not answer: check its cable and power"), Mend::kNone, {}};
+  if (facts.stalled)
+    return {tr("Forces off"), tr("The scene's loop stands still: forces return once it answers"), Mend::kNone, {}};
+  if (facts.forceless) return {tr("No forces"), tr("This device moves things, but exerts no force"), Mend::kNone, {}};
+  if (!facts.on && !facts.wanted && facts.lost)
+    return {tr("Forces off"),
+            tr("The haptic server ended, and the forces with it. Ctrl+Space turns them on again"),
+            Mend::kNone,
+            {}};
+  if (!facts.on && !facts.wanted) return {tr("Forces off"), tr("Ctrl+Space turns them on"), Mend::kNone, {}};
+  if (!facts.on && facts.cut)
+    return {tr("Forces off"),
+            tr("The server took them away: let the stylus go free, or turn them off (Esc) and on again (Ctrl+Space)"),
+            Mend::kNone,
+            {}};
+  if (!facts.on) return {tr("Forces wait"), tr("Move the stylus into free space"), Mend::kNone, {}};
+  const QString ramp = facts.ramp < 0.999 ? tr("Ramp %1 %, 1 N/ms limit").arg(std::lround(100.0 * facts.ramp))
+                                          : tr("Ramp done, 1 N/ms limit");
+  if (facts.ramp < 0.999) return {tr("Forces on"), ramp, Mend::kNone, {}};
+  if (!facts.held) return {tr("Forces on"), tr("Nothing is held: the stylus button takes it"), Mend::kNone, {}};
+  if (!facts.checked)
+    return {tr("Forces on"), tr("What is held is not checked for collision"), Mend::kCheck, tr("Check it")};
+  if (facts.at_edge)
+    return {tr("Forces on"), tr("The device is at its end: hold Space and bring the hand back"), Mend::kNone, {}};
+  if (facts.passes) return {tr("Forces on"), tr("Contacts are only shown: it passes"), Mend::kSlide, tr("Slide")};
+  return {tr("Forces on"), ramp, Mend::kNone, {}};
+}
+
+QString scaleNote(double motion_scale) {
+  if (!(motion_scale > 0.0)) return {};
+  const double hand = motion_scale < 1.0 ? 1.0 / motion_scale : 1.0;
+  const double cell = motion_scale < 1.0 ? 1.0 : motion_scale;
+  const auto count = [](double of_them) { return QString::number(of_them, 'g', 3) + ' ' + unitsNow().lengthUnit(); };
+  return tr("%1 of hand → %2 in the cell").arg(count(hand), count(cell));
+}
+
+std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& facts,
+                                      const haptic::DeviceDescription* device, const manipulation::SceneSnapshot& now,
+                                      const TouchSight& sight) {
+  using Result = DeviceCheck::Result;
+  std::vector<DeviceCheck> checks;
+  if (!facts.connected) {
+    checks.push_back({Result::kProblem, tr("No haptic server answers at %1").arg(server), forceReason(facts).why});
+    for (const QString& title : {tr("Device"), tr("Force loop"), tr("Range of motion and button")})
+      checks.push_back({Result::kOpen, title, tr("Not tried yet: the server has to answer first")});
+    return checks;
+  }
+  checks.push_back(serverCheck(server, now.server));
+  if (device) {
+    const dvec3 size = device->workspace_max - device->workspace_min;
+    checks.push_back({Result::kGood, QString::fromStdString(device->name),
+                      tr("%1 × %2 × %3, %4 N peak, %5 N continuous, %6 measured and %7 driven axes")
+                          .arg(lengthText(size.x, 0), lengthText(size.y, 0), lengthText(size.z, 0))
+                          .arg(device->peak_force, 0, 'f', 1)
+                          .arg(device->continuous_force, 0, 'f', 1)
+                          .arg(device->measured_axes)
+                          .arg(device->driven_axes)});
+  }
+  const bool slow = now.server.rate_hz < 1000.0 * kFewHertz || now.server.late_p99_ms > kLateWarning;
+  checks.push_back(
+      {slow ? Result::kWarning : Result::kGood,
+       slow ? tr("The force loop is late at times") : tr("The force loop keeps its time"),
+       tr("%1 Hz, late %2 ms at most in 99 of 100 steps%3")
+           .arg(std::lround(now.server.rate_hz))
+           .arg(now.server.late_p99_ms, 0, 'f', 2)
+           .arg(slow ? tr(". Real-time priority mends it: add the account to the group realtime") : QString())});
+  checks.push_back(contactsCheck(now.server));
+  checks.push_back(sightCheck(sight));
+  const bool edge = now.device_edge_m < 0.005;
+  checks.push_back({edge ? Result::kWarning : Result::kGood, tr("Range of motion"),
+                    tr("%1 to the edge of the workspace").arg(lengthText(now.device_edge_m, 0))});
+  return checks;
+}
+
+}  // namespace hapticell::app

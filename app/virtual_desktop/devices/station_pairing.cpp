@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/virtual_desktop/devices/station_pairing.h"
+
+#include <filesystem>
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kLookPeriod = 50;  // ms.
+
+}  // namespace
+
+bool isThisStation(const QString& host) {
+  return host == QStringLiteral("localhost") || host.startsWith(QStringLiteral("127.")) ||
+         host == QStringLiteral("::1");
+}
+
+StationPairing::StationPairing(QObject* parent) : QObject(parent) {
+  timer_.setInterval(kLookPeriod);
+  connect(&timer_, &QTimer::timeout, this, &StationPairing::look);
+}
+
+bool StationPairing::knows(const QString& host, int port) {
+  std::error_code ignored;
+  return std::filesystem::exists(haptic::knownServerKeyFile(host.toStdString(), static_cast<std::uint16_t>(port)),
+                                 ignored);
+}
+
+void StationPairing::start(const QString& host, int port, const QString& code) {
+  cancel();
+  host_ = host.trimmed();
+  port_ = port;
+  typed_.reset();
+  if (host_.isEmpty())
+    return end(false,
+               tr("Give the other station's address: its name in the network, or four numbers like 192.168.1.20."));
+  haptic::TcpLinkOptions options;
+  if (code.trimmed().isEmpty()) {
+    auto known = haptic::linkOptionsFor(host_.toStdString(), static_cast<std::uint16_t>(port_));
+    if (!known) return end(false, QString::fromStdString(known.error().message()));
+    options = *known;
+  } else {
+    const auto key = haptic::PairingKey::parse(code.trimmed().toStdString());
+    if (!key) return end(false, QString::fromStdString(key.error().message()));
+    typed_ = options.key = *key;
+  }
+  options.host = host_.toStdString();
+  options.port = static_cast<std::uint16_t>(port_);
+  options.kind = haptic::ClientKind::kWatcher;
+  options.program = "HaptiCell's pairing";
+  link_ = std::make_unique<haptic::TcpLink>(options);
+  since_.start();
+  timer_.start();
+}
+
+void StationPairing::cancel() {
+  timer_.stop();
+  link_.reset();
+}
+
+void StationPairing::look() {
+  if (const auto device = link_->device()) {
+    if (typed_) {
+      const auto file = haptic::knownServerKeyFile(host_.toStdString(), static_cast<std::uint16_t>(port_));
+      if (const auto saved = haptic::saveKey(*typed_, file); !saved)
+        return end(false, QString::fromStdString(saved.error().message()));
+    }
+    return end(true, tr("%1 answers at %2.").arg(QString::fromStdString(device->name), host_));
+  }
+  // What cannot get better by waiting is said at once.
+  const bool refused = link_->linkState() == haptic::LinkState::kRefused;
+  if (!refused && since_.elapsed() < kPatience) return;
+  const QString problem = QString::fromStdString(link_->problem());
+  end(false, problem.isEmpty() ? tr("No haptic server answers at %1:%2.").arg(host_).arg(port_) : problem);
+}
+
+void StationPairing::end(bool fits, const QString& sentence) {
+  cancel();
+  emit tried(fits, sentence);
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/virtual_desktop/devices/free_axes.h"
+#include "manipulation/engine/manipulation_command.h"
+
+namespace hapticell::app {
+
+/// What the user chose in the Virtual Desktop panel. A value; the controller turns changes into commands.
+struct VirtualDesktopSettings {
+  workcell::EntityId entity = 0;  ///< 0: whatever the tip touches.
+  manipulation::MovedBy::Kind moved_by = manipulation::MovedBy::Kind::kDefault;
+  manipulation::AxesMode axes = manipulation::AxesMode::kScreen;
+  manipulation::ScaleLevel scale = manipulation::ScaleLevel::kMedium;
+  workcell::OnContact on_contact = workcell::OnContact::kSlide;
+  workcell::ForceClass force_class = workcell::ForceClass::kContact;
+  FreeAxes free;
+  std::string moved_frame;  ///< For moved_by kFrame: a frame of the entity, a link, or another entity.
+  std::string axes_frame;   ///< For axes kFrame: an entity's name.
+  std::string against;      ///< The one pair set that counts; empty: all that are switched on.
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "cli/device/device_commands.h"
+#include "cli/kit/server_address.h"
+#include "cli/device/typed_code.h"
+#include "geometry/system/plain_text.h"
+#include "haptic/transport/pairing_key.h"
+#include "haptic/client/tcp_link.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::chrono::seconds kPatience(5);
+
+struct PairWords {
+  std::string server, code;
+  bool unchecked = false;
+};
+
+/// Connects as a watcher, which takes the stylus from nobody. The device's name.
+Expected<std::string> tryKey(const ServerAddress& server, const haptic::PairingKey& key) {
+  haptic::TcpLinkOptions options;
+  options.host = server.host;
+  options.port = server.port;
+  options.key = key;
+  options.kind = haptic::ClientKind::kWatcher;
+  options.program = "hapticell-cli pair";
+  haptic::TcpLink link(options);
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (link.linkState() == haptic::LinkState::kConnecting && std::chrono::steady_clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  if (const auto device = link.device()) return device->name;
+  return makeError({server.host + ":" + std::to_string(server.port), "", link.problem(), "",
+                    "Nothing was kept; --unchecked keeps the code without a connection."});
+}
+
+ExitStatus failed(const Error& error) {
+  report(error);
+  return ExitStatus::kBadInput;
+}
+
+ExitStatus run(const PairWords& words, const ResultWriter& writer) {
+  const auto server = parseServerAddress(words.server, "HOST:PORT", haptic::TcpLinkOptions{}.port);
+  if (!server) return failed(server.error());
+  if (!words.code.empty() && words.code != "-")
+    warn(
+        "A code on the command line is seen by every user of this machine while the command runs. Leave it out to type "
+        "it.");
+  const auto code = words.code.empty() || words.code == "-"
+                        ? readTypedCode("Pairing code of " + plainText(words.server) + " (it is not shown): ")
+                        : Expected<std::string>(words.code);
+  if (!code) return failed(code.error());
+  const auto key = haptic::PairingKey::parse(*code);
+  if (!key) return failed(key.error());
+  ordered_json result{{"host", server->host}, {"port", server->port}, {"checked", !words.unchecked}};
+  if (!words.unchecked) {
+    const auto device = tryKey(*server, *key);
+    if (!device) return failed(device.error());
+    result["device"] = *device;
+  }
+  const auto file = haptic::knownServerKeyFile(server->host, server->port);
+  if (const auto saved = haptic::saveKey(*key, file); !saved) return failed(saved.error());
+  result["file"] = file.string();
+  const auto written = writer.write(result);
+  return written ? ExitStatus::kDone : failed(written.error());
+}
+
+}  // namespace
+
+void addPairCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("pair", "Keep the key of a haptic server on another station");
+  const auto words = std::make_shared<PairWords>();
+  command.option("server", words->server, "HOST or HOST:PORT of the haptic server").required();
+  command.option("code", words->code,
+                 "What hapticell-haptic-server --pair showed there; left out, or '-': "
+                 "it is typed, or read from standard input");
+  command.flag("--unchecked", words->unchecked, "Keep it without connecting");
+  command.onChosen([&chosen, words] { chosen = [words](ResultWriter& writer) { return run(*words, writer); }; });
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/ergonomics/ergonomics_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+
+#include "geometry/system/nesting_limit.h"
+#include "geometry/system/regular_file.h"
+#include "mannequin/ergonomics/methods/owas.h"
+#include "mannequin/ergonomics/advice/posture_advice.h"
+#include "mannequin/ergonomics/methods/reba.h"
+#include "mannequin/ergonomics/methods/rula.h"
+
+namespace hapticell::cli {
+
+std::string shortText(const nlohmann::json& value) {
+  std::string text = value.dump();
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  return text;
+}
+
+namespace {
+
+using nlohmann::json;
+using namespace ergonomics;
+using Names = std::initializer_list<std::string_view>;
+
+std::string listed(const std::vector<std::string_view>& names) {
+  std::string text;
+  for (const auto name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+tl::unexpected<Error> refused(const std::string& field, const std::string& found, const std::string& expected) {
+  return makeError({"", field, found, expected, ""});
+}
+
+/// Refuses fields that are not among `known`: a misspelt field would else be a missing one.
+Expected<void> checkNames(const json& object, const std::string& where, const std::vector<std::string_view>& known) {
+  if (!object.is_object()) return refused(where, shortText(object), "an object with fields");
+  for (const auto& [name, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      return refused(name, "there is no field of this name", "one of " + listed(known));
+    }
+  }
+  return {};
+}
+
+Expected<int> wholeNumber(const json& value, const SubScore& sub_score) {
+  const std::string expected = std::to_string(sub_score.least) + " to " + std::to_string(sub_score.greatest);
+  const bool is_whole = value.is_number() && value.get<double>() == std::floor(value.get<double>());
+  if (!is_whole || value.get<double>() < sub_score.least || value.get<double>() > sub_score.greatest) {
+    return refused(std::string(sub_score.name), shortText(value), "a whole number, " + expected);
+  }
+  return static_cast<int>(value.get<double>());
+}
+
+/// Takes the method's sub-scores out of `object`, as far as they are there.
+Expected<void> readSubScores(const json& object, const ScoredMethod& method, ScoredInput& result) {
+  for (std::size_t i = 0; i < method.subScores().size(); ++i) {
+    const SubScore& sub_score = method.subScores()[i];
+    const auto field = object.find(sub_score.name);
+    if (field == object.end()) continue;
+    const auto value = wholeNumber(*field, sub_score);
+    if (!value) return tl::unexpected(value.error());
+    result.values[i] = *value;
+  }
+  return {};
+}
+
+Expected<bool> flagOf(const PostureField& field, const json& value) {
+  if (field.name == "wrist_twist") {
+    if (value == "mid") return false;
+    if (value == "end") return true;
+    return refused("wrist_twist", shortText(value), "\"mid\" or \"end\"");
+  }
+  if (!value.is_boolean()) return refused(std::string(field.name), shortText(value), "true or false");
+  return value.get<bool>();
+}
+
+Expected<PostureAngles> readAngles(const json& object) {
+  std::vector<std::string_view> known;
+  for (const PostureField& field : postureFields()) known.push_back(field.name);
+  if (auto checked = checkNames(object, "angles", known); !checked) return tl::unexpected(checked.error());
+  PostureAngles angles;
+  for (const PostureField& field : postureFields()) {
+    const auto value = object.find(field.name);
+    if (value == object.end()) continue;
+    if (field.flag != nullptr) {
+      const auto flag = flagOf(field, *value);
+      if (!flag) return tl::unexpected(flag.error());
+      angles.*field.flag = *flag;
+      continue;
+    }
+    const bool is_within =
+        value->is_number() && value->get<double>() >= field.least && value->get<double>() <= field.greatest;
+    if (!is_within) {
+      std::ostringstream range;
+      range << field.least << " to " << field.greatest << " degrees";
+      return refused(std::string(field.name), shortText(*value), range.str());
+    }
+    angles.*field.angle = value->get<double>();
+  }
+  return angles;
+}
+
+/// What RULA and REBA share: "scores" or "angles", and further fields at the top.
+template <typename ValuesOf>
+Expected<ScoredInput> scoredInput(const json& input, const ScoredMethod& method, const Names& at_top,
+                                  const ValuesOf& values_of) {
+  std::vector<std::string_view> known{"scores", "angles"};
+  known.insert(known.end(), at_top.begin(), at_top.end());
+  if (auto checked = checkNames(input, "", known); !checked) return tl::unexpected(checked.error());
+  if (input.contains("scores") == input.contains("angles")) {
+    return refused("scores, angles", input.contains("scores") ? "both are given" : "neither is given",
+                   "one of the two");
+  }
+  ScoredInput result;
+  result.values.resize(method.subScores().size());
+  if (input.contains("angles")) {
+    auto angles = readAngles(input["angles"]);
+    if (!angles) return tl::unexpected(angles.error());
+    std::vector<std::string_view> missing;
+    result.values = values_of(*angles, missing);
+    result.missing.assign(missing.begin(), missing.end());
+    result.angles = *angles;
+  } else {
+    std::vector<std::string_view> names;
+    for (const SubScore& sub_score : method.subScores()) names.push_back(sub_score.name);
+    if (auto checked = checkNames(input["scores"], "scores", names); !checked) return tl::unexpected(checked.error());
+    if (auto read = readSubScores(input["scores"], method, result); !read) return tl::unexpected(read.error());
+  }
+  if (auto read = readSubScores(input, method, result); !read) return tl::unexpected(read.error());
+  return result;
+}
+
+/// "muscle_use" and "force" count for the arm and for the body, where those are not given apart.
+Expected<void> spreadOverBoth(const json& input, const Rula& method, ScoredInput& result) {
+  const auto spread = [&](const char* name, std::size_t arm, std::size_t body) -> Expected<void> {
+    if (!input.contains(name)) return {};
+    SubScore named = method.subScores()[arm];
+    named.name = name;
+    const auto value = wholeNumber(input[name], named);
+    if (!value) return tl::unexpected(value.error());
+    for (const std::size_t i : {arm, body}) result.values[i] = result.values[i].value_or(*value);
+    result.assumptions.push_back(std::string(name) + " counts for the arm and for the body.");
+    return {};
+  };
+  if (auto done = spread("muscle_use", Rula::kMuscleUseArm, Rula::kMuscleUseBody); !done) return done;
+  return spread("force", Rula::kForceArm, Rula::kForceBody);
+}
+
+template <typename Values>
+std::vector<std::optional<int>> asVector(const Values& values) {
+  return {values.begin(), values.end()};
+}
+
+std::string neutralWords(const PostureAngles& angles) {
+  return angles.measured.value_or(false)
+             ? "angles are measured: trunk, neck and wrist are neutral within 5 degrees of 0."
+             : "the trunk is upright at 0 degrees only, and a neck or a wrist is neutral by the letter.";
+}
+
+struct NumberField {
+  const char* name;
+  double LiftingTask::*member;
+};
+
+constexpr NumberField kLiftingFields[] = {
+    {"load_kg", &LiftingTask::load_kg},
+    {"h_cm", &LiftingTask::h_cm},
+    {"v_cm", &LiftingTask::v_cm},
+    {"d_cm", &LiftingTask::d_cm},
+    {"asymmetry_deg", &LiftingTask::asymmetry_deg},
+    {"frequency_per_min", &LiftingTask::frequency_per_min},
+    {"duration_h", &LiftingTask::duration_h},
+};
+
+struct ConditionField {
+  const char* name;
+  bool LiftingConditions::*member;
+};
+
+constexpr ConditionField kConditionFields[] = {
+    {"one_handed", &LiftingConditions::one_handed},
+    {"seated_or_kneeling", &LiftingConditions::seated_or_kneeling},
+    {"restricted_space", &LiftingConditions::restricted_space},
+    {"unstable_load", &LiftingConditions::unstable_load},
+    {"pushing_pulling_or_carrying", &LiftingConditions::pushing_pulling_or_carrying},
+    {"fast", &LiftingConditions::fast},
+    {"hot_or_cold", &LiftingConditions::hot_or_cold},
+    {"slippery_floor", &LiftingConditions::slippery_floor},
+};
+
+Expected<LiftingTask> liftingTask(const json& object) {
+  LiftingTask task;
+  task.load_kg = 1.0;
+  const char* missing = nullptr;
+  for (const NumberField& field : kLiftingFields) {
+    const auto value = object.find(field.name);
+    if (value == object.end()) {
+      if (!missing) missing = field.name;
+      continue;
+    }
+    if (!value->is_number()) return refused(field.name, shortText(*value), "a number");
+    task.*field.member = value->get<double>();
+  }
+  // What is there and wrong is told before what is not there.
+  if (auto checked = checkLiftingRanges(task); !checked) return tl::unexpected(checked.error());
+  if (missing) return refused(missing, "it is not given", "a number; the equation needs every field");
+  const json coupling = object.value("coupling", json());
+  if (coupling == "good") {
+    task.coupling = Coupling::kGood;
+  } else if (coupling == "fair") {
+    task.coupling = Coupling::kFair;
+  } else if (coupling == "poor") {
+    task.coupling = Coupling::kPoor;
+  } else {
+    return refused("coupling", coupling.is_null() ? "it is not given" : shortText(coupling), "good, fair or poor");
+  }
+  return task;
+}
+
+}  // namespace
+
+Expected<json> readErgonomicsInput(const std::string& input) {
+  std::string text = input;
+  const auto first = input.find_first_not_of(" \t\r\n");
+  const bool is_in_place = first != std::string::npos && (input[first] == '{' || input[first] == '[');
+  if (input == "-") {
+    text.assign(std::istreambuf_iterator<char>(std::cin), {});
+  } else if (!is_in_place) {
+    auto content = geometry::readRegularFile(input);
+    if (!content) return makeError({input, "", content.error().found, "a JSON file, or JSON in place", ""});
+    text = std::move(*content);
+  }
+  const std::string name = is_in_place || input == "-" ? "--input" : input;
+  auto flat = geometry::checkNesting(text, geometry::NestedText::kJson, name);
+  if (!flat) return makeError(flat.error());
+  json parsed = json::parse(text, nullptr, false);
+  if (parsed.is_discarded()) {
+    return makeError({name, "", "it is not JSON", "an object in braces", ""});
+  }
+  return parsed;
+}
+
+std::vector<std::optional<int>> rulaValuesOf(const PostureAngles& angles, std::vector<std::string_view>& missing) {
+  return asVector(rulaValues(angles, missing));
+}
+
+std::vector<std::optional<int>> rebaValuesOf(const PostureAngles& angles, std::vector<std::string_view>& missing) {
+  return asVector(rebaValues(angles, missing));
+}
+
+Expected<ScoredInput> rulaInput(const json& input) {
+  const Rula method;
+  auto result = scoredInput(input, method,
+                            {"muscle_use", "force", "muscle_use_arm", "force_arm", "muscle_use_body", "force_body"},
+                            rulaValuesOf);
+  if (!result) return result;
+  if (auto spread = spreadOverBoth(input, method, *result); !spread) return tl::unexpected(spread.error());
+  if (result->angles) {
+    result->assumptions.push_back(
+        std::string(
+            "An inner boundary belongs to the lower class, the last class includes its boundary (\"or more\"); ") +
+        neutralWords(*result->angles));
+  }
+  return result;
+}
+
+Expected<ScoredInput> rebaInput(const json& input) {
+  auto result = scoredInput(input, Reba(), {"load", "coupling", "activity"}, rebaValuesOf);
+  if (result && result->angles) {
+    result->assumptions.push_back("A boundary belongs to the lower class; " + neutralWords(*result->angles));
+  }
+  return result;
+}
+
+Expected<ScoredInput> owasInput(const json& input) {
+  const Owas method;
+  if (auto checked = checkNames(input, "", {"code"}); !checked) return tl::unexpected(checked.error());
+  const json code = input.value("code", json());
+  const std::string digits = code.is_string() ? code.get<std::string>() : code.is_number_integer() ? code.dump() : "";
+  if (digits.size() != 4) {
+    return refused("code", code.is_null() ? "it is not given" : shortText(code), "four digits: back, arms, legs, load");
+  }
+  ScoredInput result;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const SubScore& digit = method.subScores()[i];
+    const int value = digits[i] - '0';
+    if (value < digit.least || value > digit.greatest) {
+      return refused("code",
+                     "digit " + std::to_string(i + 1) + " (" + std::string(digit.name) + ") is '" + digits[i] + "'",
+                     std::to_string(digit.least) + " to " + std::to_string(digit.greatest));
+    }
+    result.values.emplace_back(value);
+  }
+  return result;
+}
+
+Expected<LiftingInput> liftingInput(const json& input) {
+  std::vector<std::string_view> known{"coupling", "tasks"};
+  for (const NumberField& field : kLiftingFields) known.emplace_back(field.name);
+  for (const ConditionField& field : kConditionFields) known.emplace_back(field.name);
+  if (auto checked = checkNames(input, "", known); !checked) return tl::unexpected(checked.error());
+  LiftingInput result;
+  for (const ConditionField& field : kConditionFields) {
+    const auto value = input.find(field.name);
+    if (value == input.end()) continue;
+    if (!value->is_boolean()) return refused(field.name, shortText(*value), "true or false");
+    result.conditions.*field.member = value->get<bool>();
+  }
+  result.is_composite = input.contains("tasks");
+  const json tasks = result.is_composite ? input["tasks"] : json::array({input});
+  if (!tasks.is_array() || tasks.empty()) return refused("tasks", shortText(tasks), "a list of lifting tasks");
+  for (const json& task : tasks) {
+    if (!task.is_object()) return refused("tasks", shortText(task), "a list of lifting tasks");
+    auto read = liftingTask(task);
+    if (!read && result.is_composite) {
+      read.error().place = "task " + std::to_string(result.tasks.size() + 1) + ", " + read.error().place;
+    }
+    if (!read) return tl::unexpected(read.error());
+    result.tasks.push_back(*read);
+  }
+  return result;
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+// `ergonomics posture`, `en1005`, `iso11226`, `eaws` and `workplace`: what needs a figure, zones, or a whole cell.
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <ctime>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/ergonomics/ergonomics_advice_report.h"
+#include "cli/ergonomics/ergonomics_commands.h"
+#include "cli/ergonomics/ergonomics_input.h"
+#include "cli/ergonomics/ergonomics_posture_input.h"
+#include "cli/kit/kept_result.h"
+#include "manipulation/checks/mannequin_workplace.h"
+#include "manipulation/checks/workplace_check.h"
+#include "mannequin/ergonomics/scores/hand_force.h"
+#include "mannequin/ergonomics/report/posture_report.h"
+#include "mannequin/shape/figure_model.h"
+#include "mannequin/posture/posture_file.h"
+#include "workcell/format/document_io.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using namespace ergonomics;
+
+struct PostureOptions {
+  std::string cell, mannequin;
+  std::string sex = "male", posture = "standing", task;
+  std::optional<double> percentile, stature, mass;
+  std::vector<std::string> reports, task_reports;
+  std::string language = "en", date, picture, force_limits, company, logo;
+  std::string input;
+  std::vector<std::string> station;
+  std::vector<double> rise{-0.2, 0.2, 0.04}, away{-0.12, 0.2, 0.04};
+  bool sit = false, allow_miss = false;
+  std::optional<double> fail_over;
+};
+
+/// Who is scored, in which posture, at which task.
+struct Subject {
+  PostureReportInput input;
+  std::shared_ptr<const workcell::DocumentState> state{};
+  workcell::EntityId id = 0;
+  std::vector<std::string> warnings{};  ///< Of reading the cell.
+};
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  localtime_r(&now, &parts);
+  char text[16];
+  return std::strftime(text, sizeof text, "%Y-%m-%d", &parts) > 0 ? text : "";
+}
+
+Expected<Subject> subjectOfCell(const PostureOptions& options) {
+  Diagnostics notes;
+  const auto document = workcell::loadDocument(options.cell, notes);
+  if (!document) return tl::unexpected(document.error());
+  const workcell::DocumentState& state = document->state();
+  const workcell::Entity* found = nullptr;
+  for (const auto& entity : state.entities) {
+    const bool wanted = options.mannequin.empty() ? !found : entity->name == options.mannequin;
+    if (entity->figure && wanted) found = entity.get();
+  }
+  if (!found)
+    return makeError({options.cell, "--mannequin",
+                      options.mannequin.empty() ? "no mannequin in the cell" : "'" + options.mannequin + "'",
+                      "the name of a mannequin of the cell", ""});
+  Subject subject;
+  subject.state = std::make_shared<workcell::DocumentState>(state);
+  subject.id = found->id;
+  subject.warnings = notes.warnings;
+  subject.input.figure = *found->figure;
+  subject.input.posture = mannequin::toPosture(*found->figure, {found->X_WE, found->joints});
+  if (const WorkTask* task = state.workTaskOf(found->name)) subject.input.task = *task;
+  subject.input.subtitle = options.cell + ", " + found->name;
+  subject.input.source = "As it stands in the cell.";
+  return subject;
+}
+
+Expected<Subject> subjectOfFigure(const PostureOptions& options) {
+  mannequin::BodyRequest request;
+  if (options.sex != "male" && options.sex != "female")
+    return makeError({"", "--sex", "'" + options.sex + "'", "male or female", ""});
+  request.sex = options.sex == "male" ? mannequin::Sex::kMale : mannequin::Sex::kFemale;
+  if (options.percentile.has_value() == options.stature.has_value())
+    return makeError({"", "", options.stature ? "both --percentile and --stature" : "no size",
+                      "--cell, or one of --percentile and --stature", ""});
+  const auto stature = options.stature ? Expected<double>(*options.stature)
+                                       : mannequin::statureOfPercentile(request.sex, *options.percentile);
+  if (!stature) return tl::unexpected(stature.error());
+  request.stature = *stature;
+  request.mass = options.mass;
+  const auto figure = mannequin::makeFigure(request);
+  if (!figure) return tl::unexpected(figure.error());
+  Subject subject;
+  subject.input.figure = *figure;
+  if (const auto known = mannequin::libraryPosture(*figure, options.posture)) {
+    subject.input.posture = *known;
+  } else {
+    bool has_root = false;
+    const auto read = mannequin::readPosture(options.posture, &has_root);
+    if (!read) return tl::unexpected(read.error());
+    subject.input.posture = has_root ? *read : mannequin::onFloor(*figure, *read);
+  }
+  subject.input.subtitle = options.posture;
+  subject.input.source = options.posture;
+  return subject;
+}
+
+Expected<Subject> subjectOf(const PostureOptions& options) {
+  auto subject = options.cell.empty() ? subjectOfFigure(options) : subjectOfCell(options);
+  if (!subject) return subject;
+  if (!options.task.empty()) {
+    const auto given = readErgonomicsInput(options.task);
+    if (!given) return tl::unexpected(given.error());
+    const auto task = workTaskInput(*given);
+    if (!task) return tl::unexpected(task.error());
+    subject->input.task = *task;
+  }
+  if (!options.force_limits.empty()) {
+    auto limits = readForceTable(options.force_limits);
+    if (!limits) return tl::unexpected(limits.error());
+    subject->input.own_limits = std::move(*limits);
+  }
+  if (!options.picture.empty()) {
+    auto picture = readPng(options.picture);
+    if (!picture) return tl::unexpected(picture.error());
+    subject->input.scene = std::move(*picture);
+  }
+  if (!options.logo.empty()) {
+    auto logo = readPng(options.logo);
+    if (!logo) return tl::unexpected(logo.error());
+    subject->input.logo = std::move(*logo);
+  }
+  subject->input.company = options.company;
+  subject->input.language = options.language == "fr" ? Language::kFrench : Language::kEnglish;
+  subject->input.date = options.date.empty() ? today() : options.date;
+  return subject;
+}
+
+Expected<void> writeReports(const PostureOptions& options, PostureReportInput& input) {
+  if (options.reports.empty() && options.task_reports.empty()) return {};
+  input.places = betterPlaces(input.figure, input.posture, input.task);
+  input.bodies = atSameTask(mannequin::boundaryFigures(), input.figure, input.posture, input.task);
+  const Report page = postureReport(input);
+  for (const std::string& file : options.reports) {
+    if (auto written = writeReport(page, file); !written) return written;
+  }
+  const Report task_page = taskReport(input);
+  for (const std::string& file : options.task_reports) {
+    if (auto written = writeReport(task_page, file); !written) return written;
+  }
+  return {};
+}
+
+ExitStatus failed(const Error& error) {
+  report(error);
+  return ExitStatus::kBadInput;
+}
+
+ExitStatus runPosture(const PostureOptions& options, const ResultWriter& writer) {
+  auto subject = subjectOf(options);
+  if (!subject) return failed(subject.error());
+  const auto pose = mannequin::forwardKinematics(subject->input.figure, subject->input.posture);
+  const PostureScores scores = scorePosture(subject->input.figure, subject->input.posture, pose, subject->input.task);
+  if (auto written = writeReports(options, subject->input); !written) return failed(written.error());
+  ordered_json document = postureScoresReport(subject->input, scores);
+  if (subject->input.task.is_lift)
+    document["niosh"] = liftOfPosture(subject->input.figure, pose, scores, subject->input.task);
+  document["hand_forces"] =
+      handForcesReport(handForces(subject->input.figure, pose, subject->input.task, subject->input.own_limits));
+  if (!subject->warnings.empty()) document["warnings"] = subject->warnings;
+  if (auto written = writer.write(document); !written) return failed(written.error());
+  return options.fail_over && scores.rula() > *options.fail_over ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+ExitStatus runZones(const std::string& method, const PostureOptions& options, const ResultWriter& writer) {
+  const auto input = readErgonomicsInput(options.input);
+  if (!input) return failed(input.error());
+  const auto judged = method == "eaws" ? eawsReport(*input) : zonesReport(method, *input);
+  if (!judged) return failed(judged.error());
+  if (auto written = writer.write(*judged); !written) return failed(written.error());
+  const auto& level = (*judged)["level"];
+  return options.fail_over && level.get<double>() > *options.fail_over ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+Expected<manipulation::WorkplaceQuestion> questionOf(const PostureOptions& options, const Subject& subject) {
+  manipulation::WorkplaceQuestion question;
+  for (const auto& entity : subject.state->entities) question.entities.push_back(*entity);
+  question.mannequin = subject.id;
+  for (const std::string& name : options.station) {
+    const workcell::Entity* entity = subject.state->findByName(name);
+    if (!entity) return makeError({options.cell, "--station", "'" + name + "'", "names of entities of the cell", ""});
+    question.station.push_back(entity->id);
+  }
+  question.task = subject.input.task;
+  question.rise_from = options.rise[0], question.rise_to = options.rise[1], question.rise_step = options.rise[2];
+  question.away_from = options.away[0], question.away_to = options.away[1], question.away_step = options.away[2];
+  question.may_sit = options.sit;
+  return question;
+}
+
+ExitStatus runWorkplace(const PostureOptions& options, const ResultWriter& writer) {
+  if (options.cell.empty()) return failed({"", "--cell", "not given", "a workcell with a mannequin at its task", ""});
+  const auto subject = subjectOf(options);
+  if (!subject) return failed(subject.error());
+  const auto question = questionOf(options, *subject);
+  if (!question) return failed(question.error());
+  const std::atomic<bool> cancel{false};
+  const auto map = manipulation::searchWorkplace(*question, {}, cancel);
+  if (!map) return failed(map.error());
+  ordered_json result = workplaceReport(*map);
+  result["moves"] = ordered_json::array();
+  for (const workcell::EntityId id : manipulation::movedWith(*question)) {
+    for (const workcell::Entity& entity : question->entities)
+      if (entity.id == id) result["moves"].push_back(entity.name);
+  }
+  if (map->best >= 0) {
+    const auto measure = [&](const std::filesystem::path& file) -> Expected<Promises> {
+      const auto place = bestPlaceIn(file);
+      if (!place) return tl::unexpected(place.error());
+      return manipulation::workplacePromises(*question, *place, manipulation::movedCell(*question, *place));
+    };
+    const auto kept = writeKept("", result.dump(), ".json", options.allow_miss, measure, result);
+    if (!kept) return failed(kept.error());
+  }
+  if (auto written = writer.write(result); !written) return failed(written.error());
+  const bool good = map->best >= 0 &&
+                    (!options.fail_over || map->cells[static_cast<std::size_t>(map->best)].worst <= *options.fail_over);
+  return options.fail_over && !good ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+void addSubject(Subcommand app, PostureOptions& options) {
+  app.option("--cell", options.cell, "A workcell: its mannequin, as it stands, with its task data");
+  app.option("--mannequin", options.mannequin, "Name of the mannequin of the cell (default: the first)");
+  app.option("--sex", options.sex, "male or female, without a cell");
+  app.option("--percentile", options.percentile, "Percentile of stature, without a cell");
+  app.option("--stature", options.stature, "m, without a cell");
+  app.option("--mass", options.mass, "kg, without a cell");
+  app.option("--posture", options.posture, "A posture file, or a name of the library, without a cell");
+  app.option("--task", options.task, "Task data as JSON: a file, the text itself, or -");
+}
+
+}  // namespace
+
+void addErgonomicsPostureCommands(Subcommand ergonomics, Action& chosen) {
+  const auto options = std::make_shared<PostureOptions>();
+  Subcommand posture = ergonomics.add("posture", "Score a mannequin's posture by all methods, with a report");
+  addSubject(posture, *options);
+  posture.option("--report", options->reports, "Writes a report: .pdf, .html, .csv or .json; several may be given");
+  posture.option("--task-report", options->task_reports, "The task's page, in the same formats");
+  posture.option("--picture", options->picture, "A PNG for the report: the figure in its cell (hapticell --render)");
+  posture.option("--company", options->company, "A company's name for the report");
+  posture.option("--logo", options->logo, "The company's logo for the report, a PNG");
+  posture.option("--force-limits", options->force_limits, "Own limits of the hands' force, a table (docs/formats.md)");
+  posture.option("--language", options->language, "en or fr, of the report").among({"en", "fr"});
+  posture.option("--date", options->date, "As printed in the report (default: today)");
+  posture.option("--fail-over", options->fail_over, "Exit with 1 where RULA is over this");
+  posture.onChosen(
+      [options, &chosen] { chosen = [options](ResultWriter& writer) { return runPosture(*options, writer); }; });
+  for (const auto& [name, description] :
+       {std::pair{"en1005", "EN 1005-4 zones of a posture, from angles"},
+        std::pair{"iso11226", "ISO 11226 zones and holding times of a static posture, from angles"},
+        std::pair{"eaws", "Points of the EAWS posture section (an outline), from shares of the cycle"}}) {
+    Subcommand zones = ergonomics.add(name, description);
+    zones.option("--input", options->input, "JSON: a file, the text itself, or - for standard input").required();
+    zones.option("--fail-over", options->fail_over, "Exit with 1 where the level is over this");
+    zones.onChosen([options, &chosen, method = std::string(name)] {
+      chosen = [options, method](ResultWriter& writer) { return runZones(method, *options, writer); };
+    });
+  }
+  Subcommand workplace = ergonomics.add("workplace", "Where a table should stand for four bodies");
+  addSubject(workplace, *options);
+  workplace.option("--station", options->station, "Entities that move with the targets, with commas between")
+      .separatedByCommas()
+      .required();
+  workplace.option("--rise", options->rise, "From,to,step upwards, m").separatedByCommas().values(3);
+  workplace.option("--away", options->away, "From,to,step away from the mannequin, m").separatedByCommas().values(3);
+  workplace.flag("--sit", options->sit, "Try sitting as well");
+  workplace.option("--fail-over", options->fail_over, "Exit with 1 where no placement is this good");
+  addAllowMiss(workplace, options->allow_miss);
+  workplace.onChosen(
+      [options, &chosen] { chosen = [options](ResultWriter& writer) { return runWorkplace(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "geometry/system/error.h"
+#include "manipulation/checks/mannequin_workplace.h"
+#include "mannequin/ergonomics/report/posture_report.h"
+
+namespace hapticell::cli {
+
+/// Task data as in workcell documents (docs/formats.md); unknown fields and wrong kinds are refused by name.
+Expected<ergonomics::WorkTask> workTaskInput(const nlohmann::json& input);
+
+/// EN 1005-4 ("en1005") or ISO 11226 ("iso11226") from angles in degrees: trunk_flexion, trunk_twist, trunk_side_bend,
+/// upper_arm_flexion, upper_arm_abduction, gaze_below_horizontal, head_inclination, shoulder_raised_deg, and
+/// movements_per_min, static, trunk_supported, arm_supported. What a part needs and is missing is refused by name.
+Expected<nlohmann::ordered_json> zonesReport(const std::string& method, const nlohmann::json& input);
+
+/// Shares of the cycle (0 to 1) by posture name; they must not add up to more than 1.
+Expected<nlohmann::ordered_json> eawsReport(const nlohmann::json& input);
+
+/// All scores of a posture, both sides.
+nlohmann::ordered_json postureScoresReport(const ergonomics::PostureReportInput& input,
+                                           const ergonomics::PostureScores& scores);
+nlohmann::ordered_json liftOfPosture(const mannequin::Figure& figure, const mannequin::FigurePose& pose,
+                                     const ergonomics::PostureScores& scores, const ergonomics::WorkTask& task);
+/// The best place has its four postures, as posture files have them.
+nlohmann::ordered_json workplaceReport(const manipulation::WorkplaceMap& map);
+/// The best place of such a report as it was written. Error: there is none, or it cannot be read.
+Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& file);
+
+}  // namespace hapticell::cli

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/files/file_commands.h"
+#include "cli/files/import_arguments.h"
+#include "cli/kit/kept_result.h"
+#include "cli/kit/progress_line.h"
+#include "geometry/system/promise.h"
+#include "geometry/system/scratch_folder.h"
+#include "geometry/shapes/surface_distance.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/meshes/length_unit.h"
+#include "workcell/meshes/mesh_care.h"
+#include "workcell/files/scene_export.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+struct ConvertOptions {
+  std::string file;
+  std::string output;
+  std::string unit;         ///< Of the read file; empty: as it says, else guessed from the size as `inspect` does.
+  std::string output_unit;  ///< Of a written mesh file; empty: metres, but the guessed unit where one was guessed.
+  std::string up;
+  workcell::Tessellation tessellation;
+  double simplify = 0.0;  ///< Metres; 0: not.
+  bool hull = false;
+  bool allow_miss = false;
+};
+
+std::string extensionOf(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+/// A robot's file, or the one robot of a workcell, as URDF.
+Expected<nlohmann::ordered_json> convertToUrdf(const ConvertOptions& options, Diagnostics& notes) {
+  workcell::DocumentState state;
+  if (extensionOf(options.file) == ".hcell") {
+    const auto document = workcell::loadDocument(options.file, notes);
+    if (!document) return tl::unexpected(document.error());
+    state = document->state();
+  } else {
+    auto entity = workcell::EntityLoader(std::filesystem::current_path()).load(options.file, 0.0, notes);
+    if (!entity) return tl::unexpected(entity.error());
+    entity->id = 1;
+    state.entities.push_back(std::make_shared<const workcell::Entity>(std::move(*entity)));
+  }
+  const auto written = workcell::exportState(state, options.output, {}, notes);
+  if (!written) return tl::unexpected(written.error());
+  return nlohmann::ordered_json{{"output", options.output}, {"warnings", notes.warnings}};
+}
+
+/// Replaces meshes by ones with fewer triangles or by their hulls. Gives the largest deviation, metres.
+Expected<double> careFor(workcell::ImportedScene& scene, const ConvertOptions& options, double allowed) {
+  double most = 0.0;
+  for (geometry::TriangleMesh& mesh : scene.meshes) {
+    geometry::weld(mesh, geometry::weldTolerance(mesh));
+    auto made = options.hull ? workcell::convexMesh(mesh) : workcell::simplify(mesh, allowed);
+    if (!made) {
+      Error error = made.error();
+      error.file = options.file;
+      return makeError(error);
+    }
+    mesh = std::move(made->mesh);
+    most = std::max(most, made->deviation);
+  }
+  for (workcell::SceneNode& node : scene.nodes) node.origin.reset();  // The exact shape is not what was asked for.
+  return most;
+}
+
+Expected<workcell::ImportOptions> importOptions(const ConvertOptions& options) {
+  workcell::ImportOptions reading;
+  reading.tessellation = options.tessellation;
+  reading.weld = false;
+  reading.warn_about_unit = false;
+  if (!options.unit.empty()) {
+    const auto unit = workcell::parseLengthUnit(options.unit);
+    if (!unit) return makeError(unit.error());
+    reading.metres_per_unit = workcell::metresPer(*unit);
+  }
+  if (!options.up.empty()) {
+    const auto axis = workcell::parseAxis(options.up);
+    if (!axis) return makeError(axis.error());
+    reading.up_axis = *axis;
+  }
+  return reading;
+}
+
+void rescale(workcell::ImportedScene& scene, double factor) {
+  for (geometry::TriangleMesh& mesh : scene.meshes) {
+    for (dvec3& vertex : mesh.vertices) vertex *= factor;
+  }
+  for (workcell::SceneNode& node : scene.nodes) node.X_PN.p *= factor;
+}
+
+/// A mesh file that names no unit was read in metres; where its size makes another one likely, that is taken instead,
+/// as `inspect` does, and a mesh file is written in it: its numbers stay, and both have one size. Gives metres per
+/// unit.
+double takeLikelyUnit(workcell::ImportedScene& scene, Diagnostics& notes) {
+  geometry::Bounds bounds;
+  const std::vector<Pose> X_W = workcell::nodePoses(scene);
+  for (std::size_t k = 0; k < X_W.size(); ++k) {
+    const int mesh = scene.nodes[k].mesh;
+    if (mesh < 0) continue;
+    bounds.add(geometry::transformed(X_W[k], scene.meshes[static_cast<std::size_t>(mesh)].bounds()));
+  }
+  const workcell::LengthUnit unit = workcell::guessUnit(bounds);
+  notes.warn(std::string("the file names no unit; by its size it is taken as ") + workcell::unitName(unit) +
+             " (--unit says otherwise)");
+  if (unit != workcell::LengthUnit::kMetre) rescale(scene, workcell::metresPer(unit));
+  return workcell::metresPer(unit);
+}
+
+bool namesNoUnit(const workcell::ImportedScene& scene) {
+  const bool mesh = scene.format == "stl" || scene.format == "obj" || scene.format == "ply" || scene.format == "off";
+  return mesh && !scene.unit_is_stated;
+}
+
+/// All of a scene in one mesh, in the file's frame.
+geometry::TriangleMesh wholeOf(const workcell::ImportedScene& scene) {
+  geometry::TriangleMesh whole;
+  const std::vector<Pose> X_W = workcell::nodePoses(scene);
+  for (std::size_t k = 0; k < X_W.size(); ++k) {
+    if (scene.nodes[k].mesh < 0) continue;
+    const geometry::TriangleMesh& mesh = scene.meshes[static_cast<std::size_t>(scene.nodes[k].mesh)];
+    const auto first = static_cast<std::uint32_t>(whole.vertices.size());
+    for (const dvec3& vertex : mesh.vertices) whole.vertices.push_back(X_W[k] * vertex);
+    for (const auto& triangle : mesh.triangles)
+      whole.triangles.push_back({first + triangle[0], first + triangle[1], first + triangle[2]});
+  }
+  return whole;
+}
+
+/// How far the surfaces of a simplified scene's file are from those that were read: written into a folder that does not
+/// stay, read back as any file is, and measured.
+Expected<Promises> simplifyPromises(const geometry::TriangleMesh& given, const workcell::ImportedScene& scene,
+                                    const ConvertOptions& options, const workcell::ExportOptions& writing) {
+  constexpr double kFloats = 1e-6;  // Of the size: files of meshes have numbers of seven digits.
+  const auto folder = ScratchFolder::make();
+  if (!folder) return makeError(folder.error());
+  const std::filesystem::path file = folder->path() / std::filesystem::path(options.output).filename();
+  Diagnostics unheard;
+  if (auto written = workcell::exportScene(scene, file, writing, unheard); !written)
+    return tl::unexpected(written.error());
+  workcell::ImportOptions reading;
+  reading.weld = false;
+  reading.warn_about_unit = false;
+  reading.metres_per_unit = writing.metres_per_unit;
+  auto again = workcell::sceneOfFile(file, reading, unheard);
+  if (!again) return tl::unexpected(again.error());
+  const auto most = geometry::surfaceDistance(given, wholeOf(*again));
+  geometry::Bounds bounds = given.bounds();
+  const std::string place =
+      "at x " + std::to_string(most.p.x) + ", y " + std::to_string(most.p.y) + ", z " + std::to_string(most.p.z) + " m";
+  Promises promises;
+  promises.help = "Take a larger --simplify.";
+  promises.list.push_back({"surface", options.simplify, most.distance, "m", place, false,
+                           kFloats * (glm::length(bounds.max - bounds.min) + glm::length(bounds.center()))});
+  return promises;
+}
+
+/// Simplifies the scene so that its file keeps the promise; where what was left is too far off between the places that
+/// simplifying looks at, with a smaller tolerance.
+Expected<double> simplifyKept(const geometry::TriangleMesh& given, workcell::ImportedScene& scene,
+                              const ConvertOptions& options, const workcell::ExportOptions& writing,
+                              nlohmann::ordered_json& kept) {
+  constexpr int kTries = 5;
+  double allowed = options.simplify;
+  for (int round = 0;; ++round, allowed *= 0.7) {
+    workcell::ImportedScene trial = scene;
+    const auto deviation = careFor(trial, options, allowed);
+    if (!deviation) return deviation;
+    const auto promises = simplifyPromises(given, trial, options, writing);
+    if (!promises) return tl::unexpected(promises.error());
+    if (!promises->areKept() && round < kTries) continue;
+    if (auto told = tellPromises(*promises, options.output, options.allow_miss, kept); !told)
+      return tl::unexpected(told.error());
+    scene = std::move(trial);
+    return deviation;
+  }
+}
+
+Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnostics& notes) {
+  if (extensionOf(options.output) == ".urdf") return convertToUrdf(options, notes);
+  const auto reading = importOptions(options);
+  if (!reading) return tl::unexpected(reading.error());
+  workcell::ExportOptions writing;
+  if (!options.output_unit.empty()) {
+    const auto unit = workcell::parseLengthUnit(options.output_unit);
+    if (!unit) return tl::unexpected(unit.error());
+    writing.metres_per_unit = workcell::metresPer(*unit);
+  }
+  ProgressLine progress;
+  auto scene = workcell::sceneOfFile(options.file, *reading, notes, &progress.monitor());
+  if (!scene) return tl::unexpected(scene.error());
+  if (options.unit.empty() && namesNoUnit(*scene)) {
+    const double likely = takeLikelyUnit(*scene, notes);
+    if (options.output_unit.empty()) writing.metres_per_unit = likely;
+  }
+  workcell::FacingNote facing;
+  for (const geometry::TriangleMesh& mesh : scene->meshes) facing.look(mesh);
+  facing.tell(notes);
+  const bool cared = options.hull || options.simplify > 0.0;
+  const geometry::TriangleMesh given = options.simplify > 0.0 ? wholeOf(*scene) : geometry::TriangleMesh{};
+  nlohmann::ordered_json kept = nlohmann::ordered_json::object();
+  auto deviation = options.hull ? careFor(*scene, options, 0.0) : Expected<double>(0.0);
+  if (options.simplify > 0.0) deviation = simplifyKept(given, *scene, options, writing, kept);
+  if (!deviation) return tl::unexpected(deviation.error());
+  const auto written = workcell::exportScene(*scene, options.output, writing, notes);
+  if (!written) return tl::unexpected(written.error());
+  std::size_t parts = 0, triangles = 0;
+  for (const workcell::SceneNode& node : scene->nodes) {
+    if (node.mesh < 0) continue;
+    ++parts;
+    triangles += scene->meshes[static_cast<std::size_t>(node.mesh)].triangles.size();
+  }
+  nlohmann::ordered_json result{{"output", options.output}, {"parts", parts}, {"triangles", triangles}};
+  if (cared) result["deviation"] = *deviation;
+  result.update(kept);
+  result["warnings"] = notes.warnings;
+  return result;
+}
+
+ExitStatus runConvert(const ConvertOptions& options, const ResultWriter& writer) {
+  Diagnostics notes;
+  const auto result = convert(options, notes);
+  for (const std::string& note : notes.warnings) warn(note);
+  const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
+  if (written) return ExitStatus::kDone;
+  report(written.error());
+  return ExitStatus::kBadInput;
+}
+
+}  // namespace
+
+void addConvertCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("convert", "From any readable format to any writable one, by the extension");
+  const auto options = std::make_shared<ConvertOptions>();
+  command.option("file", options->file, "A mesh, CAD, robot or workcell file").required();
+  command.option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot").required();
+  command.option("--unit", options->unit,
+                 "What one unit of the read file is: m, mm or in; as it says, or guessed, when not given");
+  command.option("--output-unit", options->output_unit,
+                 "What one unit of a written STL, OBJ, PLY or OFF shall be: m, mm or in (m, or that of a read mesh "
+                 "file that names none)");
+  const Option simplify =
+      command.option("--simplify", options->simplify, "Fewer triangles, off the surface by at most so many metres")
+          .within(1e-9, 1e3);
+  addAllowMiss(command, options->allow_miss);
+  command.flag("--hull", options->hull, "The convex hull of each part").excludes(simplify);
+  command.option("--up", options->up, "The axis of the read file that points up: x, y or z");
+  addTessellationOptions(command, options->tessellation);
+  command.onChosen(
+      [options, &chosen] { chosen = [options](ResultWriter& writer) { return runConvert(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli

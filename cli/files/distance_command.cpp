@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/files/file_commands.h"
+#include "cli/kit/timing.h"
+#include "collision/queries/contact_regions.h"
+#include "collision/queries/scene.h"
+#include "trajectory/files/pose_csv.h"
+#include "workcell/meshes/length_unit.h"
+#include "workcell/scenes/whole_mesh.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using collision::MeshCollider;
+using nlohmann::ordered_json;
+
+struct DistanceOptions {
+  std::string moving;
+  std::vector<std::string> environment;
+  std::string poses;
+  std::optional<double> safety_zone;
+  std::string unit;  ///< Empty: as the file says, metres where it says none.
+  bool fail_on_contact = false;
+};
+
+/// The colliders in one scene, the moved part first, and how long their trees took.
+struct Prepared {
+  collision::Scene scene;
+  collision::PartIndex moving = 0;
+  std::vector<collision::PartIndex> environment;
+  double build_ms = 0.0;
+};
+
+Expected<std::shared_ptr<const MeshCollider>> readCollider(const std::string& file, std::optional<double> scale,
+                                                           double& build_ms) {
+  // Not welded: merging corners would shift them by a millionth of the part's size, and the answer with them.
+  workcell::ImportOptions options;
+  options.metres_per_unit = scale;
+  options.weld = false;
+  Diagnostics diagnostics;
+  const auto mesh = workcell::readWholeMesh(file, options, diagnostics);
+  for (const std::string& sentence : diagnostics.warnings) warn(sentence);
+  if (!mesh) return tl::unexpected(mesh.error());
+  const auto begin = Timing::Clock::now();
+  auto collider = MeshCollider::build(*mesh);
+  build_ms += std::chrono::duration<double, std::milli>(Timing::Clock::now() - begin).count();
+  return collider;
+}
+
+Expected<std::unique_ptr<Prepared>> prepare(const DistanceOptions& options) {
+  const auto unit = workcell::parseLengthUnit(options.unit.empty() ? "m" : options.unit);
+  if (!unit) return tl::unexpected(unit.error());
+  if (options.safety_zone && !(*options.safety_zone >= 0.0 && std::isfinite(*options.safety_zone))) {
+    return makeError({"", "--safety-zone", std::to_string(*options.safety_zone), "metres, 0 or more", ""});
+  }
+  auto prepared = std::make_unique<Prepared>();
+  const std::optional<double> scale = options.unit.empty() ? std::nullopt : std::optional(workcell::metresPer(*unit));
+  const auto moving = readCollider(options.moving, scale, prepared->build_ms);
+  if (!moving) return tl::unexpected(moving.error());
+  prepared->moving = prepared->scene.addPart({0, 0}, *moving);
+  for (std::size_t i = 0; i < options.environment.size(); ++i) {
+    const auto part = readCollider(options.environment[i], scale, prepared->build_ms);
+    if (!part) return tl::unexpected(part.error());
+    prepared->environment.push_back(prepared->scene.addPart({i + 1, 0}, *part));
+    prepared->scene.addPair(prepared->moving, prepared->environment.back(), static_cast<std::uint32_t>(i));
+  }
+  return prepared;
+}
+
+std::size_t countContacts(const Prepared& prepared, const Pose& X_WM, double zone) {
+  std::size_t contacts = 0;
+  const MeshCollider& moving = prepared.scene.collider(prepared.moving);
+  for (const collision::PartIndex part : prepared.environment) {
+    contacts += collision::countContactRegions(moving, prepared.scene.collider(part), X_WM.inverse(), zone);
+  }
+  return contacts;
+}
+
+ordered_json beyondZone(double zone) {
+  return {{"distance", nullptr}, {"distance_at_least", zone},  {"colliding", false},
+          {"contained", false},  {"point_on_moving", nullptr}, {"point_on_environment", nullptr},
+          {"normal", nullptr},   {"environment", nullptr},     {"contacts", 0}};
+}
+
+ordered_json resultOf(const collision::Scene& scene, const collision::PairDistance& nearest) {
+  const collision::DistanceResult& result = nearest.result;
+  return {{"distance", result.distance},
+          {"colliding", result.colliding},
+          {"contained", result.contained},
+          {"point_on_moving", toJson(result.p_WA)},
+          {"point_on_environment", toJson(result.p_WB)},
+          {"normal", toJson(result.nhat_BA_W)},
+          {"environment", scene.tag(nearest.pair)}};
+}
+
+ExitStatus runDistance(const DistanceOptions& options, const ResultWriter& writer) {
+  const auto failed = [](const Error& error) {
+    report(error);
+    return ExitStatus::kBadInput;
+  };
+  const auto poses = trajectory::readPoseCsv(options.poses);
+  if (!poses) return failed(poses.error());
+  const auto prepared = prepare(options);
+  if (!prepared) return failed(prepared.error());
+
+  const double zone = options.safety_zone.value_or(0.0);
+  const double limit =
+      options.safety_zone ? std::max(zone, collision::kTouchingDistance) : std::numeric_limits<double>::infinity();
+  collision::Scene& scene = (*prepared)->scene;
+  ordered_json results = ordered_json::array();
+  Timing timing;
+  timing.reserve(poses->size());
+  bool any_contact = false;
+  for (const Pose& X_WM : *poses) {
+    const auto begin = Timing::Clock::now();
+    scene.setPose((*prepared)->moving, X_WM);
+    const auto nearest = scene.nearest(limit);
+    timing.add(begin);
+    if (!nearest) {
+      results.push_back(beyondZone(limit));
+      continue;
+    }
+    results.push_back(resultOf(scene, *nearest));
+    const std::size_t regions = nearest->result.distance <= zone ? countContacts(**prepared, X_WM, zone) : 0;
+    // A part wholly inside another is one contact though no surface is near.
+    results.back()["contacts"] = nearest->result.colliding ? std::max<std::size_t>(regions, 1) : regions;
+    any_contact |= nearest->result.colliding;
+  }
+  ordered_json times = timing.toJson();
+  times["build_ms"] = (*prepared)->build_ms;
+  const auto written = writer.write({{"results", std::move(results)}, {"timing", std::move(times)}});
+  if (!written) return failed(written.error());
+  return any_contact && options.fail_on_contact ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+}  // namespace
+
+void addDistanceCommand(Subcommand app, Action& chosen) {
+  Subcommand command =
+      app.add("distance", "Distance and nearest points of a moved mesh to standing ones, pose by pose");
+  const auto options = std::make_shared<DistanceOptions>();
+  command.option("--moving", options->moving, "The moved mesh: STL, OBJ, PLY or OFF").required();
+  command.option("--environment", options->environment, "The standing meshes, at identity").required().values(1, -1);
+  command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the moved mesh in the world")
+      .required();
+  command.option("--safety-zone", options->safety_zone,
+                 "Metres: what is farther is reported as null with distance_at_least; contacts inside are counted");
+  command.option("--unit", options->unit,
+                 "What one unit of the files is: m, mm or in; as they say, or m, when not given");
+  command.flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 when any pose collides");
+  command.onChosen(
+      [options, &chosen] { chosen = [options](ResultWriter& writer) { return runDistance(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cli/kit/action.h"
+#include "cli/kit/subcommand.h"
+
+namespace hapticell::cli {
+
+void addConvertCommand(Subcommand app, Action& chosen);
+void addDistanceCommand(Subcommand app, Action& chosen);
+void addInspectCommand(Subcommand app, Action& chosen);
+
+}  // namespace hapticell::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cli/kit/subcommand.h"
+#include "workcell/entity/import_options.h"
+
+namespace hapticell::cli {
+
+/// --chord METRES and --angle RADIANS: how finely the curved faces of STEP and IGES are cut into triangles.
+void addTessellationOptions(Subcommand command, workcell::Tessellation& tessellation);
+
+}  // namespace hapticell::cli

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/files/entity_report.h"
+#include "cli/files/file_commands.h"
+#include "cli/files/import_arguments.h"
+#include "cli/kit/progress_line.h"
+#include "cli/kit/xacro_arguments.h"
+#include "geometry/shapes/mass_properties.h"
+#include "geometry/shapes/topology.h"
+#include "workcell/document/carried_load.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/scenes/import_scene.h"
+#include "workcell/meshes/length_unit.h"
+#include "workcell/meshes/mesh_care.h"
+#include "workcell/meshes/mesh_reader.h"
+#include "workcell/robots/robot_library.h"
+#include "workcell/robots/robot_reader.h"
+#include "workcell/scenes/whole_mesh.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct InspectOptions {
+  std::string file;
+  std::vector<std::string> arguments;  ///< NAME:=VALUE of a xacro.
+  std::string unit;                    ///< Empty: as the file says, else guessed.
+  workcell::Tessellation tessellation;
+};
+
+ordered_json inspection(const char* format, const char* unit, ordered_json entities, const Diagnostics& notes) {
+  return {{"format", format},
+          {"unit", unit},
+          {"up_axis", "z"},
+          {"warnings", notes.warnings},
+          {"entities", std::move(entities)}};
+}
+
+bool looksLikeDocument(const fs::path& file) {
+  return file.extension() == ".hcell";
+}
+
+/// Welding is tried on copies, so that the counts and sizes shown are those of the file.
+void warnAboutTriangles(const std::vector<workcell::MeshPart>& parts, Diagnostics& notes) {
+  std::size_t degenerate = 0, duplicate = 0, rejected = 0, holes = 0;
+  bool open = false, inward = false;
+  workcell::FacingNote facing;
+  for (const workcell::MeshPart& part : parts) {
+    geometry::TriangleMesh welded = part.mesh;
+    const geometry::WeldReport dropped = geometry::weld(welded, geometry::weldTolerance(welded));
+    const geometry::Topology topology = geometry::topologyOf(welded);
+    degenerate += dropped.degenerate_triangles;
+    duplicate += dropped.duplicate_triangles;
+    rejected += topology.rejected_triangles;
+    holes += topology.holes;
+    open = open || !geometry::isClosed(welded);
+    inward = inward || geometry::massProperties(part.mesh).volume < 0.0;
+    facing.look(part.mesh);
+  }
+  const auto say = [&](std::size_t count, const char* what) {
+    if (count > 0) notes.warn(what + (": " + std::to_string(count)));
+  };
+  say(degenerate, "triangles without area, left out in a workcell");
+  say(duplicate, "triangles that are there twice, left out once in a workcell");
+  say(rejected, "triangles at an edge of more than two faces, or turned over");
+  say(holes, "holes in the surface");
+  if (open) notes.warn("the surface is not closed, so the volume means little");
+  if (inward) {
+    notes.warn("the triangles face inward, so the volume is negative");
+  } else {
+    facing.tell(notes);
+  }
+}
+
+/// What one unit of the file means: as --unit says, else the file, else its size.
+Expected<double> unitOf(const InspectOptions& options, const workcell::MeshFileParts& file, Diagnostics& notes) {
+  if (!options.unit.empty()) {
+    const auto said = workcell::parseLengthUnit(options.unit);
+    if (!said) return tl::unexpected(said.error());
+    return workcell::metresPer(*said);
+  }
+  if (file.unit_is_stated) return file.metres_per_unit;
+  geometry::Bounds bounds;
+  for (const workcell::MeshPart& part : file.parts) bounds.add(part.mesh.bounds());
+  const workcell::LengthUnit unit = workcell::guessUnit(bounds);
+  notes.warn(std::string("the file names no unit; by its size it is taken as ") + workcell::unitName(unit) +
+             " (--unit says otherwise)");
+  return workcell::metresPer(unit);
+}
+
+/// The names that users know; other units are shown as metres per unit.
+std::string unitWord(double metres_per_unit) {
+  for (workcell::LengthUnit unit :
+       {workcell::LengthUnit::kMetre, workcell::LengthUnit::kMillimetre, workcell::LengthUnit::kInch}) {
+    if (std::abs(workcell::metresPer(unit) - metres_per_unit) < 1e-9 * metres_per_unit) return workcell::unitName(unit);
+  }
+  for (const auto& [metres, word] : {std::pair(0.01, "cm"), std::pair(0.3048, "ft")}) {
+    if (std::abs(metres - metres_per_unit) < 1e-9 * metres_per_unit) return word;
+  }
+  std::ostringstream text;
+  text << metres_per_unit << " m";
+  return text.str();
+}
+
+Expected<ordered_json> inspectMesh(const InspectOptions& options, Diagnostics& notes) {
+  workcell::MeshReadOptions reading;
+  reading.weld = false;
+  reading.warn_about_unit = false;
+  Expected<workcell::MeshFileParts> file = workcell::readMeshParts(options.file, reading, true, notes);
+  if (!file) return tl::unexpected(file.error());
+  const auto unit = unitOf(options, *file, notes);
+  if (!unit) return tl::unexpected(unit.error());
+  for (workcell::MeshPart& part : file->parts) {
+    for (dvec3& vertex : part.mesh.vertices) vertex *= *unit / file->metres_per_unit;
+  }
+  warnAboutTriangles(file->parts, notes);
+  const workcell::MeshFormat format = file->format;
+  const auto scene = workcell::sceneOfParts(std::move(*file), fs::path(options.file).stem().string());
+  ordered_json result = inspection(workcell::formatName(format), unitWord(*unit).c_str(), sceneReport(scene), notes);
+  if (format == workcell::MeshFormat::kStlAscii) result["encoding"] = "ascii";
+  if (format == workcell::MeshFormat::kStlBinary) result["encoding"] = "binary";
+  return result;
+}
+
+Expected<ordered_json> inspectCad(const InspectOptions& options, Diagnostics& notes) {
+  workcell::ImportOptions reading;
+  reading.tessellation = options.tessellation;
+  if (!options.unit.empty()) {
+    const auto said = workcell::parseLengthUnit(options.unit);
+    if (!said) return tl::unexpected(said.error());
+    reading.metres_per_unit = workcell::metresPer(*said);
+  }
+  ProgressLine progress;
+  const auto scene = workcell::readScene(options.file, reading, &progress.monitor());
+  if (!scene) return tl::unexpected(scene.error());
+  notes.warnings = scene->warnings;
+  if (!scene->unit_is_stated) notes.warn("the file names no unit; it is taken as " + unitWord(scene->metres_per_unit));
+  if (scene->up_axis != workcell::UpAxis::kZ) {
+    notes.warn(std::string("the file has ") + workcell::axisName(scene->up_axis) +
+               " up; it was turned so that z is up");
+  }
+  const std::string unit = unitWord(scene->metres_per_unit);
+  ordered_json result = inspection(scene->format.c_str(), unit.c_str(), sceneReport(*scene), notes);
+  result["up_axis"] = workcell::axisName(scene->up_axis);
+  return result;
+}
+
+bool isRobot(const std::string& file) {
+  return file.starts_with("library:") || workcell::looksLikeRobot(file);
+}
+
+Expected<ordered_json> inspectRobot(const InspectOptions& options, Diagnostics& notes) {
+  if (!options.unit.empty() && options.unit != "m") {
+    return makeError({options.file, "--unit", "'" + options.unit + "'", "none: robot files are in metres", ""});
+  }
+  const auto arguments = parseXacroArguments(options.arguments);
+  if (!arguments) return tl::unexpected(arguments.error());
+  workcell::SourceFile source{options.file, 1.0};
+  source.arguments = *arguments;
+  const auto robot = workcell::EntityLoader(fs::current_path()).loadSource(source, notes);
+  if (!robot) return tl::unexpected(robot.error());
+  const auto format = workcell::robotFormatOf(options.file);
+  ordered_json result = inspection(format ? workcell::formatName(*format) : "library", "m",
+                                   ordered_json::array({entityReport(*robot)}), notes);
+  if (format == workcell::RobotFormat::kXacro) {
+    result["arguments"] = ordered_json::array();
+    for (const auto& one : workcell::robotArguments(options.file, *arguments))
+      result["arguments"].push_back(
+          {{"name", one.name},
+           {"value", one.value},
+           {"default", one.otherwise ? ordered_json(*one.otherwise) : ordered_json(nullptr)}});
+  }
+  return result;
+}
+
+/// What each robot of the cell carries, against what its maker allows.
+ordered_json loadsReport(const workcell::DocumentState& state) {
+  using workcell::LoadVerdict;
+  ordered_json loads = ordered_json::array();
+  for (const auto& entity : state.entities) {
+    if (entity->kind != workcell::EntityKind::kRobot || !entity->robot) continue;
+    const workcell::CarriedLoad load = workcell::carriedLoad(state, *entity);
+    const double payload = workcell::ratedPayload(entity->source.path).value_or(0.0);
+    const LoadVerdict verdict = workcell::verdictOn(load, payload);
+    const char* word = verdict == LoadVerdict::kNothing    ? "none"
+                       : verdict == LoadVerdict::kTooHeavy ? "too heavy"
+                       : verdict == LoadVerdict::kAllowed  ? "allowed"
+                                                           : "not known";
+    ordered_json parts = ordered_json::array(), other = ordered_json::array();
+    for (const auto& part : load.parts) parts.push_back(part->name);
+    for (const auto& part : load.other) other.push_back(part->name);
+    loads.push_back({{"robot", entity->name},
+                     {"link", load.link},
+                     {"payload", payload > 0.0 ? ordered_json(payload) : ordered_json(nullptr)},
+                     {"mass", load.mass},
+                     {"center_of_mass", toJson(load.p_LC)},
+                     {"distance", glm::length(load.p_LC)},
+                     {"parts", std::move(parts)},
+                     {"mass_not_entered", load.starting},
+                     {"on_other_links", std::move(other)},
+                     {"verdict", word}});
+  }
+  return loads;
+}
+
+Expected<ordered_json> inspectDocument(const InspectOptions& options, Diagnostics& notes) {
+  const auto document = workcell::loadDocument(options.file, notes);
+  if (!document) return tl::unexpected(document.error());
+  ordered_json result = inspection("hcell", "m", treeReport(document->snapshotEntities()), notes);
+  result["loads"] = loadsReport(document->state());
+  result["pair_sets"] = ordered_json::array();
+  for (const workcell::PairSet& set : document->state().pair_sets) {
+    result["pair_sets"].push_back({{"name", set.name},
+                                   {"enabled", set.enabled},
+                                   {"first", set.first},
+                                   {"second", set.second},
+                                   {"safety_distance", set.safety_distance},
+                                   {"near_miss", set.near_miss}});
+  }
+  return result;
+}
+
+ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer) {
+  Diagnostics notes;
+  if (!options.arguments.empty() && workcell::robotFormatOf(options.file) != workcell::RobotFormat::kXacro) {
+    report({options.file, "", "'" + options.arguments.front() + "' behind a file that is no xacro", "no further words",
+            ""});
+    return ExitStatus::kBadInput;
+  }
+  const auto result = looksLikeDocument(options.file)      ? inspectDocument(options, notes)
+                      : workcell::holdsScene(options.file) ? inspectCad(options, notes)
+                      : isRobot(options.file)              ? inspectRobot(options, notes)
+                                                           : inspectMesh(options, notes);
+  const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
+  if (written) return ExitStatus::kDone;
+  report(written.error());
+  return ExitStatus::kBadInput;
+}
+
+}  // namespace
+
+void addInspectCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("inspect", "What is in a file: entities, sizes, joints, and what is wrong with it");
+  const auto options = std::make_shared<InspectOptions>();
+  command
+      .option("file", options->file,
+              "A mesh (STL, OBJ, PLY, OFF), a CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), a robot (URDF, "
+              "xacro, SDF, "
+              "robot.toml, library:NAME) or a workcell (.hcell)")
+      .required();
+  command.option("arguments", options->arguments, "Of a xacro: NAME:=VALUE, as many as there are");
+  command.option("--unit", options->unit,
+                 "What one unit of a mesh file is: m, mm or in; as the file says, or guessed, when not given");
+  addTessellationOptions(command, options->tessellation);
+  command.onChosen(
+      [options, &chosen] { chosen = [options](ResultWriter& writer) { return runInspect(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli

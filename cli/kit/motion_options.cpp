@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/kit/motion_options.h"
+
+namespace hapticell::cli {
+
+void addMotionReading(Subcommand command, std::string& up, std::string& markers) {
+  command.option("--up", up, "Of the motion: which of the file's axes is up (x, y, z; --up=-z); else found");
+  command.option("--markers", markers, "Of a .c3d: a table of one's own markers (docs/formats.md)");
+}
+
+Expected<mannequin::MotionReading> motionReading(const std::string& up, const std::string& markers) {
+  mannequin::MotionReading reading;
+  reading.markers = markers;
+  if (up.empty()) return reading;
+  const auto axis = mannequin::parseUpAxis(up);
+  if (!axis) return tl::unexpected(axis.error());
+  reading.up = *axis;
+  return reading;
+}
+
+void addReading(const mannequin::RecordedMotion& motion, nlohmann::ordered_json& document) {
+  document["up"] = mannequin::nameOf(motion.up);
+  if (!motion.marker_set.empty()) document["marker_set"] = motion.marker_set;
+  nlohmann::ordered_json& assumptions = document["assumptions"];
+  for (const std::string& sentence : motion.assumptions) assumptions.push_back(sentence);
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/kit/result_writer.h"
+
+#include <cstdio>
+#include <iostream>
+
+#include "geometry/system/plain_text.h"
+
+namespace hapticell::cli {
+
+Expected<void> ResultWriter::write(const nlohmann::ordered_json& result) const {
+  return put(result, 2);
+}
+
+Expected<void> ResultWriter::writeLine(const nlohmann::ordered_json& result) const {
+  return put(result, -1);
+}
+
+Expected<void> ResultWriter::put(const nlohmann::ordered_json& result, int indent) const {
+  // Text that is not UTF-8 (a file name, say) must not stop the result from being written.
+  const std::string text = result.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  if (!json_file_.empty()) return writeFileAtomically(json_file_, text);
+  std::cout << text << std::flush;
+  if (!std::cout)
+    return makeError({"standard output", "", "it could not be written", "", "Check the pipe or the disk."});
+  return {};
+}
+
+nlohmann::ordered_json toJson(const dvec3& v) {
+  return nlohmann::ordered_json::array({v.x, v.y, v.z});
+}
+
+void report(const Error& error) {
+  std::fprintf(stderr, "hapticell-cli: %s\n", error.message().c_str());
+}
+
+void warn(const std::string& sentence) {
+  std::fprintf(stderr, "hapticell-cli: %s\n", plainText(sentence, 4096).c_str());
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "geometry/system/error.h"
+#include "geometry/shapes/vector.h"
+#include "workcell/text/file_content.h"
+
+namespace hapticell::cli {
+
+/// Writes the one JSON document that is a command's result: to standard output, or to the file of `--json`.
+///
+/// A file is written aside and moved into place, so a half-written result never stands there.
+class ResultWriter {
+ public:
+  explicit ResultWriter(std::string json_file = {}) : json_file_(std::move(json_file)) {}
+  Expected<void> write(const nlohmann::ordered_json& result) const;
+  /// The same on a line of its own, for a command that tells more than once; a file has the newest one.
+  Expected<void> writeLine(const nlohmann::ordered_json& result) const;
+
+ private:
+  Expected<void> put(const nlohmann::ordered_json& result, int indent) const;
+
+  std::string json_file_;
+};
+
+using workcell::writeFileAtomically;
+
+/// [x, y, z]
+nlohmann::ordered_json toJson(const dvec3& v);
+
+/// Prints "hapticell-cli: SENTENCE" on standard error.
+void report(const Error& error);
+void warn(const std::string& sentence);
+
+}  // namespace hapticell::cli

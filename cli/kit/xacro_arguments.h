@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geometry/system/error.h"
+
+namespace hapticell::cli {
+
+/// "FILE,NAME:=VALUE,…" as the command line says a xacro with values for its arguments. A file of that whole name goes
+/// before.
+struct FileWithArguments {
+  std::string file;
+  std::map<std::string, std::string> arguments;
+};
+FileWithArguments splitXacroArguments(const std::string& text);
+
+/// Words "NAME:=VALUE"; an error names one that is none.
+Expected<std::map<std::string, std::string>> parseXacroArguments(const std::vector<std::string>& words);
+
+}  // namespace hapticell::cli

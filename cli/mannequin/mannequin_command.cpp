@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/mannequin/mannequin_command.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/mannequin/hand_targets.h"
+#include "cli/kit/motion_options.h"
+#include "cli/kit/timing.h"
+#include "mannequin/shape/body_skin.h"
+#include "mannequin/body/figure.h"
+#include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/body/joint_limits.h"
+#include "mannequin/motion/motion_writer.h"
+#include "mannequin/posture/posture_file.h"
+#include "mannequin/posture/posture_solver.h"
+#include "mannequin/motion/retarget.h"
+#include "mannequin/posture/support_polygon.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+using namespace mannequin;
+
+struct MannequinOptions {
+  std::string sex = "male";
+  std::optional<double> percentile, stature, mass;
+  std::string posture = "standing";
+  bool measure = false;
+  std::string targets;
+  std::string hands = "both";
+  std::vector<std::string> lock;
+  bool fail_on_limit = false;
+  std::string motion, up, markers;
+  std::string output;
+};
+
+struct Outcome {
+  ordered_json document;
+  bool found = false;  ///< What --fail-on-limit looks for.
+};
+
+ordered_json toJson(const Pose& X) {
+  return {{"position", {X.p.x, X.p.y, X.p.z}}, {"orientation", {X.q.w, X.q.x, X.q.y, X.q.z}}};
+}
+
+ordered_json toJson(const Posture& posture) {
+  return ordered_json::parse(postureText(posture));
+}
+
+Expected<Figure> figureFor(const MannequinOptions& options) {
+  BodyRequest request;
+  if (options.sex != "male" && options.sex != "female") {
+    return makeError({"", "--sex", "'" + options.sex + "'", "male or female", ""});
+  }
+  request.sex = options.sex == "male" ? Sex::kMale : Sex::kFemale;
+  if (options.percentile.has_value() == options.stature.has_value()) {
+    return makeError({"", "", options.stature ? "both --percentile and --stature" : "no size",
+                      "one of --percentile and --stature", ""});
+  }
+  if (options.stature) request.stature = *options.stature;
+  if (options.percentile) {
+    const Expected<double> stature = statureOfPercentile(request.sex, *options.percentile);
+    if (!stature) return makeError(stature.error());
+    request.stature = *stature;
+  }
+  request.mass = options.mass;
+  return makeFigure(request);
+}
+
+/// A posture by file or by its name in the library, placed on the floor unless the file says where it is.
+Expected<Posture> postureFor(const Figure& figure, const std::string& what) {
+  if (const std::optional<Posture> known = libraryPosture(figure, what)) return *known;
+  bool has_root = false;
+  const Expected<Posture> posture = readPosture(what, &has_root);
+  if (!posture) return makeError(posture.error());
+  return has_root ? *posture : onFloor(figure, *posture);
+}
+
+ordered_json jointsOf(const Posture& posture) {
+  ordered_json joints = ordered_json::array();
+  for (std::size_t i = 0; i < kDofCount; ++i) {
+    const DofInfo& info = dofInfo(static_cast<Dof>(i));
+    joints.push_back({{"name", info.name},
+                      {"joint", info.joint},
+                      {"lower", info.lower},
+                      {"upper", info.upper},
+                      {"comfort_lower", info.comfort_lower},
+                      {"comfort_upper", info.comfort_upper},
+                      {"coupled", isCoupled(static_cast<Dof>(i))},
+                      {"position", posture.angles[i]}});
+  }
+  return joints;
+}
+
+ordered_json segmentsOf(const Figure& figure, const FigurePose& pose) {
+  ordered_json segments = ordered_json::array();
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    const Segment segment = static_cast<Segment>(i);
+    ordered_json entry = toJson(pose[segment].pose());
+    entry["name"] = segmentInfo(segment).name;
+    entry["joint"] = segmentInfo(segment).joint;
+    entry["mass"] = figure.mass[i];
+    segments.push_back(std::move(entry));
+  }
+  return segments;
+}
+
+ordered_json dimensionsOf(const Figure& figure) {
+  ordered_json dimensions;
+  for (std::size_t i = 0; i < kDimensionCount; ++i) {
+    const Dimension dimension = static_cast<Dimension>(i);
+    dimensions[std::string(nameOf(dimension))] = {
+        {"value", figure.body.values[i]}, {"standard_error", regressionOf(figure.sex, dimension).standard_error}};
+  }
+  return dimensions;
+}
+
+std::array<SegmentPlace, 2> feetOf(const FigurePose& pose) {
+  return {pose[Segment::kLeftFoot], pose[Segment::kRightFoot]};
+}
+
+void describe(const Figure& figure, const Posture& posture, bool measure, ordered_json& document) {
+  const FigurePose pose = forwardKinematics(figure, posture);
+  const dvec3 com = centerOfMass(figure, pose);
+  document["dof"] = kDofCount;
+  document["sex"] = figure.sex == Sex::kMale ? "male" : "female";
+  document["percentile"] = percentileOfStature(figure.sex, figure.body[Dimension::kStature]);
+  document["mass"] = figure.totalMass();
+  document["joints"] = jointsOf(posture);
+  ordered_json measures;
+  for (const auto& [name, value] : measuresOf(figure)) measures[name] = value;
+  document["measures"] = std::move(measures);
+  document["center_of_mass"] = cli::toJson(com);
+  document["balance_margin"] = supportPolygon(figure, feetOf(pose)).margin(glm::dvec2(com));
+  document["hands"] = {{"left", toJson(handPose(pose, Side::kLeft))}, {"right", toJson(handPose(pose, Side::kRight))}};
+  document["root"] = toJson(posture.X_WR);
+  document["limits_exceeded"] = limitViolations(posture);
+  if (!measure) return;
+  document["dimensions"] = dimensionsOf(figure);
+  document["segments"] = segmentsOf(figure, pose);
+}
+
+Expected<PostureTask> lockedTask(const MannequinOptions& options) {
+  PostureTask task;
+  task.may_step = true;
+  for (const std::string& lock : options.lock) {
+    if (lock == "trunk") {
+      task.trunk_locked = true;
+    } else if (lock == "pelvis") {
+      task.pelvis_locked = true;
+    } else if (lock != "feet") {
+      return makeError({"", "--lock", "'" + lock + "'", "trunk, feet or pelvis", ""});
+    }
+    // Who holds trunk or pelvis in place does not walk away either.
+    task.may_step = false;
+  }
+  return task;
+}
+
+ordered_json toJson(const PostureResult& result, const HandTargets& targets) {
+  ordered_json hands;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!targets.hands[i]) continue;
+    hands[i == 0 ? "left" : "right"] = {{"position_error", result.hand_position_error[i]},
+                                        {"orientation_error", result.hand_orientation_error[i]}};
+  }
+  return {{"step", targets.step},
+          {"status", result.status == PostureStatus::kSolved ? "solved" : "unreachable"},
+          {"hands", std::move(hands)},
+          {"center_of_mass", cli::toJson(result.p_WCom)},
+          {"balance_margin", result.balance_margin},
+          {"foot_displacement", result.foot_displacement},
+          {"posture", toJson(result.posture)}};
+}
+
+/// What can be wrong whether there are targets or not, before anything is computed.
+Expected<void> checkWords(const MannequinOptions& options) {
+  if (options.hands != "left" && options.hands != "right" && options.hands != "both") {
+    return makeError({"", "--hands", "'" + options.hands + "'", "left, right or both", ""});
+  }
+  if (const auto task = lockedTask(options); !task) return makeError(task.error());
+  if (options.output.empty()) return {};
+  std::error_code ignored;
+  const std::filesystem::path file(options.output);
+  const bool pipe = std::filesystem::exists(file, ignored) && std::filesystem::is_other(file, ignored);
+  const std::string ending = file.extension().string();
+  const bool known = ending == ".json" || ending == ".obj" || ending == ".x3d" || ending == ".bvh";
+  if (known || pipe) return {};
+  return makeError({options.output, "--output", ending.empty() ? "no ending" : "the ending '" + ending + "'",
+                    ".json (the posture), .obj (the body), .x3d (H-Anim) or .bvh (the motion)", ""});
+}
+
+Expected<void> solveTargets(const MannequinOptions& options, const Figure& figure, const Posture& start,
+                            Outcome& outcome) {
+  Expected<std::vector<HandTargets>> targets = readHandTargets(options.targets);
+  if (!targets) return makeError(targets.error());
+  Expected<PostureTask> task = lockedTask(options);
+  if (!task) return makeError(task.error());
+  const PostureSolver solver(figure);
+  ordered_json results = ordered_json::array();
+  Timing timing;
+  timing.reserve(targets->size());
+  for (HandTargets& wanted : *targets) {
+    if (options.hands == "left") wanted.hands[1].reset();
+    if (options.hands == "right") wanted.hands[0].reset();
+    task->hands = wanted.hands;
+    const auto begin = Timing::Clock::now();
+    const PostureResult result = solver.solve(*task, start);
+    timing.add(begin);
+    outcome.found = outcome.found || result.status != PostureStatus::kSolved;
+    results.push_back(toJson(result, wanted));
+  }
+  outcome.document["results"] = std::move(results);
+  outcome.document["timing"] = timing.toJson();
+  return {};
+}
+
+/// The body in a posture as OBJ text.
+std::string bodyText(const Figure& figure, const Posture& posture) {
+  const Skin skin = skinOf(figure, posture);
+  std::string text = "# HaptiCell mannequin, metres, Z up\n";
+  char line[96];
+  for (const dvec3& v : skin.mesh.vertices) {
+    std::snprintf(line, sizeof line, "v %.5f %.5f %.5f\n", v.x, v.y, v.z);
+    text += line;
+  }
+  for (const geometry::Triangle& t : skin.mesh.triangles) {
+    std::snprintf(line, sizeof line, "f %u %u %u\n", t[0] + 1, t[1] + 1, t[2] + 1);
+    text += line;
+  }
+  return text;
+}
+
+/// What is written to `file`, by its ending.
+std::string textFor(const std::string& file, const Figure& figure, const Posture& posture,
+                    const RetargetedMotion& motion) {
+  if (file.ends_with(".obj")) return bodyText(figure, posture);
+  if (file.ends_with(".x3d")) return hanimText(figure, posture, "mannequin");
+  if (file.ends_with(".bvh")) return bvhText(figure, motion.postures, motion.frame_time);
+  return postureText(posture);
+}
+
+Expected<RetargetedMotion> motionFor(const MannequinOptions& options, const Figure& figure, Outcome& outcome) {
+  const Expected<MotionReading> reading = motionReading(options.up, options.markers);
+  if (!reading) return makeError(reading.error());
+  const Expected<RecordedMotion> recorded = readRecordedMotion(options.motion, *reading);
+  if (!recorded) return makeError(recorded.error());
+  Expected<RetargetedMotion> motion = retarget(figure, *recorded);
+  if (!motion) {
+    Error error = motion.error();
+    error.file = options.motion;
+    return makeError(std::move(error));
+  }
+  outcome.document["motion"] = {{"frames", motion->postures.size()},
+                                {"frame_time", motion->frame_time},
+                                {"metres_per_unit", recorded->metres_per_unit},
+                                {"frames_beyond_limit", motion->frames_beyond_limit}};
+  addReading(*recorded, outcome.document["motion"]);
+  addReading(*recorded, outcome.document);
+  outcome.found = outcome.found || !motion->frames_beyond_limit.empty();
+  return motion;
+}
+
+Expected<Outcome> solve(const MannequinOptions& options) {
+  if (const auto sound = checkWords(options); !sound) return makeError(sound.error());
+  const Expected<Figure> figure = figureFor(options);
+  if (!figure) return makeError(figure.error());
+  const Expected<Posture> posture = postureFor(*figure, options.posture);
+  if (!posture) return makeError(posture.error());
+  Outcome outcome;
+  describe(*figure, *posture, options.measure, outcome.document);
+  outcome.found = !outcome.document["limits_exceeded"].empty();
+  if (!options.targets.empty()) {
+    const auto solved = solveTargets(options, *figure, *posture, outcome);
+    if (!solved) return makeError(solved.error());
+  }
+  RetargetedMotion motion{{*posture}, 1.0, {}};
+  if (!options.motion.empty()) {
+    Expected<RetargetedMotion> read = motionFor(options, *figure, outcome);
+    if (!read) return makeError(read.error());
+    motion = std::move(*read);
+  }
+  if (!options.output.empty()) {
+    const auto written = writeFileAtomically(options.output, textFor(options.output, *figure, *posture, motion));
+    if (!written) return makeError(written.error());
+  }
+  return outcome;
+}
+
+ExitStatus run(const MannequinOptions& options, const ResultWriter& writer) {
+  const auto outcome = solve(options);
+  const auto written =
+      outcome ? writer.write(outcome->document) : Expected<void>(tl::unexpected<Error>(outcome.error()));
+  if (!written) {
+    report(written.error());
+    return ExitStatus::kBadInput;
+  }
+  return options.fail_on_limit && outcome->found ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+}  // namespace
+
+void addMannequinCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("mannequin", "A figure of some size: its measures, postures and reach");
+  const auto options = std::make_shared<MannequinOptions>();
+  command.option("--sex", options->sex, "male or female").required();
+  command.option("--percentile", options->percentile, "Of the stature among that sex, 0.1 to 99.9");
+  command.option("--stature", options->stature, "Metres, 1.2 to 2.3");
+  command.option("--mass", options->mass, "Kilograms; the likely one where not given");
+  command.option("--posture", options->posture, "A posture file, or one of the library: standing, seated, ...");
+  command.flag("--measure", options->measure, "Also all body dimensions and where each segment is");
+  command.option("--targets", options->targets, "CSV hand,x,y,z,qw,qx,qy,qz[,step]: where hands are wanted");
+  command.option("--hands", options->hands, "left, right or both: which of the targets' hands count");
+  command.option("--lock", options->lock, "trunk, feet, pelvis: what does not move").separatedByCommas();
+  command.option("--motion", options->motion,
+                 "A recorded motion for the figure: .bvh, .amc beside its .asf, or .c3d (markers)");
+  addMotionReading(command, options->up, options->markers);
+  command.flag("--fail-on-limit", options->fail_on_limit, "Exit 1 when a limit is exceeded or a target not met");
+  command.option("-o,--output", options->output,
+                 "Write the posture to this file (.json); .obj: the body in it, .x3d: H-Anim, .bvh: the motion");
+  command.onChosen([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli

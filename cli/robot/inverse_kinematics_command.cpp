@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/robot/robot_commands.h"
+#include "cli/kit/robot_options.h"
+#include "cli/kit/timing.h"
+#include "kinematics/closed_form/inverse_factory.h"
+#include "kinematics/model/solution_list.h"
+#include "trajectory/motion/csv_table.h"
+#include "trajectory/files/pose_csv.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct InverseOptions {
+  std::string robot;
+  std::string poses;
+  std::string tip;
+  AxisOptions axes;
+  std::string start;
+  bool all = false;
+  bool turns_once = false;
+  bool fail_on_limit = false;
+};
+
+Expected<std::vector<double>> readStart(const InverseOptions& options, const RobotWithTip& robot) {
+  std::vector<double> q = kinematics::restPositions(robot.model);
+  if (options.start.empty()) return q;
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= options.start.size();) {
+    const std::size_t end = std::min(options.start.find(',', begin), options.start.size());
+    const auto number = trajectory::parseNumber(std::string_view(options.start).substr(begin, end - begin));
+    if (!number) return makeError({"", "--start", "'" + options.start + "'", "finite numbers between commas", ""});
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  if (numbers.size() != robot.variables.size()) {
+    return makeError({"", "--start", std::to_string(numbers.size()) + " numbers",
+                      std::to_string(robot.variables.size()) + ", one for each joint that moves the tip, base first",
+                      ""});
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) q[static_cast<std::size_t>(robot.variables[i])] = numbers[i];
+  return q;
+}
+
+/// Told, not refused: zeros are beyond the limits of many robots, and the answers do not depend on it.
+std::vector<std::string> beyondLimits(const RobotWithTip& robot, const std::vector<double>& q) {
+  std::vector<std::string> warnings;
+  for (const int variable : robot.variables) {
+    const auto index = static_cast<std::size_t>(variable);
+    const kinematics::Joint& joint = robot.model.joints[static_cast<std::size_t>(robot.model.moving[index])];
+    constexpr double kRounding = 1e-6;
+    if (q[index] >= joint.lower - kRounding && q[index] <= joint.upper + kRounding) continue;
+    std::ostringstream text;
+    text << "--start: joint '" << joint.name << "' at " << q[index] << " is beyond its limits of " << joint.lower
+         << " to " << joint.upper;
+    warnings.push_back(text.str());
+  }
+  return warnings;
+}
+
+ordered_json chainPositions(const RobotWithTip& robot, const std::vector<double>& q) {
+  ordered_json joints = ordered_json::array();
+  for (const int variable : robot.variables) joints.push_back(q[static_cast<std::size_t>(variable)]);
+  return joints;
+}
+
+/// A search finds most solutions, not surely all: the answer itself is listed whether the search came upon it or not.
+ordered_json alternatives(const RobotWithTip& robot, const std::vector<kinematics::ListedSolution>& all,
+                          const kinematics::InverseSolution& answer) {
+  constexpr double kSame = 1e-4;  // rad or m
+  const auto isAnswer = [&](const kinematics::ListedSolution& one) {
+    return std::equal(one.q.begin(), one.q.end(), answer.q.begin(), answer.q.end(),
+                      [](double a, double b) { return std::abs(a - b) < kSame; });
+  };
+  ordered_json solutions = ordered_json::array();
+  const auto add = [&](const std::vector<double>& joints, const std::string& configuration, bool within_limits) {
+    const std::string unnamed = "solution " + std::to_string(solutions.size() + 1);
+    solutions.push_back({{"joints", chainPositions(robot, joints)},
+                         {"configuration", configuration.empty() ? unnamed : configuration},
+                         {"within_limits", within_limits}});
+  };
+  if (answer.status == kinematics::InverseStatus::kSolved && std::none_of(all.begin(), all.end(), isAnswer)) {
+    add(answer.q, "", true);
+  }
+  for (const kinematics::ListedSolution& one : all) {
+    add(one.q, one.configuration, one.within_limits);
+    if (!one.maker_flags.empty()) solutions.back()["maker_flags"] = one.maker_flags;
+    if (!one.reason.empty()) solutions.back()["reason"] = one.reason;
+  }
+  return solutions;
+}
+
+struct Answer {
+  ordered_json document;
+  bool all_solved = true;
+};
+
+Expected<Answer> solve(const InverseOptions& options) {
+  auto robot = readRobotWithTip(options.robot, options.tip, workcell::RobotContent::kKinematics);
+  if (!robot) return makeError(robot.error());
+  if (auto added = addExternalAxes(options.axes, *robot); !added) return makeError(added.error());
+  const auto poses = trajectory::readPoseCsv(options.poses);
+  if (!poses) return makeError(poses.error());
+  const auto start = readStart(options, *robot);
+  if (!start) return makeError(start.error());
+  const std::vector<std::string> warnings =
+      options.start.empty() ? std::vector<std::string>{} : beyondLimits(*robot, *start);
+  for (const std::string& warning : warnings) warn(warning);
+  const auto inverse = kinematics::createInverse(robot->model, robot->tip);
+  if (!inverse) return makeError(inverse.error());
+
+  Answer answer;
+  ordered_json results = ordered_json::array();
+  Timing timing;
+  timing.reserve(poses->size());
+  std::vector<double> previous = *start;
+  for (const Pose& X_BT : *poses) {
+    const auto begin = Timing::Clock::now();
+    const kinematics::InverseSolution solution = (*inverse)->solve(X_BT, previous);
+    timing.add(begin);
+    ordered_json result{{"status", toString(solution.status)},
+                        {"singular", solution.singular},
+                        {"joints", chainPositions(*robot, solution.q)},
+                        {"position_error", solution.position_error},
+                        {"orientation_error", solution.orientation_error}};
+    if (options.all) {
+      kinematics::SolutionListOptions listing;
+      listing.with_turns = !options.turns_once;
+      const auto all = kinematics::listSolutions(robot->model, **inverse, X_BT, previous, listing);
+      result["solutions"] = alternatives(*robot, all, solution);
+    }
+    results.push_back(std::move(result));
+    answer.all_solved = answer.all_solved && solution.status == kinematics::InverseStatus::kSolved;
+    previous = solution.q;
+  }
+  answer.document = {
+      {"root", robot->model.links[0].name}, {"tip", robot->model.links[static_cast<std::size_t>(robot->tip)].name},
+      {"joint_names", robot->jointNames()}, {"inverse_model", (*inverse)->name()},
+      {"results", std::move(results)},      {"timing", timing.toJson()}};
+  if (!warnings.empty()) answer.document["warnings"] = warnings;
+  return answer;
+}
+
+ExitStatus run(const InverseOptions& options, const ResultWriter& writer) {
+  const auto answer = solve(options);
+  const auto written = answer ? writer.write(answer->document) : Expected<void>(tl::unexpected<Error>(answer.error()));
+  if (!written) {
+    report(written.error());
+    return ExitStatus::kBadInput;
+  }
+  return options.fail_on_limit && !answer->all_solved ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+}  // namespace
+
+void addInverseKinematicsCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("ik", "Joint positions that bring a robot's tip to poses, each nearest to the last");
+  const auto options = std::make_shared<InverseOptions>();
+  command.option("--robot", options->robot, "The robot: a file, or library:NAME").required();
+  command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link").required();
+  command.option("--tip", options->tip, "The link meant; the tool or the end of the arm where not given");
+  command.option("--on", options->axes.on,
+                 "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where");
+  command.option("--part-on", options->axes.part_on,
+                 "The same for what carries the part: poses are then in that link, the pose is the positioner's");
+  command.option("--start", options->start,
+                 "Joint positions before the first pose: numbers between commas, base first; zeros where not given");
+  command.flag("--all", options->all, "List all solutions of each pose; within limits also those turned by full turns");
+  command.flag("--turns-once", options->turns_once, "With --all: each solution only with its nearest turns");
+  command.flag("--fail-on-limit", options->fail_on_limit, "Exit status 1 when a pose is not solved");
+  command.onChosen([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/kit/server_address.h"
+#include "cli/session/session_commands.h"
+#include "cli/session/session_settings.h"
+#include "manipulation/session/local_server.h"
+#include "manipulation/session/session.h"
+#include "trajectory/files/trajectory_io.h"
+#include "workcell/document/assembly_solid.h"
+#include "workcell/format/document_io.h"
+#include "workcell/text/file_content.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using manipulation::SessionOptions;
+using manipulation::SessionReport;
+using nlohmann::ordered_json;
+
+struct SessionWords {
+  std::string workcell, entity, hand;
+  std::optional<double> rate_manipulation, rate_gui;
+  double latency_ms = 0.0;
+  std::optional<std::string> device;
+  std::vector<std::string> set;
+  bool realtime = false, fail_on_contact = false, fail_on_limit = false;
+  std::string server;
+  std::string trace;
+  std::string configuration;
+  std::string record;
+  bool record_by_button = false, record_all = false;
+  std::optional<double> record_interval, record_distance;
+};
+
+Expected<void> readRates(const SessionWords& words, SessionOptions& options) {
+  const auto within = [](const char* name, double value, double low, double high) -> Expected<void> {
+    if (std::isfinite(value) && value >= low && value <= high) return {};
+    char range[64], found[32];
+    std::snprintf(range, sizeof range, "%g to %g", low, high);
+    std::snprintf(found, sizeof found, "%g", value);
+    return makeError({"", name, found, range, ""});
+  };
+  options.rate_gui_hz = words.rate_gui.value_or(options.configuration.gui.rate_hz);
+  options.latency_s = 1e-3 * words.latency_ms;
+  double& rate = options.configuration.manipulation.rate_hz;
+  rate = words.rate_manipulation.value_or(rate);
+  if (const auto fine = within("--rate-manipulation", rate, 10.0, 1000.0); !fine) return fine;
+  if (const auto fine = within("--rate-gui", options.rate_gui_hz, 1.0, 1000.0); !fine) return fine;
+  return within("--latency", words.latency_ms, 0.0, 1000.0);
+}
+
+Expected<void> readDevice(const std::string& name, SessionOptions& options) {
+  const auto file = config::findShippedFile("devices/" + name + ".toml");
+  if (!file) {
+    return makeError({"", "--device", "there is no simulated device '" + name + "'",
+                      "phantom_desktop, touch, touch_x, premium or premium_6dof", ""});
+  }
+  const auto profile = config::readDeviceProfile(*file);
+  if (!profile) return tl::unexpected(profile.error());
+  options.device = *profile;
+  return {};
+}
+
+/// By time (10 ms where nothing is said) or by distance.
+Expected<void> readRecording(const SessionWords& words, SessionOptions& options) {
+  if (words.record.empty()) {
+    if (!words.record_interval && !words.record_distance) return {};
+    return makeError({"", "--record-interval, --record-distance", "nothing is recorded", "--record with it", ""});
+  }
+  if (words.record_interval && words.record_distance) {
+    return makeError({"", "--record-interval, --record-distance", "both are given", "one of the two", ""});
+  }
+  trajectory::RecordingOptions recording;
+  if (words.record_all) recording.mode = trajectory::RecordingMode::kEveryStep;
+  if (words.record_by_button) recording.mode = trajectory::RecordingMode::kByHand;
+  options.mark_by_button = words.record_by_button;
+  recording.interval_s = words.record_interval.value_or(recording.interval_s);
+  if (words.record_distance) {
+    recording.mode = trajectory::RecordingMode::kByDistance;
+    // 5 mm go with 5 degrees; other distances in proportion.
+    recording.spacing.angle *= *words.record_distance / recording.spacing.position;
+    recording.spacing.position = *words.record_distance;
+  }
+  if (!(recording.interval_s > 0.0) || !(recording.spacing.position > 0.0)) {
+    return makeError(
+        {"", "--record-interval, --record-distance", "a value that is not positive", "seconds, metres", ""});
+  }
+  options.recording = recording;
+  return {};
+}
+
+Expected<void> saveRecording(const SessionWords& words, const SessionReport& session) {
+  if (words.record.empty()) return {};
+  if (session.recording.empty()) warn("Nothing was held and moved: the recording has no frames.");
+  const bool is_csv = words.record.ends_with(".csv");
+  // What moved beside it, on the same clock, stands beside its file.
+  const std::filesystem::path place(words.record);
+  std::vector<workcell::FileToWrite> files;
+  for (const trajectory::Trajectory& other : session.other_recordings) {
+    const auto beside = place.parent_path() / (place.stem().string() + "-" + other.entity + place.extension().string());
+    files.push_back({beside, is_csv ? toCsvText(other) : toJsonText(other)});
+  }
+  files.push_back({place, is_csv ? toCsvText(session.recording) : toJsonText(session.recording)});
+  return workcell::writeFilesAtomically(files);
+}
+
+/// What was assumed of the hand path, and what of it no stylus of this kind can follow.
+void tellOfHand(const SessionWords& words, const SessionOptions& options) {
+  constexpr double kStopsGive = 0.01;  // m
+  for (const std::string& sentence : options.hand.assumptions()) warn(words.hand + ": " + sentence + ".");
+  double outside = 0.0;
+  for (const haptic::HandSample& sample : options.hand.samples()) {
+    const dvec3 over = glm::abs(sample.X_DH.p) - 0.5 * options.device.workspace;
+    outside = std::max({outside, over.x, over.y, over.z});
+  }
+  if (outside < kStopsGive) return;
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(),
+                ": the path leaves the workspace of the %.60s by %.0f mm; its stops hold the stylus.",
+                options.device.name.c_str(), 1e3 * outside);
+  warn(words.hand + text.data());
+}
+
+Expected<SessionOptions> readOptions(const SessionWords& words) {
+  SessionOptions options;
+  const auto configuration = config::loadConfiguration(words.configuration);
+  if (!configuration) return tl::unexpected(configuration.error());
+  options.configuration = *configuration;
+
+  Diagnostics diagnostics;
+  const auto document = workcell::loadDocument(words.workcell, diagnostics);
+  for (const std::string& sentence : diagnostics.warnings) warn(sentence);
+  if (!document) return tl::unexpected(document.error());
+  const workcell::Document held(workcell::withAssemblyAsSolid(document->state(), words.entity));
+  options.entities = held.snapshotEntities();
+  options.pairs = held.state().pairPolicy();
+  options.guides = held.state().guides;
+  options.entity = words.entity;
+
+  const auto hand = haptic::readHandPath(words.hand);
+  if (!hand) return tl::unexpected(hand.error());
+  options.hand = *hand;
+  std::set<std::string> seen;
+  for (const std::string& setting : words.set) {
+    const std::string key = setting.substr(0, setting.find('='));
+    if (!seen.insert(key).second) return makeError({"", "--set", "'" + key + "' twice", "each key once", ""});
+    if (const auto done = applySessionSetting(setting, options); !done) return tl::unexpected(done.error());
+  }
+  if (const auto done = readRates(words, options); !done) return tl::unexpected(done.error());
+  if (const auto done = readRecording(words, options); !done) return tl::unexpected(done.error());
+  const std::string device = words.device.value_or(options.configuration.haptic.device);
+  if (const auto done = readDevice(device, options); !done) return tl::unexpected(done.error());
+  tellOfHand(words, options);
+  return options;
+}
+
+const char* const kTraceHeader =
+    "t,x,y,z,qw,qx,qy,qz,proxy_x,proxy_y,proxy_z,fx,fy,fz,button,contact,"
+    "moved_x,moved_y,moved_z,moved_qw,moved_qx,moved_qy,moved_qz,tx,ty,tz\n";
+
+void appendRow(std::string& text, const manipulation::TraceRow& row) {
+  char line[640];
+  const Pose &S = row.X_DS, &P = row.X_DP, &M = row.X_WM;
+  std::snprintf(line, sizeof line,
+                "%.6f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.6f,%.6f,%.6f,%u,%d,"
+                "%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.6f,%.6f,%.6f\n",
+                row.t, S.p.x, S.p.y, S.p.z, S.q.w, S.q.x, S.q.y, S.q.z, P.p.x, P.p.y, P.p.z, row.force_D.x,
+                row.force_D.y, row.force_D.z, row.buttons, row.contact ? 1 : 0, M.p.x, M.p.y, M.p.z, M.q.w, M.q.x,
+                M.q.y, M.q.z, row.torque_D.x, row.torque_D.y, row.torque_D.z);
+  text += line;
+}
+
+ordered_json poseJson(const Pose& pose) {
+  return {{"position", toJson(pose.p)}, {"quaternion", {pose.q.w, pose.q.x, pose.q.y, pose.q.z}}};
+}
+
+ordered_json contactsJson(const SessionReport& report, const SessionOptions& options) {
+  const auto nameOf = [&](workcell::EntityId id) {
+    for (const workcell::Entity& entity : options.entities) {
+      if (entity.id == id) return entity.name;
+    }
+    return std::string();
+  };
+  ordered_json contacts = ordered_json::array();
+  for (const manipulation::ContactEvent& event : report.contacts) {
+    contacts.push_back({{"entities", {nameOf(event.entity), nameOf(event.other)}},
+                        {"parts", {event.moved_part, event.other_part}},
+                        {"time_in", event.time_in},
+                        {"time_out", event.time_out},
+                        {"max_force", event.max_force}});
+  }
+  return contacts;
+}
+
+const kinematics::RobotModel* modelOf(const SessionOptions& options) {
+  for (const workcell::Entity& entity : options.entities) {
+    if (entity.name == options.entity) return entity.robot.get();
+  }
+  return nullptr;
+}
+
+ordered_json limitsJson(const SessionReport& report, const kinematics::RobotModel* model) {
+  ordered_json limits = ordered_json::array();
+  for (const manipulation::LimitEvent& event : report.limits) {
+    ordered_json json = {{"kind", toString(event.kind)}, {"text", event.text}};
+    if (model && event.joint >= 0) json["joint"] = model->joints[static_cast<std::size_t>(event.joint)].name;
+    json["time_in"] = event.time_in;
+    json["time_out"] = event.time_out;
+    limits.push_back(json);
+  }
+  return limits;
+}
+
+ordered_json jointsJson(const SessionReport& report, const kinematics::RobotModel* model) {
+  ordered_json joints = ordered_json::array();
+  for (const manipulation::JointUse& use : report.joints) {
+    if (!model) break;
+    joints.push_back({{"name", model->joints[static_cast<std::size_t>(use.joint)].name},
+                      {"lowest", use.lowest},
+                      {"highest", use.highest},
+                      {"max_speed", use.max_speed},
+                      {"speed_limit", use.greatest_speed}});
+  }
+  return joints;
+}
+
+ordered_json resultOf(const SessionReport& report, const SessionOptions& options) {
+  ordered_json axes = ordered_json::array();
+  for (const auto& [name, at] : report.axes) {
+    axes.push_back({{"name", name}, {"pose", poseJson(at.X_WE)}, {"joints", at.joints}});
+  }
+  return {{"entity", options.entity},
+          {"assumptions", options.hand.assumptions()},
+          {"duration_s", report.duration_s},
+          {"rates",
+           {{"haptic_hz", report.rate_haptic_hz},
+            {"manipulation_hz", report.rate_manipulation_hz},
+            {"gui_hz", report.rate_gui_hz}}},
+          {"ticks", report.ticks},
+          {"ticks_missed", report.ticks_missed},
+          {"latency", {{"p50_ms", report.latency_p50_ms}, {"p99_ms", report.latency_p99_ms}}},
+          {"force", {{"max_n", report.force_max_n}, {"max_step_n_per_ms", report.force_max_step_n_per_ms}}},
+          {"penetration", {{"max_m", report.penetration_max_m}, {"blocked_max_m", report.penetration_blocked_m}}},
+          {"energy", {{"min_j", report.energy_min_j}}},
+          {"contacts", contactsJson(report, options)},
+          {"limits", limitsJson(report, modelOf(options))},
+          {"joints", jointsJson(report, modelOf(options))},
+          {"final_state",
+           {{"held", report.held},
+            {"pose", poseJson(report.final_configuration.X_WE)},
+            {"joints", report.final_configuration.joints},
+            {"axes", std::move(axes)},
+            {"moved_frame", poseJson(report.X_WMFinal)},
+            {"touches", report.final_contacts},
+            {"limits", report.final_limits}}},
+          {"timing",
+           {{"machine_time_s", report.machine_time_s},
+            {"step_median_ms", report.step_median_ms},
+            {"step_p99_ms", report.step_p99_ms},
+            {"step_max_ms", report.step_max_ms}}}};
+}
+
+Expected<SessionReport> runAsAsked(const SessionWords& words, const SessionOptions& options,
+                                   const manipulation::TraceSink& trace) {
+  if (!words.realtime) return manipulation::runSession(options, trace);
+  if (words.server.empty()) {
+    const auto own = manipulation::LocalServer::start(options.device, options.configuration);
+    if (!own) return tl::unexpected(own.error());
+    return manipulation::runSessionOnServer(options, "127.0.0.1", (*own)->port(), trace);
+  }
+  const auto address = parseServerAddress(words.server, "--server");
+  if (!address) return tl::unexpected(address.error());
+  return manipulation::runSessionOnServer(options, address->host, address->port, trace);
+}
+
+ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writer) {
+  const auto failed = [](const Error& error) {
+    report(error);
+    return ExitStatus::kBadInput;
+  };
+  if (!words.server.empty() && !words.realtime) {
+    return failed({"", "--server", "it has no effect in virtual time", "--realtime with it", ""});
+  }
+  const auto options = readOptions(words);
+  if (!options) return failed(options.error());
+  std::string rows = kTraceHeader;
+  manipulation::TraceSink trace;
+  if (!words.trace.empty()) trace = [&](const manipulation::TraceRow& row) { appendRow(rows, row); };
+  const auto session = runAsAsked(words, *options, trace);
+  if (!session) return failed(session.error());
+  for (const std::string& sentence : session->notices) warn(sentence);
+  if (!words.trace.empty()) {
+    if (const auto written = writeFileAtomically(words.trace, rows); !written) return failed(written.error());
+  }
+  if (const auto saved = saveRecording(words, *session); !saved) return failed(saved.error());
+  if (const auto written = writer.write(resultOf(*session, *options)); !written) return failed(written.error());
+  const bool found =
+      (words.fail_on_contact && !session->contacts.empty()) || (words.fail_on_limit && !session->limits.empty());
+  return found ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+}  // namespace
+
+void addSessionCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add(
+      "session", "Moves an entity of a workcell with a scripted hand on a simulated stylus, and measures the feel");
+  const auto words = std::make_shared<SessionWords>();
+  command.option("--workcell", words->workcell, "The workcell document, *.hcell").required();
+  command.option("--entity", words->entity, "The entity that the stylus's button takes").required();
+  command.option("--hand", words->hand, "CSV with t,x,y,z,qw,qx,qy,qz,button in the device frame").required();
+  command.option("--rate-manipulation", words->rate_manipulation, "Hz of the manipulation loop, 10 to 1000");
+  command.option("--rate-gui", words->rate_gui, "Hz of the pictures");
+  command.option("--latency", words->latency_ms, "ms, one way, of the imagined network (virtual time only)");
+  command.option("--device", words->device, "phantom_desktop, touch, touch_x, premium or premium_6dof");
+  command.option("--set", words->set, "KEY=VALUE; may be repeated").oneAtATime();
+  command.flag("--realtime", words->realtime,
+               "In real time, over TCP: with a server of its own, or the one of --server");
+  command.option("--server", words->server, "HOST:PORT of a haptic server that runs already, with a simulated device");
+  command.option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
+  command.option("--trace,-o,--output", words->trace, "CSV to write with a row a tick");
+  command.option("--record", words->record, "Trajectory to write of what is held: .htraj or .csv");
+  command.option("--record-interval", words->record_interval, "s between its frames (0.01)");
+  command.flag("--record-all", words->record_all, "Every step of the manipulation loop");
+  command.flag("--record-by-button", words->record_by_button,
+               "Only frames that the stylus's second button adds (it is no clutch then)");
+  command.flag("--fail-on-contact", words->fail_on_contact, "Exit status 1 when anything was touched");
+  command.flag("--fail-on-limit", words->fail_on_limit, "Exit status 1 when a limit held it");
+  command.option("--record-distance", words->record_distance, "m between its frames, instead of a time");
+  command.onChosen(
+      [words, &chosen] { chosen = [words](ResultWriter& writer) { return runSessionCommand(*words, writer); }; });
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/session/session_settings.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace hapticell::cli {
+
+namespace {
+
+using manipulation::SessionOptions;
+
+/// Takes over a parsed value, or hands the error on.
+template <typename Parsed, typename Target>
+Expected<void> take(Parsed&& parsed, Target& target) {
+  if (!parsed) return tl::unexpected(parsed.error());
+  target = *parsed;
+  return {};
+}
+
+Expected<void> setForces(const std::string& value, SessionOptions& options) {
+  if (value != "on" && value != "off") return makeError({"", "--set forces", "'" + value + "'", "on or off", ""});
+  options.forces = value == "on";
+  return {};
+}
+
+Expected<void> setSafetyDistance(const std::string& value, SessionOptions& options) {
+  double metres = 0.0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), metres);
+  const bool number = error == std::errc() && end == value.data() + value.size();
+  if (!number || !std::isfinite(metres) || metres < 0.0 || metres > 1.0) {
+    return makeError({"", "--set safety_distance", "'" + value + "'", "metres from 0 to 1", ""});
+  }
+  options.configuration.manipulation.safety_distance = metres;
+  for (workcell::PairSet& set : options.pairs.sets) set.safety_distance = metres;
+  return {};
+}
+
+std::string knownKeys(const SessionOptions& options) {
+  std::string keys = "moved_by, lock, axes, scale, force_class, on_contact, filter, forces, safety_distance";
+  for (const config::Setting& setting : config::settings(options.configuration)) keys += ", " + setting.key;
+  return keys;
+}
+
+bool isConfigurationKey(const std::string& key, const SessionOptions& options) {
+  for (const config::Setting& setting : config::settings(options.configuration)) {
+    if (setting.key == key) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Expected<void> applySessionSetting(const std::string& setting, SessionOptions& options) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    return makeError({"", "--set", "'" + setting + "'", "KEY=VALUE", ""});
+  }
+  const std::string key = setting.substr(0, equals), value = setting.substr(equals + 1);
+  if (key == "moved_by") {
+    const bool trunk = options.moved_by.lock_trunk, pelvis = options.moved_by.lock_pelvis;
+    const auto taken = take(manipulation::parseMovedBy(value), options.moved_by);
+    options.moved_by.lock_trunk = trunk;
+    options.moved_by.lock_pelvis = pelvis;
+    return taken;
+  }
+  if (key == "axes") return take(manipulation::parseAxes(value), options.axes);
+  if (key == "scale") return take(manipulation::parseScale(value), options.scale);
+  if (key == "filter") return take(manipulation::parseFilter(value), options.filter);
+  if (key == "forces") return setForces(value, options);
+  if (key == "safety_distance" || key == "manipulation.safety_distance") return setSafetyDistance(value, options);
+  if (key == "on_contact" || key == "manipulation.on_contact") {
+    return take(manipulation::parseOnContact(value), options.on_contact);
+  }
+  if (key == "force_class" || key == "manipulation.force_class") {
+    return take(manipulation::parseForceClass(value), options.force_class);
+  }
+  if (key == "lock") return manipulation::parseLock(value, options.moved_by);
+  if (!isConfigurationKey(key, options)) {
+    return makeError({"", "--set", "there is no key '" + key + "'", "one of " + knownKeys(options), ""});
+  }
+  return config::setValue(options.configuration, key, value);
+}
+
+}  // namespace hapticell::cli

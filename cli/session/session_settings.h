@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "geometry/system/error.h"
+#include "manipulation/session/session.h"
+
+namespace hapticell::cli {
+
+/// Applies one `KEY=VALUE` of the command session: moved_by, axes, scale, force_class, on_contact, forces,
+/// safety_distance, or any key of hapticell.toml. An unknown key or a bad value is an error that lists what there is;
+/// `options` are then unchanged.
+Expected<void> applySessionSetting(const std::string& setting, manipulation::SessionOptions& options);
+
+}  // namespace hapticell::cli

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/kit/kept_result.h"
+#include "cli/trajectory/tool_poses.h"
+#include "cli/trajectory/trajectory_options.h"
+#include "geometry/system/error.h"
+#include "geometry/system/promise.h"
+#include "trajectory/motion/trajectory.h"
+
+namespace hapticell::cli {
+
+/// A motion with the poses that it lacks, and the forward kinematics of the robot that was named. No tool: no robot
+/// was named, the motion has no joints, or its poses are not those of this robot.
+struct MotionOfRobot {
+  trajectory::Trajectory motion;
+  std::optional<ToolPoses> tool;
+};
+
+/// What was assumed goes to `assumptions`. Errors: a robot that cannot be read or has other joints.
+Expected<MotionOfRobot> withRobot(const trajectory::Trajectory& given, const TrajectoryOptions& options,
+                                  std::vector<std::string>& assumptions);
+
+/// `promises`, and with the robot that every pose in the file `written` is where the joints of its frame put the tool
+/// (1e-6 m, rad), or says that it is not.
+Expected<Promises> withPosesByJoints(Expected<Promises> promises, const std::optional<ToolPoses>& tool,
+                                     const std::filesystem::path& written);
+
+/// Writes `trajectory` to the output that was asked for, in the form that its extension says, once `measure` found all
+/// promises kept (kept_result.h). Errors also: an extension of no trajectory.
+Expected<void> saveKept(const trajectory::Trajectory& trajectory, const TrajectoryOptions& options,
+                        const MeasureFile& measure, nlohmann::ordered_json& result);
+
+}  // namespace hapticell::cli

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/trajectory/trajectory_check.h"
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "cli/trajectory/motion_file.h"
+#include "cli/kit/result_writer.h"
+#include "manipulation/checks/kept_free.h"
+#include "manipulation/checks/motion_replay.h"
+#include "manipulation/checks/path_check.h"
+#include "trajectory/files/trajectory_io.h"
+#include "workcell/format/document_io.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using manipulation::PathFinding;
+using nlohmann::ordered_json;
+
+ordered_json findingJson(const PathFinding& finding) {
+  ordered_json json{{"kind", manipulation::toString(finding.kind)}, {"t_in", finding.t_in}, {"t_out", finding.t_out}};
+  if (finding.kind == PathFinding::Kind::kCollision) {
+    json["pair"] = {finding.first, finding.second};
+    json["point"] = cli::toJson(finding.p_W);
+    return json;
+  }
+  if (finding.kind == PathFinding::Kind::kConfiguration) {
+    json["change"] = finding.first;
+    return json;
+  }
+  if (!finding.first.empty()) json["joint"] = finding.first;
+  if (finding.kind != PathFinding::Kind::kSingularity) json["beyond"] = finding.worst;
+  return json;
+}
+
+ordered_json listOf(const std::vector<PathFinding>& findings) {
+  ordered_json list = ordered_json::array();
+  for (const PathFinding& finding : findings) list.push_back(findingJson(finding));
+  return list;
+}
+
+Expected<manipulation::PathCheckOptions> pathOptions(const TrajectoryCheckOptions& options,
+                                                     const trajectory::Trajectory& trajectory) {
+  manipulation::PathCheckOptions path;
+  const std::string& moved_by = options.moved_by.empty() ? trajectory.moved : options.moved_by;
+  if (moved_by.empty()) return path;
+  auto parsed = manipulation::parseMovedBy(moved_by);
+  if (!parsed) return tl::unexpected(parsed.error());
+  path.hold.moved_by = std::move(*parsed);
+  return path;
+}
+
+/// What a motion goes through.
+struct Cell {
+  workcell::Document document;
+  std::shared_ptr<const manipulation::PreparedScene> scene;
+  manipulation::PathCheckOptions path;
+  std::string entity;
+};
+
+/// Motions on the same clock as this one: those that were named, and those of the cell that were recorded with it.
+Expected<std::vector<std::shared_ptr<const trajectory::Trajectory>>> motionsTogether(
+    const trajectory::Trajectory& trajectory, const workcell::Document& document,
+    const TrajectoryCheckOptions& options) {
+  std::vector<std::shared_ptr<const trajectory::Trajectory>> motions;
+  for (const std::string& file : options.together) {
+    auto motion = readMotionFile(file);
+    if (!motion) return tl::unexpected(motion.error());
+    motions.push_back(std::make_shared<const trajectory::Trajectory>(std::move(*motion)));
+  }
+  if (trajectory.take.empty()) return motions;
+  for (const workcell::TrajectoryReference& reference : document.state().trajectories) {
+    auto motion = trajectory::readTrajectory(reference.path);
+    if (!motion) {
+      warn(motion.error().message());
+    } else if (motion->take == trajectory.take && motion->entity != trajectory.entity) {
+      motions.push_back(std::make_shared<const trajectory::Trajectory>(std::move(*motion)));
+    }
+  }
+  return motions;
+}
+
+Expected<Cell> cellFor(const trajectory::Trajectory& trajectory, const TrajectoryCheckOptions& options) {
+  Diagnostics notes;
+  auto document = workcell::loadDocument(options.workcell, notes);
+  for (const std::string& note : notes.warnings) warn(note);
+  if (!document) return tl::unexpected(document.error());
+  auto path = pathOptions(options, trajectory);
+  if (!path) return tl::unexpected(path.error());
+  const std::string& name = options.entity.empty() ? trajectory.entity : options.entity;
+  if (name.empty())
+    return makeError({"", "--entity", "the trajectory does not say what moves", "the name of an entity", ""});
+  auto axes = motionsTogether(trajectory, *document, options);
+  if (!axes) return tl::unexpected(axes.error());
+  path->axes = std::move(*axes);
+  auto scene = manipulation::PreparedScene::prepare(document->snapshotEntities(), document->state().pairPolicy(), {});
+  return Cell{std::move(*document), std::move(scene), std::move(*path), name};
+}
+
+KeptFreeResult resultOf(manipulation::KeptFree kept) {
+  ordered_json report{{"checks", kept.checks}, {"findings", listOf(kept.check.findings)}};
+  report["nearer"] = ordered_json::array();
+  for (const auto& nearer : kept.nearer)
+    report["nearer"].push_back({{"t_in", nearer.t_in}, {"t_out", nearer.t_out}, {"share", nearer.share}});
+  return {std::move(kept.trajectory), std::move(report)};
+}
+
+}  // namespace
+
+Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& given, trajectory::Trajectory processed,
+                                  const TrajectoryCheckOptions& options) {
+  const auto cell = cellFor(given, options);
+  if (!cell) return tl::unexpected(cell.error());
+  trajectory::Trajectory recording = given;
+  recording.entity = processed.entity = cell->entity;
+  if (const workcell::Entity* entity = cell->document.findByName(cell->entity)) {
+    auto consistent = manipulation::jointsFromPoses(*entity, processed);
+    if (!consistent) return tl::unexpected(consistent.error());
+    if (!recording.has_poses) {
+      auto posed = manipulation::posesFromJoints(*entity, recording);
+      if (!posed) return tl::unexpected(posed.error());
+      recording = std::move(*posed);
+    }
+    processed = std::move(*consistent);
+  }
+  auto kept = manipulation::keptFree(cell->scene, recording, processed, cell->path, {});
+  if (!kept) return tl::unexpected(kept.error());
+  KeptFreeResult result = resultOf(std::move(*kept));
+  if (const workcell::Entity* entity = cell->document.findByName(cell->entity); entity && entity->robot) {
+    result.poses_by_joints = [robot = std::make_shared<const workcell::Entity>(*entity)](const auto& motion) {
+      return manipulation::posesFromJoints(*robot, motion);
+    };
+  }
+  return result;
+}
+
+Expected<KeptFreeResult> retimeFree(const trajectory::Trajectory& given, const trajectory::RetimingOptions& retiming,
+                                    const TrajectoryCheckOptions& options, trajectory::RetimingReport& report) {
+  const auto cell = cellFor(given, options);
+  if (!cell) return tl::unexpected(cell.error());
+  trajectory::Trajectory named = given;
+  named.entity = cell->entity;
+  auto made = manipulation::retimedFree(cell->scene, named, retiming, cell->path, {});
+  if (!made) return tl::unexpected(made.error());
+  report = made->report;
+  return resultOf(std::move(made->kept));
+}
+
+void addCheckOptions(Subcommand command, TrajectoryCheckOptions& options) {
+  command.option("--workcell", options.workcell, "The cell to move through (.hcell)").required();
+  command.option("--entity", options.entity, "What moves (as the trajectory says)");
+  command.option("--moved-by", options.moved_by, "tcp, base, self_origin, ... (as the trajectory says)");
+  command.option("--together", options.together,
+                 "Motions on the same clock, of the axes that the robot stands on (those that the cell has of the same "
+                 "take count anyway)");
+  command.flag("--fail-on-contact", options.fail_on_contact, "Exit with 1 where a collision is found");
+  command.flag("--fail-on-limit", options.fail_on_limit, "Exit with 1 where a limit is passed");
+}
+
+Expected<ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,
+                                       const TrajectoryCheckOptions& options) {
+  const auto cell = cellFor(trajectory, options);
+  if (!cell) return tl::unexpected(cell.error());
+
+  const auto begin = std::chrono::steady_clock::now();
+  const auto result = manipulation::checkPath(cell->scene, cell->entity, trajectory, cell->path, {});
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+  if (!result) return tl::unexpected(result.error());
+
+  bool has_contact = false, has_limit = false;
+  for (const PathFinding& finding : result->findings) {
+    const bool is_contact = finding.kind == PathFinding::Kind::kCollision;
+    has_contact = has_contact || is_contact;
+    const bool is_told_only =
+        finding.kind == PathFinding::Kind::kSingularity || finding.kind == PathFinding::Kind::kConfiguration;
+    has_limit = has_limit || (!is_contact && !is_told_only);
+  }
+  ordered_json json{{"frames", trajectory.size()},
+                    {"free", !has_contact},
+                    {"within_limits", !has_limit},
+                    {"findings", listOf(result->findings)},
+                    {"touching_at_start", listOf(result->touching_at_start)}};
+  const bool is_near = std::isfinite(result->least_clearance);
+  json["least_clearance"] = is_near ? ordered_json(result->least_clearance) : ordered_json(nullptr);
+  if (is_near) json["nearest"] = {{"pair", {result->nearest_first, result->nearest_second}}, {"t", result->t_nearest}};
+  json["notes"] = result->notes;
+  json["timing"] = {{"check_ms", took.count()}};
+  json["found"] = (options.fail_on_contact && has_contact) || (options.fail_on_limit && has_limit);
+  return json;
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/trajectory/trajectory_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "cli/kit/kept_result.h"
+#include "cli/trajectory/motion_file.h"
+#include "cli/trajectory/tool_poses.h"
+#include "manipulation/checks/motion_replay.h"
+#include "trajectory/checks/motion_promises.h"
+#include "trajectory/editing/editing.h"
+#include "trajectory/editing/simplification.h"
+#include "trajectory/files/trajectory_io.h"
+#include "workcell/format/document_io.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using trajectory::Trajectory;
+
+struct EditOptions {
+  std::string file, output, rest, workcell, name, plane = "y";
+  std::vector<std::string> with;
+  double from = -1e300, to = 1e300, at = 0.0, offset = 0.0, speed = 0.1, reach = 0.5, seconds = 0.0, length = 0.05,
+         step = 0.01;
+  std::size_t frame = 0, place = 0, first = 0, last = 0;
+  std::vector<double> pose, direction{0.0, 0.0, -1.0};
+  std::string robot;
+  bool allow_miss = false, is_resampled = false;
+};
+
+using Made = Expected<std::vector<Trajectory>>;
+using Edit = Made (*)(const Trajectory&, const EditOptions&);
+
+Made one(Expected<Trajectory> made) {
+  if (!made) return tl::unexpected(made.error());
+  return std::vector<Trajectory>{std::move(*made)};
+}
+
+Expected<Pose> poseOf(const std::vector<double>& v) {
+  const dquat q = v.size() == 7 ? dquat(v[3], v[4], v[5], v[6]) : dquat(0.0, 0.0, 0.0, 0.0);
+  if (v.size() != 7 || !(std::abs(glm::length(q) - 1.0) < 1e-3)) {
+    return makeError(
+        {"", "--pose", std::to_string(v.size()) + " numbers, or no unit quaternion", "x,y,z,qw,qx,qy,qz", ""});
+  }
+  return Pose{{v[0], v[1], v[2]}, glm::normalize(q)};
+}
+
+Made trim(const Trajectory& given, const EditOptions& o) {
+  return one(trajectory::trimmed(given, o.from, o.to));
+}
+Made split(const Trajectory& given, const EditOptions& o) {
+  auto parts = trajectory::splitAt(given, o.at);
+  if (!parts) return tl::unexpected(parts.error());
+  return std::vector<Trajectory>{std::move(parts->first), std::move(parts->second)};
+}
+Made join(const Trajectory& given, const EditOptions& o) {
+  std::vector<Trajectory> parts{given};
+  for (const std::string& file : o.with) {
+    auto part = readMotionFile(file);
+    if (!part) return tl::unexpected(part.error());
+    parts.push_back(std::move(*part));
+  }
+  return one(trajectory::joined(parts, o.speed));
+}
+Made reverse(const Trajectory& given, const EditOptions&) {
+  return std::vector<Trajectory>{trajectory::reversed(given)};
+}
+Made mirror(const Trajectory& given, const EditOptions& o) {
+  const auto axis = std::string("xyz").find(o.plane);
+  if (o.plane.size() != 1 || axis == std::string::npos) {
+    return makeError({"", "--plane", "'" + o.plane + "'", "x, y or z: the plane's normal", ""});
+  }
+  dvec3 normal(0.0);
+  normal[static_cast<int>(axis)] = 1.0;
+  return std::vector<Trajectory>{trajectory::mirrored(given, o.offset * normal, normal)};
+}
+Made insert(const Trajectory& given, const EditOptions& o) {
+  if (given.empty()) return makeError({"", "frames", "none", "a motion", ""});
+  auto pose = o.pose.empty() ? Expected<Pose>(given.poseAt(o.at)) : poseOf(o.pose);
+  return pose ? one(trajectory::withFrame(given, o.at, *pose)) : Made(tl::unexpected(pose.error()));
+}
+Made move(const Trajectory& given, const EditOptions& o) {
+  const auto pose = poseOf(o.pose);
+  return pose ? one(trajectory::withFrameAt(given, o.frame, *pose, o.reach)) : Made(tl::unexpected(pose.error()));
+}
+Made remove(const Trajectory& given, const EditOptions& o) {
+  return one(trajectory::withoutFrames(given, o.first, o.last));
+}
+Made dwell(const Trajectory& given, const EditOptions& o) {
+  return one(trajectory::withDwell(given, o.frame, o.seconds));
+}
+Made namePoint(const Trajectory& given, const EditOptions& o) {
+  return one(trajectory::withName(given, o.frame, o.name));
+}
+Made reorderPoints(const Trajectory& given, const EditOptions& o) {
+  return one(trajectory::withFrameMoved(given, o.frame, o.place));
+}
+Expected<trajectory::StraightWay> wayOf(const EditOptions& o) {
+  if (o.direction.size() != 3)
+    return makeError({"", "--direction", std::to_string(o.direction.size()) + " numbers", "x,y,z", ""});
+  return trajectory::StraightWay{o.length, {o.direction[0], o.direction[1], o.direction[2]}, o.speed};
+}
+Made approach(const Trajectory& given, const EditOptions& o) {
+  const auto way = wayOf(o);
+  return way ? one(trajectory::withApproach(given, *way)) : Made(tl::unexpected(way.error()));
+}
+Made retract(const Trajectory& given, const EditOptions& o) {
+  const auto way = wayOf(o);
+  return way ? one(trajectory::withRetract(given, *way)) : Made(tl::unexpected(way.error()));
+}
+Made resample(const Trajectory& given, const EditOptions& o) {
+  return one(trajectory::resampled(given, o.step));
+}
+
+/// The joints of a robot's motion whose poses were changed, found again in the cell; where there is none it has none.
+Expected<void> findJoints(const Trajectory& given, const EditOptions& options, Trajectory& made, ordered_json& result) {
+  if (!given.hasJoints() || made.hasJoints()) return {};
+  if (options.workcell.empty()) {
+    result["notes"].push_back("The joints belong to the old poses and are left out; --workcell finds them again.");
+    return {};
+  }
+  Diagnostics notes;
+  const auto document = workcell::loadDocument(options.workcell, notes);
+  if (!document) return tl::unexpected(document.error());
+  const workcell::Entity* entity = document->findByName(given.entity);
+  std::vector<double> start;
+  if (entity != nullptr) {
+    const auto columns = manipulation::jointColumns(*entity, given);
+    if (!columns) return tl::unexpected(columns.error());
+    start = entity->joints;
+    for (std::size_t j = 0; j < columns->size(); ++j) start[(*columns)[j]] = given.joints(0)[j];
+  }
+  const auto replay = manipulation::MotionReplay::create(document->state().entities, given.entity,
+                                                         std::make_shared<const Trajectory>(made), start);
+  if (!replay) return tl::unexpected(replay.error());
+  made = replay->withJoints();
+  result["off_pose"] = {{"position", replay->offPose().position}, {"angle", replay->offPose().angle}};
+  return {};
+}
+
+/// Frames between given ones have poses that are not quite those of their joints: with the robot they are.
+Expected<void> poseByJoints(const Trajectory& given, const EditOptions& options, Trajectory& made,
+                            ordered_json& result) {
+  const auto apart =
+      std::count_if(made.frames().begin(), made.frames().end(), [](const auto& frame) { return frame.is_pose_apart; });
+  if (apart == 0 || !made.hasJoints() || !made.has_poses) return {};
+  if (!options.robot.empty()) {
+    const auto tool = ToolPoses::create(options.robot, given);
+    if (!tool) return tl::unexpected(tool.error());
+    if (tool->match()) {
+      made = tool->posesOf(made);
+      return {};
+    }
+  }
+  result["notes"].push_back("Poses and joints were made each by itself in " + std::to_string(apart) +
+                            " frames, which are marked (pose_apart); resample --robot makes them agree.");
+  return {};
+}
+
+/// A resampled motion lies on the given one: read back and measured before it is kept.
+Expected<void> save(const Trajectory& given, const Trajectory& made, const EditOptions& options,
+                    const std::string& path, ordered_json& result) {
+  if (!options.is_resampled || !options.robot.empty()) return saveTrajectory(made, path);
+  const std::string extension = fs::path(path).extension().string();
+  if (!path.empty() && extension != ".csv" && extension != ".htraj" && extension != ".json")
+    return saveTrajectory(made, path);
+  const std::string text = extension == ".csv" ? toCsvText(made) : toJsonText(made);
+  return writeKept(
+      path, text, path.empty() ? ".htraj" : extension, options.allow_miss,
+      [&](const fs::path& written) { return trajectory_checks::resamplePromises(given, written); }, result);
+}
+
+Expected<ordered_json> run(const EditOptions& options, Edit edit) {
+  const auto given = readMotionFile(options.file);
+  if (!given) return tl::unexpected(given.error());
+  auto made = edit(*given, options);
+  if (!made) return tl::unexpected(made.error());
+  ordered_json result{{"frames_before", given->size()}, {"duration_before", given->duration()}};
+  for (std::size_t i = 0; i < made->size(); ++i) {
+    Trajectory& motion = (*made)[i];
+    if (!given->has_poses && !motion.hasJoints()) {
+      return makeError({options.file, "poses", "joints alone", "poses, for an edit of them",
+                        "Export it with its poses first: trajectory export --to csv --robot."});
+    }
+    if (auto found = findJoints(*given, options, motion, result); !found) return tl::unexpected(found.error());
+    const std::string& path = i == 0 ? options.output : options.rest;
+    if (auto posed = poseByJoints(*given, options, motion, result); !posed) return tl::unexpected(posed.error());
+    if (auto saved = save(*given, motion, options, path, result); !saved) return tl::unexpected(saved.error());
+    result["motions"].push_back({{"file", path},
+                                 {"frames", motion.size()},
+                                 {"duration", motion.duration()},
+                                 {"joints", motion.joint_names.size()}});
+  }
+  return result;
+}
+
+}  // namespace
+
+Expected<void> saveTrajectory(const Trajectory& trajectory, const std::string& path) {
+  if (path.empty()) return {};
+  const std::string extension = fs::path(path).extension().string();
+  if (extension == ".csv") return writeFileAtomically(path, toCsvText(trajectory));
+  if (extension == ".htraj" || extension == ".json") return writeFileAtomically(path, toJsonText(trajectory));
+  return makeError({path, "--output", "the extension '" + extension + "'", ".htraj, .json or .csv",
+                    "Use trajectory export for other formats."});
+}
+
+ExitStatus finishTrajectory(const ResultWriter& writer, const Expected<ordered_json>& result) {
+  const auto failed = [](const Error& error) {
+    report(error);
+    return ExitStatus::kBadInput;
+  };
+  if (!result) return failed(result.error());
+  if (const auto written = writer.write(*result); !written) return failed(written.error());
+  return result->value("found", false) ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+void addTrajectoryEdits(Subcommand command, Action& chosen) {
+  const auto options = std::make_shared<EditOptions>();
+  const auto add = [&](const char* name, const char* description, Edit edit) {
+    Subcommand sub = command.add(name, description);
+    sub.option("file", options->file, "A trajectory: .htraj, .csv, .json, .yaml (ROS)").required();
+    sub.option("-o,--output", options->output, "The copy: .htraj, .json or .csv");
+    sub.option("--workcell", options->workcell, "The cell in which a robot's joints are found again");
+    sub.onChosen([options, &chosen, edit] {
+      options->is_resampled = edit == static_cast<Edit>(resample);
+      chosen = [options, edit](ResultWriter& writer) { return finishTrajectory(writer, run(*options, edit)); };
+    });
+    return sub;
+  };
+  Subcommand sub = add("trim", "Keep a part", trim);
+  sub.option("--from", options->from, "s");
+  sub.option("--to", options->to, "s");
+  sub = add("split", "In two at a time", split);
+  sub.option("--at", options->at, "s").required();
+  sub.option("--rest", options->rest, "The file for what comes after");
+  sub = add("join", "One after the other", join);
+  sub.option("--with", options->with, "The motions that follow").required();
+  sub.option("--speed", options->speed, "m/s from the end of one to the next (0.1)");
+  add("reverse", "Backwards in time", reverse);
+  sub = add("mirror", "On a plane", mirror);
+  sub.option("--plane", options->plane, "Its normal: x, y (default) or z");
+  sub.option("--offset", options->offset, "m, of the plane along its normal");
+  sub = add("insert", "A frame by hand", insert);
+  sub.option("--at", options->at, "s").required();
+  sub.option("--pose", options->pose, "x,y,z,qw,qx,qy,qz (where the motion is then)").separatedByCommas();
+  sub = add("move", "A frame elsewhere, its neighbours along", move);
+  sub.option("--frame", options->frame, "Its number, from 0").required();
+  sub.option("--pose", options->pose, "x,y,z,qw,qx,qy,qz").separatedByCommas().required();
+  sub.option("--reach", options->reach, "s within which frames go along (0.5)");
+  sub = add("delete", "Frames out", remove);
+  sub.option("--first", options->first, "From 0").required();
+  sub.option("--last", options->last, "From 0").required();
+  sub = add("dwell", "Wait at a frame", dwell);
+  sub.option("--frame", options->frame, "Its number, from 0").required();
+  sub.option("--seconds", options->seconds, "0: goes through").required();
+  sub = add("name", "Call a point by a name", namePoint);
+  sub.option("--frame", options->frame, "Its number, from 0").required();
+  sub.option("--name", options->name, "Unique in the motion; left out: none");
+  sub = add("reorder", "Move a point to another place in the order", reorderPoints);
+  sub.option("--frame", options->frame, "Its number, from 0").required();
+  sub.option("--to", options->place, "The number that it gets, from 0").required();
+  for (const auto& [way, edit] :
+       {std::pair<const char*, Edit>("approach", approach), std::pair<const char*, Edit>("retract", retract)}) {
+    sub = add(way, "A straight way before or after it", edit);
+    sub.option("--length", options->length, "m (0.05)");
+    sub.option("--direction", options->direction, "x,y,z in the moved frame (0,0,-1)").separatedByCommas();
+    sub.option("--speed", options->speed, "m/s (0.1)");
+  }
+  sub = add("resample", "Frames in even steps, times as recorded", resample);
+  sub.option("--step", options->step, "s (0.01)");
+  sub.option("--robot", options->robot, "Robot whose joints they are: poses by its forward kinematics");
+  addAllowMiss(sub, options->allow_miss);
+}
+
+}  // namespace hapticell::cli

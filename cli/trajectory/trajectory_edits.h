@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "cli/kit/action.h"
+#include "cli/kit/subcommand.h"
+#include "trajectory/motion/trajectory.h"
+
+namespace hapticell::cli {
+
+/// Writes a trajectory as .csv, .htraj or .json; nothing for an empty path. Other endings are refused.
+Expected<void> saveTrajectory(const trajectory::Trajectory& trajectory, const std::string& path);
+
+/// Writes a command's result, or tells why there is none; 1 where its field "found" is true.
+ExitStatus finishTrajectory(const ResultWriter& writer, const Expected<nlohmann::ordered_json>& result);
+
+/// "trim", "split", "join", "reverse", "mirror", "insert", "move", "delete", "dwell", "approach", "retract" and
+/// "resample" below `trajectory`: each makes a copy.
+void addTrajectoryEdits(Subcommand command, Action& chosen);
+
+/// "curves", "score", "train" and "exercises" below `trajectory`.
+void addTrajectoryTraining(Subcommand command, Action& chosen);
+
+}  // namespace hapticell::cli

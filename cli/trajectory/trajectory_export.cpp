@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/trajectory/trajectory_export.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/trajectory/motion_of_robot.h"
+#include "cli/trajectory/trajectory_report.h"
+#include "geometry/system/scratch_folder.h"
+#include "trajectory/checks/motion_promises.h"
+#include "trajectory/checks/program_promises.h"
+#include "trajectory/files/ros_trajectory.h"
+#include "trajectory/files/trajectory_io.h"
+#include "workcell/text/file_content.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using trajectory::Trajectory;
+
+const std::map<std::string, trajectory::ProgramFormat>& programFormats() {
+  using trajectory::ProgramFormat;
+  static const std::map<std::string, ProgramFormat> kFormats{
+      {"krl", ProgramFormat::kKrl},           {"rapid", ProgramFormat::kRapid}, {"fanuc", ProgramFormat::kFanuc},
+      {"urscript", ProgramFormat::kUrScript}, {"val3", ProgramFormat::kVal3},   {"inform", ProgramFormat::kInform}};
+  return kFormats;
+}
+
+/// Controllers look for a program under its own name.
+void noteFileName(const std::string& name, const std::string& file, trajectory::ProgramFormat format,
+                  std::vector<std::string>& notes) {
+  using trajectory::ProgramFormat;
+  const bool is_found_by_name = format != ProgramFormat::kUrScript && format != ProgramFormat::kRapid;
+  const auto isSame = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  if (is_found_by_name && !std::equal(name.begin(), name.end(), file.begin(), file.end(), isSame))
+    notes.push_back("On the controller the file must be called '" + name + "', as its program.");
+}
+
+/// What stands in the program's files on the disk, written aside, of which nothing is left.
+Expected<std::vector<trajectory::ProgramFile>> readBack(const std::vector<trajectory::ProgramFile>& files,
+                                                        const fs::path& wanted) {
+  std::error_code problem;
+  const fs::path beside = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
+  fs::create_directories(beside, problem);
+  if (problem)
+    return makeError({beside.string(), "", "the folder cannot be made", problem.message(), "Write it somewhere else."});
+  const auto folder = ScratchFolder::make(beside);
+  if (!folder) return tl::unexpected(folder.error());
+  std::vector<trajectory::ProgramFile> read;
+  for (const auto& file : files) {
+    const fs::path path = folder->path() / fs::path(file.name).filename();
+    if (auto written = writeFileAtomically(path, file.content, {.durable = false}); !written)
+      return tl::unexpected(written.error());
+    auto content = workcell::readFileContent(path);
+    if (!content) return tl::unexpected(content.error());
+    read.push_back({file.name, std::move(*content)});
+  }
+  return read;
+}
+
+/// Writes what was read back and measured.
+Expected<std::vector<std::string>> saveProgram(const std::vector<trajectory::ProgramFile>& files,
+                                               trajectory::ProgramFormat format, const fs::path& wanted) {
+  std::vector<std::string> names;
+  std::vector<workcell::FileToWrite> contents;
+  for (const auto& file : trajectory::placedProgram(files, format, wanted)) {
+    const fs::path path = file.name;
+    std::error_code problem;
+    if (path.has_parent_path()) fs::create_directories(path.parent_path(), problem);
+    if (problem)
+      return makeError({path.parent_path().string(), "", "the folder cannot be made", problem.message(), ""});
+    contents.push_back({path, file.content});
+    names.push_back(path.string());
+  }
+  if (auto written = workcell::writeFilesAtomically(contents); !written) return tl::unexpected(written.error());
+  return names;
+}
+
+/// As csv, json or ros.
+Expected<void> exportText(const Trajectory& given, const TrajectoryOptions& options, ordered_json& result) {
+  Expected<std::string> text = options.to == "csv" ? toCsvText(given) : toJsonText(given);
+  if (options.to == "ros") text = toRosText(given);
+  if (!text) return tl::unexpected(text.error());
+  const bool ros = options.to == "ros";
+  const std::string extension = ros ? ".yaml" : options.to == "csv" ? ".csv" : ".htraj";
+  const auto measure = [&](const fs::path& written) {
+    return trajectory_checks::copyPromises(given, !ros, ros ? 1e-9 : 0.0, written);
+  };
+  if (fs::path(options.output).extension() == extension || (options.to == "json" && options.output.ends_with(".json")))
+    return writeKept(options.output, *text, extension, options.allow_miss, measure, result);
+  // Read back under an extension that says what it is, then written under the name that was asked for.
+  if (auto kept = writeKept("", *text, extension, options.allow_miss, measure, result); !kept) return kept;
+  return writeFileAtomically(options.output, *text);
+}
+
+/// As a robot's program.
+Expected<void> exportAsProgram(const Trajectory& given, const TrajectoryOptions& options,
+                               std::vector<std::string>& notes, ordered_json& result) {
+  const auto format = programFormats().find(options.to);
+  if (format == programFormats().end()) {
+    return makeError(
+        {"", "--to", "'" + options.to + "'", "csv, json, ros, krl, rapid, fanuc, urscript, val3 or inform", ""});
+  }
+  trajectory::ProgramOptions program = options.program;
+  if (program.name.empty()) program.name = fs::path(options.output).stem().string();
+  program.must_read_back = !options.allow_miss;
+  if (auto found = addConfigurations(given, options.limits.robot, format->second, program, notes); !found) return found;
+  const auto files = exportProgram(given, format->second, program, &notes);
+  if (!files) return tl::unexpected(files.error());
+  const auto read = readBack(*files, options.output);
+  if (!read) return tl::unexpected(read.error());
+  const auto promises = trajectory_checks::programPromises(given, *read, format->second, program);
+  if (!promises) return tl::unexpected(promises.error());
+  if (auto told = tellPromises(*promises, options.output, options.allow_miss, result); !told) return told;
+  const std::string stem = fs::path(options.output).stem().string();
+  noteFileName(fs::path(files->front().name).stem().string(), stem, format->second, notes);
+  auto saved = saveProgram(*read, format->second, options.output);
+  if (!saved) return tl::unexpected(saved.error());
+  result["files"] = std::move(*saved);
+  return {};
+}
+
+}  // namespace
+
+Expected<ordered_json> exportTrajectory(const Trajectory& file, const TrajectoryOptions& options) {
+  std::vector<std::string> notes = options.notes;
+  const auto with = withRobot(file, options, notes);
+  if (!with) return tl::unexpected(with.error());
+  const Trajectory& given = with->motion;
+  ordered_json result{
+      {"format", options.to}, {"files", {options.output}}, {"frames", given.size()}, {"notes", nullptr}};
+  const bool is_text = options.to == "csv" || options.to == "json" || options.to == "ros";
+  const auto written = is_text ? exportText(given, options, result) : exportAsProgram(given, options, notes, result);
+  if (!written) return tl::unexpected(written.error());
+  result["notes"] = notes;
+  return result;
+}
+
+}  // namespace hapticell::cli

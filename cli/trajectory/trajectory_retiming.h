@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "cli/trajectory/trajectory_options.h"
+#include "geometry/system/error.h"
+#include "trajectory/motion/trajectory.h"
+
+namespace hapticell::cli {
+
+/// `trajectory retime`: new times along the same path. Errors: a mode, a limit or a step that is none, a promise
+/// missed.
+Expected<nlohmann::ordered_json> retimeTrajectory(const trajectory::Trajectory& given,
+                                                  const TrajectoryOptions& options);
+
+}  // namespace hapticell::cli

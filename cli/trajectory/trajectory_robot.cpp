@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/trajectory/trajectory_robot.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "cli/kit/robot_options.h"
+#include "kinematics/model/chain.h"
+#include "manipulation/checks/program_configuration.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using trajectory::Trajectory;
+
+constexpr double kTimeToSpeed = 0.25;                   ///< s, assumed where nobody gives an acceleration.
+constexpr std::array<double, 2> kSolidSpeed{0.5, 2.0};  ///< m/s, rad/s, assumed for a solid.
+
+/// One number for all, or one each.
+Expected<std::vector<double>> spread(const std::vector<double>& given, std::size_t count, const char* option) {
+  if (given.size() == 1) return std::vector<double>(count, given.front());
+  if (given.size() != count) {
+    return makeError({"", option, std::to_string(given.size()) + " numbers", "one, or " + std::to_string(count), ""});
+  }
+  return given;
+}
+
+/// The robot's speeds for the trajectory's joints, by name or, for columns q1, q2, ..., in order.
+Expected<std::vector<double>> speedsOf(const RobotWithTip& robot, const Trajectory& trajectory) {
+  std::vector<double> speeds;
+  const auto names = robot.jointNames();
+  for (std::size_t j = 0; j < trajectory.joint_names.size(); ++j) {
+    const std::string& name = trajectory.joint_names[j];
+    int index = robot.model.findJoint(name);
+    if (index < 0 && name == "q" + std::to_string(j + 1) && j < names.size()) index = robot.model.findJoint(names[j]);
+    if (index < 0)
+      return makeError({"", "joint '" + name + "'", "the robot has no such joint", "its joints' names", ""});
+    const double speed = robot.model.joints[static_cast<std::size_t>(index)].velocity;
+    if (!(speed > 0.0)) {
+      return makeError({"", "joint '" + name + "'", "the robot's file gives no speed", "--velocity", ""});
+    }
+    speeds.push_back(speed);
+  }
+  return speeds;
+}
+
+Expected<std::vector<double>> velocitiesFor(const Trajectory& trajectory, const RobotLimitOptions& options,
+                                            std::vector<std::string>& assumptions) {
+  const std::size_t count = trajectory.hasJoints() ? trajectory.joint_names.size() : 6;
+  if (!options.velocity.empty()) return spread(options.velocity, count, "--velocity");
+  if (!trajectory.hasJoints()) {
+    assumptions.push_back("Speeds of 0.5 m/s and 2 rad/s about each axis, as none were given.");
+    const auto [linear, angular] = kSolidSpeed;
+    return std::vector<double>{linear, linear, linear, angular, angular, angular};
+  }
+  if (options.robot.empty()) {
+    return makeError({"", "--velocity", "no limits for the joints", "--robot or --velocity", ""});
+  }
+  const auto robot = readRobotWithTip(options.robot, "");
+  if (!robot) return tl::unexpected(robot.error());
+  return speedsOf(*robot, trajectory);
+}
+
+}  // namespace
+
+Expected<trajectory::MotionLimits> limitsFor(const Trajectory& trajectory, const RobotLimitOptions& options,
+                                             std::vector<std::string>& assumptions) {
+  trajectory::MotionLimits limits;
+  auto velocity = velocitiesFor(trajectory, options, assumptions);
+  if (!velocity) return tl::unexpected(velocity.error());
+  limits.velocity = std::move(*velocity);
+  if (options.acceleration.empty()) {
+    for (const double speed : limits.velocity) limits.acceleration.push_back(speed / kTimeToSpeed);
+    assumptions.push_back("Each axis reaches its speed in 0.25 s, as no accelerations were given.");
+  } else {
+    auto acceleration = spread(options.acceleration, limits.velocity.size(), "--acceleration");
+    if (!acceleration) return tl::unexpected(acceleration.error());
+    limits.acceleration = std::move(*acceleration);
+  }
+  if (!options.jerk.empty()) {
+    auto jerk = spread(options.jerk, limits.velocity.size(), "--jerk");
+    if (!jerk) return tl::unexpected(jerk.error());
+    limits.jerk = std::move(*jerk);
+  }
+  return limits;
+}
+
+Expected<void> addConfigurations(const Trajectory& trajectory, const std::string& robot_name,
+                                 trajectory::ProgramFormat format, trajectory::ProgramOptions& program,
+                                 std::vector<std::string>& notes) {
+  using trajectory::ProgramFormat;
+  const bool has_flags =
+      format == ProgramFormat::kKrl || format == ProgramFormat::kRapid || format == ProgramFormat::kFanuc;
+  if (!has_flags || !trajectory.hasJoints()) return {};
+  if (robot_name.empty()) {
+    notes.push_back("No --robot: configuration data are the format's defaults; check them on the controller.");
+    return {};
+  }
+  const auto robot = readRobotWithTip(robot_name, "");
+  if (!robot) return tl::unexpected(robot.error());
+  const auto chain = kinematics::Chain::create(robot->model, robot->tip, Pose::identity());
+  if (!chain) return tl::unexpected(chain.error());
+  if (chain->size() != 6) {
+    notes.push_back("The robot has no six-axis configuration; configuration data are the format's defaults.");
+    return {};
+  }
+  const auto shared = std::make_shared<const kinematics::Chain>(*chain);
+  program.configuration = manipulation::programConfiguration(shared, format);
+  return {};
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "trajectory/programs/writing/program_export.h"
+#include "trajectory/timing/time_optimal.h"
+#include "trajectory/motion/trajectory.h"
+
+namespace hapticell::cli {
+
+/// Limits as given on the command line: lists of one number a joint, or one number for all.
+struct RobotLimitOptions {
+  std::string robot;  ///< A file or library:NAME; its speeds count where `velocity` is empty.
+  std::vector<double> velocity, acceleration, jerk;
+};
+
+/// Limits for each joint of the trajectory (for one without joints: x, y, z and the rotation about them). What nobody
+/// gave is assumed and said in `assumptions`.
+Expected<trajectory::MotionLimits> limitsFor(const trajectory::Trajectory& trajectory, const RobotLimitOptions& options,
+                                             std::vector<std::string>& assumptions);
+
+/// Gives `program` the configuration data of `robot` in the words of `format`, and says in `notes`
+/// where there is none. Nothing without a robot or without joints.
+Expected<void> addConfigurations(const trajectory::Trajectory& trajectory, const std::string& robot,
+                                 trajectory::ProgramFormat format, trajectory::ProgramOptions& program,
+                                 std::vector<std::string>& notes);
+
+}  // namespace hapticell::cli

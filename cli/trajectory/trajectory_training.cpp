@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <memory>
+
+#include "cli/trajectory/motion_file.h"
+#include "cli/trajectory/trajectory_edits.h"
+#include "config/configuration.h"
+#include "haptic/devices/hand_path.h"
+#include "manipulation/session/session.h"
+#include "trajectory/motion/motion_curves.h"
+#include "trajectory/motion/number_text.h"
+#include "trajectory/training/training.h"
+#include "trajectory/files/trajectory_io.h"
+#include "workcell/format/document_io.h"
+#include "workcell/files/document_lock.h"
+#include "workcell/text/file_content.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using trajectory::Trajectory;
+
+struct TrainingOptions {
+  std::string file, output, run, hand, trainee, results, csv, date = "1970-01-01T00:00:00Z", folder, kind = "practice";
+  double help = -1.0, scale = 1.0;
+  std::size_t samples = 2000;
+};
+
+ordered_json toJson(const trajectory::TrainingScore& score) {
+  return {{"points", score.points},
+          {"completed", score.completed},
+          {"time", score.time},
+          {"expert_time", score.expert_time},
+          {"mean_deviation", score.mean_deviation},
+          {"max_deviation", score.max_deviation},
+          {"mean_turn", score.mean_turn},
+          {"mean_force", score.mean_force},
+          {"max_force", score.max_force},
+          {"smoothness", score.smoothness},
+          {"expert_smoothness", score.expert_smoothness},
+          {"contacts", score.contacts},
+          {"contact_time", score.contact_time}};
+}
+
+std::string curvesText(const trajectory::MotionCurves& curves) {
+  std::string text = "t";
+  std::vector<const trajectory::MotionCurve*> all;
+  for (const auto& curve : curves.cartesian) all.push_back(&curve);
+  for (const auto& curve : curves.joints) all.push_back(&curve);
+  for (const auto* curve : all)
+    for (const char* order : {"", "_speed", "_acceleration", "_jerk"}) text += "," + curve->name + order;
+  text += '\n';
+  for (std::size_t i = 0; i < curves.samples; ++i) {
+    text += trajectory::shortestText(curves.timeOf(i));
+    for (const auto* curve : all)
+      for (const auto* values : {&curve->value, &curve->speed, &curve->acceleration, &curve->jerk})
+        text += "," + trajectory::shortestText((*values)[i]);
+    text += '\n';
+  }
+  return text;
+}
+
+Expected<ordered_json> curves(const TrainingOptions& options) {
+  const auto given = readMotionFile(options.file);
+  if (!given) return tl::unexpected(given.error());
+  const auto curves = trajectory::motionCurves(*given, options.samples);
+  if (curves.samples == 0) return makeError({options.file, "frames", std::to_string(given->size()), "two or more", ""});
+  if (!options.output.empty())
+    if (auto written = writeFileAtomically(options.output, curvesText(curves)); !written)
+      return tl::unexpected(written.error());
+  ordered_json result{{"samples", curves.samples}, {"step", curves.step}};
+  const auto add = [&](const trajectory::MotionCurve& curve) {
+    const auto peaks = trajectory::peaksOf(curve);
+    result["peaks"][curve.name] = {{"speed", peaks.speed}, {"acceleration", peaks.acceleration}, {"jerk", peaks.jerk}};
+  };
+  add(curves.path);
+  for (const auto& curve : curves.cartesian) add(curve);
+  for (const auto& curve : curves.joints) add(curve);
+  return result;
+}
+
+Expected<ordered_json> score(const TrainingOptions& options) {
+  const auto expert = readMotionFile(options.file);
+  if (!expert) return tl::unexpected(expert.error());
+  const auto run = readMotionFile(options.run);
+  if (!run) return tl::unexpected(run.error());
+  if (expert->empty()) return makeError({options.file, "frames", "none", "an expert's motion", ""});
+  return toJson(trajectory::scoreRun(*expert, *run));
+}
+
+Expected<manipulation::SessionOptions> sessionOf(const TrainingOptions& options, const manipulation::Exercise& exercise,
+                                                 Trajectory expert, double help) {
+  manipulation::SessionOptions session;
+  const auto configuration = config::loadConfiguration({});
+  if (!configuration) return tl::unexpected(configuration.error());
+  session.configuration = *configuration;
+  Diagnostics notes;
+  const auto document = workcell::loadDocument(exercise.workcell, notes);
+  if (!document) return tl::unexpected(document.error());
+  session.entities = document->snapshotEntities();
+  session.pairs = document->state().pairPolicy();
+  session.guides = document->state().guides;
+  session.entity = expert.entity;
+  if (!expert.moved.empty()) {
+    const auto moved_by = manipulation::parseMovedBy(expert.moved);
+    if (!moved_by) return tl::unexpected(moved_by.error());
+    session.moved_by = *moved_by;
+  }
+  auto hand = haptic::readHandPath(options.hand);
+  if (!hand) return tl::unexpected(hand.error());
+  for (const std::string& sentence : hand->assumptions()) warn(options.hand + ": " + sentence + ".");
+  session.hand = std::move(*hand);
+  session.axes.mode = manipulation::AxesMode::kCell;
+  session.scale = {manipulation::ScaleLevel::kNumber, options.scale};
+  session.recording = trajectory::RecordingOptions{};
+  session.training = {exercise, std::move(expert), help};
+  return session;
+}
+
+Expected<ordered_json> train(const TrainingOptions& options) {
+  const auto exercise = manipulation::readExercise(options.file);
+  if (!exercise) return tl::unexpected(exercise.error());
+  auto expert = trajectory::readTrajectory(exercise->recording);
+  if (!expert) return tl::unexpected(expert.error());
+  if (expert->empty()) return makeError({exercise->recording.string(), "frames", "none", "an expert's motion", ""});
+  // From reading to writing: two runs at once would lose one.
+  workcell::DocumentLock lock;
+  if (!options.results.empty()) {
+    auto taken = workcell::DocumentLock::takeForWriting(options.results);
+    if (!taken) return tl::unexpected(taken.error());
+    lock = std::move(*taken);
+  }
+  trajectory::TrainingSession book{options.trainee, exercise->name, {}};
+  if (!options.results.empty() && fs::exists(options.results)) {
+    auto kept = trajectory::readTraining(options.results);
+    if (!kept) return tl::unexpected(kept.error());
+    book = std::move(*kept);
+  }
+  const auto kind = trajectory::parseRunKind(options.kind);
+  if (!kind) return makeError({"", "--kind", options.kind, "practice, retention or transfer", ""});
+  const bool led = *kind == trajectory::RunKind::kPractice;
+  const bool practised = book.count(trajectory::RunKind::kPractice) > 0;
+  if (!led && practised != (*kind == trajectory::RunKind::kRetention))
+    return makeError(
+        {options.results, "--kind", options.kind,
+         practised ? "retention: this exercise was practised" : "transfer: this exercise was not practised", ""});
+  const double help = !led ? 0.0 : options.help >= 0.0 ? std::min(1.0, options.help) : book.nextHelp();
+  const manipulation::TrainingRun scorer(*exercise, *expert, help);
+  auto session = sessionOf(options, *exercise, std::move(*expert), help);
+  if (!session) return tl::unexpected(session.error());
+  const auto report = manipulation::runSession(*session);
+  if (!report) return tl::unexpected(report.error());
+  book.attempts.push_back(scorer.finish(report->recording, options.date));
+  book.attempts.back().kind = *kind;
+  std::vector<workcell::FileToWrite> files;
+  if (!options.csv.empty()) files.push_back({options.csv, toCsvText(book)});
+  if (!options.results.empty()) files.push_back({options.results, toJsonText(book)});
+  if (auto written = workcell::writeFilesAtomically(files); !written) return tl::unexpected(written.error());
+  if (auto saved = saveTrajectory(report->recording, options.output); !saved) return tl::unexpected(saved.error());
+  const auto& attempt = book.attempts.back();
+  return ordered_json{{"exercise", exercise->name},      {"attempt", book.attempts.size()},
+                      {"kind", wordOf(*kind)},           {"help", help},
+                      {"success", attempt.success},      {"score", toJson(attempt.score)},
+                      {"next_help", book.nextHelp()},    {"penetration", report->penetration_max_m},
+                      {"force_max", report->force_max_n}};
+}
+
+Expected<ordered_json> exercises(const TrainingOptions& options) {
+  ordered_json list = ordered_json::array();
+  for (const fs::path& file : manipulation::exercisesIn(options.folder)) {
+    const auto exercise = manipulation::readExercise(file);
+    if (!exercise) return tl::unexpected(exercise.error());
+    list.push_back({{"file", file.string()}, {"name", exercise->name}, {"text", exercise->text}});
+  }
+  return ordered_json{{"exercises", std::move(list)}};
+}
+
+using TrainingHandler = Expected<ordered_json> (*)(const TrainingOptions&);
+
+}  // namespace
+
+void addTrajectoryTraining(Subcommand command, Action& chosen) {
+  const auto options = std::make_shared<TrainingOptions>();
+  const auto add = [&](const char* name, const char* description, TrainingHandler handler) {
+    Subcommand sub = command.add(name, description);
+    sub.onChosen([options, &chosen, handler] {
+      chosen = [options, handler](ResultWriter& writer) { return finishTrajectory(writer, handler(*options)); };
+    });
+    return sub;
+  };
+  Subcommand sub = add("curves", "Speed, acceleration and jerk over time", curves);
+  sub.option("file", options->file, "A trajectory").required();
+  sub.option("--samples", options->samples, "At most (2000)");
+  sub.option("-o,--output", options->output, "A CSV file with all curves");
+  sub = add("score", "A trainee's run against the expert's", score);
+  sub.option("file", options->file, "The expert's trajectory").required();
+  sub.option("--run", options->run, "The trainee's").required();
+  sub = add("train", "One run of an exercise with a simulated hand", train);
+  sub.option("file", options->file, "The exercise (.hexercise)").required();
+  sub.option("--hand", options->hand, "The trainee's hand (CSV)").required();
+  sub.option("--help-share", options->help, "0 to 1 (what the results ask for)");
+  sub.option("--kind", options->kind, "practice (led), or without guidance: retention, transfer");
+  sub.option("--scale", options->scale, "Metres of the cell a metre of hand (1)");
+  sub.option("--trainee", options->trainee, "Name, for new results");
+  sub.option("--results", options->results, "The trainee's file (.htrain), read and written");
+  sub.option("--csv", options->csv, "All runs as a table");
+  sub.option("--date", options->date, "ISO 8601, for the results");
+  sub.option("-o,--output", options->output, "The recording of the run");
+  sub = add("exercises", "The exercises of a folder", exercises);
+  sub.option("folder", options->folder, "Where *.hexercise files are").required();
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/kit/workcell_arguments.h"
+#include "cli/workcell/workcell_commands.h"
+#include "workcell/format/document_io.h"
+#include "workcell/files/document_lock.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/import/imported_entities.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct NewOptions {
+  std::string file;
+  std::vector<std::string> additions;
+  std::vector<std::string> checks;
+};
+
+/// Gives what was imported the name that was asked for: its root, or an assembly above its roots.
+void nameImported(const std::string& name, std::vector<workcell::Entity>& entities) {
+  const auto isRoot = [](const workcell::Entity& entity) { return entity.parent.empty(); };
+  const bool one = std::count_if(entities.begin(), entities.end(), isRoot) == 1;
+  const std::string old = entities.front().name;
+  for (workcell::Entity& entity : entities) {
+    if (one ? entity.parent == old : entity.parent.empty()) entity.parent = name;
+  }
+  if (one) {
+    entities.front().name = name;
+  } else {
+    workcell::Entity group;
+    group.kind = workcell::EntityKind::kAssembly;
+    group.name = name;
+    entities.insert(entities.begin(), std::move(group));
+  }
+}
+
+/// Hangs what was added on an entity or on one of its links.
+Expected<void> hang(workcell::EntityId id, const Addition& addition, workcell::Document& document) {
+  const auto colon = addition.on.rfind(':');
+  const bool whole = colon == std::string::npos || document.findByName(addition.on) != nullptr;
+  const workcell::Entity* carrier = document.findByName(whole ? addition.on : addition.on.substr(0, colon));
+  if (carrier == nullptr) {
+    return makeError({"--add " + addition.what, "on", "there is no entity '" + addition.on + "'",
+                      "NAME or NAME:LINK of an entity that was added before", ""});
+  }
+  const std::string link = whole ? "" : addition.on.substr(colon + 1);
+  const auto hung = document.execute(workcell::Attach{id, carrier->id, link});
+  if (!hung) return makeError({"--add " + addition.what, "on", hung.error().message(), "", ""});
+  return {};
+}
+
+Expected<void> addEntity(const std::string& text, workcell::EntityLoader& loader, workcell::Document& document,
+                         Diagnostics& notes) {
+  const auto addition = parseAddition(text);
+  if (!addition) return tl::unexpected(addition.error());
+  auto imported = loader.loadTree(addition->what, addition->options, notes);
+  if (!imported) return tl::unexpected(imported.error());
+  if (!addition->name.empty()) {
+    if (document.findByName(addition->name)) {
+      return makeError({"--add " + text, "", "the name '" + addition->name + "' is taken", "a name of its own", ""});
+    }
+    nameImported(addition->name, imported->entities);
+  }
+  const auto added = workcell::addImported(document, std::move(imported->entities), addition->X_WE);
+  if (!added) return makeError({"--add " + text, "", added.error().message(), "", ""});
+  return addition->on.empty() ? Expected<void>{} : hang(added->front(), *addition, document);
+}
+
+Expected<void> addCheck(const std::string& text, workcell::Document& document) {
+  auto set = parseCheck(text);
+  if (!set) return tl::unexpected(set.error());
+  for (const auto* side : {&set->first, &set->second}) {
+    for (const std::string& name : *side) {
+      if (document.findByName(name) != nullptr) continue;
+      std::string known;
+      for (const auto& entity : document.state().entities) known += (known.empty() ? "" : ", ") + entity->name;
+      return makeError({"", "--check " + text, "there is no entity '" + name + "'", "one of " + known, ""});
+    }
+  }
+  set->name = "Set " + std::to_string(document.state().pair_sets.size() + 1);
+  const auto added = document.execute(workcell::AddPairSet{std::move(*set)});
+  if (!added) return tl::unexpected(added.error());
+  return {};
+}
+
+/// Builds the whole document before anything is written.
+Expected<workcell::Document> makeDocument(const NewOptions& options, Diagnostics& notes) {
+  workcell::Document document;
+  workcell::EntityLoader loader(fs::current_path());
+  for (const std::string& text : options.additions) {
+    if (auto added = addEntity(text, loader, document, notes); !added) return tl::unexpected(added.error());
+  }
+  for (const std::string& text : options.checks) {
+    if (auto added = addCheck(text, document); !added) return tl::unexpected(added.error());
+  }
+  return document;
+}
+
+ExitStatus runNew(const NewOptions& options, const ResultWriter& writer) {
+  const auto failed = [](const Error& error) {
+    report(error);
+    return ExitStatus::kBadInput;
+  };
+  if (fs::path(options.file).extension() != ".hcell") {
+    return failed({options.file, "", "the name of the document", "one that ends in .hcell", ""});
+  }
+  if (options.additions.empty()) {
+    return failed({"", "--add", "nothing is added", "at least one entity: --add FILE or --add library:NAME", ""});
+  }
+  const auto lock = workcell::DocumentLock::takeForWriting(options.file);
+  if (!lock) return failed(lock.error());
+  Diagnostics notes;
+  auto document = makeDocument(options, notes);
+  if (!document) return failed(document.error());
+  for (const std::string& note : notes.warnings) warn(note);
+  if (auto saved = workcell::saveDocument(*document, options.file); !saved) return failed(saved.error());
+  ordered_json names = ordered_json::array();
+  for (const auto& entity : document->state().entities) names.push_back(entity->name);
+  const auto written = writer.write({{"workcell", options.file},
+                                     {"entities", std::move(names)},
+                                     {"pair_sets", document->state().pair_sets.size()},
+                                     {"warnings", notes.warnings}});
+  return written ? ExitStatus::kDone : failed(written.error());
+}
+
+}  // namespace
+
+void addWorkcellCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("workcell", "Make workcell documents");
+  command.mustGoOn();
+  Subcommand make = command.add("new", "A document of the entities and checks that are named");
+  const auto options = std::make_shared<NewOptions>();
+  make.option("file", options->file, "The document to write (.hcell)").required();
+  make.option(
+          "--add", options->additions,
+          "WHAT[,name=N][,unit=m|mm|in][,up=x|y|z][,tree=keep|merge][,chord=M][,angle=RAD][,on=NAME[:LINK]][,"
+          "pose=x,y,z,qw,qx,qy,qz]; "
+          "WHAT is a mesh, CAD or robot file, library:NAME, mannequin:SEX:PERCENTILE, or a built-in part: box:X,Y,Z, "
+          "cylinder:R,H, table:W,D,H, fence:L,H, ... (docs/command-line.md; none of the sizes: the standard ones). "
+          "May be given several times")
+      .oneAtATime();
+  make.option("--check", options->checks,
+              "A+B:C+D[,near_miss=M][,safety=M]: check A and B against C and D. May be given several times; "
+              "without it everything is checked against everything")
+      .oneAtATime();
+  addWorkcellExchangeCommands(command, chosen);
+  make.onChosen([options, &chosen] { chosen = [options](ResultWriter& writer) { return runNew(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli

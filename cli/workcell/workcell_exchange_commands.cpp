@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// workcell pack, workcell changes
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "cli/workcell/workcell_commands.h"
+#include "workcell/import/change_report.h"
+#include "workcell/format/document_io.h"
+#include "workcell/files/pack.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct PackOptions {
+  std::string file, folder;
+  bool allow_outside = false;
+};
+
+struct ChangesOptions {
+  std::string before, after, output;
+  bool all = false;
+  bool since_import = false;
+};
+
+/// The two states that are compared: of two documents, or of one and the files that its entities came from.
+Expected<std::pair<workcell::DocumentState, workcell::DocumentState>> comparedStates(const ChangesOptions& options,
+                                                                                     Diagnostics& notes) {
+  const auto first = workcell::loadDocument(options.before, notes);
+  if (!first) return tl::unexpected(first.error());
+  if (options.since_import) {
+    const auto imported = workcell::stateAtImport(first->state(), nullptr, notes);
+    if (!imported) return tl::unexpected(imported.error());
+    return std::pair(*imported, first->state());
+  }
+  const auto second = workcell::loadDocument(options.after, notes);
+  if (!second) return tl::unexpected(second.error());
+  return std::pair(first->state(), second->state());
+}
+
+ExitStatus finish(const Expected<ordered_json>& result, const Diagnostics& notes, const ResultWriter& writer) {
+  for (const std::string& note : notes.warnings) warn(note);
+  const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
+  if (written) return ExitStatus::kDone;
+  report(written.error());
+  return ExitStatus::kBadInput;
+}
+
+Expected<ordered_json> pack(const PackOptions& options, Diagnostics& notes) {
+  const auto document = workcell::loadDocument(options.file, notes);
+  if (!document) return tl::unexpected(document.error());
+  const std::string name = fs::path(options.file).filename().string();
+  std::error_code fault;
+  const workcell::PackScope scope{fs::absolute(options.file, fault).parent_path(), options.allow_outside};
+  const auto packed = workcell::pack(document->state(), options.folder, name, scope, notes);
+  if (!packed) return tl::unexpected(packed.error());
+  ordered_json outside = ordered_json::array();
+  for (const fs::path& file : packed->outside) outside.push_back(file.string());
+  if (!packed->isWritten()) {
+    for (const fs::path& file : packed->outside) notes.warn("outside: " + file.string());
+    return makeError({options.file, "", std::to_string(packed->outside.size()) + " files lie outside of its folder",
+                      "files in " + scope.folder.string(),
+                      "Nothing was written. A workcell of others may name any file of this machine: look at the list, "
+                      "then pack with --allow-outside, or bring the files below the folder."});
+  }
+  return ordered_json{{"workcell", packed->document.string()},
+                      {"files", packed->copied},
+                      {"outside", std::move(outside)},
+                      {"bytes", packed->bytes}};
+}
+
+Expected<ordered_json> changes(const ChangesOptions& options, Diagnostics& notes) {
+  if (options.since_import != options.after.empty()) {
+    return makeError({"", "the command line", options.since_import ? "a second document" : "one document",
+                      "two documents, or one with --since-import", ""});
+  }
+  const auto states = comparedStates(options, notes);
+  if (!states) return tl::unexpected(states.error());
+  const auto list = workcell::compareStates(states->first, states->second);
+  if (!options.output.empty()) {
+    const auto written = writeFileAtomically(options.output, workcell::changesAsCsv(list, options.all));
+    if (!written) return tl::unexpected(written.error());
+  }
+  ordered_json rows = ordered_json::array();
+  for (const workcell::EntityChange& change : list) {
+    if (!options.all && change.kind == workcell::EntityChange::Kind::kUnchanged) continue;
+    rows.push_back({{"name", change.name},
+                    {"change", workcell::wordOf(change.kind)},
+                    {"distance", change.distance},
+                    {"angle", change.angle},
+                    {"joints", change.joints}});
+  }
+  return ordered_json{{"changes", std::move(rows)}};
+}
+
+}  // namespace
+
+void addWorkcellExchangeCommands(Subcommand workcell, Action& chosen) {
+  Subcommand packing = workcell.add("pack", "A document with all the files it names in one folder or archive");
+  const auto pack_options = std::make_shared<PackOptions>();
+  packing.option("file", pack_options->file, "The document (.hcell)").required();
+  packing.option("-o,--output", pack_options->folder, "A new or empty folder, or an archive: .zip, .tar.gz").required();
+  packing.flag(
+      "--allow-outside", pack_options->allow_outside,
+      "Pack files too that lie outside of the document's folder; without, they are listed and nothing is written");
+  packing.onChosen([pack_options, &chosen] {
+    chosen = [pack_options](ResultWriter& writer) {
+      Diagnostics notes;
+      const auto result = pack(*pack_options, notes);
+      return finish(result, notes, writer);
+    };
+  });
+  Subcommand changing =
+      workcell.add("changes", "What was moved, added and removed between two documents, or since the import");
+  const auto options = std::make_shared<ChangesOptions>();
+  changing.option("before", options->before, "The earlier document (.hcell)").required();
+  changing.option("after", options->after, "The later document (.hcell)");
+  changing.flag("--since-import", options->since_import,
+                "Compare the one document with the files that its entities came from");
+  changing.option("-o,--output", options->output, "Write a table as well (CSV)");
+  changing.flag("--all", options->all, "List what did not change too");
+  changing.onChosen([options, &chosen] {
+    chosen = [options](ResultWriter& writer) {
+      Diagnostics notes;
+      const auto result = changes(*options, notes);
+      return finish(result, notes, writer);
+    };
+  });
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/shapes/vector.h"
+
+namespace hapticell::collision {
+
+/// Arcs between two unit normals (an edge's two faces on the Gauss sphere), found again by where they lie. Two edges
+/// make a face of the Minkowski difference only where their arcs cross: on round bodies that is a few pairs out of
+/// millions.
+class GaussGrid {
+ public:
+  /// Adds the arc from n0 to n1 under the next number, from 0.
+  void add(const dvec3& n0, const dvec3& n1);
+
+  /// Numbers of all arcs that may cross this one (some do not), in ascending order.
+  void crossing(const dvec3& n0, const dvec3& n1, std::vector<std::uint32_t>& found) const;
+
+ private:
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> cells_;
+  std::vector<std::uint32_t> wide_;  ///< Arcs too long for the cells.
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace hapticell::collision

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/queries/motion_bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticell::collision {
+
+double motionBound(const Pose& X_WB0, const Pose& X_WB1, const dvec3& p_BS, double radius) {
+  const double shift = glm::distance(X_WB0 * p_BS, X_WB1 * p_BS);
+  const dquat turn = X_WB1.q * glm::conjugate(X_WB0.q);
+  const double half_sine = std::min(1.0, glm::length(dvec3(turn.x, turn.y, turn.z)));
+  return shift + 2.0 * radius * half_sine;
+}
+
+double pathBound(const Pose& X_WB0, const Pose& X_WB1, const dvec3& p_BS, double radius) {
+  const Twist whole = difference(X_WB1, X_WB0);
+  const double angle = glm::length(whole.angular);
+  const dvec3 swing = glm::cross(whole.angular, X_WB0.rotate(p_BS));
+  // S moves with `linear` plus a swing that only turns: bounded by their sum, and by the speed at the start plus how
+  // far the swing can turn away from that. The second is the better one when a body turns about its own middle.
+  const double turned_away = glm::length(swing) * 2.0 * std::sin(0.5 * std::min(angle, 3.14159265358979));
+  const double speed_of_center =
+      std::min(glm::length(whole.linear) + glm::length(swing), glm::length(whole.linear + swing) + turned_away);
+  return speed_of_center + angle * radius;
+}
+
+}  // namespace hapticell::collision

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/queries/near_pairs.h"
+
+#include <algorithm>
+
+#include "collision/queries/motion_bound.h"
+
+namespace hapticell::collision {
+
+namespace {
+
+constexpr double kAfterCrowded = 0.3, kAfterRoomy = 1.5;
+constexpr double kWidest = 0.02;  ///< m
+
+}  // namespace
+
+bool NearPairs::fill(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, double radius) {
+  p_BS_ = b.center();
+  sphere_ = b.radius();
+  radius_ = -1.0;
+  pairs_.clear();
+  pairs_.reserve(kMost);
+  if (!trianglePairsWithin(a, b, X_AB, radius, pairs_, kMost)) {
+    likely_ = kAfterCrowded * radius;
+    return false;
+  }
+  if (pairs_.size() < kMost / 4) likely_ = std::min(kWidest, std::max(likely_, kAfterRoomy * radius));
+  X_AB_ = X_AB;
+  radius_ = radius;
+  return true;
+}
+
+double NearPairs::movedSince(const Pose& X_AB) const {
+  return motionBound(X_AB_, X_AB, p_BS_, sphere_);
+}
+
+double NearPairs::reachAt(const Pose& X_AB) const {
+  return radius_ < 0.0 ? radius_ : radius_ - movedSince(X_AB);
+}
+
+}  // namespace hapticell::collision

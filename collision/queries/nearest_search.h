@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "collision/trees/dual_traversal.h"
+#include "collision/trees/mesh_collider.h"
+#include "collision/trees/triangle_distance.h"
+#include "collision/queries/triangle_pairs.h"
+
+namespace hapticell::collision {
+
+/// How exact the nearest pair must be.
+struct SearchDemand {
+  double limit = std::numeric_limits<double>::infinity();         ///< Only pairs nearer than this (m) are looked for.
+  double enough = 0.0;                                            ///< A pair this near (m) ends the search.
+  double exact_within = std::numeric_limits<double>::infinity();  ///< Up to here (m) the answer is exact,
+  double tolerance = 0.0;                                         ///< beyond it at most this share too large.
+};
+
+/// The search for the nearest pair of triangles of two meshes, all in A's frame. A visitor of DualTraversal: triangle
+/// pairs are collected, measured many at a time in float, and what may be the nearest again in double. One search a
+/// query; it lives on the stack.
+class NearestSearch {
+ public:
+  NearestSearch(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, const SearchDemand& demand);
+
+  /// Measures a pair that is likely to be near, then searches the trees.
+  void run(const TriangleIndices& warm);
+
+  bool isFound() const { return found_; }
+  const NearestPair& best() const { return best_; }
+  const TriangleIndices& pair() const { return pair_; }
+  Corners cornersA(std::uint32_t triangle) const;
+  Corners cornersB(std::uint32_t triangle) const;  ///< In A's frame.
+
+  // For DualTraversal.
+  float limitSquared() const { return prune_squared_; }
+  bool isDone() const { return done_; }
+  void leafPair(const TraversalBox& a, const TraversalBox& b, const LeafBlock& leaf_a, const LeafBlock& leaf_b,
+                const LeafTransform& transform);
+
+  /// Measures a pair in double.
+  void tryPair(const TriangleIndices& pair);
+  /// Measures what was collected.
+  void flush();
+
+ private:
+  void pruneFrom(double distance);
+  void tryTies(std::uint32_t lanes);
+  void tryExactly(const int* lanes, int count);
+
+  const MeshCollider& a_;
+  const MeshCollider& b_;
+  dmat3 R_AB_;
+  dvec3 p_AB_;
+  Pose X_AB_;
+  SearchDemand demand_;
+  NearestPair best_;
+  TriangleIndices pair_;
+  bool found_ = false;
+  bool done_ = false;
+  float prune_squared_ = std::numeric_limits<float>::infinity();
+  int packed_ = 0;
+  TriangleIndices packed_pair_[kPackSize];
+  PackedPairs pack_;
+  PackedDistances distances_;
+};
+
+}  // namespace hapticell::collision

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/trees/dual_traversal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticell::collision {
+
+TraversalSide::TraversalSide(const BoxTree& of, const dmat3& rotation, const dvec3& position)
+    : tree(of), R(rotation), p(position) {
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) R_rows[3 * i + k] = static_cast<float>(R[k][i]);
+  }
+}
+
+TraversalBox TraversalSide::box(BoxTree::Slot slot) const {
+  const BoxNode& node = tree.node(slot / kTreeWidth);
+  const std::uint32_t lane = slot % kTreeWidth;
+  TraversalBox box;
+  box.slot = slot;
+  box.child = node.child[lane];
+  float(&axis)[3][3] = box.own.axis;
+  for (int i = 0; i < 3; ++i) {
+    axis[0][i] = node.u[i][lane];
+    axis[1][i] = node.v[i][lane];
+    box.own.half[i] = node.half[i][lane];
+    box.size += box.own.half[i] * box.own.half[i];
+    box.center[i] = double{node.origin[i]} + double{node.center[i][lane]};
+  }
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    axis[2][i] = axis[0][j] * axis[1][k] - axis[0][k] * axis[1][j];
+  }
+  return box;
+}
+
+void TraversalSide::see(TraversalBox& box) const {
+  if (box.is_seen) return;
+  box.is_seen = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float* a = box.own.axis[axis];
+    for (int i = 0; i < 3; ++i) {
+      const float* row = R_rows + 3 * i;
+      box.seen_axis[axis][i] = row[0] * a[0] + row[1] * a[1] + row[2] * a[2];
+    }
+  }
+  box.seen_center = R * box.center + p;
+}
+
+void TraversalSide::bounds(const TraversalBox& opened, const TraversalBox& other, float* squared) const {
+  const BoxNode& node = tree.node(opened.child);
+  QueryBox query;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) query.axis[i][k] = other.seen_axis[i][k];
+    query.center[i] = static_cast<float>(other.seen_center[i] - double{node.origin[i]});
+    query.half[i] = other.own.half[i];
+  }
+  proximityKernels().boxBounds(node, query, squared);
+}
+
+bool isBeyondTriangles(const LeafBlock& leaf, const TraversalBox& box, double limit_squared) {
+  OrientedBox seen;
+  double size = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) seen.R[i][k] = box.seen_axis[i][k];
+    seen.center[i] = box.seen_center[i] - double{leaf.origin[i]};
+    seen.half[i] = box.own.half[i];
+    size += std::abs(seen.center[i]) + seen.half[i];
+  }
+  for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
+    Corners corners;
+    double reach = size;
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (int i = 0; i < 3; ++i) {
+        const double x = leaf.corner[3 * c + static_cast<std::size_t>(i)][lane];
+        corners[c][i] = x;
+        reach += std::abs(x);
+      }
+    }
+    const double gap = std::sqrt(lowerBoundSquared(seen, corners)) - 1e-6 * reach;
+    if (gap <= 0.0 || gap * gap < limit_squared) return false;
+  }
+  return true;
+}
+
+}  // namespace hapticell::collision

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "collision/trees/box_tree.h"
+#include "geometry/shapes/pose.h"
+
+namespace hapticell::collision {
+
+/// A box of one of two trees while both are traversed.
+struct TraversalBox {
+  BoxTree::Slot slot = BoxTree::kRoot;
+  std::uint32_t child = 0;
+  float size = 0.0f;           ///< Square of the half diagonal: decides which of two boxes is opened.
+  QueryBox own;                ///< Axes and half sizes in its mesh's frame; its center is not used.
+  dvec3 center{0.0};           ///< In its mesh's frame.
+  bool is_seen = false;        ///< The rest is known:
+  float seen_axis[3][3] = {};  ///< in the other mesh's frame.
+  dvec3 seen_center{0.0};
+
+  bool isLeaf() const { return BoxTree::isLeaf(child); }
+};
+
+/// One of two trees, and how its frame lies in the other's.
+struct TraversalSide {
+  const BoxTree& tree;
+  dmat3 R;  ///< From its mesh's frame to the other's.
+  dvec3 p;
+  float R_rows[9];
+
+  TraversalSide(const BoxTree& of, const dmat3& rotation, const dvec3& position);
+
+  TraversalBox box(BoxTree::Slot slot) const;
+  /// Fills in what is seen from the other mesh.
+  void see(TraversalBox& box) const;
+  /// Lower bounds of the distances of the other's box to the children of a box of this side.
+  void bounds(const TraversalBox& opened, const TraversalBox& other, float* squared) const;
+};
+
+/// Whether a leaf much larger than the box keeps farther from it than the limit: its triangles tell more than its box,
+/// which, when long and slanting, comes nearer by more than the other box's size.
+bool isBeyondTriangles(const LeafBlock& leaf, const TraversalBox& box, double limit_squared);
+
+/// Goes depth-first, nearest first, through the pairs of boxes that are near each other.
+///
+/// Visitor: float limitSquared(); bool isDone(); void leafPair(const TraversalBox& a, const TraversalBox& b,
+/// const LeafBlock&, const LeafBlock&, const LeafTransform&); optionally bool passesOver(const TraversalBox& a, const
+/// TraversalBox& b), and
+/// void culled(a, b, opened_a, lanes, least_squared), told which children of an opened box were left out and the least
+/// of their bounds.
+template <typename Visitor>
+class DualTraversal {
+ public:
+  DualTraversal(const BoxTree& a, const BoxTree& b, const Pose& X_AB, Visitor& visitor)
+      : a_(a, glm::transpose(X_AB.R()), -(glm::transpose(X_AB.R()) * X_AB.p)),
+        b_(b, X_AB.R(), X_AB.p),
+        visitor_(visitor) {}
+
+  /// The whole trees.
+  void run() {
+    TraversalBox a = a_.box(BoxTree::kRoot), b = b_.box(BoxTree::kRoot);
+    visit(a, b);
+  }
+
+  /// Some children of one of two boxes, against the other.
+  void open(BoxTree::Slot slot_a, BoxTree::Slot slot_b, bool opened_a, unsigned lanes) {
+    TraversalBox a = a_.box(slot_a), b = b_.box(slot_b);
+    if (opened_a) {
+      openOne(a_, a, b_, b, lanes, true);
+    } else {
+      openOne(b_, b, a_, a, lanes, false);
+    }
+  }
+
+  void visit(TraversalBox& a, TraversalBox& b) {
+    if constexpr (requires { visitor_.passesOver(a, b); }) {
+      if (visitor_.passesOver(a, b)) return;
+    }
+    if (a.isLeaf() && b.isLeaf()) {
+      leaves(a, b);
+    } else if (b.isLeaf() || (!a.isLeaf() && a.size >= b.size)) {
+      if (!isCoveredByLeaf(b, b_, a, a_)) openOne(a_, a, b_, b, kAllLanes, true);
+    } else {
+      if (!isCoveredByLeaf(a, a_, b, b_)) openOne(b_, b, a_, a, kAllLanes, false);
+    }
+  }
+
+  void leaves(const TraversalBox& a, const TraversalBox& b) {
+    const LeafBlock &leaf_a = a_.tree.leaf(a.child), &leaf_b = b_.tree.leaf(b.child);
+    LeafTransform transform;
+    const dvec3 origin_b(leaf_b.origin[0], leaf_b.origin[1], leaf_b.origin[2]);
+    const dvec3 t = b_.R * origin_b + b_.p - dvec3(leaf_a.origin[0], leaf_a.origin[1], leaf_a.origin[2]);
+    for (int i = 0; i < 9; ++i) transform.R[i] = b_.R_rows[i];
+    for (int i = 0; i < 3; ++i) transform.t[i] = static_cast<float>(t[i]);
+    visitor_.leafPair(a, b, leaf_a, leaf_b, transform);
+  }
+
+  const TraversalSide& sideA() const { return a_; }
+  const TraversalSide& sideB() const { return b_; }
+
+ private:
+  static constexpr unsigned kAllLanes = 0xFFu;
+  /// Leaves this many times larger than the other box are looked at by their triangles (of the squares).
+  static constexpr float kMuchLarger = 4.0f;
+
+  bool isCoveredByLeaf(const TraversalBox& leaf, const TraversalSide& side, TraversalBox& box,
+                       const TraversalSide& box_side) {
+    if (!leaf.isLeaf() || leaf.size <= kMuchLarger * box.size) return false;
+    box_side.see(box);
+    return isBeyondTriangles(side.tree.leaf(leaf.child), box, double{visitor_.limitSquared()});
+  }
+
+  void openOne(const TraversalSide& side, TraversalBox& opened, const TraversalSide& other_side, TraversalBox& other,
+               unsigned lanes, bool opened_a) {
+    const BoxNode& node = side.tree.node(opened.child);
+    alignas(32) float bounds[kTreeWidth];
+    other_side.see(other);
+    side.bounds(opened, other, bounds);
+    int order[kTreeWidth];
+    int near = 0;
+    lanes &= (1u << node.count) - 1u;
+    const float limit = visitor_.limitSquared();
+    for (int lane = 0; lane < static_cast<int>(node.count); ++lane) {
+      if ((lanes >> lane & 1u) == 0 || bounds[lane] >= limit) continue;
+      int at = near++;
+      for (; at > 0 && bounds[order[at - 1]] > bounds[lane]; --at) order[at] = order[at - 1];
+      order[at] = lane;
+    }
+    unsigned left_out = lanes;
+    for (int i = 0; i < near && !visitor_.isDone() && bounds[order[i]] < visitor_.limitSquared(); ++i) {
+      left_out &= ~(1u << order[i]);
+      TraversalBox child = side.box(opened.child * kTreeWidth + static_cast<std::uint32_t>(order[i]));
+      if (opened_a) {
+        visit(child, other);
+      } else {
+        visit(other, child);
+      }
+    }
+    if constexpr (requires { visitor_.culled(opened, other, opened_a, lanes, 0.0f); }) {
+      if (left_out == 0) return;
+      float least = std::numeric_limits<float>::infinity();
+      for (int lane = 0; lane < kTreeWidth; ++lane) {
+        if ((left_out >> lane & 1u) != 0 && bounds[lane] < least) least = bounds[lane];
+      }
+      visitor_.culled(opened_a ? opened : other, opened_a ? other : opened, opened_a, left_out, least);
+    }
+  }
+
+  TraversalSide a_;
+  TraversalSide b_;
+  Visitor& visitor_;
+};
+
+}  // namespace hapticell::collision

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: Apache-2.0
+// Included once by each of proximity_kernels_*.cpp, which are compiled for different instruction sets. Uses vector
+// extensions of g++ and clang, no library: an inline function of a library, compiled here for a new processor, might
+// be the copy that the linker keeps for all.
+#include "collision/trees/proximity_kernels.h"
+
+namespace hapticell::collision {
+namespace {
+
+#define HAPTICELL_INLINE inline __attribute__((always_inline))
+
+using Float4 = float __attribute__((vector_size(16)));
+using Float8 = float __attribute__((vector_size(32)));
+using Float16 = float __attribute__((vector_size(64)));
+using Double2 = double __attribute__((vector_size(16)));
+using Double4 = double __attribute__((vector_size(32)));
+using Double8 = double __attribute__((vector_size(64)));
+
+template <typename V>
+struct Scalar {
+  using Type = float;
+};
+template <>
+struct Scalar<Double2> {
+  using Type = double;
+};
+template <>
+struct Scalar<Double4> {
+  using Type = double;
+};
+template <>
+struct Scalar<Double8> {
+  using Type = double;
+};
+
+template <typename V>
+HAPTICELL_INLINE V all(typename Scalar<V>::Type value) {
+  return V{} + value;
+}
+template <typename V, typename T>
+HAPTICELL_INLINE V load(const T* from) {
+  V result;
+  __builtin_memcpy(&result, from, sizeof(V));
+  return result;
+}
+template <typename V, typename T>
+HAPTICELL_INLINE void store(T* to, V value) {
+  __builtin_memcpy(to, &value, sizeof(V));
+}
+template <typename V>
+HAPTICELL_INLINE V larger(V a, V b) {
+  return a > b ? a : b;
+}
+template <typename V>
+HAPTICELL_INLINE V smaller(V a, V b) {
+  return a < b ? a : b;
+}
+template <typename V>
+HAPTICELL_INLINE V magnitude(V a) {
+  return larger(a, -a);
+}
+template <typename V>
+HAPTICELL_INLINE V clampedToUnit(V a) {
+  return smaller(larger(a, V{}), all<V>(1));
+}
+
+template <typename V>
+struct Vector {
+  V x, y, z;
+};
+template <typename V>
+HAPTICELL_INLINE Vector<V> operator-(const Vector<V>& a, const Vector<V>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <typename V>
+HAPTICELL_INLINE Vector<V> operator+(const Vector<V>& a, const Vector<V>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <typename V>
+HAPTICELL_INLINE Vector<V> operator*(V s, const Vector<V>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <typename V>
+HAPTICELL_INLINE V dot(const Vector<V>& a, const Vector<V>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <typename V>
+HAPTICELL_INLINE Vector<V> cross(const Vector<V>& a, const Vector<V>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <typename V, typename T>
+HAPTICELL_INLINE Vector<V> loadVector(const T* x, int stride) {
+  return {load<V>(x), load<V>(x + stride), load<V>(x + 2 * stride)};
+}
+
+/// Rounding in float, relative to the numbers added up: some of their last places.
+constexpr float kRoundingOfSums = 1.5e-6f;
+
+template <typename V>
+HAPTICELL_INLINE void boxBoundsPart(const BoxNode& node, int lane, const QueryBox& query, float* squared) {
+  Vector<V> axes[3] = {loadVector<V>(node.u[0] + lane, kTreeWidth), loadVector<V>(node.v[0] + lane, kTreeWidth), {}};
+  axes[2] = cross(axes[0], axes[1]);
+  const Vector<V> middle = loadVector<V>(node.center[0] + lane, kTreeWidth);
+  const Vector<V> half = loadVector<V>(node.half[0] + lane, kTreeWidth);
+  const Vector<V> apart{middle.x - query.center[0], middle.y - query.center[1], middle.z - query.center[2]};
+  const V doubt = kRoundingOfSums * (magnitude(apart.x) + magnitude(apart.y) + magnitude(apart.z) + half.x + half.y +
+                                     half.z + (query.half[0] + query.half[1] + query.half[2]));
+  const V halves[3] = {half.x, half.y, half.z};
+  V reach_of_query[3] = {doubt, doubt, doubt}, by_query{}, by_child{};
+  for (int i = 0; i < 3; ++i) {
+    const float* q = query.axis[i];
+    V reach = doubt;
+    for (int k = 0; k < 3; ++k) {
+      const V cosine = magnitude(axes[k].x * q[0] + axes[k].y * q[1] + axes[k].z * q[2]);
+      reach_of_query[k] += query.half[i] * cosine;
+      reach += halves[k] * cosine;
+    }
+    const V open = larger(magnitude(apart.x * q[0] + apart.y * q[1] + apart.z * q[2]) - query.half[i] - reach, V{});
+    by_query += open * open;
+  }
+  for (int k = 0; k < 3; ++k) {
+    const V open = larger(magnitude(dot(apart, axes[k])) - halves[k] - reach_of_query[k], V{});
+    by_child += open * open;
+  }
+  store(squared + lane, larger(by_query, by_child));
+}
+
+void boxBounds(const BoxNode& node, const QueryBox& query, float* squared) {
+  constexpr int kLanes = sizeof(HAPTICELL_BOX_LANES) / sizeof(float);
+  for (int lane = 0; lane < kTreeWidth; lane += kLanes) {
+    boxBoundsPart<HAPTICELL_BOX_LANES>(node, lane, query, squared);
+  }
+}
+
+template <typename V>
+HAPTICELL_INLINE V sumOfMagnitudes(const Vector<V>& a) {
+  return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
+}
+
+/// Whether a face's plane surely keeps the other triangle farther than the limit.
+template <typename V>
+HAPTICELL_INLINE auto isApartByPlane(const Vector<V>* face, const Vector<V>* other, V limit_squared) {
+  const Vector<V> e = face[1] - face[0], g = face[2] - face[0];
+  const Vector<V> normal = cross(e, g);
+  const Vector<V> o0 = other[0] - face[0], o1 = other[1] - face[0], o2 = other[2] - face[0];
+  const V h0 = dot(normal, o0), h1 = dot(normal, o1), h2 = dot(normal, o2);
+  const V low = smaller(smaller(h0, h1), h2), high = larger(larger(h0, h1), h2);
+  const V gap = larger(low, -high);
+  // The normal is an axis as good as any, but the face is not quite flat along it: n . o is wrong by some last places
+  // of |e| |g| |o|. Sums of magnitudes stand for the lengths.
+  const V edge = sumOfMagnitudes(e), side = sumOfMagnitudes(g);
+  const V reach = larger(larger(sumOfMagnitudes(o0), sumOfMagnitudes(o1)), larger(sumOfMagnitudes(o2), edge + side));
+  const V sure = gap - kRoundingOfSums * edge * side * reach;
+  return (sure > V{}) & (sure * sure > limit_squared * dot(normal, normal));
+}
+
+/// The same by the line between their middles: tells triangles apart that lie side by side.
+template <typename V>
+HAPTICELL_INLINE auto isApartAlongMiddles(const Vector<V>* first, const Vector<V>* second, V limit_squared) {
+  const Vector<V> axis = (second[0] + second[1] + second[2]) - (first[0] + first[1] + first[2]);
+  const V a0 = dot(axis, first[0]), a1 = dot(axis, first[1]), a2 = dot(axis, first[2]);
+  const V b0 = dot(axis, second[0]), b1 = dot(axis, second[1]), b2 = dot(axis, second[2]);
+  const V reach = larger(larger(sumOfMagnitudes(first[0]), sumOfMagnitudes(first[1])),
+                         larger(larger(sumOfMagnitudes(first[2]), sumOfMagnitudes(second[0])),
+                                larger(sumOfMagnitudes(second[1]), sumOfMagnitudes(second[2]))));
+  const V gap = smaller(smaller(b0, b1), b2) - larger(larger(a0, a1), a2);
+  const V sure = gap - kRoundingOfSums * sumOfMagnitudes(axis) * reach;
+  return (sure > V{}) & (sure * sure > limit_squared * dot(axis, axis));
+}
+
+using Mask8 = std::int32_t __attribute__((vector_size(32)));
+HAPTICELL_INLINE std::uint32_t bitsOf(Mask8 mask) {
+#ifdef __AVX__
+  return static_cast<std::uint32_t>(__builtin_ia32_movmskps256(Float8(mask)));
+#else
+  std::uint32_t bits = 0;
+  for (unsigned i = 0; i < 8; ++i) bits |= (mask[i] != 0 ? 1u : 0u) << i;
+  return bits;
+#endif
+}
+
+HAPTICELL_INLINE Float8 twice(Float4 a) {
+  return __builtin_shufflevector(a, a, 0, 1, 2, 3, 0, 1, 2, 3);
+}
+template <int kFirst>
+HAPTICELL_INLINE Float8 spread(Float4 b) {
+  return __builtin_shufflevector(b, b, kFirst, kFirst, kFirst, kFirst, kFirst + 1, kFirst + 1, kFirst + 1, kFirst + 1);
+}
+
+template <int kFirst>
+HAPTICELL_INLINE std::uint32_t leafPairsOfTwo(const Vector<Float8>* first, const Float4 (*b)[3], float limit_squared) {
+  Vector<Float8> second[3];
+  for (int c = 0; c < 3; ++c) second[c] = {spread<kFirst>(b[c][0]), spread<kFirst>(b[c][1]), spread<kFirst>(b[c][2])};
+  const Float8 limit = all<Float8>(limit_squared);
+  const auto apart = isApartByPlane(first, second, limit) | isApartByPlane(second, first, limit) |
+                     isApartAlongMiddles(first, second, limit);
+  return ~bitsOf(apart) & 0xFFu;
+}
+
+std::uint32_t leafPairs(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform, float limit_squared,
+                        float (*corners_b)[kLeafSize]) {
+  Vector<Float8> first[3];
+  Float4 second[3][3];
+  for (int c = 0; c < 3; ++c) {
+    first[c] = {twice(load<Float4>(a.corner[3 * c])), twice(load<Float4>(a.corner[3 * c + 1])),
+                twice(load<Float4>(a.corner[3 * c + 2]))};
+    const Vector<Float4> p = loadVector<Float4>(b.corner[3 * c], kLeafSize);
+    for (int i = 0; i < 3; ++i) {
+      const float* row = transform.R + 3 * i;
+      second[c][i] = p.x * row[0] + p.y * row[1] + p.z * row[2] + transform.t[i];
+      store(corners_b[3 * c + i], second[c][i]);
+    }
+  }
+  const std::uint32_t used = b.count > 2 ? 0xFFFFu : 0xFFu;
+  std::uint32_t near = leafPairsOfTwo<0>(first, second, limit_squared);
+  if (b.count > 2) near |= leafPairsOfTwo<2>(first, second, limit_squared) << 8;
+  const std::uint32_t lanes_a = (1u << a.count) - 1u, lanes_b = (1u << (4 * b.count)) - 1u;
+  return near & used & lanes_b & (lanes_a * 0x1111u);
+}
+
+/// A triangle with what its pairs share.
+template <typename V>
+struct Face {
+  Vector<V> corner[3];
+  Vector<V> edge[3];
+  V inverse_length[3];  ///< Squared lengths, and one over them (0 for a point).
+  V length[3];
+  Vector<V> normal;
+  V normal_squared;
+  V g11, g12, g22;  ///< Products of the first corner's edges.
+  V barycentric[3][2];
+  V height[3];  ///< Of the other's corners, times the normal's length.
+};
+
+template <typename V, typename T>
+HAPTICELL_INLINE void loadFace(const T* coordinates, int stride, Face<V>& face) {
+  for (int c = 0; c < 3; ++c) face.corner[c] = loadVector<V>(coordinates + 3 * c * stride, stride);
+  for (int c = 0; c < 3; ++c) {
+    face.edge[c] = face.corner[(c + 1) % 3] - face.corner[c];
+    face.length[c] = dot(face.edge[c], face.edge[c]);
+    face.inverse_length[c] = face.length[c] > V{} ? all<V>(1) / face.length[c] : V{};
+  }
+  const Vector<V> e = face.edge[0], g = face.corner[2] - face.corner[0];
+  face.normal = cross(e, g);
+  face.normal_squared = dot(face.normal, face.normal);
+  face.g11 = face.length[0];
+  face.g12 = dot(e, g);
+  face.g22 = face.length[2];
+}
+
+/// Places the other's corners above a face; returns the least square of the height of those inside its prism.
+template <typename V>
+HAPTICELL_INLINE V cornersAbove(Face<V>& face, const Vector<V>* other, V best) {
+  using T = typename Scalar<V>::Type;
+  const Vector<V> g = face.corner[2] - face.corner[0];
+  // A needle's normal is rounding: a needle is its edges.
+  constexpr T kNeedle = sizeof(T) == 4 ? T(1e-6) : T(1e-16);
+  const V scale = face.g11 * face.g22;
+  const V trusted = face.normal_squared > kNeedle * scale ? face.normal_squared : V{};
+  face.normal_squared = trusted;
+  const V inverse = trusted > V{} ? all<V>(1) / trusted : V{};
+  constexpr T kTolerance = sizeof(T) == 4 ? T(1e-4) : T(0);
+  for (int c = 0; c < 3; ++c) {
+    const Vector<V> o = other[c] - face.corner[0];
+    face.height[c] = dot(face.normal, o);
+    const V d1 = dot(face.edge[0], o), d2 = dot(g, o);
+    const V s = (face.g22 * d1 - face.g12 * d2) * inverse, t = (face.g11 * d2 - face.g12 * d1) * inverse;
+    face.barycentric[c][0] = s;
+    face.barycentric[c][1] = t;
+    const V squared = face.height[c] * face.height[c] * inverse;
+    const auto inside = (s >= -kTolerance) & (t >= -kTolerance) & (s + t <= 1 + kTolerance) & (trusted > V{});
+    best = (inside & (squared < best)) ? squared : best;
+  }
+  return best;
+}
+
+/// 0 where an edge of the other passes through the face.
+template <typename V>
+HAPTICELL_INLINE V pierced(const Face<V>& face, V best) {
+  for (int c = 0; c < 3; ++c) {
+    const int n = (c + 1) % 3;
+    const V from = face.height[c], to = face.height[n];
+    const V share = from / (from - to);
+    const V s = face.barycentric[c][0] + share * (face.barycentric[n][0] - face.barycentric[c][0]);
+    const V t = face.barycentric[c][1] + share * (face.barycentric[n][1] - face.barycentric[c][1]);
+    const auto through =
+        ((from > V{}) ^ (to > V{})) & (s >= V{}) & (t >= V{}) & (s + t <= all<V>(1)) & (face.normal_squared > V{});
+    best = through ? V{} : best;
+  }
+  return best;
+}
+
+/// Edge pairs after Ericson 2005, 5.1.9.
+template <typename V>
+HAPTICELL_INLINE V edgePairs(const Face<V>& first, const Face<V>& second, V best) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const Vector<V>&d1 = first.edge[i], &d2 = second.edge[j];
+      const Vector<V> r = first.corner[i] - second.corner[j];
+      const V a = first.length[i], e = second.length[j];
+      const V b = dot(d1, d2), c = dot(d1, r), f = dot(d2, r);
+      const V denominator = a * e - b * b;
+      const V ratio = denominator > V{} ? (b * f - c * e) / denominator : V{};
+      const V t = clampedToUnit((b * clampedToUnit(ratio) + f) * second.inverse_length[j]);
+      const V s = clampedToUnit((b * t - c) * first.inverse_length[i]);
+      const Vector<V> apart = r + s * d1 - t * d2;
+      best = smaller(best, dot(apart, apart));
+    }
+  }
+  return best;
+}
+
+template <typename V>
+HAPTICELL_INLINE V distancesSquared(Face<V>& first, Face<V>& second) {
+  using T = typename Scalar<V>::Type;
+  V best = all<V>(T(3e38));
+  best = cornersAbove(first, second.corner, best);
+  best = cornersAbove(second, first.corner, best);
+  best = edgePairs(first, second, best);
+  return pierced(second, pierced(first, best));
+}
+
+template <typename V>
+HAPTICELL_INLINE V largestSquare(const Face<V>& face) {
+  return larger(dot(face.corner[0], face.corner[0]),
+                larger(dot(face.corner[1], face.corner[1]), dot(face.corner[2], face.corner[2])));
+}
+
+/// How slender a triangle is at its first corner: the product of the edges there over twice the area, at most 100.
+template <typename V>
+HAPTICELL_INLINE V slenderness(const Face<V>& face) {
+  const V square =
+      smaller(face.g11 * face.g22 / (face.normal_squared + face.g11 * face.g22 * 1e-4f + 1e-36f), all<V>(1e4f));
+  // The arithmetic mean with 1 is above the square root by no more than half; no root is needed near 1.
+  return smaller(0.5f * (square + 1.0f), 0.01f * square + 25.0f);
+}
+
+template <typename V>
+HAPTICELL_INLINE void packedPart(const PackedPairs& pairs, int lane, PackedDistances& result) {
+  Face<V> first, second;
+  loadFace(&pairs.first[0][lane], kPackSize, first);
+  loadFace(&pairs.second[0][lane], kPackSize, second);
+  const V slender = larger(slenderness(first), slenderness(second));
+  const V size = larger(largestSquare(first), largestSquare(second));
+  store(&result.squared[lane], distancesSquared(first, second));
+  store(&result.doubt[lane], size * (4.0f + slender) * 2.4e-7f);
+}
+
+void packedDistances(const PackedPairs& pairs, PackedDistances& result) {
+  constexpr int kLanes = sizeof(HAPTICELL_PACKED_LANES) / sizeof(float);
+  for (int lane = 0; lane < kPackSize; lane += kLanes) packedPart<HAPTICELL_PACKED_LANES>(pairs, lane, result);
+}
+
+void exactDistances(const ExactPairs& pairs, double* squared) {
+  constexpr int kLanes = sizeof(HAPTICELL_EXACT_LANES) / sizeof(double);
+  for (int lane = 0; lane < kTreeWidth; lane += kLanes) {
+    Face<HAPTICELL_EXACT_LANES> first, second;
+    loadFace(&pairs.first[0][lane], kTreeWidth, first);
+    loadFace(&pairs.second[0][lane], kTreeWidth, second);
+    store(squared + lane, distancesSquared(first, second));
+  }
+}
+
+}  // namespace
+
+extern const ProximityKernels HAPTICELL_KERNELS;
+const ProximityKernels HAPTICELL_KERNELS{HAPTICELL_KERNELS_NAME, boxBounds, leafPairs, packedDistances, exactDistances};
+
+}  // namespace hapticell::collision

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/system/error.h"
+
+#include "geometry/system/plain_text.h"
+
+namespace hapticell {
+
+std::string Error::message() const {
+  constexpr std::size_t kLongestPath = 4096;
+  std::string text = plainText(file, kLongestPath);
+  if (!place.empty()) text += (text.empty() ? "" : ", ") + plainText(place);
+  if (!found.empty()) text += (text.empty() ? "" : ": ") + plainText(found);
+  if (!expected.empty()) text += (text.empty() ? "expected " : "; expected ") + plainText(expected);
+  if (!fix.empty()) text += (text.empty() ? "" : ". ") + plainText(fix, 2 * kLongestText);
+  return text;
+}
+
+}  // namespace hapticell

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/system/promise.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "geometry/system/assertion.h"
+
+namespace hapticell {
+
+namespace {
+
+/// Four digits, with '.' whatever the locale.
+std::string fewDigits(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
+  return {text.data(), end.ptr};
+}
+
+std::string withUnit(double value, const std::string& unit) {
+  return fewDigits(value) + (unit.empty() ? " of the limit" : " " + unit);
+}
+
+double missedBy(const Promise& promise) {
+  return promise.is_at_least ? promise.asked - promise.measured : promise.measured / std::max(promise.asked, 1e-300);
+}
+
+}  // namespace
+
+bool Promise::isKept() const {
+  if (std::isnan(measured)) return false;
+  return is_at_least ? measured >= asked - rounding : measured <= asked + rounding;
+}
+
+bool Promises::areKept() const {
+  return worst() == nullptr;
+}
+
+const Promise* Promises::worst() const {
+  const Promise* worst = nullptr;
+  for (const Promise& promise : list) {
+    if (promise.isKept()) continue;
+    if (worst == nullptr || missedBy(promise) > missedBy(*worst)) worst = &promise;
+  }
+  return worst;
+}
+
+Error Promises::missed(const std::string& file) const {
+  const Promise* promise = worst();
+  HAPTICELL_DEMAND(promise != nullptr);
+  const std::string bound = promise->is_at_least ? "at least " : "at most ";
+  std::string fix = help;
+  if (!fix.empty()) fix += ' ';
+  return {file, promise->place, promise->name + " " + withUnit(promise->measured, promise->unit),
+          bound + withUnit(promise->asked, promise->unit), fix + "Nothing is written without --allow-miss."};
+}
+
+}  // namespace hapticell

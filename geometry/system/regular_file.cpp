@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/system/regular_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <streambuf>
+
+namespace hapticell::geometry {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What stands there instead of a file; null where it is one.
+const char* otherThanFile(mode_t mode) {
+  if (S_ISREG(mode)) return nullptr;
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe, not a regular file";
+  if (S_ISSOCK(mode)) return "a socket, not a regular file";
+  return "a device, not a regular file";
+}
+
+std::optional<Error> faultOf(const fs::path& path, const struct stat& state, std::uintmax_t most_bytes) {
+  if (const char* const other = otherThanFile(state.st_mode)) return Error{path.string(), "", other, "a file", ""};
+  const auto size = static_cast<std::uintmax_t>(state.st_size);
+  if (size <= most_bytes) return std::nullopt;
+  constexpr std::uintmax_t kMega = 1'000'000;
+  const std::string most = most_bytes < kMega ? std::to_string(most_bytes) + " bytes"
+                                              : std::to_string(most_bytes / kMega) + " MB";
+  return Error{path.string(), "", std::to_string(size) + " bytes", "at most " + most, ""};
+}
+
+Error unreadable(const fs::path& path, int fault) {
+  if (fault == ENOENT || fault == ENOTDIR) return {path.string(), "", "there is no such file", "", ""};
+  return {path.string(), "", std::string("it cannot be read (") + std::strerror(fault) + ")", "",
+          fault == EACCES ? "Look at its permissions." : ""};
+}
+
+struct OpenFile {
+  int descriptor = -1;
+  std::uintmax_t size = 0;
+};
+
+/// Looked at before it is opened, for opening alone may set a device going; and again after, for it may have been
+/// exchanged in between. Not blocking: a pipe would wait for somebody who writes.
+Expected<OpenFile> openFile(const fs::path& path, std::uintmax_t most_bytes) {
+  if (auto checked = checkRegularFile(path, most_bytes); !checked) return makeError(checked.error());
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (file < 0) return makeError(unreadable(path, errno));
+  struct stat state {};
+  auto fault = ::fstat(file, &state) != 0 ? std::optional(unreadable(path, errno)) : faultOf(path, state, most_bytes);
+  if (!fault) return OpenFile{file, static_cast<std::uintmax_t>(state.st_size)};
+  ::close(file);
+  return makeError(std::move(*fault));
+}
+
+/// Up to `count` bytes; fewer at the file's end or after a fault.
+std::size_t readUpTo(int file, char* into, std::size_t count) {
+  std::size_t have = 0;
+  while (have < count) {
+    const ssize_t got = ::read(file, into + have, count - have);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    have += static_cast<std::size_t>(got);
+  }
+  return have;
+}
+
+}  // namespace
+
+Expected<void> checkRegularFile(const fs::path& path, std::uintmax_t most_bytes) {
+  struct stat state {};
+  if (::stat(path.c_str(), &state) != 0) return makeError(unreadable(path, errno));
+  if (auto fault = faultOf(path, state, most_bytes)) return makeError(std::move(*fault));
+  return {};
+}
+
+Expected<std::string> readRegularFile(const fs::path& path, std::uintmax_t most_bytes) {
+  const auto file = openFile(path, most_bytes);
+  if (!file) return makeError(file.error());
+  std::string content(file->size, '\0');
+  const std::size_t have = readUpTo(file->descriptor, content.data(), content.size());
+  ::close(file->descriptor);
+  if (have == content.size()) return content;
+  return makeError({path.string(), "", "the file could not be read", "", "Check that you may read it."});
+}
+
+std::string headOfFile(const fs::path& path, std::size_t most) {
+  const auto file = openFile(path, ~std::uintmax_t{0});
+  if (!file) return {};
+  std::string head(static_cast<std::size_t>(std::min<std::uintmax_t>(most, file->size)), '\0');
+  head.resize(readUpTo(file->descriptor, head.data(), head.size()));
+  ::close(file->descriptor);
+  return head;
+}
+
+class RegularFileStream::Buffer final : public std::streambuf {
+ public:
+  explicit Buffer(const OpenFile& file) : file_(file) {}
+  ~Buffer() override { ::close(file_.descriptor); }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+
+ protected:
+  int_type underflow() override {
+    const std::size_t wanted = static_cast<std::size_t>(std::min<std::uintmax_t>(block_.size(), file_.size));
+    const std::size_t got = readUpTo(file_.descriptor, block_.data(), wanted);
+    file_.size = got == wanted ? file_.size - got : 0;
+    setg(block_.data(), block_.data(), block_.data() + got);
+    return got == 0 ? traits_type::eof() : traits_type::to_int_type(block_.front());
+  }
+
+ private:
+  OpenFile file_;  ///< `size`: what is left to be read.
+  std::array<char, 65536> block_;
+};
+
+RegularFileStream::RegularFileStream(const fs::path& path, std::uintmax_t most_bytes) : std::istream(nullptr) {
+  const auto file = openFile(path, most_bytes);
+  if (!file) {
+    error_ = file.error();
+    return;  // A stream without a buffer is bad.
+  }
+  buffer_ = std::make_unique<Buffer>(*file);
+  rdbuf(buffer_.get());  // Clears what was bad.
+}
+
+RegularFileStream::~RegularFileStream() = default;
+
+}  // namespace hapticell::geometry

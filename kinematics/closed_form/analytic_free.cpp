@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the pose leaves free of an arm (slides in front, a seventh joint), and the search over it.
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/closed_form/analytic_inverse.h"
+#include "kinematics/model/turns.h"
+
+namespace hapticell::kinematics {
+
+namespace {
+
+constexpr int kRefinements = 24;
+
+// How many places of each free parameter are tried, by how many there are.
+int samplesFor(std::size_t count) {
+  constexpr int kSamples[] = {1, 64, 16, 8};
+  return count < 4 ? kSamples[count] : 4;
+}
+
+}  // namespace
+
+AnalyticInverse::Free AnalyticInverse::freeAt(const Pose& X_BT, const ChainPositions& x) const {
+  Free free{};
+  dvec3 p = X_BT.p;
+  for (std::size_t i = 0; i < rails_; ++i) {
+    free[i] = x[i];
+    p -= x[i] * rail_B_[i];
+  }
+  if (closed_->redundancy() > 0) free[rails_] = closed_->redundancyAt(X_BT.R(), p, x.data() + rails_);
+  return free;
+}
+
+void AnalyticInverse::freeRange(std::size_t index, double& lower, double& upper) const {
+  const Chain& chain = *numeric_->chain();
+  lower = -std::numbers::pi;
+  upper = std::numbers::pi;
+  const bool last_joint = classification_.robot_class == RobotClass::kPanda;
+  if (index >= rails_ && !last_joint) return;  // a swivel angle
+  const std::size_t variable = index < rails_ ? index : chain.size() - 1;
+  // A rail without limits is tried for ten times the arm either way.
+  const double bound = index < rails_ ? 10.0 * chain.scale() : std::numbers::pi;
+  lower = std::isfinite(chain.lower()[variable]) ? chain.lower()[variable] : -bound;
+  upper = std::isfinite(chain.upper()[variable]) ? chain.upper()[variable] : bound;
+}
+
+void AnalyticInverse::consider(const Pose& X_BT, const Free& free, const ChainPositions& x_start, Best& best) const {
+  kernels::Solutions solutions;
+  const kernels::Choice choice = evaluate(X_BT, free, x_start, false, solutions);
+  take(free, solutions, choice, x_start, best);
+}
+
+void AnalyticInverse::take(const Free& free, const kernels::Solutions& solutions, const kernels::Choice& choice,
+                           const ChainPositions& x_start, Best& best) const {
+  best.outside = best.outside || solutions.valid != 0;
+  if (choice.nearest < 0) return;
+  double distance = choice.distance_squared;
+  for (std::size_t i = 0; i < rails_; ++i) distance += (free[i] - x_start[i]) * (free[i] - x_start[i]);
+  if (best.any && distance >= best.distance_squared) return;
+  best.x = assemble(free, solutions, choice.nearest);
+  best.place = free;
+  best.any = true;
+  best.distance_squared = distance;
+}
+
+// All swivels of an S-R-S arm at once.
+bool AnalyticInverse::considerRing(const Pose& X_BT, const ChainPositions& x_start, Best& best) const {
+  if (freeCount() != 1 || rails_ != 0) return false;
+  constexpr double kStep = kTurn / kernels::kRingSize;
+  kernels::SwivelRing ring;
+  Free place{0.5 * kStep - std::numbers::pi};
+  if (!closed_->ring(X_BT.R(), X_BT.p, place[0], x_start.data(), ring)) return false;
+  kernels::Solutions solutions;
+  for (int k = 0; k < kernels::kRingSize; ++k, place[0] += kStep) {
+    closed_->ofRing(ring, k, solutions);
+    take(place, solutions, kernels::table().choose(bounds_, x_start.data(), closed_->groups(), solutions), x_start,
+         best);
+  }
+  return true;
+}
+
+// A grid over the free parameters, then a search by halves about the best place.
+void AnalyticInverse::searchFree(const Pose& X_BT, const ChainPositions& x_start, Best& best) const {
+  const std::size_t count = freeCount();
+  const int samples = samplesFor(count);
+  Free lower{}, upper{}, place = freeAt(X_BT, x_start);
+  int total = 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    freeRange(i, lower[i], upper[i]);
+    total *= samples;
+  }
+  consider(X_BT, place, x_start, best);
+  const bool done = considerRing(X_BT, x_start, best);
+  for (int index = 0; !done && index < total; ++index) {
+    int rest = index;
+    for (std::size_t i = 0; i < count; ++i, rest /= samples) {
+      place[i] = lower[i] + (upper[i] - lower[i]) * (rest % samples + 0.5) / samples;
+    }
+    consider(X_BT, place, x_start, best);
+  }
+  if (!best.any) return;
+  double share = 0.5 / samples;
+  for (int round = 0; round < kRefinements; ++round) {
+    const Free around = best.place;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const double direction : {-1.0, 1.0}) {
+        place = around;
+        place[i] = std::clamp(around[i] + direction * share * (upper[i] - lower[i]), lower[i], upper[i]);
+        consider(X_BT, place, x_start, best);
+      }
+    }
+    if (best.place == around) share *= 0.5;
+  }
+  // Only now on the true arm.
+  kernels::Solutions solutions;
+  const kernels::Choice choice = evaluate(X_BT, best.place, x_start, true, solutions);
+  best.any = choice.nearest >= 0;
+  if (best.any) best.x = assemble(best.place, solutions, choice.nearest);
+}
+
+}  // namespace hapticell::kinematics

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "kinematics/closures/arm_builder.h"
+#include "kinematics/closures/delta.h"
+#include "kinematics/model/robot_model.h"
+
+namespace hapticell::kinematics {
+
+/// What a Delta robot is besides its lengths.
+struct DeltaOptions {
+  double ball_limit = 1.0;      ///< rad: how far a rod may lean out of its arm's plane.
+  double least_regular = 0.02;  ///< The rods' directions span at least this volume (1 when they are at right angles).
+  double tool_length = 0.0;     ///< m: from the platform's middle to tool0, away from the base.
+};
+
+/// The model of a Delta with three joints, or four: the last then turns tool0 about z. Links base_link, arm_1 .. arm_3
+/// (frame at the motor axis, x along the arm, y along the axis), rod_1a .. rod_3b (frame at the knee, x to the
+/// platform), platform, tool0. Inverse model "delta". Errors: lengths that are none, or with which the robot's home
+/// (all joints at 0, or `home`) cannot be assembled; not 3 or 4 joints.
+Expected<RobotModel> buildDelta(const std::string& name, const DeltaGeometry& geometry, const DeltaOptions& options,
+                                const std::vector<JointData>& joints, const std::vector<double>& home);
+
+}  // namespace hapticell::kinematics

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinematics/model/chain.h"
+
+namespace hapticell::kinematics {
+
+/// The axes of the turning joints of an arm at zero, in the chain's root frame, slides in front of it split off.
+struct ArmAxes {
+  std::size_t rails = 0;  ///< Leading slides.
+  std::size_t count = 0;  ///< Joints behind them.
+  std::array<dvec3, kMaxChainVariables> rail_B;
+  std::array<dvec3, kMaxChainVariables> axis_B;
+  std::array<dvec3, kMaxChainVariables> origin_B;
+  std::array<bool, kMaxChainVariables> prismatic{};  ///< Of the joints behind the rails.
+  bool simple = false;                               ///< Each joint has a variable of its own.
+  double reach = 1.0;
+  dmat3 R_BT{1.0};
+  dvec3 p_BT{0.0};
+};
+
+/// Evaluates the chain with all variables zero.
+ArmAxes armAxes(const Chain& chain);
+
+/// Angle (rad, up to a right one) between two axes; the least distance (m) of their lines.
+double angleBetween(const ArmAxes& axes, std::size_t a, std::size_t b);
+double lineDistance(const ArmAxes& axes, std::size_t a, std::size_t b);
+
+/// The point halfway between the lines of axes a and b where they are nearest; for parallel axes a's point next to the
+/// origin of b.
+dvec3 nearestPoint(const ArmAxes& axes, std::size_t a, std::size_t b);
+
+/// Distance (m) of a point from the line of an axis.
+double distanceFromAxis(const ArmAxes& axes, const dvec3& p_B, std::size_t axis);
+
+}  // namespace hapticell::kinematics

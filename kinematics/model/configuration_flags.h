@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "kinematics/model/chain.h"
+#include "kinematics/model/robot_model.h"
+
+namespace hapticell::kinematics {
+
+/// Which of the eight branches of its inverse a six-axis arm with parallel axes 2 and 3 stands on.
+struct ArmShape {
+  bool front = true;     ///< The wrist centre is on the side of axis 1 that the arm faces.
+  bool elbow_up = true;  ///< The elbow is above the line from axis 2 to the wrist centre (for an arm that faces it).
+  bool flipped = false;  ///< Joint 5 is on its negative side: axes 4, 5 and 6 turn left about each other.
+  bool wrist_forward = true;  ///< The wrist centre is before the lower arm's line (axis 2 to axis 3).
+};
+
+/// Tells the shapes of one chain; what does not depend on its joints is found once.
+///
+/// Const functions allocate nothing and run in any thread.
+class ArmShapes {
+ public:
+  ArmShapes() = default;  ///< Of nothing: tells no shape.
+  explicit ArmShapes(const Chain& chain);
+
+  /// The shape at `x` of the chain that this was made for; nothing for chains without such branches (see classify():
+  /// opw, ur, offset_wrist).
+  std::optional<ArmShape> at(const Chain& chain, const ChainPositions& x) const;
+  /// The same from the arm's six axes where they stand (slides in front left out; origins from any one point).
+  std::optional<ArmShape> of(const dvec3* axis_B, const dvec3* origin_B) const;
+  bool any() const { return any_; }
+
+ private:
+  bool any_ = false;
+  bool three_parallel_ = false;
+  std::size_t rails_ = 0;
+  dvec3 up_B_{0.0};
+  double forward_sign_ = 1.0;
+};
+
+/// ArmShapes(chain).at(chain, x).
+std::optional<ArmShape> armShape(const Chain& chain, const ChainPositions& x);
+
+/// "front, elbow up, wrist flipped".
+std::string toString(const ArmShape& shape);
+
+/// Who made a robot, as far as the model's and its links' names tell.
+enum class Maker { kUnknown, kKuka, kAbb, kFanuc };
+Maker makerOf(const RobotModel& model);
+
+/// KUKA's status and turn. Status bit 0: wrist centre behind axis 1; bit 1: axis 3 beyond the angle where the wrist
+/// centre, axis 3 and axis 2 stand in line; bit 2: axis 5 below zero. Turn bit n: axis n + 1 below zero.
+struct KukaFlags {
+  int status = 0;
+  int turn = 0;
+};
+KukaFlags kukaFlags(const ArmShape& shape, const std::array<double, 6>& q);
+
+/// ABB's confdata: quadrants floor(angle / 90 deg) of axes 1, 4 and 6, and cfx 0..7: 4 where the wrist centre is behind
+/// axis 1, 2 where it is behind the lower arm, 1 where axis 5 is negative.
+struct AbbFlags {
+  int cf1 = 0, cf4 = 0, cf6 = 0, cfx = 0;
+};
+AbbFlags abbFlags(const ArmShape& shape, const std::array<double, 6>& q);
+
+/// FANUC's configuration: flip (N where joint 5 is negative in FANUC's own count, else F), elbow U or D, T (toward the
+/// front) or B, and how many times joints 1, 4 and 6 passed 180 deg.
+struct FanucFlags {
+  char wrist = 'N';
+  char elbow = 'U';
+  char base = 'T';
+  std::array<int, 3> turns{};
+};
+FanucFlags fanucFlags(const ArmShape& shape, const std::array<double, 6>& q);
+
+/// The maker's own words: "S 2, T 35", "cf1 0, cf4 -1, cf6 0, cfx 1", "N U T, 0, 0, 0"; empty for an unknown maker.
+/// `q` are the six joints of the arm in the file's own count.
+std::string makerFlags(Maker maker, const ArmShape& shape, const std::array<double, 6>& q);
+
+}  // namespace hapticell::kinematics

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+
+namespace hapticell::kinematics {
+
+/// A 6 x dof matrix, row-major: rows 0-2 linear (m/s), rows 3-5 angular (rad/s), one column a variable of the model.
+struct Jacobian {
+  std::size_t columns = 0;
+  std::vector<double> values;  ///< 6 * columns numbers.
+
+  double operator()(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
+  double& operator()(std::size_t row, std::size_t column) { return values[row * columns + column]; }
+};
+
+/// A dof x 6 matrix, row-major: what each variable does for a motion of a point (columns 0-2 linear, 3-5 angular).
+struct InverseJacobian {
+  std::size_t rows = 0;
+  std::vector<double> values;  ///< 6 * rows numbers.
+
+  double operator()(std::size_t row, std::size_t column) const { return values[row * 6 + column]; }
+  double& operator()(std::size_t row, std::size_t column) { return values[row * 6 + column]; }
+};
+
+/// Indices of the joints from the root to `link`, base first, fixed ones included.
+std::vector<int> chainToTip(const RobotModel& model, int link);
+
+/// Indices of the variables that move `link` (by joints or by mimic joints on its chain), from base to tip.
+std::vector<int> variablesOfChain(const RobotModel& model, int link);
+
+/// The geometric Jacobian of the point Q fixed on `link`: V_BQ = J * qdot, expressed in the root link's frame B.
+///
+/// `X_BL` are the links' poses from forwardKinematics() at the joint positions meant; `p_BQ` is where the point stands
+/// now, in B. Mimic joints count for the variable they follow. `J` is resized (no allocation once it has its size).
+void geometricJacobian(const RobotModel& model, const std::vector<Pose>& X_BL, int link, const dvec3& p_BQ,
+                       Jacobian& J);
+
+/// How a Jacobian stands to its singular positions; lengths are divided by a lever (m) so that both kinds of rows
+/// compare.
+struct Manipulability {
+  double smallest = 0.0;  ///< Least singular value of the min(6, columns that move it) ones.
+  double largest = 0.0;
+  double measure = 0.0;  ///< Product of the singular values (Yoshikawa 1985).
+  bool singular() const { return smallest < 1e-3; }
+};
+Manipulability manipulability(const Jacobian& J, double lever_m);
+
+/// The damped pseudo-inverse J+ = Jᵀ (J Jᵀ + λ² I)⁻¹ with the rows scaled by `lever_m` (Nakamura and Hanafusa 1986).
+///
+/// λ is zero while the least singular value σ (linear rows divided by the lever) is over `threshold`, and grows to it
+/// at the singularity, λ² = threshold² - σ², so that no singular value of J+ exceeds 1 / threshold. With fewer than six
+/// variables the directions that none of them moves give nothing. `out` is resized.
+void dampedPseudoInverse(const Jacobian& J, double lever_m, double threshold, InverseJacobian& out);
+
+/// How far a variable may still move, rad or m; negative when it stands outside; infinite without limit.
+struct LimitDistance {
+  double to_lower = 0.0;
+  double to_upper = 0.0;
+};
+std::vector<LimitDistance> limitDistances(const RobotModel& model, const std::vector<double>& q);
+
+}  // namespace hapticell::kinematics

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinematics/model/jog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "geometry/system/assertion.h"
+
+namespace hapticell::kinematics {
+
+namespace {
+
+constexpr double kPieceLength = 0.002;                     ///< m
+constexpr double kPieceTurn = std::numbers::pi / 360.0;    ///< rad
+constexpr double kLargestSwing = std::numbers::pi / 18.0;  ///< rad of a joint in one piece
+constexpr int kMostPieces = 20000;
+constexpr double kOffPosition = 1e-6, kOffOrientation = 1e-5;  ///< m, rad
+constexpr double kAtLimit = 1e-6;                              ///< rad or m
+
+const Joint& jointOf(const RobotModel& model, std::size_t variable) {
+  return model.joints[static_cast<std::size_t>(model.moving[variable])];
+}
+
+Pose tcpAt(const JogRobot& robot, const std::vector<double>& q) {
+  std::vector<Pose> X_BL;
+  forwardKinematics(robot.model, q, X_BL);
+  return robot.X_WB * X_BL[static_cast<std::size_t>(robot.tip_link)] * robot.X_LT;
+}
+
+/// The joint that turns furthest from one to the other.
+std::size_t fastest(const std::vector<double>& from, const std::vector<double>& to, double& swing) {
+  std::size_t worst = 0;
+  swing = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (std::abs(to[i] - from[i]) <= swing) continue;
+    swing = std::abs(to[i] - from[i]);
+    worst = i;
+  }
+  return worst;
+}
+
+/// Why the next piece cannot be followed.
+std::string reasonAt(const RobotModel& model, const std::vector<double>& q, const InverseSolution& tried) {
+  double swing = 0.0;
+  const std::size_t worst = fastest(q, tried.q, swing);
+  if (const std::string limit = nearestLimitText(model, tried.q, kAtLimit); !limit.empty()) return limit;
+  if (tried.status == InverseStatus::kSolved || swing > kLargestSwing)
+    return "near a singularity " + jointOf(model, worst).name + " would have to swing round";
+  return "the arm is at the edge of its reach";
+}
+
+}  // namespace
+
+Pose jogged(const Pose& X_WT, const Pose& X_WB, const JogStep& step) {
+  const dquat R_WF = step.frame == JogFrame::kTool    ? X_WT.q
+                     : step.frame == JogFrame::kBase  ? X_WB.q
+                     : step.frame == JogFrame::kGiven ? step.R_WF
+                                                      : dquat(1.0, 0.0, 0.0, 0.0);
+  return {X_WT.p + R_WF * step.along, glm::normalize(quaternionFromRotationVector(R_WF * step.turn) * X_WT.q)};
+}
+
+JogResult jogJoint(const RobotModel& model, const std::vector<double>& q_now, int variable, double amount) {
+  HAPTICELL_DEMAND(q_now.size() == model.dof() && variable >= 0 && static_cast<std::size_t>(variable) < q_now.size());
+  const auto i = static_cast<std::size_t>(variable);
+  const Joint& joint = jointOf(model, i);
+  const double wanted = q_now[i] + amount;
+  JogResult result{q_now, true, {}};
+  result.q[i] = std::clamp(wanted, joint.lower, joint.upper);
+  result.complete = result.q[i] == wanted;
+  if (!result.complete) result.reason = limitText(joint, 0.0, wanted > joint.upper);
+  return result;
+}
+
+JogResult jogTool(const JogRobot& robot, const std::vector<double>& q_now, const JogStep& step) {
+  HAPTICELL_DEMAND(q_now.size() == robot.model.dof());
+  const double share = std::max(glm::length(step.along) / kPieceLength, glm::length(step.turn) / kPieceTurn);
+  const int pieces = static_cast<int>(std::clamp(std::ceil(share), 1.0, static_cast<double>(kMostPieces)));
+  const Pose X_WT0 = tcpAt(robot, q_now);
+  const Pose X_BW = robot.X_WB.inverse();
+  JogResult result{q_now, true, {}};
+  InverseSolution solution;
+  for (int piece = 1; piece <= pieces; ++piece) {
+    const double s = static_cast<double>(piece) / pieces;
+    // Over the axes as they stood at the start: a tool's own axes do not turn away under the step.
+    const Pose X_WT = jogged(X_WT0, robot.X_WB, {step.frame, s * step.along, s * step.turn, step.R_WF});
+    robot.inverse.solveNearest(X_BW * X_WT, result.q, kUnboundedDuration, solution);
+    double swing = 0.0;
+    if (solution.q.size() == result.q.size()) fastest(result.q, solution.q, swing);
+    const bool met = solution.position_error < kOffPosition && solution.orientation_error < kOffOrientation;
+    if (!met || swing > kLargestSwing) {
+      result.complete = false;
+      result.reason = reasonAt(robot.model, result.q, solution);
+      return result;
+    }
+    result.q = solution.q;
+  }
+  return result;
+}
+
+std::string nearestLimitText(const RobotModel& model, const std::vector<double>& q, double near) {
+  HAPTICELL_DEMAND(q.size() == model.dof());
+  std::string text;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const Joint& joint = jointOf(model, i);
+    const double to_lower = q[i] - joint.lower, to_upper = joint.upper - q[i];
+    const double left = std::min(to_lower, to_upper);
+    if (left > near) continue;
+    near = left;
+    text = limitText(joint, left, to_upper < to_lower);
+  }
+  return text;
+}
+
+std::string limitText(const Joint& joint, double left, bool upper) {
+  const bool turns = joint.type != JointType::kPrismatic;
+  const double shown = turns ? left * 180.0 / std::numbers::pi : left * 1000.0;
+  const char* side = upper ? "upper" : "lower";
+  char text[160];
+  if (shown < 0.05) {
+    std::snprintf(text, sizeof text, "%.100s is at its %s limit", joint.name.c_str(), side);
+  } else {
+    std::snprintf(text, sizeof text, "%.100s is %.1f %s from its %s limit", joint.name.c_str(), shown,
+                  turns ? "deg" : "mm", side);
+  }
+  return text;
+}
+
+}  // namespace hapticell::kinematics

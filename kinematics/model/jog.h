@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kinematics/model/inverse_model.h"
+#include "kinematics/model/robot_model.h"
+
+namespace hapticell::kinematics {
+
+/// Whose axes a Cartesian jog goes along.
+enum class JogFrame {
+  kBase,   ///< The robot's root link.
+  kTool,   ///< The tool centre point's own.
+  kWorld,  ///< The cell.
+  kGiven,  ///< Any other: JogStep::R_WF says which way it is turned.
+};
+
+/// One step of a jog of the tool centre point. Turns are about the tool centre point, it stays where it is.
+struct JogStep {
+  JogFrame frame = JogFrame::kBase;
+  dvec3 along{0.0};                ///< m, over the frame's axes.
+  dvec3 turn{0.0};                 ///< Rotation vector, rad, over the frame's axes.
+  dquat R_WF{1.0, 0.0, 0.0, 0.0};  ///< kGiven only: the axes, a unit quaternion.
+};
+
+/// Where the tool centre point, now at X_WT, stands after the step; the root link is at X_WB.
+Pose jogged(const Pose& X_WT, const Pose& X_WB, const JogStep& step);
+
+/// What a jog came to.
+struct JogResult {
+  std::vector<double> q;  ///< As far as it goes: one a variable, within limits.
+  bool complete = true;   ///< False: something held it back.
+  std::string reason;     ///< Why, where it is not complete: "A5 is at its upper limit".
+};
+
+/// Moves one variable by `amount` (rad or m), at most to its limit. `q_now` has one number a variable (contract).
+JogResult jogJoint(const RobotModel& model, const std::vector<double>& q_now, int variable, double amount);
+
+/// Moves the tool centre point from where it stands at `q_now` along a straight step, in this configuration.
+///
+/// The way is walked in pieces of 2 mm and 0.5 degrees at most, so that it never jumps to another configuration; it
+/// ends before a piece that cannot be followed within 1 um and 1e-5 rad, the reason being the joint at its limit, a
+/// wrist singularity (a joint would have to turn by more than 10 degrees in one piece) or the edge of the reach.
+/// `inverse` is for `tip_link` of `model` with the tool centre point X_LT on it.
+struct JogRobot {
+  const RobotModel& model;
+  const InverseModel& inverse;
+  int tip_link = 0;
+  Pose X_LT;
+  Pose X_WB;
+};
+JogResult jogTool(const JogRobot& robot, const std::vector<double>& q_now, const JogStep& step);
+
+/// "A5 is 1.2 deg from its upper limit", "Z is at its lower limit": what stands nearest to a limit at `q`; empty where
+/// nothing is within `near` of one (rad; a slide's metre counts as a radian).
+std::string nearestLimitText(const RobotModel& model, const std::vector<double>& q, double near);
+
+/// "A5 is 1.2 deg from its upper limit", or "A5 is at its upper limit" within 0.05 deg (or mm).
+std::string limitText(const Joint& joint, double left, bool upper);
+
+}  // namespace hapticell::kinematics

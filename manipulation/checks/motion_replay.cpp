@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/checks/motion_replay.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "kinematics/closed_form/inverse_factory.h"
+#include "manipulation/manipulators/moved_by.h"
+#include "manipulation/manipulators/robot_manipulator.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+using trajectory::Trajectory;
+using workcell::Entity;
+
+Error refusal(const std::string& place, std::string found, std::string expected) {
+  return {"", place, std::move(found), std::move(expected), ""};
+}
+
+/// Where the moved frame is fixed in the entity; nothing where its joints move it.
+Expected<std::optional<Pose>> fixedFrame(const std::vector<std::shared_ptr<const Entity>>& entities,
+                                         const Entity& entity, const MovedBy& moved_by) {
+  using Kind = MovedBy::Kind;
+  switch (moved_by.kind) {
+    case Kind::kDefault:
+      if (entity.robot && entity.kind != workcell::EntityKind::kMannequin) return std::optional<Pose>();
+      return std::optional<Pose>(Pose::identity());
+    case Kind::kTcp:
+      return std::optional<Pose>();
+    case Kind::kBase:
+    case Kind::kSelfOrigin:
+    case Kind::kWhole:
+      return std::optional<Pose>(Pose::identity());
+    case Kind::kGeometricCenter:
+      return std::optional<Pose>(entity.mesh ? Pose::translation(entity.mesh->bounds().center()) : Pose::identity());
+    case Kind::kFrame:
+      if (entity.robot && entity.robot->findLink(moved_by.frame) >= 0) return std::optional<Pose>();
+      for (const auto& other : entities) {
+        const Pose X_EO = entity.X_WE.inverse() * other->X_WE;
+        if (other->name == moved_by.frame) return std::optional<Pose>(X_EO);
+        for (const workcell::Frame& frame : other->frames) {
+          if (frame.name == moved_by.frame) return std::optional<Pose>(X_EO * frame.X_EF);
+        }
+      }
+      return makeError(refusal("moved", "there is no frame '" + moved_by.frame + "'", "one of an entity"));
+    case Kind::kLeftHand:
+    case Kind::kRightHand:
+    case Kind::kBothHands:
+    case Kind::kHead:
+      break;
+  }
+  return makeError(refusal("moved", "the motion of a hand alone", "a mannequin's whole posture (moved: whole)"));
+}
+
+}  // namespace
+
+namespace {
+
+/// A robot drawn by its tool centre point, without parts.
+Expected<std::unique_ptr<RobotManipulator>> armOf(const Entity& entity) {
+  int tip = entity.robot->findLink(entity.tip_link);
+  if (tip < 0) tip = entity.robot->defaultTip();
+  if (tip < 0) return makeError(refusal("'" + entity.name + "'", "the robot has no tip", "one that moves"));
+  auto inverse = kinematics::createInverse(*entity.robot, tip, entity.X_LT);
+  if (!inverse) return makeError(inverse.error());
+  return std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, entity.X_LT}, std::move(*inverse),
+                                            std::vector<RobotManipulator::Part>{});
+}
+
+/// A robot's motion by its tool: what joints and poses say of each other.
+bool isByTool(const Entity& entity, const Trajectory& trajectory) {
+  const bool robot = entity.robot && entity.kind != workcell::EntityKind::kMannequin;
+  return robot && trajectory.hasJoints() && (trajectory.moved.empty() || trajectory.moved == "tcp");
+}
+
+constexpr double kSamePose = 1e-6;  ///< m, rad
+
+/// Each frame with its configuration changed by `change`; marked where its joints do not bring the tool to its pose.
+template <class Change>
+Expected<Trajectory> reconciled(const Entity& entity, const Trajectory& trajectory, Change change) {
+  if (!isByTool(entity, trajectory)) return trajectory;
+  const auto columns = jointColumns(entity, trajectory);
+  if (!columns) return makeError(columns.error());
+  const auto arm = armOf(entity);
+  if (!arm) return makeError(arm.error());
+  Trajectory result = trajectory.emptyCopy();
+  result.has_poses = true;
+  result.reserve(trajectory.size());
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    EntityConfiguration at{entity.X_WE, entity.joints};
+    const auto joints = trajectory.joints(i);
+    for (std::size_t j = 0; j < joints.size(); ++j) at.joints[(*columns)[j]] = joints[j];
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): one `change` sets it.
+    Trajectory::Frame frame = trajectory[i];
+    change(**arm, at, frame);
+    const auto off = trajectory::distanceBetween((*arm)->movedFrame(at), frame.X_WT);
+    frame.is_pose_apart = off.position > kSamePose || off.angle > kSamePose;
+    std::vector<double> changed;
+    for (const std::size_t column : *columns) changed.push_back(at.joints[column]);
+    result.addFrame(frame, changed);
+  }
+  return result;
+}
+
+}  // namespace
+
+Expected<Trajectory> jointsFromPoses(const Entity& entity, const Trajectory& trajectory) {
+  if (!trajectory.has_poses) return posesFromJoints(entity, trajectory);
+  return reconciled(entity, trajectory,
+                    [](const RobotManipulator& arm, EntityConfiguration& at, const Trajectory::Frame& frame) {
+                      at = arm.propose(at, frame.X_WT, kinematics::kUnboundedDuration);
+                    });
+}
+
+Expected<Trajectory> posesFromJoints(const Entity& entity, const Trajectory& trajectory) {
+  return reconciled(entity, trajectory,
+                    [](const RobotManipulator& arm, const EntityConfiguration& at, Trajectory::Frame& frame) {
+                      frame.X_WT = arm.movedFrame(at);
+                    });
+}
+
+Expected<std::vector<std::size_t>> jointColumns(const Entity& entity, const Trajectory& trajectory) {
+  std::vector<std::size_t> columns;
+  if (entity.robot == nullptr) return columns;
+  for (std::size_t j = 0; j < trajectory.joint_names.size(); ++j) {
+    const std::string& name = trajectory.joint_names[j];
+    const int joint = entity.robot->findJoint(name);
+    const int variable = joint < 0 ? -1 : entity.robot->joints[static_cast<std::size_t>(joint)].variable;
+    // CSV twins name their columns q1, q2, ... from base to tip.
+    const bool is_counted = joint < 0 && name == "q" + std::to_string(j + 1) && j < entity.robot->dof();
+    if (variable < 0 && !is_counted) {
+      return makeError(refusal("joint '" + name + "'", "'" + entity.name + "' has no such joint",
+                               "names of its joints, or q1, q2, ..."));
+    }
+    columns.push_back(is_counted ? j : static_cast<std::size_t>(variable));
+  }
+  return columns;
+}
+
+Expected<MotionReplay> MotionReplay::create(const std::vector<std::shared_ptr<const Entity>>& entities,
+                                            const std::string& name, std::shared_ptr<const Trajectory> trajectory,
+                                            const std::vector<double>& start) {
+  const auto found = std::find_if(entities.begin(), entities.end(), [&](const auto& e) { return e->name == name; });
+  if (found == entities.end())
+    return makeError(refusal("entity", "there is none called '" + name + "'", "one of the cell"));
+  if (trajectory->empty()) return makeError(refusal("frames", "none", "a motion"));
+  auto columns = jointColumns(**found, *trajectory);
+  if (!columns) return makeError(columns.error());
+  MovedBy moved_by;
+  if (!trajectory->moved.empty()) {
+    auto parsed = parseMovedBy(trajectory->moved);
+    if (!parsed) return makeError(parsed.error());
+    moved_by = std::move(*parsed);
+  }
+  const auto X_EM = fixedFrame(entities, **found, moved_by);
+  if (!X_EM) return makeError(X_EM.error());
+
+  MotionReplay replay;
+  replay.entity_ = *found;
+  replay.trajectory_ = std::move(trajectory);
+  replay.columns_ = std::move(*columns);
+  replay.moves_root_ = X_EM->has_value();
+  if (replay.moves_root_) replay.X_EM_ = **X_EM;
+  if (!replay.moves_root_ && replay.columns_.empty()) {
+    if (auto followed = replay.follow(start); !followed) return makeError(followed.error());
+  }
+  return replay;
+}
+
+Expected<void> MotionReplay::follow(const std::vector<double>& start) {
+  const auto arm = armOf(*entity_);
+  if (!arm) return makeError(arm.error());
+  EntityConfiguration at{entity_->X_WE, start.size() == entity_->robot->dof() ? start : entity_->joints};
+  followed_.reserve(trajectory_->size());
+  for (const Trajectory::Frame& frame : trajectory_->frames()) {
+    at = (*arm)->propose(at, frame.X_WT, kinematics::kUnboundedDuration);
+    const auto off = trajectory::distanceBetween((*arm)->movedFrame(at), frame.X_WT);
+    off_pose_ = {std::max(off_pose_.position, off.position), std::max(off_pose_.angle, off.angle)};
+    followed_.push_back(at.joints);
+  }
+  return {};
+}
+
+EntityConfiguration MotionReplay::at(double t) const {
+  EntityConfiguration at{entity_->X_WE, entity_->joints};
+  if (moves_root_) at.X_WE = trajectory_->poseAt(t) * X_EM_.inverse();
+  if (!columns_.empty()) {
+    const std::vector<double> joints = trajectory_->jointsAt(t);
+    for (std::size_t j = 0; j < columns_.size(); ++j) at.joints[columns_[j]] = joints[j];
+  } else if (!followed_.empty()) {
+    const auto frames = trajectory_->frames();
+    const auto after =
+        std::upper_bound(frames.begin(), frames.end(), t, [](double time, const auto& f) { return time < f.t; });
+    const auto next = std::min<std::size_t>(static_cast<std::size_t>(after - frames.begin()), frames.size() - 1);
+    const std::size_t before = after == frames.begin() ? 0 : static_cast<std::size_t>(after - frames.begin()) - 1;
+    const double span = frames[next].t - frames[before].t;
+    const double share = span > 0.0 ? std::clamp((t - frames[before].t) / span, 0.0, 1.0) : 0.0;
+    at.joints = followed_[before];
+    for (std::size_t j = 0; j < at.joints.size(); ++j) at.joints[j] += share * (followed_[next][j] - at.joints[j]);
+  }
+  return at;
+}
+
+Pose MotionReplay::movedFrame(const EntityConfiguration& at) const {
+  if (moves_root_ || !entity_->robot) return at.X_WE * X_EM_;
+  int tip = entity_->robot->findLink(entity_->tip_link);
+  if (tip < 0) tip = entity_->robot->defaultTip();
+  if (tip < 0) return at.X_WE;
+  std::vector<Pose> X_BL;
+  kinematics::forwardKinematics(*entity_->robot, at.joints, X_BL);
+  return at.X_WE * X_BL[static_cast<std::size_t>(tip)] * entity_->X_LT;
+}
+
+Trajectory MotionReplay::withJoints() const {
+  if (followed_.empty()) return *trajectory_;
+  Trajectory result = trajectory_->emptyCopy();
+  for (const int joint : entity_->robot->moving) {
+    result.joint_names.push_back(entity_->robot->joints[static_cast<std::size_t>(joint)].name);
+  }
+  result.reserve(trajectory_->size());
+  for (std::size_t i = 0; i < trajectory_->size(); ++i) result.addFrame((*trajectory_)[i], followed_[i]);
+  return result;
+}
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "collision/queries/motion_check.h"
+#include "collision/queries/proximity_query.h"
+#include "manipulation/manipulators/manipulator.h"
+
+namespace hapticell::manipulation {
+
+/// A moved part against an obstacle at rest, or against another moved part (of the same robot).
+struct MotionPair {
+  std::uint32_t part = 0;
+  std::uint32_t obstacle = 0;
+  bool blocks = true;   ///< False: distances are told, motion is not stopped.
+  int other_part = -1;  ///< Not -1: the part that it is checked against; `obstacle` has no meaning then.
+};
+
+/// Something at rest that the moved parts must not enter.
+struct Obstacle {
+  std::shared_ptr<const collision::MeshCollider> collider;
+  Pose X_WO;
+};
+
+/// How far a motion is free.
+struct MotionAnswer {
+  double s = 1.0;                     ///< Free from 0 to here, nothing is tunnelled through.
+  bool blocked = false;               ///< Something stands in the way at `s`.
+  std::uint32_t pair = 0;             ///< Index of the pair that blocks.
+  collision::DistanceResult contact;  ///< Its nearest points there, A on the moved part.
+};
+
+/// The exact check of the motion from one accepted configuration to the next, by conservative advancement (Mirtich
+/// 1996; Zhang, Lee, Kim 2006): a step never exceeds the distance that was measured over the speed bound of the part.
+///
+/// Keeps for every pair a lower bound of its distance, used up by motion, so that a pair is measured again only when it
+/// could have come near. Pairs that touch or intersect at reset() are `soft`: they do not block (nothing could ever
+/// move) until they have come apart once; who moves them sees to it that they get no deeper. One thread.
+class FreeMotion {
+ public:
+  /// Distance (m) that is left between surfaces when a motion is blocked.
+  static constexpr double kStandOff = 5e-6;
+  /// Shift (m) that frees a pair that only touches; see guard().
+  static constexpr double kGuard = 1e-5;
+
+  FreeMotion(std::vector<std::shared_ptr<const collision::MeshCollider>> parts, std::vector<Obstacle> obstacles,
+             std::vector<MotionPair> pairs);
+
+  /// Starts anew at this configuration.
+  void reset(const Manipulator& manipulator, const EntityConfiguration& at);
+
+  /// Says which way a soft pair that only touches comes free. Where a small shift along the unit `nhat_W` frees it, it
+  /// blocks from now on as if the obstacle stood back by that shift, until it has come apart.
+  void guard(std::uint32_t pair, const dvec3& nhat_W);
+
+  /// An obstacle goes to X_WO; nobody else moves. What it comes to touch blocks from then on.
+  void moveObstacle(std::uint32_t obstacle, const Pose& X_WO);
+
+  /// Goes along manipulator.between(from, to, .) as far as it is free; `from` must be where the last call ended.
+  MotionAnswer advance(const Manipulator& manipulator, const EntityConfiguration& from, const EntityConfiguration& to);
+
+  /// Exact distances of all pairs nearer than `limit` where the parts stand now, in the order of the pairs.
+  struct PairDistance {
+    std::uint32_t pair = 0;
+    collision::DistanceResult result;
+  };
+  void distances(double limit, std::vector<PairDistance>& near) { distances(limit, 0, near); }
+  /// The same for the pairs from `first` on.
+  void distances(double limit, std::uint32_t first, std::vector<PairDistance>& near);
+
+  const std::vector<std::shared_ptr<const collision::MeshCollider>>& parts() const { return parts_; }
+  const std::vector<Obstacle>& obstacles() const { return obstacles_; }
+  const std::vector<MotionPair>& pairs() const { return pairs_; }
+  const Obstacle& obstacle(std::uint32_t index) const { return obstacles_[index]; }
+  bool isSoft(std::uint32_t pair) const { return states_[pair].soft; }
+  bool anySoft() const;
+  const std::vector<Pose>& partPoses() const { return X_WP_; }
+  const std::vector<PartSphere>& spheres() const { return spheres_; }
+
+ private:
+  struct PairState {
+    collision::ProximityQuery query;
+    double clearance = 0.0;  ///< Lower bound of the distance now, m.
+    bool soft = false;
+    dvec3 stand_back_W{0.0};  ///< By this the obstacle is moved for blocking only; zero where it is not guarded.
+    bool guarded() const { return stand_back_W != dvec3(0.0); }
+  };
+  struct Motion {
+    const Manipulator& manipulator;
+    const EntityConfiguration& from;
+    const EntityConfiguration& to;
+    double turned;
+  };
+
+  collision::DistanceResult measure(std::uint32_t pair, const Pose& X_WP, double limit);
+  Pose standingPose(std::uint32_t pair) const;
+  Pose obstaclePose(std::uint32_t pair) const;
+  double boundOf(std::uint32_t pair) const;
+  void advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer);
+  Pose partPoseAt(const Motion& motion, std::uint32_t part, double s);
+  void boundPairs(const Motion& motion);
+
+  std::vector<std::shared_ptr<const collision::MeshCollider>> parts_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<MotionPair> pairs_;
+  std::vector<PairState> states_;
+  std::vector<PartSphere> spheres_;
+  std::vector<Pose> X_WP_;  ///< At the accepted configuration.
+  std::vector<double> bounds_;
+  std::vector<std::uint32_t> own_;               ///< Indices of the pairs of two parts,
+  std::vector<Manipulator::OwnPair> own_parts_;  ///< and their parts.
+  std::vector<double> own_bounds_;               ///< Scratch: one each.
+  std::vector<double> pair_bounds_;              ///< How far the two of a pair may come together along the motion.
+  std::vector<double> reached_;                  ///< Scratch per pair: s where its clearance was last measured.
+  EntityConfiguration at_s_;                     ///< Scratch: at the last s asked for.
+  double scratch_s_ = -1.0;
+};
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "manipulation/manipulators/mannequin_body.h"
+#include "mannequin/posture/posture_solver.h"
+
+namespace hapticell::manipulation {
+
+/// A mannequin drawn by a hand, or by what both hands hold: the arms, the trunk and the legs follow, feet standing (or
+/// stepping where they may).
+///
+/// The moved frame is the grip of the hand, or the middle between both hands. Its reach is felt as a limit: how far the
+/// figure could follow outward is asked of the solver.
+class MannequinManipulator final : public MannequinBody {
+ public:
+  enum class Hands {
+    kLeft,
+    kRight,
+    kBoth,       ///< What both hold keeps its place in both.
+    kBothApart,  ///< Each goes by the same motion, turning about its own grip.
+  };
+  struct Locks {
+    bool trunk = false;
+    bool pelvis = false;
+    bool on_seat = false;   ///< The pelvis does not move, and the feet need not bear the body.
+    bool may_step = false;  ///< The feet step where the hand would not be reached (mannequin_steps.h).
+    bool in_air = false;    ///< Nothing bears the feet: no balance, no steps.
+    std::array<mannequin::HandLoad, 2> loads{};  ///< In the hands; their weight counts in the balance.
+  };
+
+  /// `figure` and `model` belong together. `taken` is how the figure stands when it is taken: that is how both hands go
+  /// on holding.
+  MannequinManipulator(std::shared_ptr<const mannequin::Figure> figure,
+                       std::shared_ptr<const kinematics::RobotModel> model, Hands hands, const Locks& locks,
+                       const EntityConfiguration& taken, std::vector<Part> parts);
+
+  Pose movedFrame(const EntityConfiguration& configuration) const override;
+  EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM, double duration_s) const override;
+  std::vector<PartDifferential> differentiate(const EntityConfiguration& configuration) const override;
+  std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone, double lever) const override;
+
+  /// Where a search for a posture begins: how the figure stands, or upright on the same feet with hanging arms.
+  enum class Anew { kAsItStands, kUpright };
+  /// Postures with the moved frame at `p_WM` (within a millimetre), found anew and not by following, the nearest to
+  /// `from` first: how the hands turn is left open, so that arms may come from another side; from upright, to either
+  /// side as well. Feet stand where they are. None where `interrupted` (may be empty) says so on the way.
+  std::vector<EntityConfiguration> solvedAnew(const EntityConfiguration& from, const dvec3& p_WM, Anew anew,
+                                              const std::function<bool()>& interrupted) const;
+  /// Upright on the same feet: the arms hanging, and before the body.
+  std::vector<EntityConfiguration> upright(const EntityConfiguration& from) const;
+  /// The same, moved and turned on the floor to where a hand works at `p_WM` with ease: facing it from there, facing on.
+  std::vector<EntityConfiguration> uprightBefore(const EntityConfiguration& from, const dvec3& p_WM) const;
+  /// Unit, level: where the feet head.
+  dvec3 facing_W(const EntityConfiguration& configuration) const;
+
+ private:
+  using Feet = std::array<Pose, 2>;
+  Feet feetOf(const mannequin::Posture& posture) const;
+  mannequin::Posture uprightOn(const Feet& feet, const char* posture) const;
+  bool mayReach(const mannequin::Posture& upright, const dvec3& p_WM) const;
+  mannequin::PostureTask taskFor(const Pose& X_WM, const Feet& X_WF) const;
+  mannequin::Posture follow(const mannequin::PostureTask& task, mannequin::Posture posture, dvec3* missing) const;
+  /// How far (m, at most `ahead`) the figure follows along `outward` from `posture`; nothing where it goes all the way,
+  /// or still does when the time for it is over.
+  std::optional<double> reachAlong(const dvec3& outward, double ahead, mannequin::Posture posture,
+                                   const Pose& X_WM) const;
+  dvec3 wantedHand(const Pose& X_WM) const;
+  dvec3 comfortableNear(const dvec3& seen) const;
+  dvec3 beyondComfort(const Pose& X_WM, const Feet& X_WF) const;
+  double mindingTheHand(double turn, const Pose& X_WM, const Feet& X_WF) const;
+  double turnToFace(const Pose& X_WM, const Feet& X_WF) const;
+  mannequin::Posture followStanding(const Pose& X_WM, const Feet& feet, const mannequin::Posture& posture) const;
+  mannequin::Posture unwound(const mannequin::Posture& start, const Feet& feet) const;
+  mannequin::Posture untwisted(const mannequin::Posture& posture, const Feet& feet) const;
+  std::optional<mannequin::Posture> goTo(Feet stepped, const Feet& feet, const mannequin::Posture& posture,
+                                         const Pose* X_WM) const;
+  bool walksWell(const mannequin::Posture& posture, const Feet& feet) const;
+  EntityConfiguration proposeStepping(const mannequin::Posture& from, const Pose& X_WM, double duration_s) const;
+  double wishedTurn(const Pose& X_WM, const mannequin::Posture& posture, const Feet& X_WF) const;
+  bool isBoth() const { return hands_ == Hands::kBoth || hands_ == Hands::kBothApart; }
+  mannequin::Side driven() const;
+
+  mannequin::PostureSolver solver_;
+  Hands hands_;
+  Locks locks_;
+  std::array<Pose, 2> X_MH_;        ///< Left and right hand in the moved frame.
+  std::array<dvec3, 2> p_MH_W_;     ///< The same places by the axes of the cell: where hands go apart.
+  Feet X_WF_;                       ///< Where the feet stand.
+  dquat q_WM_{1.0, 0.0, 0.0, 0.0};  ///< The moved frame as taken.
+};
+
+}  // namespace hapticell::manipulation

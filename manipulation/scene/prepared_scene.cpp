@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/scene/prepared_scene.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "collision/surfaces/hollow_relief.h"
+#include "collision/surfaces/mesh_facing.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+/// Triangles of a mesh whose tree is kept on disk, and of one whose surfaces are.
+constexpr std::size_t kWorthAFile = 50000, kSurfacesWorthAFile = 3000;
+constexpr std::size_t kCutAsAWhole = 60000;  ///< Triangles; of larger meshes only what is near is cut into pieces.
+constexpr std::size_t kStages = 3;           ///< Surfaces, tree, pieces.
+constexpr double kWeldedByLittle = 1.1e-6;   ///< m: a surface's mesh that is this near to the part's own stands for it.
+
+/// Made for the contacts, so it must not leave out or move what the exact check is to see.
+bool standsFor(const collision::SurfaceModel& surfaces, const geometry::TriangleMesh& mesh) {
+  return surfaces.surface().mesh.triangles.size() == mesh.triangles.size() &&
+         geometry::weldTolerance(mesh) <= kWeldedByLittle;
+}
+
+/// False when cancelled.
+bool makeReady(const geometry::TriangleMesh& as_read, PreparationProgress& progress, PreparedMesh& prepared) {
+  const std::size_t triangles = as_read.triangles.size();
+  const geometry::TriangleMesh mesh = collision::feltMesh(as_read, &prepared.bodies_turned);
+  collision::ColliderBuild how;
+  how.progress = &progress.build;
+  if (triangles >= kSurfacesWorthAFile) how.cache_folder = collision::userCacheFolder();
+  prepared.surfaces = collision::SurfaceModel::build(mesh, how);
+  if (progress.build.cancelled) return false;
+  progress.done += triangles;
+  how.cache_folder = triangles >= kWorthAFile ? collision::userCacheFolder() : std::filesystem::path();
+  const bool relieved = collision::hasHollows(prepared.surfaces->surface());
+  prepared.collider = relieved || standsFor(*prepared.surfaces, mesh) ? prepared.surfaces->sharedCollider()
+                                                                      : collision::MeshCollider::build(mesh, how);
+  if (progress.build.cancelled) return false;
+  progress.done += triangles;
+  prepared.pieces = triangles > kCutAsAWhole ? collision::ConvexPieces::onDemand(prepared.collider)
+                                             : collision::ConvexPieces::build(mesh);
+  progress.done += triangles;
+  return !progress.build.cancelled;
+}
+
+}  // namespace
+
+struct PreparedScene::Job {
+  MeshKey key;
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
+};
+
+std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell::Entity> entities,
+                                                            workcell::PairPolicy pairs,
+                                                            const workcell::PairDefaults& defaults,
+                                                            const PreparedScene* previous,
+                                                            PreparationProgress* progress) {
+  std::shared_ptr<PreparedScene> scene(new PreparedScene);
+  scene->entities_ = std::move(entities);
+  scene->pairs_ = std::move(pairs);
+  scene->defaults_ = defaults;
+  std::vector<Job> jobs;
+  for (const workcell::Entity& entity : scene->entities_) scene->addParts(entity, jobs);
+  PreparationProgress unwatched;
+  PreparationProgress& watched = progress != nullptr ? *progress : unwatched;
+  scene->run(jobs, previous, watched);
+  if (!watched.build.cancelled) return scene;
+  scene->dropUnfinished();
+  watched.given_up = std::move(scene);
+  return nullptr;
+}
+
+void PreparedScene::dropUnfinished() {
+  parts_.clear();
+  keys_.clear();
+  std::erase_if(meshes_, [](const auto& entry) {
+    const PreparedMesh& mesh = entry.second;
+    return !mesh.surfaces || !mesh.collider || !mesh.pieces;
+  });
+}
+
+void PreparedScene::addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
+                            std::vector<Job>& jobs) {
+  part.body = workcell::rigidBodyOf(entities_, *find(part.entity), part.link);
+  if (meshes_.emplace(key, PreparedMesh{}).second) jobs.push_back({key, std::move(mesh)});
+  parts_.push_back(std::move(part));
+  keys_.push_back(key);
+}
+
+/// The largest meshes first, each by whoever is free: what comes of it does not depend on who does it.
+void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previous, PreparationProgress& progress) {
+  std::vector<const Job*> order;
+  std::size_t steps = 0;
+  for (const Job& job : jobs) {
+    if (previous != nullptr && previous->meshes_.count(job.key) != 0) {
+      meshes_[job.key] = previous->meshes_.at(job.key);
+    } else {
+      order.push_back(&job);
+      steps += kStages * job.mesh->triangles.size();
+    }
+  }
+  progress.steps = steps;
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Job* a, const Job* b) { return a->mesh->triangles.size() > b->mesh->triangles.size(); });
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < order.size(); i = next++) {
+      if (!makeReady(*order[i]->mesh, progress, meshes_.find(order[i]->key)->second)) return;
+    }
+  };
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::thread> helpers;
+  for (std::size_t i = 1; i < std::min(cores, order.size()); ++i) helpers.emplace_back(work);
+  work();
+  for (std::thread& helper : helpers) helper.join();
+  for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].mesh = meshes_.at(keys_[i]);
+}
+
+void PreparedScene::addParts(const workcell::Entity& entity, std::vector<Job>& jobs) {
+  if (entity.kind == workcell::EntityKind::kSolid) {
+    const auto& mesh = workcell::checkedMesh(entity);
+    if (!mesh || mesh->triangles.empty()) return;
+    addPart({.entity = entity.id}, {mesh.get(), -1}, mesh, jobs);
+    return;
+  }
+  if (!entity.robot) return;
+  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
+    const kinematics::Link& link = entity.robot->links[i];
+    geometry::TriangleMesh whole;
+    for (const kinematics::LinkShape& shape : link.collisions) {
+      if (shape.mesh) geometry::append(whole, *shape.mesh, shape.X_LS);
+    }
+    if (whole.triangles.empty()) continue;
+    const MeshKey key{entity.robot.get(), static_cast<int>(i)};
+    addPart({.entity = entity.id, .link = static_cast<int>(i), .name = link.name}, key,
+            std::make_shared<const geometry::TriangleMesh>(std::move(whole)), jobs);
+  }
+}
+
+const workcell::Entity* PreparedScene::find(workcell::EntityId id) const {
+  const auto found = std::find_if(entities_.begin(), entities_.end(), [&](const auto& e) { return e.id == id; });
+  return found == entities_.end() ? nullptr : &*found;
+}
+
+const workcell::Entity* PreparedScene::find(const std::string& name) const {
+  const auto found = std::find_if(entities_.begin(), entities_.end(), [&](const auto& e) { return e.name == name; });
+  return found == entities_.end() ? nullptr : &*found;
+}
+
+Pose PreparedScene::partPose(const workcell::Entity& entity, const Pose& X_WE, const std::vector<double>& joints,
+                             int link) {
+  if (link < 0 || !entity.robot) return X_WE;
+  std::vector<Pose> X_EL;
+  kinematics::forwardKinematics(*entity.robot, joints, X_EL);
+  return X_WE * X_EL[static_cast<std::size_t>(link)];
+}
+
+std::vector<workcell::EffectivePair> PreparedScene::pairsOf(workcell::EntityId moved,
+                                                            workcell::OnContact on_contact) const {
+  std::vector<workcell::Entity> entities = entities_;
+  for (workcell::Entity& entity : entities) {
+    if (entity.id == moved) entity.on_contact = on_contact;
+  }
+  return workcell::effectivePairs(entities, pairs_.sets, moved, defaults_);
+}
+
+const workcell::PairRule* PreparedScene::ruleFor(const ScenePart& a, const ScenePart& b) const {
+  if (pairs_.rules.empty()) return nullptr;
+  return workcell::ruleFor(pairs_.rules, {find(a.entity)->name, a.name}, {find(b.entity)->name, b.name});
+}
+
+bool PreparedScene::isChecked(const ScenePart& a, const ScenePart& b) const {
+  if (a.body == b.body) return false;
+  const workcell::PairRule* rule = ruleFor(a, b);
+  return rule == nullptr || rule->checked;
+}
+
+PreparedScene::FoundFrame PreparedScene::findFrame(const std::string& name) const {
+  for (const workcell::Entity& entity : entities_) {
+    if (entity.name == name) return {&entity, Pose::identity()};
+    for (const workcell::Frame& frame : entity.frames) {
+      if (frame.name == name) return {&entity, frame.X_EF};
+    }
+  }
+  return {};
+}
+
+}  // namespace hapticell::manipulation

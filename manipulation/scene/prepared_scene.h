@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision/pieces/convex_pieces.h"
+#include "collision/trees/mesh_collider.h"
+#include "collision/surfaces/surface_model.h"
+#include "workcell/entity/entity.h"
+#include "workcell/entity/pair_policy.h"
+
+namespace hapticell::manipulation {
+
+/// A mesh made ready for both kinds of query, as it is felt (collision::feltMesh): material behind every triangle,
+/// whichever way they turn in the file; open sheets are thin plates, so that both of their sides are felt.
+struct PreparedMesh {
+  /// Of the mesh with its hollows relieved (collision::relievedMesh).
+  std::shared_ptr<const collision::MeshCollider> collider;
+  std::shared_ptr<const collision::ConvexPieces> pieces;
+  std::shared_ptr<const collision::SurfaceModel> surfaces;
+  std::size_t bodies_turned = 0;  ///< Connected surfaces that face inward in the file.
+};
+
+/// One rigid body of the scene: a solid, or a link of a robot with all its collision shapes. Its frame P is the
+/// entity's own or the link's.
+struct ScenePart {
+  workcell::EntityId entity = 0;
+  int link = -1;       ///< Robots: index of the link; -1 for a solid.
+  std::string name{};  ///< Robots: the link's name; empty for a solid.
+  PreparedMesh mesh{};
+  workcell::RigidBody body{};  ///< See workcell::rigidBodyOf().
+};
+
+class PreparedScene;
+
+/// How far a preparation is, for whoever shows or ends it. Any thread may read, and cancel, at any time.
+struct PreparationProgress {
+  std::atomic<std::size_t> steps{0};  ///< In all (a triangle counts once for each thing that is made of it),
+  std::atomic<std::size_t> done{0};   ///< and of these so far.
+  collision::BuildProgress build;     ///< Its `cancelled` ends the preparation.
+  /// After a preparation that was cancelled: the meshes it had made ready, for the next one's `previous`. Of the
+  /// preparing thread.
+  std::shared_ptr<const PreparedScene> given_up;
+};
+
+/// The document as the manipulation loop works on it: its entities, their parts ready for queries, and what is checked
+/// against what. Immutable; any thread.
+class PreparedScene {
+ public:
+  /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has prepared are
+  /// taken over from it. Entities without a mesh have no parts. Null when cancelled (see
+  /// PreparationProgress::given_up).
+  static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
+                                                      workcell::PairPolicy pairs,
+                                                      const workcell::PairDefaults& defaults,
+                                                      const PreparedScene* previous = nullptr,
+                                                      PreparationProgress* progress = nullptr);
+
+  const std::vector<workcell::Entity>& entities() const { return entities_; }
+  const workcell::Entity* find(workcell::EntityId id) const;
+  const workcell::Entity* find(const std::string& name) const;
+  const std::vector<ScenePart>& parts() const { return parts_; }
+
+  /// Poses X_WP of an entity's part when the entity stands so.
+  static Pose partPose(const workcell::Entity& entity, const Pose& X_WE, const std::vector<double>& joints, int link);
+
+  /// What is checked against the entity, its own choice on contact being `on_contact`.
+  std::vector<workcell::EffectivePair> pairsOf(workcell::EntityId moved, workcell::OnContact on_contact) const;
+
+  /// The user's rule for two of its parts; null where there is none.
+  const workcell::PairRule* ruleFor(const ScenePart& a, const ScenePart& b) const;
+
+  /// Whether these two are ever checked against each other: no rule of the user leaves them out, and they can move
+  /// against each other (what is attached is one body with the link it is attached to).
+  bool isChecked(const ScenePart& a, const ScenePart& b) const;
+
+  /// A frame by its name: a frame of an entity, or an entity's own. Null entity when there is none.
+  struct FoundFrame {
+    const workcell::Entity* entity = nullptr;
+    Pose X_EF;
+  };
+  FoundFrame findFrame(const std::string& name) const;
+
+ private:
+  using MeshKey = std::pair<const void*, int>;  ///< Mesh, or robot model and link.
+  PreparedScene() = default;
+  struct Job;  ///< A mesh that is still to be prepared.
+  void addParts(const workcell::Entity& entity, std::vector<Job>& jobs);
+  void addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
+               std::vector<Job>& jobs);
+  void run(const std::vector<Job>& jobs, const PreparedScene* previous, PreparationProgress& progress);
+  void dropUnfinished();
+
+  std::vector<workcell::Entity> entities_;
+  workcell::PairPolicy pairs_;
+  workcell::PairDefaults defaults_;
+  std::vector<ScenePart> parts_;
+  std::vector<MeshKey> keys_;  ///< Of the parts' meshes.
+  std::map<MeshKey, PreparedMesh> meshes_;
+};
+
+}  // namespace hapticell::manipulation

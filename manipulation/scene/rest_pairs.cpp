@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/scene/rest_pairs.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "collision/queries/proximity_query.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+using workcell::Entity;
+
+struct PlacedPart {
+  const ScenePart* part = nullptr;
+  Pose X_WP;
+  geometry::Bounds bounds_W;
+};
+
+std::vector<PlacedPart> placedParts(const PreparedScene& scene, workcell::EntityId id) {
+  std::vector<PlacedPart> placed;
+  const Entity* entity = scene.find(id);
+  for (const ScenePart& part : scene.parts()) {
+    if (part.entity != id || !entity || !part.mesh.collider) continue;
+    PlacedPart at{&part, PreparedScene::partPose(*entity, entity->X_WE, entity->joints, part.link), {}};
+    at.bounds_W = geometry::transformed(at.X_WP, part.mesh.collider->bounds());
+    placed.push_back(std::move(at));
+  }
+  return placed;
+}
+
+/// At most as far as the boxes are apart.
+double leastDistance(const geometry::Bounds& a, const geometry::Bounds& b) {
+  return glm::length(glm::max(dvec3(0.0), glm::max(a.min - b.max, b.min - a.max)));
+}
+
+/// The entity and all that hangs on it, directly or by others.
+std::vector<const Entity*> familyOf(const PreparedScene& scene, const Entity& entity) {
+  std::vector<const Entity*> family{&entity};
+  for (std::size_t k = 0; k < family.size(); ++k) {
+    for (const Entity& other : scene.entities()) {
+      const bool known = std::find(family.begin(), family.end(), &other) != family.end();
+      if (!known && other.attachment.to == family[k]->name) family.push_back(&other);
+    }
+  }
+  return family;
+}
+
+/// The nearest parts of two entities; nothing where none are nearer than `limit`, or none are checked.
+std::optional<PairState> nearestParts(const PreparedScene& scene, const workcell::EffectivePair& rule, double limit) {
+  PairState nearest;
+  nearest.moved = rule.moved;
+  nearest.other = rule.other;
+  nearest.near_miss_distance = rule.near_miss;
+  nearest.distance = limit;
+  bool found = false;
+  const std::vector<PlacedPart> own = placedParts(scene, rule.moved);
+  for (const PlacedPart& other : placedParts(scene, rule.other)) {
+    for (const PlacedPart& part : own) {
+      if (leastDistance(part.bounds_W, other.bounds_W) >= nearest.distance) continue;
+      if (!scene.isChecked(*part.part, *other.part)) continue;
+      const collision::DistanceResult result = collision::distance(
+          part.part->mesh.collider, part.X_WP, other.part->mesh.collider, other.X_WP, nearest.distance);
+      if (result.beyond_limit) continue;
+      found = true;
+      nearest.distance = result.distance;
+      nearest.moved_part = part.part->name;
+      nearest.other_part = other.part->name;
+      nearest.p_WA = result.p_WA;
+      nearest.p_WB = result.p_WB;
+      nearest.contact = result.colliding || result.distance <= rule.safety_distance;
+    }
+  }
+  nearest.near_miss = nearest.distance < rule.near_miss;
+  return found ? std::optional(nearest) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<PairState> pairsAtRest(const PreparedScene& scene, workcell::EntityId moved, double limit) {
+  std::vector<PairState> pairs;
+  const Entity* entity = scene.find(moved);
+  if (!entity) return pairs;
+  const std::vector<const Entity*> family = familyOf(scene, *entity);
+  const auto goes_along = [&](workcell::EntityId id) {
+    return std::any_of(family.begin(), family.end(), [id](const Entity* one) { return one->id == id; });
+  };
+  for (const Entity* one : family) {
+    for (const workcell::EffectivePair& rule : scene.pairsOf(one->id, entity->on_contact)) {
+      // Of what goes along only what is carried against the links of what carries it all, as while it is held.
+      if (goes_along(rule.other) && (one == entity || rule.other != moved || !entity->robot)) continue;
+      if (auto nearest = nearestParts(scene, rule, limit)) pairs.push_back(std::move(*nearest));
+    }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  return pairs;
+}
+
+std::vector<workcell::PairRule> touchingAtRest(const PreparedScene& scene, double tolerance) {
+  std::vector<workcell::PairRule> rules;
+  std::vector<std::vector<PlacedPart>> parts;
+  for (const Entity& entity : scene.entities()) parts.push_back(placedParts(scene, entity.id));
+  const auto index = [&](workcell::EntityId id) {
+    return static_cast<std::size_t>(scene.find(id) - scene.entities().data());
+  };
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Entity& entity = scene.entities()[i];
+    if (parts[i].empty()) continue;
+    for (const workcell::EffectivePair& pair : scene.pairsOf(entity.id, entity.on_contact)) {
+      const std::size_t j = index(pair.other);
+      const Entity& other = scene.entities()[j];
+      if (j < i || (entity.locked && other.locked)) continue;
+      for (const PlacedPart& a : parts[i]) {
+        for (const PlacedPart& b : parts[j]) {
+          if (leastDistance(a.bounds_W, b.bounds_W) > tolerance || !scene.isChecked(*a.part, *b.part)) continue;
+          collision::ProximityQuery query(a.part->mesh.collider, b.part->mesh.collider);
+          if (!query.within(a.X_WP, b.X_WP, tolerance) && !query.collides(a.X_WP, b.X_WP)) continue;
+          rules.push_back({entity.name, a.part->name, other.name, b.part->name, false, {}});
+        }
+      }
+    }
+  }
+  return rules;
+}
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "trajectory/training/path_progress.h"
+#include "trajectory/training/training.h"
+#include "trajectory/motion/trajectory.h"
+#include "workcell/document/document.h"
+#include "workcell/entity/guide.h"
+
+namespace hapticell::manipulation {
+
+/// An exercise: a cell, an expert's recording in it, and how the trainee is led. A file of its own (*.hexercise, JSON)
+/// beside the cell and the recording that it names.
+struct Exercise {
+  std::string name, text;           ///< What it is called; what is to be done, for the trainee.
+  std::filesystem::path workcell;   ///< Absolute.
+  std::filesystem::path recording;  ///< Absolute: the expert's motion (*.htraj), of one entity of the cell.
+  double tube_radius = 0.02;        ///< m about the expert's path.
+  double lead = 0.012;              ///< m that the help pulls ahead of the trainee.
+  double stiffness = 200.0;         ///< N/m at full help, up to 500.
+  double pass = 60.0;               ///< Points from which a run is a success.
+  trajectory::ScoringRule rule;
+};
+
+/// Errors name the file and the field; numbers out of range are refused. The files that it names are not read here.
+Expected<Exercise> readExercise(const std::filesystem::path& file);
+/// Its text for a file in `folder`.
+std::string exerciseText(const Exercise& exercise, const std::filesystem::path& folder);
+/// Reads a written exercise and compares every field of it with what was to be written. Error: the field, what stands in
+/// the file and what should, or what keeps the file from being read (a number out of range).
+Expected<void> checkExercise(const Exercise& wanted, const std::filesystem::path& written);
+/// The *.hexercise files of a folder, by name.
+std::vector<std::filesystem::path> exercisesIn(const std::filesystem::path& folder);
+
+/// One run of a trainee: follows it along the expert's way, makes the guide that leads it there, and scores it. The
+/// guide goes with the trainee and waits for it: it reaches only `lead` ahead of where the trainee is. One thread.
+class TrainingRun {
+ public:
+  /// @pre the expert has frames
+  TrainingRun(const Exercise& exercise, trajectory::Trajectory expert, double help);
+
+  /// Where the moved frame is now.
+  void follow(const Pose& X_WM);
+  /// The guide as it stands now; without help only the tube about the path is left, and with `help` 0 not even that.
+  workcell::Guide guide() const;
+  double share() const { return progress_.share(); }
+  double help() const { return help_; }
+  /// The way is gone: the run can be ended.
+  bool isDone() const { return progress_.share() > 0.98; }
+  const trajectory::Trajectory& expert() const { return expert_; }
+  /// When the expert was where the trainee is, s since the recording's beginning.
+  double expertTime() const { return progress_.timeAt(progress_.way()) - expert_[0].t; }
+  /// Pose of the expert a little ahead: what the trainee is shown.
+  Pose ahead() const { return progress_.expertAt(std::min(progress_.length(), progress_.way() + exercise_.lead)); }
+
+  /// Scores what was recorded of the run; `date` as ISO 8601.
+  trajectory::TrainingAttempt finish(const trajectory::Trajectory& run, const std::string& date) const;
+
+  static constexpr const char* kGuideName = "training";
+
+ private:
+  Exercise exercise_;
+  trajectory::Trajectory expert_;
+  trajectory::PathProgress progress_;
+  double help_ = 1.0;
+};
+
+}  // namespace hapticell::manipulation

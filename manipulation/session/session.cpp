@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/session/session.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "haptic/client/tcp_link.h"
+#include "haptic/devices/simulated_device.h"
+#include "haptic/server/configured_loop.h"
+#include "haptic/server/force_loop.h"
+#include "haptic/server/in_memory_link.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+constexpr double kLeastPenetrationPeriod = 0.010;  ///< s between two measurements.
+constexpr double kPatience = 5.0;                  ///< s for a server to answer.
+
+double secondsSince(SteadyClock::time_point begin) {
+  return std::chrono::duration<double>(SteadyClock::now() - begin).count();
+}
+
+Expected<workcell::EntityId> findEntity(const SessionOptions& options) {
+  std::string names;
+  for (const workcell::Entity& entity : options.entities) {
+    if (entity.name == options.entity) return entity.id;
+    names += (names.empty() ? "" : ", ") + entity.name;
+  }
+  return makeError({.file = {},
+                    .place = "--entity",
+                    .found = "there is no entity '" + options.entity + "'",
+                    .expected = names.empty() ? "an entity (the workcell is empty)" : "one of " + names,
+                    .fix = {}});
+}
+
+/// The engine with everything that a session watches about it; both kinds of session drive one.
+class WatchedEngine {
+ public:
+  WatchedEngine(haptic::HapticLink& link, const SessionOptions& options)
+      : options_(options), engine_(link, options.configuration), forces_(options.device.delay_ticks) {}
+
+  void searchInThread() { engine_.searchInThread(); }
+
+  /// Sets all choices; errors are told before the session begins.
+  Expected<void> prepare() {
+    const auto entity = findEntity(options_);
+    if (!entity) return makeError(entity.error());
+    entity_ = *entity;
+    engine_.apply(command::SetDocument{options_.entities, options_.pairs});
+    engine_.apply(command::SetGuides{options_.guides});
+    engine_.apply(command::ChooseEntity{entity_});
+    engine_.apply(command::SetMovedBy{options_.moved_by});
+    engine_.apply(command::SetAxes{options_.axes});
+    engine_.apply(command::SetScale{options_.scale});
+    if (options_.on_contact) engine_.apply(command::SetOnContact{*options_.on_contact});
+    engine_.apply(options_.filter);
+    if (options_.force_class) engine_.apply(command::SetForceClass{*options_.force_class});
+    const auto tried = tryHold();
+    if (!tried) return makeError(tried.error());
+    start_ = *tried;
+    if (options_.recording) {
+      engine_.apply(command::StartRecording{*options_.recording, {}, options_.mark_by_button});
+    }
+    engine_.apply(command::SetForces{options_.forces});
+    return {};
+  }
+
+  void step(double t, std::int64_t now_ns) {
+    lead();
+    const SteadyClock::time_point begin = SteadyClock::now();
+    engine_.step(now_ns);
+    times_.push_back(1e3 * secondsSince(begin));
+    sent_.resize(engine_.sentSet(), t);
+    const double force = engine_.hapticState() ? glm::length(engine_.hapticState()->force_D) : 0.0;
+    contacts_.add(t, engine_, force);
+    limits_.add(t, engine_);
+    joints_.add(t, engine_);
+    for (const Result& result : engine_.takeResults()) {
+      if (const auto* told = std::get_if<result::Notice>(&result)) report_.notices.push_back(told->sentence);
+    }
+    if (t - measured_ >= kLeastPenetrationPeriod) measurePenetration(t);
+  }
+
+  void showPicture(double t) {
+    engine_.fillSnapshot(snapshot_);
+    ++pictures_;
+    if (t > measured_) measurePenetration(t);
+  }
+
+  void count(const MeteredTick& tick) { forces_.add(tick); }
+  /// When the set of this number was sent, s; negative for one that was not.
+  double sentAt(std::uint64_t sequence) const {
+    return sequence == 0 || sequence > sent_.size() ? -1.0 : sent_[sequence - 1];
+  }
+  const std::optional<haptic::HapticState>& state() const { return engine_.hapticState(); }
+  const haptic::ServerStatistics& serverStatistics() const { return engine_.serverStatistics(); }
+  bool inContact() const { return !engine_.contacts().empty(); }
+  Pose movedFrame() const { return engine_.held() ? engine_.held()->movedFrame() : Pose::identity(); }
+
+  SessionReport finish(double duration) {
+    contacts_.finish(duration);
+    report_.duration_s = duration;
+    report_.steps = times_.size();
+    // The first of each is at time zero: what lies between them counts.
+    const auto rate = [&](std::uint64_t count) {
+      return duration > 0.0 && count > 0 ? static_cast<double>(count - 1) / duration : 0.0;
+    };
+    report_.rate_manipulation_hz = rate(times_.size());
+    report_.rate_gui_hz = rate(pictures_);
+    std::sort(times_.begin(), times_.end());
+    if (!times_.empty()) {
+      report_.step_median_ms = times_[times_.size() / 2];
+      report_.step_p99_ms = times_[times_.size() * 99 / 100];
+      report_.step_max_ms = times_.back();
+    }
+    report_.force_max_n = forces_.maxForce();
+    report_.force_max_step_n_per_ms = forces_.maxStep();
+    report_.energy_min_j = forces_.leastEnergy();
+    report_.penetration_max_m = penetration_.worst();
+    report_.penetration_blocked_m = penetration_.worstBlocked();
+    report_.contacts = contacts_.events();
+    report_.limits = limits_.events();
+    report_.joints = joints_.joints();
+    for (const LimitState& limit : engine_.nearLimits()) {
+      if (limit.holds) report_.final_limits.push_back(limit.text);
+    }
+    takeRecordings();
+    report_.held = engine_.held() != nullptr;
+    report_.final_configuration = engine_.placement(entity_);
+    report_.X_WMFinal = start_->movedFrameWhen([&](workcell::EntityId id) { return engine_.placement(id); });
+    for (const auto& [id, at] : start_->axes()) {
+      report_.axes.push_back({engine_.scene()->find(id)->name, engine_.placement(id)});
+    }
+    for (const std::size_t i : engine_.contacts()) {
+      const std::string& name = engine_.scene()->find(engine_.held()->pairs()[i].other)->name;
+      auto& names = report_.final_contacts;
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return report_;
+  }
+
+  SessionReport& report() { return report_; }
+
+ private:
+  /// Taking it once beforehand tells what could not be done when the button is pressed.
+  Expected<std::shared_ptr<HeldEntity>> tryHold() {
+    const workcell::Entity* entity = engine_.scene()->find(entity_);
+    if (options_.axes.mode == AxesMode::kFrame && engine_.scene()->findFrame(options_.axes.frame).entity == nullptr) {
+      return makeError({.file = {},
+                        .place = "axes",
+                        .found = "there is no frame '" + options_.axes.frame + "'",
+                        .expected = "the name of an entity or of a frame of one",
+                        .fix = {}});
+    }
+    const auto scene = PreparedScene::prepare(options_.entities, options_.pairs, {}, engine_.scene());
+    auto taken = HeldEntity::take(scene, entity_, {},
+                                  {options_.moved_by, options_.on_contact.value_or(entity->on_contact),
+                                   options_.force_class.value_or(entity->force_class)},
+                                  options_.configuration);
+    if (!taken) return makeError(taken.error());
+    if (options_.moved_by.with_axes && (*taken)->axes().empty()) {
+      const auto& notes = (*taken)->notes();
+      return makeError({.file = {},
+                        .place = "entity '" + entity->name + "'",
+                        .found = notes.empty() ? "it stands on nothing that moves" : notes.front(),
+                        .expected = "a robot that hangs on a moving link of a mechanism or robot that is not locked",
+                        .fix = {}});
+    }
+    return std::shared_ptr<HeldEntity>(std::move(*taken));
+  }
+
+  /// The expert's guide goes with the trainee.
+  void lead() {
+    if (!options_.training) return;
+    if (!training_) training_.emplace(options_.training->exercise, options_.training->expert, options_.training->help);
+    if (engine_.held()) training_->follow(engine_.held()->movedFrame());
+    report_.training_share = std::max(report_.training_share, training_->share());
+    std::vector<workcell::Guide> guides = options_.guides;
+    guides.push_back(training_->guide());
+    engine_.apply(command::SetGuides{std::move(guides)});
+  }
+
+  void takeRecordings() {
+    if (!options_.recording) return;
+    engine_.apply(command::StopRecording{});
+    for (Result& result : engine_.takeResults()) {
+      auto* recorded = std::get_if<result::Recorded>(&result);
+      if (!recorded) continue;
+      for (trajectory::Trajectory& one : recorded->trajectories) {
+        (one.entity == options_.entity ? report_.recording : report_.other_recordings.emplace_back()) = std::move(one);
+      }
+    }
+  }
+
+  void measurePenetration(double t) {
+    measured_ = t;
+    penetration_.measure(engine_);
+  }
+
+  const SessionOptions& options_;
+  ManipulationEngine engine_;
+  workcell::EntityId entity_ = 0;
+  std::shared_ptr<HeldEntity> start_;
+  std::optional<TrainingRun> training_;
+  SessionReport report_;
+  ForceMeter forces_;
+  ContactLog contacts_;
+  LimitLog limits_;
+  JointMeter joints_;
+  PenetrationMeter penetration_;
+  SceneSnapshot snapshot_;
+  std::vector<double> times_;
+  std::vector<double> sent_;  ///< By the set's number less one, s.
+  std::uint64_t pictures_ = 0;
+  double measured_ = -1.0;
+};
+
+double percentile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  const auto last = static_cast<double>(values.size() - 1);
+  return values[static_cast<std::size_t>(std::lround(share * last))];
+}
+
+}  // namespace
+
+Expected<SessionReport> runSession(const SessionOptions& options, const TraceSink& trace) {
+  const SteadyClock::time_point begin = SteadyClock::now();
+  haptic::VirtualClock clock;
+  haptic::SimulatedDevice device(options.device);
+  device.hand().setOptions(haptic::configuredHand(options.configuration));
+  if (const auto opened = device.open(); !opened) return makeError(opened.error());
+  device.place(options.hand.at(0.0).X_DH);
+  haptic::ForceLoop loop(device, clock, haptic::configuredLoop(device, options.configuration));
+  haptic::InMemoryLink link(loop, clock, haptic::describe(device), {.latency = options.latency_s});
+  WatchedEngine engine(link, options);
+  if (const auto ready = engine.prepare(); !ready) return makeError(ready.error());
+
+  const double period = loop.period();
+  const double step_period = 1.0 / std::clamp(options.configuration.manipulation.rate_hz, 10.0, 1000.0);
+  const double picture_period = 1.0 / std::clamp(options.rate_gui_hz, 1.0, 1000.0);
+  const auto ticks = static_cast<std::uint64_t>(std::ceil(options.hand.duration() / period - 1e-9));
+  std::uint64_t steps = 0, pictures = 0, adopted = 0;
+  std::vector<double> latencies;
+  Pose X_DSBefore = device.truePose();
+  for (std::uint64_t tick = 0; tick <= ticks; ++tick) {
+    const double t = static_cast<double>(tick) * period;
+    const haptic::HandSample sample = options.hand.at(t);
+    device.hand().hold(sample.X_DH, sample.buttons);
+    link.step();
+    const haptic::HapticState& state = loop.current();
+    const haptic::MetricVector carried{period * loop.lastRender().v_DO, dvec3(0.0)};
+    engine.count({t, state.force_D, loop.renderer().applied(), loop.renderer().way(state.X_DS, X_DSBefore) - carried,
+                  loop.lastRender().stiffness});
+    X_DSBefore = state.X_DS;
+    if (state.adopted_set != adopted) {
+      adopted = state.adopted_set;
+      if (const double sent = engine.sentAt(adopted); sent >= 0.0) latencies.push_back(1e3 * (t - sent));
+    }
+    if (t + 1e-9 >= static_cast<double>(steps) * step_period) {
+      engine.step(t, clock.now());
+      ++steps;
+    }
+    if (t + 1e-9 >= static_cast<double>(pictures) * picture_period) {
+      engine.showPicture(t);
+      ++pictures;
+    }
+    if (trace) {
+      trace({t, state.X_DS, state.X_DP, state.force_D, state.torque_D, state.buttons, engine.inContact(),
+             engine.movedFrame()});
+    }
+  }
+  SessionReport report = engine.finish(static_cast<double>(ticks) * period);
+  report.ticks = ticks + 1;
+  report.rate_haptic_hz = 1.0 / period;
+  report.latency_p50_ms = percentile(latencies, 0.5);
+  report.latency_p99_ms = percentile(latencies, 0.99);
+  report.machine_time_s = secondsSince(begin);
+  return report;
+}
+
+namespace {
+
+haptic::MetricVector commandOf(const haptic::HapticState& state) {
+  return {state.force_D, state.torque_D / haptic::kRotationLever};
+}
+
+/// Turning that costs no torque is no work, so that it may be counted where none is driven, too.
+haptic::MetricVector wayBetween(const haptic::HapticState& state, const haptic::HapticState& before) {
+  return haptic::metricVector(haptic::metricDifference(state.X_DS, before.X_DS));
+}
+
+/// Waits until the server has answered and its device can be held.
+Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std::string& address) {
+  const SteadyClock::time_point begin = SteadyClock::now();
+  while (link.linkState() != haptic::LinkState::kConnected || !link.device()) {
+    const bool refused = link.linkState() == haptic::LinkState::kRefused;
+    if (refused || secondsSince(begin) > kPatience) {
+      return makeError({.file = address,
+                        .place = {},
+                        .found = link.problem().empty() ? "no answer" : link.problem(),
+                        .expected = "a haptic server",
+                        .fix = "Start hapticell-haptic-server."});
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const haptic::DeviceDescription device = *link.device();
+  if (device.simulated) return device;
+  return makeError({.file = address,
+                    .place = {},
+                    .found = "the device '" + device.name + "' is held by a real hand",
+                    .expected = "a simulated device",
+                    .fix = {}});
+}
+
+constexpr double kLastPatience = 2.0;  // s for the state that shows that the server lived to the end.
+
+/// A session is one connection from its beginning to its end: what a server does that was lost and found again, and who
+/// held its stylus meanwhile, is not known.
+class WatchedLink {
+ public:
+  WatchedLink(haptic::TcpLink& link, std::string address)
+      : link_(link), address_(std::move(address)), connection_(link.connections()) {}
+
+  Expected<void> check(double t) const {
+    if (link_.linkState() != haptic::LinkState::kConnected) return lost(t, link_.problem());
+    if (link_.connections() != connection_) return lost(t, "it was connected to anew");
+    return {};
+  }
+
+  /// After the hand path: that the server is still there. A server that hangs is silent at first.
+  Expected<void> checkEnd(double t) {
+    static_cast<void>(link_.latestState());  // May have been waiting.
+    const SteadyClock::time_point begin = SteadyClock::now();
+    while (!link_.latestState()) {
+      if (auto there = check(t); !there) return there;
+      if (secondsSince(begin) > kLastPatience) return lost(t, "no state of the stylus came any more");
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return check(t);
+  }
+
+ private:
+  Expected<void> lost(double t, const std::string& why) const {
+    std::array<char, 64> when{};
+    std::snprintf(when.data(), when.size(), "the haptic server was lost after %.2f s", t);
+    return makeError({address_, "", std::string(when.data()) + (why.empty() ? "" : ": " + why),
+                      "a server that answers until the hand path ends",
+                      "Nothing was written. Look at what the server says, and run the session again."});
+  }
+
+  haptic::TcpLink& link_;
+  std::string address_;
+  std::uint64_t connection_;
+};
+
+}  // namespace
+
+Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const std::string& host, int port,
+                                           const TraceSink& trace) {
+  auto link_options = haptic::linkOptionsFor(host, static_cast<std::uint16_t>(port));
+  if (!link_options) return makeError(link_options.error());
+  link_options->program = "hapticell-cli session";
+  haptic::TcpLink link(*link_options);
+  const auto device = awaitServer(link, host + ":" + std::to_string(port));
+  if (!device) return makeError(device.error());
+  WatchedLink watched(link, host + ":" + std::to_string(port));
+  WatchedEngine engine(link, options);
+  engine.searchInThread();
+  if (const auto ready = engine.prepare(); !ready) return makeError(ready.error());
+
+  const double stiffness = device->stiffness > 0.0 ? device->stiffness : 1000.0;
+  const double step_period = 1.0 / std::clamp(options.configuration.manipulation.rate_hz, 10.0, 1000.0);
+  const double picture_period = 1.0 / std::clamp(options.rate_gui_hz, 1.0, 1000.0);
+  const SteadyClock::time_point begin = SteadyClock::now();
+  std::optional<haptic::HapticState> first, last;
+  double next_picture = 0.0;
+  for (double t = 0.0; t < options.hand.duration(); t = secondsSince(begin)) {
+    const haptic::HandSample sample = options.hand.at(t);
+    if (auto there = watched.check(t); !there) return makeError(there.error());
+    link.sendHandTarget({true, sample.X_DH, sample.buttons});
+    const auto now = std::chrono::duration_cast<std::chrono::nanoseconds>(SteadyClock::now().time_since_epoch());
+    engine.step(t, now.count());
+    if (const auto& state = engine.state(); state && (!last || state->tick != last->tick)) {
+      if (!first) first = state;
+      engine.count({1e-9 * static_cast<double>(state->server_stamp_ns), state->force_D, commandOf(*state),
+                    wayBetween(*state, last.value_or(*state)), stiffness});
+      last = state;
+      if (trace) {
+        trace({t, state->X_DS, state->X_DP, state->force_D, state->torque_D, state->buttons, engine.inContact(),
+               engine.movedFrame()});
+      }
+    }
+    if (t >= next_picture) {
+      engine.showPicture(t);
+      next_picture = t + picture_period;
+    }
+    std::this_thread::sleep_until(
+        begin + std::chrono::duration_cast<SteadyClock::duration>(std::chrono::duration<double>(t + step_period)));
+  }
+  if (auto there = watched.checkEnd(options.hand.duration()); !there) return makeError(there.error());
+  SessionReport report = engine.finish(options.hand.duration());
+  const haptic::ServerStatistics& server = engine.serverStatistics();
+  report.ticks = first && last ? last->tick - first->tick + 1 : 0;
+  report.ticks_missed = server.missed_ticks;
+  report.rate_haptic_hz = server.rate_hz;
+  report.latency_p50_ms = server.set_age_p50_ms;
+  report.latency_p99_ms = server.set_age_p99_ms;
+  report.machine_time_s = secondsSince(begin);
+  link.sendHandTarget({false, {}, 0});
+  return report;
+}
+
+}  // namespace hapticell::manipulation

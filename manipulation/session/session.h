@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/configuration.h"
+#include "config/device_profile.h"
+#include "geometry/system/error.h"
+#include "haptic/devices/hand_path.h"
+#include "manipulation/session/exercise.h"
+#include "manipulation/engine/manipulation_command.h"
+#include "manipulation/session/session_meter.h"
+#include "trajectory/motion/recorder.h"
+#include "workcell/entity/entity.h"
+
+namespace hapticell::manipulation {
+
+/// A whole session: a workcell, who is moved, how the hand moves, and all choices.
+struct SessionOptions {
+  std::vector<workcell::Entity> entities;
+  workcell::PairPolicy pairs;
+  std::vector<workcell::Guide> guides;
+  std::string entity;  ///< The name of the chosen one; the first press of the button takes it.
+  haptic::HandPath hand{{haptic::HandSample{}}};
+
+  double rate_gui_hz = 60.0;
+  double latency_s = 0.0;  ///< One way, virtual time only.
+  config::DeviceProfile device;
+  config::Configuration configuration;  ///< Its manipulation.rate_hz is the loop's rate, 10 .. 1000.
+
+  MovedBy moved_by;
+  AxesChoice axes;
+  ScaleChoice scale;
+  std::optional<workcell::OnContact> on_contact;
+  std::optional<workcell::ForceClass> force_class;
+  bool forces = true;
+  command::SetFilter filter;
+
+  std::optional<trajectory::RecordingOptions> recording;  ///< What is held is recorded, a step of the loop at a time.
+  bool mark_by_button = false;  ///< The second button adds a frame by hand (else it is the clutch).
+  /// Led along an expert's way with this help (0 .. 1), felt while the recording's entity is held.
+  struct Training {
+    Exercise exercise;
+    trajectory::Trajectory expert;
+    double help = 1.0;
+  };
+  std::optional<Training> training;
+};
+
+/// One tick of the force loop, for --trace.
+struct TraceRow {
+  double t = 0.0;
+  Pose X_DS;
+  Pose X_DP;
+  dvec3 force_D{0.0};   ///< Commanded, N.
+  dvec3 torque_D{0.0};  ///< Commanded, N m; zero on a device that drives no turning.
+  std::uint32_t buttons = 0;
+  bool contact = false;
+  Pose X_WM;  ///< The moved frame of what is held as it is shown; identity while nothing is held.
+};
+using TraceSink = std::function<void(const TraceRow&)>;
+
+/// What a session showed.
+struct SessionReport {
+  double duration_s = 0.0;
+  double machine_time_s = 0.0;
+  double rate_haptic_hz = 0.0, rate_manipulation_hz = 0.0, rate_gui_hz = 0.0;
+  std::uint64_t ticks = 0, ticks_missed = 0, steps = 0;
+  double step_median_ms = 0.0, step_p99_ms = 0.0, step_max_ms = 0.0;  ///< Machine time of a step.
+  double latency_p50_ms = 0.0, latency_p99_ms = 0.0;  ///< From the query of a set to its use by the force loop.
+  double force_max_n = 0.0, force_max_step_n_per_ms = 0.0;
+  double penetration_blocked_m = 0.0;  ///< Of pairs that must not pass through each other.
+  double penetration_max_m = 0.0;
+  double energy_min_j = 0.0;
+  std::vector<ContactEvent> contacts;
+  std::vector<LimitEvent> limits;  ///< What of the entity itself held it, in the order of their beginning.
+  std::vector<JointUse> joints;    ///< One a variable of a robot; empty for others.
+  std::vector<std::string> notices;
+
+  bool held = false;  ///< At the end.
+  EntityConfiguration final_configuration;
+  /// External axes by name, where they stand at the end; empty unless they went along.
+  std::vector<std::pair<std::string, EntityConfiguration>> axes;
+  Pose X_WMFinal;
+  std::vector<std::string> final_contacts;  ///< Names of what it touches.
+  std::vector<std::string> final_limits;    ///< Why it does not follow: "A5 is at its upper limit".
+  double training_share = 0.0;              ///< Of the expert's way that was gone.
+  trajectory::Trajectory recording;         ///< Without frames where none was asked for, or nothing was moved.
+  std::vector<trajectory::Trajectory> other_recordings;  ///< Of what moved beside the chosen entity, on its clock.
+};
+
+/// Runs a session in virtual time, in the caller's thread: force loop and simulated device at 1 ms, the manipulation
+/// step and the picture at their rates, messages late by the latency. The same options give the same report to the last
+/// digit (but for machine times). Errors: no such entity, a frame that is not there, a mesh that is not fit.
+Expected<SessionReport> runSession(const SessionOptions& options, const TraceSink& trace = {});
+
+/// The same through a haptic server over TCP, in real time. The server's device must be a simulated one, which this
+/// session's hand holds. Errors also: no server answers within five seconds, its device cannot be held, or it is lost
+/// before the hand path has ended (closed, silent for a second, connected to anew, taken by another): when, and why.
+Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const std::string& host, int port,
+                                           const TraceSink& trace = {});
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mannequin/body/skeleton.h"
+
+namespace hapticell::mannequin {
+
+/// A joint's name without what belongs to the program that wrote it.
+struct JointName {
+  enum class Of { kMiddle, kLeft, kRight };
+  Of side = Of::kMiddle;
+  std::string part;  ///< Small letters without blanks, underscores and closing digits: "upleg", "spine", "head".
+};
+
+/// Takes names apart: a namespace ("mixamorig:", "Actor|"), a word that nearly all names begin with ("Bip01 ",
+/// "Skeleton_"), and the side ("LeftArm", "l_shoulder", "upperarm_l", "LThigh", "lfemur"). One a name, in their order.
+std::vector<JointName> jointNames(const std::vector<std::string>& names);
+
+/// True for the words of limbs by which "lfemur" and "RUArm" are seen to have a side.
+bool isLimbWord(std::string_view part);
+
+}  // namespace hapticell::mannequin

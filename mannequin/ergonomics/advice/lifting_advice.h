@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "mannequin/ergonomics/methods/niosh.h"
+
+namespace hapticell::ergonomics {
+
+/// 1: index up to 1, acceptable for nearly all; 2: up to 3, raised risk for some; 3: above, or no load is acceptable
+/// (the manual's own bounds, section 1.5).
+int liftingLevel(const std::optional<double>& index);
+std::string_view liftingLevelName(int level);
+
+/// A multiplier below 1, and what a single task's index would be if it were 1.
+struct LiftingDriver {
+  std::string_view field;       ///< "h_cm", "v_cm", "d_cm", "asymmetry_deg", "frequency_per_min", "coupling".
+  std::string_view multiplier;  ///< "HM" ...
+  double value = 0.0;
+  std::optional<double> index{};  ///< Empty where a multiplier is 0, or beside other tasks.
+};
+
+/// A change of one input of the lift. Of the coupling: 0 good, 1 fair, 2 poor.
+struct LiftingChange {
+  std::string_view field;
+  double from = 0.0;
+  double to = 0.0;
+  std::optional<double> index{};  ///< With it (and those before it in a list that goes together).
+};
+
+/// Why a lift's index is what it is and what brings it to the next lower level.
+struct LiftingAdvice {
+  int level = 1;
+  double target = 1.0;                    ///< The index to come down to: 1 or 3.
+  std::vector<LiftingDriver> drivers{};   ///< The multiplier that costs most first.
+  std::vector<LiftingChange> alone{};     ///< Each the smallest change of its input that alone is enough.
+  std::vector<LiftingChange> together{};  ///< Where only the load alone, or nothing, is enough: these in turn do it.
+};
+
+/// The index that a task leads to; empty where its limit is 0.
+using LiftingIndex = std::function<std::optional<double>(const LiftingTask&)>;
+
+/// Changes of one task's inputs. `index_of` tells the index for the task as changed (alone, or composite with others);
+/// `result` is that of the task as it is.
+LiftingAdvice adviseLift(const LiftingTask& task, const LiftingResult& result, const LiftingIndex& index_of);
+/// For a single task.
+LiftingAdvice adviseLift(const LiftingTask& task, const LiftingResult& result);
+
+}  // namespace hapticell::ergonomics

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mannequin/ergonomics/advice/better_place.h"
+#include "mannequin/ergonomics/advice/body_sizes.h"
+#include "mannequin/ergonomics/scores/force_table.h"
+#include "mannequin/ergonomics/report/report.h"
+#include "mannequin/ergonomics/report/report_findings.h"
+#include "mannequin/ergonomics/scores/score_words.h"
+
+namespace hapticell::ergonomics {
+
+/// Everything that a report of a posture says.
+struct PostureReportInput {
+  std::string subtitle;  ///< Cell and mannequin.
+  std::string date;      ///< As it shall be printed; reports know no clock.
+  std::string source;    ///< Where the posture is from: "As it stands in the cell", a file.
+  Language language = Language::kEnglish;
+  mannequin::Figure figure;
+  mannequin::Posture posture;
+  WorkTask task;
+  std::vector<BodyAtTask> bodies{};           ///< Others at the same task; empty: none is shown.
+  std::vector<ReportBlock::Strip> history{};  ///< Along a recorded motion.
+  double history_seconds = 0.0;
+  BetterPlaces places{};    ///< Where the work would bring each method's level down.
+  ReportPicture scene{};    ///< The figure in its cell.
+  ForceTable own_limits{};  ///< Of the hands, from the user's own source.
+  std::optional<WorkplaceFinding> workplace{};
+  std::optional<MotionPhase> phase{};  ///< The worst of the recorded motion.
+  bool is_of_phase = false;            ///< The posture is that of the phase, not as the figure stands.
+  std::string company{};               ///< In the head.
+  ReportPicture logo{};                ///< Beside it.
+};
+
+/// The posture's page: picture, body, task, result, four bodies, drivers, sub-scores, zones, assumptions, joint angles.
+Report postureReport(const PostureReportInput& input);
+
+/// The task's page: its data, exposure over the recorded motion, bodies, lifting, what is missing.
+Report taskReport(const PostureReportInput& input);
+
+/// The picture of a figure with its segments in the colours of a method.
+std::vector<ReportShape> reportPicture(const mannequin::Figure& figure, const mannequin::Posture& posture,
+                                       const PostureScores& scores, ColourMethod method);
+
+/// Strips of bands from scores over time.
+ReportBlock::Strip stripOf(const std::string& name, const std::vector<int>& bands);
+
+}  // namespace hapticell::ergonomics

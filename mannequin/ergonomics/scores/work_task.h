@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/system/error.h"
+
+namespace hapticell::ergonomics {
+
+/// How well what is handled can be held: REBA's four classes; the lifting equation knows the first three.
+enum class Grip { kGood, kFair, kPoor, kUnacceptable };
+
+/// What a posture does not show and the task has to say, entered once for a task and kept with the workcell. What
+/// nobody entered is empty and never scored as zero: a score that needs it is marked partial. A value.
+struct WorkTask {
+  std::string name = "Task";
+  std::string mannequin = {};                         ///< Name of the one that does it; empty: any.
+  std::array<std::optional<double>, 2> load_kg = {};  ///< In the left and in the right hand, weight or force / 9.81.
+  std::optional<double> repetitions_per_min = {};     ///< Of the same movement.
+  std::optional<bool> is_static = {};                 ///< The posture is held for more than a minute.
+  std::optional<Grip> grip = {};
+  std::optional<double> duration_h = {};       ///< A shift.
+  std::optional<bool> has_shock = {};          ///< Loads or forces come suddenly.
+  std::optional<bool> has_rapid_changes = {};  ///< Rapid large changes of posture, or an unstable base.
+  bool is_walking = false;
+  bool trunk_supported = false;
+  std::array<bool, 2> arm_supported = {};  ///< Left, right.
+  bool is_lift = false;                    ///< The load is lifted: the lifting equation is asked.
+  double lift_distance_m = 0.25;           ///< Up or down, of a lift.
+  double asymmetry_deg = 0.0;              ///< Of a lift: the load beside the sagittal plane.
+  std::string note = {};
+
+  std::optional<double> totalLoad() const;  ///< kg in both hands; empty where neither is known.
+  bool operator==(const WorkTask&) const = default;
+};
+
+/// Refused by name: a load outside 0 to 200 kg, more than 120 repetitions a minute, a shift over 24 h, a lift of more
+/// than 2 m, an asymmetry outside 0 to 180 deg, numbers that are none.
+Expected<void> checkWorkTask(const WorkTask& task);
+
+/// Typical tasks to begin from (our own choice): inspection, light assembly, screwing, overhead work, packing, lifting.
+const std::vector<WorkTask>& workTaskPresets();
+
+/// Scores of the methods that the task alone decides; empty where an input is missing. `arm`: 0 left, 1 right.
+std::optional<int> rulaForce(const WorkTask& task, std::optional<double> load_kg);
+std::optional<int> rulaMuscleUse(const WorkTask& task);
+std::optional<int> rebaLoad(const WorkTask& task);
+std::optional<int> rebaCoupling(const WorkTask& task);
+std::optional<int> rebaActivity(const WorkTask& task);
+
+}  // namespace hapticell::ergonomics

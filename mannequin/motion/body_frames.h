@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mannequin/motion/clip_map.h"
+#include "mannequin/motion/recorded_motion.h"
+
+namespace hapticell::mannequin {
+
+/// How the frames of a clip's joints lie against the segments they carry. Programs lay them as they like (parallel at a
+/// T-pose, each along its bone, with the hips turned): what can be seen from where joints are is taken from there, what
+/// cannot (which way the head looks, how a hand is turned about the forearm) from the rest position where that agrees
+/// with the motion, else from the axis of the joint's frame that lies nearest on the whole, else from the mean.
+class BodyFrames {
+ public:
+  /// `R_WC` turns the clip's axes into the world (Z up). The clip is used during construction only.
+  BodyFrames(const MotionClip& clip, const ClipMap& map, const dmat3& R_WC);
+
+  /// One moment, from the places of the clip's joints.
+  RecordedBody bodyAt(const ClipPose& pose) const;
+  /// What was assumed, a sentence each.
+  const std::vector<std::string>& assumptions() const { return assumptions_; }
+
+ private:
+  class Finder;
+  dvec3 place(const ClipPose& pose, int joint) const;
+  dmat3 turned(const ClipPose& pose, int joint, const dmat3& B) const;
+
+  ClipMap map_;
+  dmat3 R_WC_;
+  /// The segment's frame in the joint's.
+  dmat3 root_{1.0}, thorax_{1.0}, head_{1.0};
+  std::array<dmat3, 2> spine_{dmat3(1.0), dmat3(1.0)}, neck_{dmat3(1.0), dmat3(1.0)}, hand_{dmat3(1.0), dmat3(1.0)},
+      foot_{dmat3(1.0), dmat3(1.0)};
+  std::array<dvec3, 2> thigh_forward_{}, arm_forward_{};
+  std::vector<std::string> assumptions_;
+};
+
+/// The neck's base at a moment: the lowest neck joint, else midway between the collars, else between the shoulders.
+dvec3 neckBase(const ClipMap& map, const ClipPose& pose);
+
+/// The clip's body frame at rest (all turns zero) by columns forward, left, up, in the file's axes; nothing where the
+/// bones do not lie there as a standing person's do.
+std::optional<dmat3> restFrame(const MotionClip& clip, const ClipMap& map);
+
+}  // namespace hapticell::mannequin

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "mannequin/motion/clip_map.h"
+#include "mannequin/motion/motion_clip.h"
+#include "mannequin/motion/word_reader.h"
+
+namespace hapticell::mannequin {
+
+namespace {
+
+constexpr std::size_t kMostJoints = 1000, kMostFrames = 2'000'000;
+constexpr double kLegOfAPerson = 0.82;  ///< m, hip to ankle; a factor 1.5 either way still tells cm from inch.
+
+struct Channel {
+  std::size_t joint = 0;
+  int axis = 0;
+  bool turns = false;
+};
+
+bool sameWord(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
+  });
+}
+
+class BvhReader {
+ public:
+  BvhReader(std::string_view text, const std::string& name) : words_(text), text_(text), name_(name) {}
+
+  Expected<MotionClip> read(double metres_per_unit) {
+    if (const std::string why = whyNoText(text_); !why.empty())
+      return makeError({name_, "", why, "a BVH file in UTF-8", "Save it as plain text (UTF-8)."});
+    if (!sameWord(words_.next(), "HIERARCHY")) return fail("no HIERARCHY", "a BVH file");
+    if (!sameWord(words_.next(), "ROOT")) return fail("no ROOT", "ROOT and a name");
+    if (auto done = readTree(); !done) return makeError(done.error());
+    clip_.metres_per_unit = metres_per_unit > 0.0 ? metres_per_unit : guessedUnit();
+    if (auto done = readMotion(); !done) return makeError(done.error());
+    settlePlaces();
+    if (metres_per_unit <= 0.0) guessAgain();
+    scale();
+    return std::move(clip_);
+  }
+
+ private:
+  tl::unexpected<Error> fail(std::string found, std::string expected, std::string fix = {}) const {
+    return makeError({name_, words_.place(), std::move(found), std::move(expected), std::move(fix)});
+  }
+  static std::string quoted(std::string_view word) { return "'" + std::string(word.substr(0, 40)) + "'"; }
+  /// A number with a comma is one of a program that writes by the rules of its country.
+  static std::string fixOf(std::string_view word) {
+    std::string point(word);
+    std::replace(point.begin(), point.end(), ',', '.');
+    const bool comma = point != word && WordReader::numberOf(point);
+    return comma ? "Write the file with decimal points; this one has commas." : "";
+  }
+
+  /// The root's name up to its closing brace; without recursion, so that a deep file does no harm.
+  Expected<void> readTree() {
+    std::vector<int> open;
+    if (auto done = openJoint(false, open); !done) return done;
+    while (!open.empty()) {
+      const std::string_view word = words_.next();
+      if (sameWord(word, "JOINT") || sameWord(word, "End")) {
+        if (clip_.joints.size() >= kMostJoints) return fail("more than 1000 joints", "a skeleton");
+        if (auto done = openJoint(sameWord(word, "End"), open); !done) return done;
+      } else if (word == "}") {
+        open.pop_back();
+      } else if (sameWord(word, "OFFSET")) {
+        dvec3& offset = clip_.joints[static_cast<std::size_t>(open.back())].p_Parent;
+        for (int k = 0; k < 3; ++k) {
+          const std::string_view number = words_.next();
+          const auto value = WordReader::numberOf(number);
+          if (!value) return fail("no number in OFFSET: " + quoted(number), "three numbers", fixOf(number));
+          offset[k] = *value;
+        }
+      } else if (sameWord(word, "CHANNELS")) {
+        if (auto done = readChannels(static_cast<std::size_t>(open.back())); !done) return done;
+      } else {
+        return fail(word.empty() ? "the end of the file" : quoted(word), "JOINT, End Site, OFFSET, CHANNELS or }");
+      }
+    }
+    return {};
+  }
+
+  /// The name is all that is left of the line, blanks in it too, up to a brace.
+  Expected<void> openJoint(bool end, std::vector<int>& open) {
+    ClipJoint joint;
+    joint.name = std::string(words_.nextBefore('{'));
+    joint.is_end = end;
+    joint.parent = open.empty() ? -1 : open.back();
+    if (end) joint.name = clip_.joints[static_cast<std::size_t>(joint.parent)].name + "_end";
+    if (!words_.take('{')) return fail("no { after " + quoted(joint.name), "{");
+    open.push_back(static_cast<int>(clip_.joints.size()));
+    clip_.joints.push_back(std::move(joint));
+    return {};
+  }
+
+  Expected<void> readChannels(std::size_t joint) {
+    const auto count = words_.number();
+    if (!count || !(*count >= 0.0 && *count <= 6.0)) return fail("no count of channels", "0 to 6");
+    for (int i = 0; i < static_cast<int>(*count); ++i) {
+      const std::string_view word = words_.next();
+      const std::string_view kind = word.empty() ? word : word.substr(1);
+      const int axis = word.empty() ? -1 : std::toupper(static_cast<unsigned char>(word[0])) - 'X';
+      if (axis < 0 || axis > 2 || (!sameWord(kind, "position") && !sameWord(kind, "rotation"))) {
+        return fail("the channel " + quoted(word), "Xposition ... Zrotation");
+      }
+      channels_.push_back({joint, axis, sameWord(kind, "rotation")});
+      moves_ = moves_ || (joint > 0 && !channels_.back().turns);
+    }
+    return {};
+  }
+
+  double guessedUnit() const {
+    // The extent of the skeleton at rest, along its largest axis.
+    std::vector<dvec3> p(clip_.joints.size(), dvec3(0.0));
+    dvec3 low(0.0), high(0.0);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const ClipJoint& joint = clip_.joints[i];
+      if (joint.parent >= 0) p[i] = p[static_cast<std::size_t>(joint.parent)] + joint.p_Parent;
+      low = glm::min(low, p[i]);
+      high = glm::max(high, p[i]);
+    }
+    const double size = high.y - low.y > 0.0 ? high.y - low.y : std::max(high.x - low.x, high.z - low.z);
+    if (size <= 3.0) return 1.0;
+    return size < 50.0 ? 0.0254 / 0.45 : size < 90.0 ? 0.0254 : size < 300.0 ? 0.01 : 0.001;
+  }
+  /// By the legs, where they are known: their length does not depend on how the file lays its rest position.
+  void guessAgain() {
+    const auto map = mapJoints(clip_);
+    if (!map) return;
+    double leg = 0.0;
+    for (const int joint : {map->knee[0], map->knee[1], map->ankle[0], map->ankle[1]})
+      leg += 0.5 * glm::length(clip_.joints[static_cast<std::size_t>(joint)].p_Parent);
+    if (!(leg > 0.0)) return;
+    const auto off = [leg](double unit) { return std::abs(std::log(leg * unit / kLegOfAPerson)); };
+    for (const double unit : {1.0, 0.01, 0.001, 0.0254, 0.0254 / 0.45}) {
+      if (unit == 1.0 || off(unit) < off(clip_.metres_per_unit)) clip_.metres_per_unit = unit;
+    }
+  }
+
+  Expected<void> readMotion() {
+    const std::string_view motion = words_.next();
+    if (sameWord(motion, "ROOT"))
+      return fail("a second ROOT " + quoted(words_.nextLine()), "one skeleton a file", "Export one person a file.");
+    if (!sameWord(motion, "MOTION") || !sameWord(words_.next(), "Frames:"))
+      return fail("no MOTION with Frames:", "MOTION");
+    const auto count = words_.number();
+    if (!count || *count < 0.0 || *count > static_cast<double>(kMostFrames))
+      return fail("no count of frames", "a number");
+    const bool timed = sameWord(words_.next(), "Frame") && sameWord(words_.next(), "Time:");
+    const std::string_view time = timed ? words_.next() : std::string_view();
+    const auto period = WordReader::numberOf(time);
+    if (!period || !(*period > 0.0)) return fail("no Frame Time:", "seconds, above 0", fixOf(time));
+    clip_.frame_time = *period;
+    return readRows(static_cast<std::size_t>(*count));
+  }
+
+  Expected<void> readRows(std::size_t stated) {
+    if (channels_.empty()) return stated == 0 ? Expected<void>() : fail("no CHANNELS", "channels of the joints");
+    for (std::string_view line = words_.nextLine(); !line.empty(); line = words_.nextLine()) {
+      if (clip_.frames.size() >= kMostFrames) return fail("more than 2000000 frames", "a motion");
+      if (auto done = readRow(line); !done) return done;
+    }
+    const std::size_t found = clip_.frames.size();
+    if (found < stated) {
+      return fail("no frame " + std::to_string(found + 1) + ", where the file ends",
+                  std::to_string(stated) + " frames, as the file states",
+                  "The file is cut; write it anew, or correct the number behind Frames:.");
+    }
+    if (found > stated) {
+      clip_.warnings.push_back("the file states " + std::to_string(stated) + " frames and has " +
+                               std::to_string(found) + "; all are read");
+    }
+    return {};
+  }
+
+  Expected<void> readRow(std::string_view line) {
+    ClipFrame frame;
+    frame.turns.assign(clip_.joints.size(), dquat(1.0, 0.0, 0.0, 0.0));
+    for (const ClipJoint& joint : clip_.joints) {
+      if (moves_) frame.p_Parent.push_back(joint.p_Parent);
+    }
+    const std::string row = "frame " + std::to_string(clip_.frames.size() + 1);
+    WordReader words(line);
+    std::size_t read = 0;
+    for (std::string_view word = words.next(); !word.empty(); word = words.next(), ++read) {
+      const auto value = WordReader::numberOf(word);
+      if (!value) return fail("no number in " + row + ": " + quoted(word), "numbers", fixOf(word));
+      if (read < channels_.size()) apply(channels_[read], *value, frame);
+    }
+    if (read != channels_.size()) {
+      return fail(std::to_string(read) + " numbers in " + row,
+                  std::to_string(channels_.size()) + " numbers, one a channel",
+                  "A frame is one line; the file is cut or was changed.");
+    }
+    clip_.frames.push_back(std::move(frame));
+    return {};
+  }
+
+  void apply(const Channel& channel, double value, ClipFrame& frame) const {
+    if (!channel.turns) {
+      (channel.joint == 0 ? frame.p_root : frame.p_Parent[channel.joint])[channel.axis] = value;
+      return;
+    }
+    dvec3 turn(0.0);
+    turn[channel.axis] = value * M_PI / 180.0;
+    frame.turns[channel.joint] = glm::normalize(frame.turns[channel.joint] * quaternionFromRotationVector(turn));
+  }
+
+  /// Positions of joints below the root replace their offsets; where they stay near zero though the offset is none,
+  /// they are added to it. What does not move is left out of the frames.
+  void settlePlaces() {
+    if (!moves_ || clip_.frames.empty()) return;
+    std::vector<bool> placed(clip_.joints.size(), false);
+    for (const Channel& channel : channels_)
+      placed[channel.joint] = placed[channel.joint] || (channel.joint > 0 && !channel.turns);
+    bool still = true;
+    for (std::size_t j = 1; j < clip_.joints.size(); ++j) {
+      if (!placed[j]) continue;
+      const dvec3 offset = clip_.joints[j].p_Parent;
+      dvec3 mean(0.0);
+      for (const ClipFrame& frame : clip_.frames) mean += frame.p_Parent[j] / static_cast<double>(clip_.frames.size());
+      const double length = glm::length(offset);
+      if (length > 0.0 && glm::length(mean) < 0.3 * length) {
+        for (ClipFrame& frame : clip_.frames) frame.p_Parent[j] += offset;
+        mean += offset;
+        added_ = true;
+      }
+      for (const ClipFrame& frame : clip_.frames)
+        still = still && glm::length(frame.p_Parent[j] - mean) <= 1e-4 * std::max(1.0, glm::length(mean));
+      clip_.joints[j].p_Parent = mean;
+    }
+    if (added_) {
+      clip_.warnings.emplace_back("positions of joints in the channels stay near zero; they are added to the offsets");
+    }
+    if (still) {
+      for (ClipFrame& frame : clip_.frames) frame.p_Parent.clear();
+    }
+  }
+
+  void scale() {
+    for (ClipJoint& joint : clip_.joints) joint.p_Parent *= clip_.metres_per_unit;
+    for (ClipFrame& frame : clip_.frames) {
+      frame.p_root *= clip_.metres_per_unit;
+      for (dvec3& p : frame.p_Parent) p *= clip_.metres_per_unit;
+    }
+  }
+
+  WordReader words_;
+  std::string_view text_;
+  const std::string& name_;
+  MotionClip clip_;
+  std::vector<Channel> channels_;
+  bool moves_ = false;  ///< Some joint below the root has positions in the channels.
+  bool added_ = false;
+};
+
+}  // namespace
+
+Expected<MotionClip> readBvh(std::string_view text, const std::string& name, double metres_per_unit) {
+  return BvhReader(text, name).read(metres_per_unit);
+}
+
+}  // namespace hapticell::mannequin

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mannequin/motion/c3d_parameters.h"
+
+namespace hapticell::mannequin {
+
+/// How the points stand in a C3D file.
+struct C3dLayout {
+  std::size_t data_at = 0;  ///< First byte.
+  std::size_t markers = 0, analog = 0, frames = 0;
+  bool real = true;    ///< Numbers of 4 bytes instead of 2.
+  double scale = 1.0;  ///< Of whole numbers.
+  std::vector<std::string> warnings;
+
+  std::size_t numberBytes() const { return real ? 4 : 2; }
+  std::size_t rowBytes() const { return (4 * markers + analog) * numberBytes(); }
+};
+
+/// Counts, where they begin and of which kind they are. Header and parameters say most of it twice, and makers' files
+/// disagree with themselves: of all that is said, what fills the file to its last block is taken; else what the
+/// parameters say, with all the frames that there are. Each choice that was one is a warning. Errors: no points, more
+/// than 10000, fewer frames than stated, more than two million.
+inline Expected<C3dLayout> c3dLayout(const C3dParameters& parameters, const std::string& name);
+
+namespace c3d {
+
+inline constexpr std::size_t kBlockBytes = C3dParameters::kBlock;
+inline constexpr std::size_t kMostPoints = 10'000, kMostRows = 2'000'000, kMostAnalog = 1'000'000;
+
+/// Values that a thing may have, the likeliest first, none twice.
+template <typename T>
+class Choices {
+ public:
+  void add(T value) {
+    if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+  }
+  std::vector<T> values;
+};
+
+class LayoutFinder {
+ public:
+  LayoutFinder(const C3dParameters& parameters, const std::string& name)
+      : p_(parameters), b_(parameters.bytes()), name_(name) {}
+
+  Expected<C3dLayout> find() {
+    if (auto done = collect(); !done) return makeError(done.error());
+    const C3dLayout first = layout(0, 0, 0, 0, 0);
+    if (fills(first) || (fits(first) && restIsEmpty(first))) return finished(first, first);
+    if (const auto other = best(true)) return finished(*other, first);
+    if (fits(first)) return finished(withAllRows(first), first);
+    if (const auto other = best(false)) return finished(withAllRows(*other), first);
+    return fail(first.data_at, std::to_string(rowsThere(first)) + " frames",
+                std::to_string(first.frames) + " frames, as the file states");
+  }
+
+ private:
+  tl::unexpected<Error> fail(std::size_t at, std::string found, std::string expected) const {
+    return makeError({name_, "byte " + std::to_string(at), std::move(found), std::move(expected), ""});
+  }
+
+  Expected<void> collect() {
+    const double used = p_.number("POINT:USED").value_or(*b_.word(2));
+    if (!(used >= 1.0) && *b_.word(2) < 1) return fail(2, "no points", "at least one marker");
+    if (p_.number("POINT:USED") && !(used >= 1.0)) return fail(2, "no points", "at least one marker");
+    if (used > static_cast<double>(kMostPoints))
+      return fail(2, std::to_string(std::llround(used)) + " points", "at most 10000");
+    markers_.add(static_cast<std::size_t>(used));
+    if (*b_.word(2) >= 1 && *b_.word(2) <= kMostPoints) markers_.add(*b_.word(2));
+    collectKinds();
+    collectAnalog();
+    collectStarts();
+    collectFrames();
+    if (kinds_.values.empty()) return fail(12, "a scale that is no number", "a real number");
+    return {};
+  }
+
+  void collectKinds() {
+    for (const auto& scale : {p_.number("POINT:SCALE"), b_.real(12)}) {
+      if (scale && *scale != 0.0) kinds_.add(*scale < 0.0);
+    }
+  }
+
+  void collectAnalog() {
+    const double said = *b_.word(4), samples = *b_.word(18);
+    const double channels = p_.number("ANALOG:USED").value_or(0.0), rate = p_.number("POINT:RATE").value_or(0.0);
+    const double times = rate > 0.0 ? std::round(p_.number("ANALOG:RATE").value_or(0.0) / rate) : 0.0;
+    for (const double count : {said, channels * times, channels * samples, said * times, said * samples, channels}) {
+      if (count >= 0.0 && count <= static_cast<double>(kMostAnalog)) analog_.add(static_cast<std::size_t>(count));
+    }
+  }
+
+  void collectStarts() {
+    for (const double block : {p_.number("POINT:DATA_START").value_or(0.0), static_cast<double>(*b_.word(16))}) {
+      const double at = (block - 1.0) * static_cast<double>(kBlockBytes);
+      if (block >= 2.0 && at < static_cast<double>(b_.size())) starts_.add(static_cast<std::size_t>(at));
+    }
+    starts_.add(p_.end());
+  }
+
+  void collectFrames() {
+    const auto trial = [&](const char* name) -> std::optional<double> {
+      const auto low = p_.number(name, 0), high = p_.number(name, 1);
+      return low && high ? std::optional(*low + 65536.0 * *high) : std::nullopt;
+    };
+    const auto add = [this](double count) {
+      if (count >= 1.0 && count <= static_cast<double>(kMostRows)) frames_.add(static_cast<std::size_t>(count));
+    };
+    const auto first = trial("TRIAL:ACTUAL_START_FIELD"), last = trial("TRIAL:ACTUAL_END_FIELD");
+    if (first && last && *last >= *first) add(*last - *first + 1.0);
+    if (const auto many = p_.number("POINT:LONG_FRAMES")) add(*many);
+    const double header = static_cast<double>(static_cast<std::uint16_t>(*b_.word(8) - *b_.word(6))) + 1.0;
+    add(header);
+    const double parameter = p_.number("POINT:FRAMES").value_or(0.0);
+    add(parameter);
+    // 16 bits count from 0 again.
+    for (double k = 1.0; k <= 30.0; k += 1.0) {
+      add(header + 65536.0 * k);
+      if (parameter >= 1.0) add(parameter + 65536.0 * k);
+    }
+  }
+
+  C3dLayout layout(std::size_t kind, std::size_t marker, std::size_t analog, std::size_t start,
+                   std::size_t frame) const {
+    C3dLayout found;
+    found.real = kinds_.values[kind];
+    found.markers = markers_.values[marker];
+    found.analog = analog_.values[analog];
+    found.data_at = starts_.values[start];
+    found.frames = frames_.values[frame];
+    return found;
+  }
+  std::size_t there(const C3dLayout& l) const { return l.data_at < b_.size() ? b_.size() - l.data_at : 0; }
+  std::size_t rowsThere(const C3dLayout& l) const { return there(l) / l.rowBytes(); }
+  bool fits(const C3dLayout& l) const { return l.frames <= rowsThere(l); }
+  /// To the file's last block.
+  bool fills(const C3dLayout& l) const { return fits(l) && there(l) - l.frames * l.rowBytes() < kBlockBytes; }
+  bool isEmpty(std::size_t from, std::size_t count) const {
+    const std::string_view bytes = b_.text(from, count);
+    return bytes.find_first_not_of('\0') == std::string_view::npos;
+  }
+  bool restIsEmpty(const C3dLayout& l) const {
+    const std::size_t end = l.data_at + l.frames * l.rowBytes();
+    return isEmpty(end, b_.size() - end);
+  }
+
+  /// The likeliest of all choices that fills the file, or that fits into it at all.
+  std::optional<C3dLayout> best(bool to_the_end) const {
+    std::optional<C3dLayout> found;
+    std::size_t least = static_cast<std::size_t>(-1);
+    for (std::size_t k = 0; k < kinds_.values.size(); ++k) {
+      for (std::size_t m = 0; m < markers_.values.size(); ++m) {
+        for (std::size_t a = 0; a < analog_.values.size(); ++a) {
+          for (std::size_t s = 0; s < starts_.values.size(); ++s) {
+            for (std::size_t f = 0; f < frames_.values.size(); ++f) {
+              const C3dLayout l = layout(k, m, a, s, f);
+              const std::size_t cost = 8 * k + 8 * m + 2 * a + 4 * s + f;
+              if (cost >= least || !(to_the_end ? fills(l) : fits(l))) continue;
+              least = cost;
+              found = l;
+            }
+          }
+        }
+      }
+    }
+    return found;
+  }
+
+  /// Where rows go on behind the stated number of frames, to the file's last block.
+  C3dLayout withAllRows(C3dLayout l) const {
+    std::size_t rows = rowsThere(l);
+    while (rows > l.frames && isEmpty(l.data_at + (rows - 1) * l.rowBytes(), l.rowBytes())) --rows;
+    const std::size_t rest = there(l) - rows * l.rowBytes();
+    if (rest < kBlockBytes) l.frames = rows;
+    return l;
+  }
+
+  Expected<C3dLayout> finished(C3dLayout l, const C3dLayout& first) const {
+    if (l.frames > kMostRows) return fail(6, std::to_string(l.frames) + " frames", "at most 2000000");
+    const auto number = [](std::size_t value) { return std::to_string(value); };
+    const auto warn = [&](std::string text) { l.warnings.push_back(std::move(text)); };
+    const std::size_t stated = *b_.word(16);
+    if (stated < 2 || l.data_at != first.data_at)
+      warn("where the points begin is not said twice alike; they are read from byte " + number(l.data_at) + " on");
+    if (l.real != first.real)
+      warn(std::string("header and parameters disagree on the kind of numbers; ") + (l.real ? "real" : "whole") +
+           " ones fill the file");
+    if (l.markers != first.markers)
+      warn("the parameters state " + number(first.markers) + " points and the header " + number(l.markers) +
+           ", which fills the file");
+    if (l.analog != first.analog)
+      warn("the header states " + number(first.analog) + " analog samples a frame; " + number(l.analog) +
+           " fill the file (channels by samples)");
+    const std::size_t header = static_cast<std::size_t>(static_cast<std::uint16_t>(*b_.word(8) - *b_.word(6))) + 1;
+    if (l.frames != first.frames || (l.frames != header && header != 65'535 && header != 65'536 && l.frames < 65'536))
+      warn("the header states " + number(header) + " frames; " + number(l.frames) + " stand in the file and are read");
+    if (const std::size_t end = l.data_at + l.frames * l.rowBytes();
+        b_.size() >= end + kBlockBytes && !isEmpty(end, b_.size() - end))
+      warn(number(b_.size() - end) + " bytes behind the last frame are not read; they are no whole frames");
+    l.scale = scaleOf(l);
+    return l;
+  }
+
+  /// The header's is that with which the numbers were written, where both disagree.
+  double scaleOf(C3dLayout& l) const {
+    if (l.real) return 1.0;
+    const auto parameter = p_.number("POINT:SCALE"), header = b_.real(12);
+    const double written = header && *header > 0.0 ? *header : std::abs(parameter.value_or(1.0));
+    if (parameter && *parameter > 0.0 && std::abs(*parameter - written) > 1e-3 * written) {
+      char text[160];
+      std::snprintf(text, sizeof text,
+                    "the scale of the points is %.6g in the header and %.6g in the parameters; the header's is taken",
+                    written, *parameter);
+      l.warnings.emplace_back(text);
+    }
+    return written;
+  }
+
+  const C3dParameters& p_;
+  const C3dBytes& b_;
+  const std::string& name_;
+  Choices<bool> kinds_;
+  Choices<std::size_t> markers_, analog_, starts_, frames_;
+};
+
+}  // namespace c3d
+
+inline Expected<C3dLayout> c3dLayout(const C3dParameters& parameters, const std::string& name) {
+  return c3d::LayoutFinder(parameters, name).find();
+}
+
+}  // namespace hapticell::mannequin

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mannequin/motion/marker_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "mannequin/body/rotations.h"
+
+namespace hapticell::mannequin {
+
+namespace {
+
+constexpr double kMarkerRadius = 0.007;  ///< m; of what is stuck to the skin, our choice as all of these.
+constexpr double kHalfKnee = 0.052, kHalfAnkle = 0.036, kHalfElbow = 0.040;  ///< m, half a joint's breadth.
+constexpr double kBelowAcromion = 0.040, kInsideAcromion = 0.012;            ///< m, the shoulder.
+constexpr double kFingerHigher = 0.010;               ///< m, over the line of the wrist's markers.
+constexpr double kHalfWrist = 0.018;                  ///< m, half a wrist's thickness: its markers lie on its back.
+constexpr double kLooksUp = 5.0 * kDegree;            ///< On the whole: nobody does; the markers lean.
+constexpr std::size_t kMostTilts = 500;               ///< Moments looked at.
+constexpr double kIntoNeck = 0.35;                    ///< From C7 to the clavicles' notch.
+constexpr double kSureBend = 0.35, kSomeBend = 0.12;  ///< Sines of a joint's flexion.
+
+dvec3 unitOf(const dvec3& v) {
+  const double length = glm::length(v);
+  return length > 1e-9 ? v / length : dvec3(0.0);
+}
+dvec3 square(const dvec3& v, const dvec3& axis) {
+  return unitOf(v - glm::dot(v, axis) * axis);
+}
+/// Columns forward, left, up, from the first two roughly or the last two.
+dmat3 fromUp(const dvec3& up, const dvec3& left) {
+  const dvec3 z = unitOf(up), y = square(left, z);
+  return {glm::cross(y, z), y, z};
+}
+dmat3 fromForward(const dvec3& forward, const dvec3& left) {
+  const dvec3 x = unitOf(forward), y = square(left, x);
+  return {x, y, glm::cross(x, y)};
+}
+dmat3 between(const dmat3& a, const dmat3& b, double s) {
+  return glm::mat3_cast(glm::slerp(glm::normalize(glm::quat_cast(a)), glm::normalize(glm::quat_cast(b)), s));
+}
+
+/// One landmark through the whole recording, without gaps.
+using Way = std::vector<dvec3>;
+
+class MarkerBody {
+ public:
+  MarkerBody(const MarkerClip& clip, const MarkerSet& set) : clip_(clip), set_(set) {}
+
+  Expected<RecordedMotion> find() {
+    motion_.frame_time = clip_.frame_time;
+    motion_.metres_per_unit = clip_.metres_per_unit;
+    motion_.up = clip_.up;
+    motion_.marker_set = set_.name;
+    motion_.assumptions = clip_.warnings;
+    motion_.assumptions.push_back("the markers are read as " + set_.name +
+                                  "; joints are found from them with our own offsets");
+    findBlind();
+    for (const auto& [landmark, markers] : set_.markers) {
+      if (auto done = addWay(landmark, markers); !done) return makeError(done.error());
+    }
+    findTilts();
+    tell();
+    for (std::size_t f = 0; f < clip_.frames(); ++f) {
+      frame_ = f;
+      motion_.bodies.push_back(body());
+      if (auto sound = check(motion_.bodies.back()); !sound) return makeError(sound.error());
+    }
+    return std::move(motion_);
+  }
+
+ private:
+  bool has(const std::string& landmark) const { return ways_.contains(landmark); }
+  dvec3 at(const std::string& landmark) const { return ways_.at(landmark)[frame_]; }
+  static std::string sided(std::size_t i, const char* landmark) {
+    return std::string(i == 0 ? "left_" : "right_") + landmark;
+  }
+  bool both(const char* landmark) const { return has(sided(0, landmark)) && has(sided(1, landmark)); }
+  dvec3 middle(const char* landmark) const { return 0.5 * (at(sided(0, landmark)) + at(sided(1, landmark))); }
+
+  bool isSeen(std::size_t f, std::size_t m) const {
+    const auto& p = clip_.at(f, m);
+    return p && *p != dvec3(0.0);  // Some programs write 0 0 0 for what was not seen.
+  }
+
+  /// Frames in which nothing of the person is seen: before it comes into the cameras' view, and after.
+  void findBlind() {
+    blind_.assign(clip_.frames(), true);
+    std::size_t count = 0;
+    for (std::size_t f = 0; f < blind_.size(); ++f) {
+      for (const auto& [landmark, markers] : set_.markers) {
+        for (const std::size_t m : markers) blind_[f] = blind_[f] && !isSeen(f, m);
+      }
+      count += blind_[f] ? 1 : 0;
+    }
+    if (count == 0) return;
+    motion_.assumptions.push_back(
+        "in " + std::to_string(count) + " of " + std::to_string(blind_.size()) +
+        " frames no marker of the person is seen; it is taken to stand still or to go straight "
+        "on there, and these frames count like others");
+  }
+
+  Expected<void> addWay(const std::string& landmark, const std::vector<std::size_t>& markers) {
+    Way way(clip_.frames());
+    std::vector<bool> seen(way.size(), false);
+    for (std::size_t f = 0; f < way.size(); ++f) {
+      bool all = true;
+      for (const std::size_t m : markers) {
+        if (!isSeen(f, m)) {
+          all = false;
+          break;
+        }
+        way[f] += *clip_.at(f, m) / static_cast<double>(markers.size());
+      }
+      seen[f] = all;
+    }
+    const std::size_t unseen = static_cast<std::size_t>(std::count(seen.begin(), seen.end(), false));
+    if (unseen == way.size()) {
+      MarkerSet rest = set_;
+      rest.markers.erase(landmark);
+      if (!missingLandmarks(rest).empty())
+        return makeError({"", "markers", "the marker on " + landmark + " is never seen", "a marker that is seen", ""});
+      motion_.assumptions.push_back("the marker on " + landmark + " is never seen; it is left out");
+      return {};
+    }
+    if (unseen > 0) fill(landmark, way, seen);
+    ways_[landmark] = std::move(way);
+    return {};
+  }
+
+  void fill(const std::string& landmark, Way& way, const std::vector<bool>& seen) {
+    std::size_t longest = 0, count = 0;
+    for (std::size_t f = 0; f < way.size();) {
+      if (seen[f]) {
+        ++f;
+        continue;
+      }
+      std::size_t end = f;
+      while (end < way.size() && !seen[end]) ++end;
+      for (std::size_t k = f; k < end; ++k) {
+        const double s = static_cast<double>(k - f + 1) / static_cast<double>(end - f + 1);
+        way[k] = f == 0 ? way[end] : end == way.size() ? way[f - 1] : (1.0 - s) * way[f - 1] + s * way[end];
+      }
+      const auto first = blind_.begin() + static_cast<std::ptrdiff_t>(f);
+      const auto last = blind_.begin() + static_cast<std::ptrdiff_t>(end);
+      const std::size_t here = static_cast<std::size_t>(std::count(first, last, false));
+      longest = std::max(longest, here > 0 ? end - f : 0);
+      count += here;
+      f = end;
+    }
+    if (count == 0) return;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "the marker on %s is not seen in %zu of %zu frames, %.2f s at the longest; it is "
+                  "taken on the straight way between",
+                  landmark.c_str(), count, way.size(), static_cast<double>(longest) * clip_.frame_time);
+    motion_.assumptions.emplace_back(text);
+  }
+
+  /// How the markers of pelvis and head lie on them: where the trunk is upright the pelvis is in line with it; and a
+  /// head does not look up on the whole.
+  void findTilts() {
+    const std::size_t every = std::max<std::size_t>(1, clip_.frames() / kMostTilts);
+    std::vector<std::pair<double, std::array<double, 2>>> tilts;
+    for (frame_ = 0; frame_ < clip_.frames(); frame_ += every) {
+      const RecordedBody raw = body();
+      const dvec3 trunk = unitOf(raw.neck - raw.p_root);
+      const dvec3 in_pelvis = glm::transpose(raw.R_root) * trunk;
+      tilts.push_back(
+          {-trunk.z, {std::atan2(in_pelvis.x, in_pelvis.z), std::asin(std::clamp(raw.R_head[0].z, -1.0, 1.0))}});
+    }
+    std::sort(tilts.begin(), tilts.end());
+    tilts.resize((tilts.size() + 1) / 2);  // The more upright half.
+    const auto median = [&](std::size_t k) {
+      std::vector<double> values;
+      for (const auto& [up, both] : tilts) values.push_back(both[k]);
+      std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+      return values[values.size() / 2];
+    };
+    if (tilts.empty()) return;
+    pelvis_tilt_ = both("asis") ? median(0) : 0.0;
+    if ((hasFourOfHead() || hasLineOfHead()) && median(1) > kLooksUp) head_tilt_ = median(1);
+  }
+
+  bool hasThorax() const { return has("c7") && has("t10") && has("clavicle") && has("sternum"); }
+  bool hasFourOfHead() const { return both("head_front") && both("head_back"); }
+  bool hasLineOfHead() const { return has("head_front") && has("head_back"); }
+
+  void tell() {
+    std::vector<std::string>& said = motion_.assumptions;
+    if (!hasThorax())
+      said.emplace_back("C7, T10, CLAV and STRN are not all there; the chest is as shoulders and hips lie");
+    if (hasFourOfHead() || hasLineOfHead()) {
+      said.emplace_back(head_tilt_ > 0.0
+                            ? "the head's markers lean back by " + std::to_string(std::lround(head_tilt_ / kDegree)) +
+                                  " deg on the whole; taken as their place, the head being level on the whole"
+                            : "the head's markers are taken to be level when the head is held straight");
+    } else {
+      said.emplace_back("there are no markers on the head; it follows the chest, and the neck's score with it");
+    }
+    for (const char* landmark : {"finger", "heel", "toe"}) {
+      if (!both(landmark))
+        said.push_back(std::string("there are no markers on ") +
+                       (landmark[0] == 'f'   ? "the fingers; wrists"
+                        : landmark[0] == 'h' ? "the heels; feet"
+                                             : "the toes; feet") +
+                       " are taken as straight");
+    }
+    if (!both("wrist_thumb_side") || !both("wrist_little_finger_side"))
+      said.emplace_back("the wrists have one marker; the forearms are taken to be neither pronated nor supinated");
+  }
+
+  /// Hips by Harrington's regression, or as told.
+  void pelvis(RecordedBody& body) const {
+    if (both("asis") && (both("psis") || has("sacrum"))) {
+      const dvec3 front = middle("asis"), back = both("psis") ? middle("psis") : at("sacrum");
+      const dmat3 R = fromForward(square(front - back, unitOf(at("left_asis") - at("right_asis"))),
+                                  at("left_asis") - at("right_asis"));
+      const double width = glm::length(at("left_asis") - at("right_asis")), depth = glm::length(front - back);
+      for (std::size_t i = 0; i < 2; ++i) {
+        const double out = i == 0 ? 1.0 : -1.0;
+        body.hip[i] = front + R * dvec3(-0.24 * depth - 0.0099, out * (0.33 * width + 0.0073), -0.30 * width - 0.0109);
+      }
+      body.R_root = R * aboutY(pelvis_tilt_);
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (has(sided(i, "hip_joint"))) body.hip[i] = at(sided(i, "hip_joint"));
+    }
+    body.p_root = 0.5 * (body.hip[0] + body.hip[1]);
+    if (!both("asis")) body.R_root = fromUp(shoulderMarks() - body.p_root, body.hip[0] - body.hip[1]);
+  }
+  dvec3 shoulderMark(std::size_t i) const {
+    return has(sided(i, "shoulder")) ? at(sided(i, "shoulder")) : at(sided(i, "shoulder_joint"));
+  }
+  dvec3 shoulderMarks() const { return 0.5 * (shoulderMark(0) + shoulderMark(1)); }
+
+  void thorax(RecordedBody& body) const {
+    const dvec3 left = shoulderMark(0) - shoulderMark(1);
+    if (hasThorax()) {
+      const dvec3 up = at("c7") + at("clavicle") - at("t10") - at("sternum");
+      const dvec3 ahead = at("clavicle") + at("sternum") - at("c7") - at("t10");
+      body.R_thorax = fromUp(up, glm::cross(up, ahead));
+    } else {
+      body.R_thorax = fromUp(shoulderMarks() - body.p_root, left);
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double out = i == 0 ? 1.0 : -1.0;
+      body.shoulder[i] =
+          has(sided(i, "shoulder_joint"))
+              ? at(sided(i, "shoulder_joint"))
+              : shoulderMark(i) - body.R_thorax * dvec3(0.0, out * kInsideAcromion, kBelowAcromion + kMarkerRadius);
+    }
+    const dvec3 middle_of_shoulders = shoulderMarks();
+    body.neck = !has("c7")        ? middle_of_shoulders
+                : has("clavicle") ? at("c7") + kIntoNeck * (at("clavicle") - at("c7"))
+                                  : at("c7") + 0.045 * body.R_thorax[0];
+  }
+
+  void head(RecordedBody& body) const {
+    body.R_head = body.R_thorax;
+    if (hasFourOfHead()) {
+      body.R_head =
+          fromForward(middle("head_front") - middle("head_back"),
+                      at("left_head_front") + at("left_head_back") - at("right_head_front") - at("right_head_back"));
+    } else if (hasLineOfHead()) {
+      const dvec3 x = at("head_front") - at("head_back");
+      const dvec3 up = has("head_top") ? at("head_top") - 0.5 * (at("head_front") + at("head_back")) : body.R_thorax[2];
+      body.R_head = fromForward(x, glm::cross(up, x));
+    }
+    if (hasFourOfHead() || hasLineOfHead()) body.R_head = body.R_head * aboutY(head_tilt_);
+  }
+
+  /// To the left, across a knee or an elbow: by its bend, where it is bent, else as the trunk's.
+  static dvec3 axisOf(const dvec3& from, const dvec3& middle, const dvec3& to, double bends, const dvec3& otherwise) {
+    const dvec3 bone = unitOf(middle - from);
+    const dvec3 axis = bends * glm::cross(unitOf(to - middle), bone);
+    const double sure = std::clamp((glm::length(axis) - kSomeBend) / (kSureBend - kSomeBend), 0.0, 1.0);
+    const dvec3 plain = square(otherwise, bone);
+    const dvec3 seen = unitOf(axis);
+    return unitOf((1.0 - sure) * plain + (glm::dot(seen, plain) > 0.0 ? sure : 0.0) * seen);
+  }
+  /// Outwards from a hinge's centre to the marker on its outside, square to both bones: the centre is that far from the
+  /// marker that the line of the outer ends and the marker tell, and bends the right way. `turn`: the sign of the cross
+  /// product of both bones along the outward axis.
+  static dvec3 outwardOf(const dvec3& from, const dvec3& marker, const dvec3& to, double offset, double turn) {
+    const dvec3 along = unitOf(to - from);
+    const dvec3 m = (marker - from) - glm::dot(marker - from, along) * along;
+    const double h = glm::length(m);
+    if (h < 1e-6) return square(dvec3(0, 1, 0), along);
+    const dvec3 a = m / h, b = glm::cross(along, a);
+    const double c = std::min(1.0, offset / h), s = std::sqrt(1.0 - c * c);
+    const auto bends = [&](const dvec3& n) {
+      const dvec3 centre = marker - offset * n;
+      return turn * glm::dot(glm::cross(centre - from, to - centre), n);
+    };
+    const dvec3 one = c * a + s * b, other = c * a - s * b;
+    return bends(one) >= bends(other) ? one : other;
+  }
+  /// The centre of a knee or an elbow, and its axis to the left.
+  struct Hinge {
+    dvec3 centre, left;
+  };
+  Hinge hingeOf(std::size_t i, const char* name, double half, const dvec3& from, const dvec3& to, double bends,
+                const dvec3& otherwise) const {
+    const double out = i == 0 ? 1.0 : -1.0;
+    const std::string outer = sided(i, name), inner = outer + "_inside", centre = outer + "_joint";
+    if (has(centre)) return {at(centre), axisOf(from, at(centre), to, bends, otherwise)};
+    if (has(inner)) {
+      const dvec3 middle = 0.5 * (at(outer) + at(inner));
+      return {middle, square(out * (at(outer) - at(inner)), unitOf(middle - from))};
+    }
+    const dvec3 n = outwardOf(from, at(outer), to, half + kMarkerRadius, -bends * out);
+    return {at(outer) - (half + kMarkerRadius) * n, out * n};
+  }
+  dvec3 joint(std::size_t i, const char* name, double half, const dvec3& left) const {
+    const std::string outer = sided(i, name);
+    if (has(outer + "_joint")) return at(outer + "_joint");
+    if (has(outer + "_inside")) return 0.5 * (at(outer) + at(outer + "_inside"));
+    return at(outer) - (i == 0 ? 1.0 : -1.0) * (half + kMarkerRadius) * left;
+  }
+  dvec3 mark(std::size_t i, const char* name) const {
+    const std::string plain = sided(i, name);
+    return has(plain) ? at(plain) : at(plain + "_joint");
+  }
+
+  /// A joint's centre inside its outer marker, square to the bone and in the plane of a marker on the bone's outside,
+  /// as Plug-in Gait has it.
+  static dvec3 inside(const dvec3& above, const dvec3& marker, const dvec3& plane, double offset) {
+    const dvec3 down = marker - above, along = unitOf(down);
+    const double sine = std::min(0.9, offset / std::max(1e-6, glm::length(down)));
+    const dvec3 out = square(plane - above, along);
+    return marker - offset * (std::sqrt(1.0 - sine * sine) * out + sine * along);
+  }
+
+  void leg(std::size_t i, RecordedBody& body) const {
+    const double out = i == 0 ? 1.0 : -1.0;
+    dvec3 foot = mark(i, "ankle");
+    Hinge knee = hingeOf(i, "knee", kHalfKnee, body.hip[i], foot, -1.0, body.R_root[1]);
+    // The ankle's own centre lies inside its marker too.
+    foot = joint(i, "ankle", kHalfAnkle, knee.left);
+    knee = hingeOf(i, "knee", kHalfKnee, body.hip[i], foot, -1.0, body.R_root[1]);
+    body.knee[i] = knee.centre;
+    dvec3 left = knee.left;
+    const bool inner = has(sided(i, "knee_inside")) || has(sided(i, "knee_joint"));
+    if (!inner && has(sided(i, "thigh"))) {
+      body.knee[i] = inside(body.hip[i], at(sided(i, "knee")), at(sided(i, "thigh")), kHalfKnee + kMarkerRadius);
+      left = square(out * (at(sided(i, "knee")) - body.knee[i]), unitOf(body.hip[i] - body.knee[i]));
+    }
+    body.ankle[i] = joint(i, "ankle", kHalfAnkle, left);
+    const bool inner_ankle = has(sided(i, "ankle_inside")) || has(sided(i, "ankle_joint"));
+    if (!inner_ankle && has(sided(i, "shank")))
+      body.ankle[i] = inside(body.knee[i], at(sided(i, "ankle")), at(sided(i, "shank")), kHalfAnkle + kMarkerRadius);
+    body.thigh_forward[i] = glm::cross(left, unitOf(body.hip[i] - body.knee[i]));
+    const dvec3 shank = unitOf(body.knee[i] - body.ankle[i]);
+    body.R_foot[i] = fromUp(shank, left);
+    if (has(sided(i, "heel")) && has(sided(i, "toe")))
+      body.R_foot[i] = fromForward(at(sided(i, "toe")) - at(sided(i, "heel")), left);
+  }
+
+  dvec3 wrist(std::size_t i) const {
+    if (has(sided(i, "wrist_joint"))) return at(sided(i, "wrist_joint"));
+    const std::string a = sided(i, "wrist_thumb_side"), b = sided(i, "wrist_little_finger_side");
+    if (has(a) && has(b)) return 0.5 * (at(a) + at(b));
+    return has(sided(i, "wrist")) ? at(sided(i, "wrist")) : at(has(a) ? a : b);
+  }
+
+  void arm(std::size_t i, RecordedBody& body) const {
+    const double out = i == 0 ? 1.0 : -1.0;
+    body.hand[i] = wrist(i);  // The middle of its markers first, then inside the wrist.
+    dvec3 left, thumb, back;
+    for (int pass = 0; pass < 2; ++pass) {
+      const Hinge elbow = hingeOf(i, "elbow", kHalfElbow, body.shoulder[i], body.hand[i], 1.0, body.R_thorax[1]);
+      body.elbow[i] = elbow.centre;
+      left = elbow.left;
+      const dvec3 fore = unitOf(body.hand[i] - body.elbow[i]);
+      const std::string a = sided(i, "wrist_thumb_side"), b = sided(i, "wrist_little_finger_side");
+      thumb = has(a) && has(b) ? square(at(a) - at(b), fore) : glm::cross(left, -fore);
+      back = out * glm::cross(-fore, thumb);
+      if (!has(sided(i, "wrist_joint"))) body.hand[i] = wrist(i) - (kHalfWrist + kMarkerRadius) * back;
+    }
+    body.arm_forward[i] = glm::cross(left, unitOf(body.shoulder[i] - body.elbow[i]));
+    dvec3 along = unitOf(body.hand[i] - body.elbow[i]);
+    // Both the wrist's markers and the finger's lie on the back of the hand, the finger's a little higher.
+    if (has(sided(i, "finger"))) along = unitOf(at(sided(i, "finger")) - kFingerHigher * back - wrist(i));
+    body.R_hand[i] = fromUp(-along, glm::cross(-along, thumb));
+  }
+
+  RecordedBody body() const {
+    RecordedBody body;
+    pelvis(body);
+    thorax(body);
+    head(body);
+    body.R_spine = {between(body.R_root, body.R_thorax, 1.0 / 3.0), between(body.R_root, body.R_thorax, 2.0 / 3.0),
+                    body.R_thorax};
+    body.R_neck = {between(body.R_thorax, body.R_head, 1.0 / 3.0), between(body.R_thorax, body.R_head, 2.0 / 3.0)};
+    for (std::size_t i = 0; i < 2; ++i) {
+      leg(i, body);
+      arm(i, body);
+    }
+    return body;
+  }
+
+  Expected<void> check(const RecordedBody& body) const {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double least = std::min({glm::length(body.knee[i] - body.hip[i]), glm::length(body.ankle[i] - body.knee[i]),
+                                     glm::length(body.elbow[i] - body.shoulder[i]),
+                                     glm::length(body.hand[i] - body.elbow[i]), glm::length(body.neck - body.p_root)});
+      if (!(least > 0.01))
+        return makeError({"", "frame " + std::to_string(frame_ + 1), "markers that lie on each other",
+                          "arms, legs and a trunk that have lengths", ""});
+    }
+    return {};
+  }
+
+  const MarkerClip& clip_;
+  const MarkerSet& set_;
+  RecordedMotion motion_;
+  std::map<std::string, Way> ways_;
+  std::vector<bool> blind_;
+  std::size_t frame_ = 0;
+  double pelvis_tilt_ = 0.0, head_tilt_ = 0.0;  ///< rad, forwards.
+};
+
+}  // namespace
+
+Expected<RecordedMotion> recordedMotion(const MarkerClip& clip, const MarkerSet& set) {
+  return MarkerBody(clip, set).find();
+}
+
+}  // namespace hapticell::mannequin

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "geometry/shapes/pose.h"
+
+namespace hapticell::mannequin {
+
+/// One joint of a recorded skeleton. How its frame lies at rest is the recording program's affair: only where joints
+/// are is taken from a clip (body_frames.h).
+struct ClipJoint {
+  std::string name;
+  int parent = -1;      ///< Index before its own; -1 for the root.
+  dvec3 p_Parent{0.0};  ///< In the parent's frame, m; the mean where the file moves it.
+  bool is_end = false;  ///< The end of a bone without joints of its own.
+};
+
+/// One moment: where the root is and how each joint turns in its parent.
+struct ClipFrame {
+  dvec3 p_root{0.0};
+  std::vector<dquat> turns;          ///< One a joint; identity for ends.
+  std::vector<dvec3> p_Parent = {};  ///< One a joint, instead of the clip's; empty where no joint moves in its parent.
+};
+
+/// A recorded motion as its file has it: metres, but with the file's own axes.
+struct MotionClip {
+  std::vector<ClipJoint> joints;  ///< Parents first.
+  std::vector<ClipFrame> frames;
+  double frame_time = 1.0 / 120.0;         ///< s
+  double metres_per_unit = 1.0;            ///< That were taken for the file's unit.
+  std::vector<std::string> warnings = {};  ///< What was assumed or did not agree in the file, a sentence each.
+
+  int find(std::string_view name) const;  ///< Index or -1; upper and lower case are the same.
+};
+
+/// Places of all joints at a frame, in the clip's world.
+struct ClipPose {
+  std::vector<dvec3> p;
+  std::vector<dquat> q;
+};
+void placeJoints(const MotionClip& clip, const ClipFrame& frame, ClipPose& pose);
+
+/// Reads BVH. A row of the motion is a line; every line must have as many numbers as there are channels, and all are
+/// read, also beyond the stated number of frames (with a warning); fewer are an error. Names may have blanks. Positions
+/// in the channels of a joint replace its OFFSET, or are added to it where they stay near zero. The file does not say
+/// its unit: `metres_per_unit` 0 guesses it from the length of the legs (a person's are about 0.82 m), else from the
+/// height at rest. Errors name the line: two roots, a decimal comma, UTF-16, what is cut.
+Expected<MotionClip> readBvh(std::string_view text, const std::string& name, double metres_per_unit = 0.0);
+
+/// Reads a skeleton in ASF with its motion in AMC (CMU's convention: lengths in 1/0.45 inch unless the file's unit says
+/// otherwise, each bone with axes C of its own, local turn C M C^-1). A bone's joint is at its parent's end. `:RADIANS`
+/// and `:DEGREES` of the AMC go before the ASF's unit. A frame number that does not follow its predecessor is an error.
+Expected<MotionClip> readAsfAmc(std::string_view asf, const std::string& asf_name, std::string_view amc,
+                                const std::string& amc_name);
+
+/// By the ending: .bvh, or .amc with the .asf beside it (the same stem, or its part before '_').
+Expected<MotionClip> readMotionFile(const std::filesystem::path& file);
+
+}  // namespace hapticell::mannequin

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mannequin/motion/recorded_motion.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "mannequin/motion/body_frames.h"
+#include "mannequin/motion/clip_map.h"
+#include "mannequin/motion/marker_body.h"
+
+namespace hapticell::mannequin {
+
+namespace {
+
+constexpr std::size_t kPostureSamples = 400;
+
+/// From the ankles to the head, moment by moment, in the clip's axes.
+std::vector<dvec3> upwardsOf(const MotionClip& clip, const ClipMap& map) {
+  std::vector<dvec3> upwards;
+  const std::size_t every = std::max<std::size_t>(1, clip.frames.size() / kPostureSamples);
+  ClipPose pose;
+  for (std::size_t f = 0; f < clip.frames.size(); f += every) {
+    placeJoints(clip, clip.frames[f], pose);
+    const auto p = [&](int joint) { return pose.p[static_cast<std::size_t>(joint)]; };
+    upwards.push_back(p(map.head) - 0.5 * (p(map.ankle[0]) + p(map.ankle[1])));
+  }
+  return upwards;
+}
+
+UpAxis upOf(const MotionClip& clip, const ClipMap& map, const MotionReading& reading,
+            std::vector<std::string>& assumptions) {
+  const std::optional<UpAxis> seen = upAxisOf(upwardsOf(clip, map));
+  const auto axis = [](UpAxis up) { return std::string("the file's ") + nameOf(up) + " axis"; };
+  if (reading.up) {
+    assumptions.push_back("up is " + axis(*reading.up) + ", as told" +
+                          (seen && *seen != *reading.up ? "; the head is over the feet along " + axis(*seen) : ""));
+    return *reading.up;
+  }
+  if (seen) {
+    assumptions.push_back("up is " + axis(*seen) + ": the head is over the feet along it");
+    return *seen;
+  }
+  assumptions.push_back(
+      "the posture does not tell which axis is up (the person lies, or turns over); the file's y axis "
+      "is taken, as BVH and ASF have it; --up says another");
+  return UpAxis::kY;
+}
+
+}  // namespace
+
+Expected<RecordedMotion> recordedMotion(const MotionClip& clip, const MotionReading& reading) {
+  const Expected<ClipMap> map = mapJoints(clip);
+  if (!map) return makeError(map.error());
+  RecordedMotion motion;
+  motion.frame_time = clip.frame_time;
+  motion.metres_per_unit = clip.metres_per_unit;
+  motion.assumptions = clip.warnings;
+  motion.up = upOf(clip, *map, reading, motion.assumptions);
+  // A skeleton that faces its z axis with y up faces the world's x.
+  const dmat3 quarter(dvec3(0, 1, 0), dvec3(-1, 0, 0), dvec3(0, 0, 1));
+  const BodyFrames frames(clip, *map, quarter * uprightTurn(motion.up));
+  motion.assumptions.insert(motion.assumptions.end(), frames.assumptions().begin(), frames.assumptions().end());
+  motion.bodies.reserve(clip.frames.size());
+  ClipPose pose;
+  for (const ClipFrame& frame : clip.frames) {
+    placeJoints(clip, frame, pose);
+    motion.bodies.push_back(frames.bodyAt(pose));
+    const RecordedBody& body = motion.bodies.back();
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double least = std::min({glm::length(body.knee[i] - body.hip[i]), glm::length(body.ankle[i] - body.knee[i]),
+                                     glm::length(body.elbow[i] - body.shoulder[i]),
+                                     glm::length(body.hand[i] - body.elbow[i]), glm::length(body.neck - body.p_root)});
+      if (least > 1e-4) continue;
+      return makeError({"", "frame " + std::to_string(motion.bodies.size()), "bones without length",
+                        "arms, legs and a trunk that have lengths", ""});
+    }
+  }
+  return motion;
+}
+
+namespace {
+
+Expected<RecordedMotion> recordedMarkers(const std::filesystem::path& file, const MotionReading& reading) {
+  const Expected<MarkerClip> clip = readC3d(file, reading.up);
+  if (!clip) return makeError(clip.error());
+  const Expected<MarkerSet> set =
+      reading.markers.empty() ? recogniseMarkers(*clip) : readMarkerTable(reading.markers, *clip);
+  if (!set) return makeError(set.error());
+  return recordedMotion(*clip, *set);
+}
+
+Expected<RecordedMotion> recordedSkeleton(const std::filesystem::path& file, const MotionReading& reading) {
+  if (!reading.markers.empty())
+    return makeError({file.string(), "--markers", "a table of markers for a skeleton", "a recording in C3D", ""});
+  const Expected<MotionClip> clip = readMotionFile(file);
+  if (!clip) return makeError(clip.error());
+  return recordedMotion(*clip, reading);
+}
+
+}  // namespace
+
+Expected<RecordedMotion> readRecordedMotion(const std::filesystem::path& file, const MotionReading& reading) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  Expected<RecordedMotion> motion = ending == ".c3d" ? recordedMarkers(file, reading) : recordedSkeleton(file, reading);
+  if (!motion && motion.error().file.empty()) motion.error().file = file.string();
+  return motion;
+}
+
+}  // namespace hapticell::mannequin

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "mannequin/posture/body_state.h"
+
+namespace hapticell::mannequin {
+
+/// Rows of the whole-body task: feet 2 x 6, centre of mass 2, hands 2 x 6. A row that is not wanted has zeros and a
+/// regularisation of 1.
+inline constexpr int kTaskRows = 26;
+inline constexpr int kFootRow = 0, kBalanceRow = 12, kHandRow = 14;
+
+/// min |dq - dqc|^2_D + |J dq - e|^2_(1/R)  subject to  lower <= dq <= upper.
+struct StepProblem {
+  std::array<std::array<double, kTaskRows>, kVariables> J{};  ///< By columns.
+  std::array<double, kTaskRows> e{};
+  std::array<double, kTaskRows> R{};
+  Variables D{};
+  Variables wish{};  ///< dqc: acts in what the tasks leave free.
+  Variables lower{}, upper{};
+  bool arms_coupled = false;  ///< A held object: the left arm's columns reach into the right hand's rows.
+};
+
+/// Which bound a variable sits on: -1 lower, +1 upper, 0 free. Kept from step to step, it saves passes.
+using ActiveSet = std::array<std::int8_t, kVariables>;
+
+/// Solves it exactly: Newton steps on the dual function (kTaskRows unknowns), which is concave and made of parabolas,
+/// each cut where that function is highest along it (a semismooth Newton method with exact line search, for example
+/// Hintermueller, Ito and Kunisch, SIAM J. Optim. 13, 2003); usually 1 to 5, at most 32, after which the bounds still
+/// hold but the objective may not be least. `active` is the first guess and becomes what was found. No allocation.
+void solveStep(const StepProblem& problem, ActiveSet& active, Variables& step);
+
+}  // namespace hapticell::mannequin

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mannequin/body/figure.h"
+#include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/posture/posture.h"
+
+namespace hapticell::mannequin {
+
+/// What became of a wish for the head.
+struct HeadResult {
+  Posture posture;
+  double position_error = 0.0;     ///< m, of the point between the eyes.
+  double orientation_error = 0.0;  ///< rad
+};
+
+/// One tick of a drag of the head (1 kHz): the point between the eyes and the head's axes move towards X_WEyes (frame
+/// of the head's segment, origin between the eyes) by the neck's nine turns and, unless locked, the spine's nine; at
+/// most about 2 degrees in any joint, hard limits kept, never farther off than `from`. Pelvis, legs and the arms'
+/// angles stay, so hands go with the trunk. Damped least squares; the same input gives the same bits; no allocation.
+HeadResult followHead(const Figure& figure, const Posture& from, const Pose& X_WEyes, bool trunk_locked);
+
+/// Where the eyes are: the head's axes, origin between the eyes.
+Pose eyesFrame(const Figure& figure, const FigurePose& pose);
+
+}  // namespace hapticell::mannequin

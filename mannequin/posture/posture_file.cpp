@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mannequin/posture/posture_file.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "geometry/system/nesting_limit.h"
+#include "geometry/system/regular_file.h"
+
+namespace hapticell::mannequin {
+
+namespace {
+
+using nlohmann::ordered_json;
+constexpr int kVersion = 1;
+constexpr double kMostAngle = 7.0;  // A little over one turn.
+
+/// `count` finite numbers, or nothing.
+std::optional<std::vector<double>> numbers(const ordered_json& json, std::size_t count) {
+  if (!json.is_array() || json.size() != count) return std::nullopt;
+  std::vector<double> result;
+  for (const auto& value : json) {
+    if (!value.is_number() || !std::isfinite(value.get<double>()) || std::abs(value.get<double>()) > 1e6)
+      return std::nullopt;
+    result.push_back(value.get<double>());
+  }
+  return result;
+}
+
+Expected<void> readRoot(const ordered_json& json, const std::string& name, Posture& posture) {
+  if (!json.is_object())
+    return makeError({name, "\"root\"", "no object", "{\"position\":[..],\"orientation\":[..]}", ""});
+  if (json.contains("position")) {
+    const auto p = numbers(json["position"], 3);
+    if (!p) return makeError({name, "\"root\".\"position\"", "no position", "three numbers, metres", ""});
+    posture.X_WR.p = {(*p)[0], (*p)[1], (*p)[2]};
+  }
+  if (json.contains("orientation")) {
+    const auto q = numbers(json["orientation"], 4);
+    const dquat raw = q ? dquat((*q)[0], (*q)[1], (*q)[2], (*q)[3]) : dquat(0.0, 0.0, 0.0, 0.0);
+    if (!(std::abs(glm::length(raw) - 1.0) < 0.01)) {
+      return makeError({name, "\"root\".\"orientation\"", "no unit quaternion", "w, x, y, z of length 1", ""});
+    }
+    posture.X_WR.q = glm::normalize(raw);
+  }
+  return {};
+}
+
+Expected<void> readJoints(const ordered_json& json, double unit, const std::string& name, Posture& posture) {
+  if (!json.is_object()) return makeError({name, "\"joints\"", "no object", "joint names with angles", ""});
+  for (const auto& [key, value] : json.items()) {
+    const std::optional<Dof> dof = findDof(key);
+    const std::string place = "joint '" + key.substr(0, 60) + "'";
+    if (!dof) {
+      return makeError({name, place, "a joint that the mannequin has not", "a name such as l_elbow_flexion",
+                        "hapticell-cli mannequin lists all 56."});
+    }
+    const double angle = value.is_number() ? value.get<double>() * unit : NAN;
+    if (!(std::abs(angle) <= kMostAngle)) return makeError({name, place, "no angle", "a number within +-7 rad", ""});
+    posture[*dof] = angle;
+  }
+  return {};
+}
+
+Expected<void> checkHead(const ordered_json& json, const std::string& name) {
+  if (!json.is_object()) return makeError({name, "", "no JSON object", "a posture", ""});
+  const std::string format =
+      json.contains("format") && json["format"].is_string() ? json["format"].get<std::string>() : "";
+  if (format != "hapticell-posture") {
+    return makeError({name, "\"format\"", format.empty() ? "nothing" : "\"" + format.substr(0, 60) + "\"",
+                      "\"hapticell-posture\"", ""});
+  }
+  const bool known = !json.contains("version") || (json["version"].is_number_integer() && json["version"] == kVersion);
+  if (!known)
+    return makeError({name, "\"version\"", json["version"].dump().substr(0, 40), "1", "Use a newer HaptiCell."});
+  return {};
+}
+
+}  // namespace
+
+std::string postureText(const Posture& posture) {
+  ordered_json json;
+  json["format"] = "hapticell-posture";
+  json["version"] = kVersion;
+  const dvec3 p = posture.X_WR.p;
+  const dquat q = posture.X_WR.q;
+  json["root"] = {{"position", {p.x, p.y, p.z}}, {"orientation", {q.w, q.x, q.y, q.z}}};
+  json["unit"] = "rad";
+  ordered_json joints = ordered_json::object();
+  for (std::size_t i = 0; i < kDofCount; ++i) joints[dofInfo(static_cast<Dof>(i)).name] = posture.angles[i];
+  json["joints"] = std::move(joints);
+  json["gaze"] = {posture.gaze.yaw, posture.gaze.pitch};
+  return json.dump(2) + "\n";
+}
+
+Expected<Posture> parsePosture(std::string_view text, const std::string& name, bool* has_root) {
+  auto flat = geometry::checkNesting(text, geometry::NestedText::kOrderedJson, name);
+  if (!flat) return makeError(flat.error());
+  const ordered_json json = ordered_json::parse(text.begin(), text.end(), nullptr, false);
+  if (json.is_discarded()) return makeError({name, "", "text that is not JSON", "a posture", ""});
+  if (const auto head = checkHead(json, name); !head) return makeError(head.error());
+  double unit = 1.0;
+  if (json.contains("unit")) {
+    if (json["unit"] != "deg" && json["unit"] != "rad")
+      return makeError({name, "\"unit\"", json["unit"].dump().substr(0, 40), "rad or deg", ""});
+    if (json["unit"] == "deg") unit = M_PI / 180.0;
+  }
+  Posture posture;
+  if (has_root) *has_root = json.contains("root");
+  if (json.contains("root")) {
+    if (const auto root = readRoot(json["root"], name, posture); !root) return makeError(root.error());
+  }
+  if (json.contains("joints")) {
+    if (const auto joints = readJoints(json["joints"], unit, name, posture); !joints) return makeError(joints.error());
+  }
+  if (json.contains("gaze")) {
+    const auto gaze = numbers(json["gaze"], 2);
+    if (!gaze) return makeError({name, "\"gaze\"", "no two numbers", "[yaw, pitch]", ""});
+    posture.gaze = {(*gaze)[0] * unit, (*gaze)[1] * unit};
+  }
+  return posture;
+}
+
+Expected<Posture> readPosture(const std::filesystem::path& file, bool* has_root) {
+  constexpr std::uintmax_t kMostPostureBytes = 1'000'000;
+  const auto text = geometry::readRegularFile(file, kMostPostureBytes);
+  if (!text) return makeError(text.error());
+  return parsePosture(*text, file.string(), has_root);
+}
+
+}  // namespace hapticell::mannequin

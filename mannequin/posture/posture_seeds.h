@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mannequin/posture/body_solver.h"
+
+namespace hapticell::mannequin {
+
+/// A state with arms in closed form at the best of some swivels; the cost is 10 times what exceeds limits (rad) and a
+/// little for swivels that people avoid.
+struct SeededState {
+  BodyState state;
+  double cost = 0.0;
+};
+SeededState withArms(const Figure& figure, const ResolvedTask& task, const BodyState& from, int swivels);
+
+/// Starting postures for a cold solve: 48 trunks built from the present stance (4 crouches, 4 pitches, 3 turns), ranked
+/// by how well the shoulders then stand to the hands' targets. The best are made into whole postures, legs and arms in
+/// closed form, a few at a time when they are asked for.
+class PostureSeeds {
+ public:
+  static constexpr std::size_t kTrunks = 48, kMost = 8, kBatch = 4;
+
+  PostureSeeds(const Figure& figure, const ResolvedTask& task, const BodyState& present);
+  /// The next state to try; nullptr after kMost, or after the first batch where one hand only is asked for.
+  const BodyState* next();
+
+ private:
+  struct Ranked {
+    double cost;
+    std::size_t index;
+  };
+  void makeBatch();
+
+  const Figure& figure_;
+  const ResolvedTask& task_;
+  const BodyState& present_;
+  std::array<Ranked, kTrunks> ranked_{};
+  std::array<BodyState, kBatch> batch_;
+  std::array<std::size_t, kBatch> order_{};
+  std::size_t given_ = 0;
+};
+
+/// The whole figure with its feet moved and turned so that what the hands want lies well before it.
+Posture steppedTowards(const Figure& figure, const PostureTask& task, const Posture& start);
+
+}  // namespace hapticell::mannequin

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "mannequin/posture/forward_kinematics.h"
+
+namespace hapticell::mannequin {
+
+/// What the figure stands on, seen from above: the convex hull of both soles, counter-clockwise, metres in the world.
+struct SupportPolygon {
+  std::array<glm::dvec2, 12> points{};
+  std::size_t count = 0;
+
+  /// How far inside its nearest edge a point is (m); negative outside.
+  double margin(const glm::dvec2& point) const;
+};
+
+/// Hull of the soles of feet that stand at these poses (left, right). Feet in the air count as if they stood: choose by
+/// `on_ground`.
+SupportPolygon supportPolygon(const Figure& figure, const std::array<SegmentPlace, 2>& feet,
+                              const std::array<bool, 2>& on_ground = {true, true});
+
+/// Which feet (left, right) stand: one whose sole is a centimetre or more higher than the other's bears nothing.
+std::array<bool, 2> standingFeet(const Figure& figure, const FigurePose& pose);
+
+}  // namespace hapticell::mannequin

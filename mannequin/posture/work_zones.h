@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/shapes/triangle_mesh.h"
+#include "mannequin/posture/posture.h"
+#include "mannequin/posture/vision.h"
+
+namespace hapticell::mannequin {
+
+/// Working zones of the kind of EN ISO 14738, as closed volumes in the world. The standard's figures are of percentiles
+/// of a population; here the same zones are made from this figure's own measures, and their bounds are our choice
+/// (docs/mannequin.md).
+enum class WorkZone {
+  kPreferred,   ///< From 50 mm under elbow height to half way to the shoulder, within the forearm's grip radius.
+  kAcceptable,  ///< From elbow rest to shoulder height, within 0.9 of the arm's grip radius.
+};
+geometry::TriangleMesh workZone(const Figure& figure, const Posture& posture, WorkZone zone);
+
+/// What the eyes take in up to `length` (m), as a closed volume about the line of sight: within 15 deg preferred; what
+/// the eyes turn to (35 deg to the side, 20 up, 40 down); what the head turns to (60 to the side, 60 up and down).
+geometry::TriangleMesh visionVolume(const Figure& figure, const FigurePose& pose, const Gaze& gaze, VisionZone zone,
+                                    double length);
+
+}  // namespace hapticell::mannequin

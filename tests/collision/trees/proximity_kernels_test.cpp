@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/trees/proximity_kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "collision/trees/box_tree.h"
+#include "collision/trees/triangle_distance.h"
+#include "tests/collision/queries/meshes.h"
+
+namespace hapticell::collision {
+namespace {
+
+/// Every kind of kernels that this machine can run, against double arithmetic that shares no line with them.
+class ProximityKernels : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    kernels_ = proximityKernels(GetParam());
+    if (kernels_ == nullptr) GTEST_SKIP() << "this processor or build has no " << GetParam();
+  }
+  double unit() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
+  dvec3 anywhere(double reach) { return reach * dvec3(unit(), unit(), unit()); }
+
+  /// Triangles of all shapes: fair ones, needles, caps, segments and points; apart, near and through each other.
+  Corners triangle(int i, const dvec3& middle, double size) {
+    Corners c{middle + anywhere(size), middle + anywhere(size), middle + anywhere(size)};
+    if (i % 5 == 1) c[2] = 0.5 * (c[0] + c[1]) + anywhere(1e-4 * size);
+    if (i % 5 == 2) c[2] = c[0] + anywhere(1e-3 * size);
+    if (i % 11 == 3) c[1] = c[0];
+    if (i % 23 == 4) c[1] = c[2] = c[0];
+    return c;
+  }
+
+  const collision::ProximityKernels* kernels_ = nullptr;
+  std::mt19937 random_{21};
+};
+
+float asFloat(double x) {
+  return static_cast<float>(x);
+}
+
+TEST_P(ProximityKernels, packedDistancesAreWithinTheirDoubt) {
+  double worst_doubt = 0.0;
+  for (int round = 0; round < 2000; ++round) {
+    PackedPairs pairs;
+    Corners first[kPackSize], second[kPackSize];
+    for (int lane = 0; lane < kPackSize; ++lane) {
+      const double away = std::pow(10.0, 1.5 * unit() - 1.0);
+      first[lane] = triangle(round + lane, {}, 0.1);
+      second[lane] = triangle(round + 3 * lane, anywhere(away), 0.1);
+      for (std::size_t k = 0; k < 9; ++k) {
+        // What the kernel is given is what it is judged by.
+        pairs.first[k][lane] = asFloat(first[lane][k / 3][static_cast<int>(k % 3)]);
+        pairs.second[k][lane] = asFloat(second[lane][k / 3][static_cast<int>(k % 3)]);
+        first[lane][k / 3][static_cast<int>(k % 3)] = pairs.first[k][lane];
+        second[lane][k / 3][static_cast<int>(k % 3)] = pairs.second[k][lane];
+      }
+    }
+    PackedDistances found;
+    kernels_->packedDistances(pairs, found);
+    for (int lane = 0; lane < kPackSize; ++lane) {
+      const double expected = triangleDistance(first[lane], second[lane]).squared;
+      EXPECT_LE(std::abs(double{found.squared[lane]} - expected), double{found.doubt[lane]}) << expected;
+      worst_doubt = std::max(worst_doubt, double{found.doubt[lane]} / std::max(expected, 0.01));
+    }
+  }
+  EXPECT_LT(worst_doubt, 0.01) << "and the doubt is small";
+}
+
+TEST_P(ProximityKernels, exactDistancesAreExact) {
+  for (int round = 0; round < 2000; ++round) {
+    ExactPairs pairs;
+    Corners first[kTreeWidth], second[kTreeWidth];
+    for (int lane = 0; lane < kTreeWidth; ++lane) {
+      first[lane] = triangle(5 * round, {}, 0.1);
+      second[lane] = triangle(5 * lane, anywhere(0.3), 0.1);
+      for (std::size_t k = 0; k < 9; ++k) {
+        pairs.first[k][lane] = first[lane][k / 3][static_cast<int>(k % 3)];
+        pairs.second[k][lane] = second[lane][k / 3][static_cast<int>(k % 3)];
+      }
+    }
+    double squared[kTreeWidth];
+    kernels_->exactDistances(pairs, squared);
+    for (int lane = 0; lane < kTreeWidth; ++lane) {
+      EXPECT_NEAR(std::sqrt(squared[lane]), std::sqrt(triangleDistance(first[lane], second[lane]).squared), 1e-9);
+    }
+  }
+}
+
+TEST_P(ProximityKernels, boxBoundsNeverExceedTheDistanceAndAreTight) {
+  const geometry::TriangleMesh mesh = test::soupMesh(random_, 400, 0.5);
+  std::vector<std::uint32_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const BoxTree tree(mesh, all);
+  for (std::uint32_t index = 1; index < tree.nodes().size(); ++index) {
+    const BoxNode& node = tree.node(index);
+    const Pose X = test::randomPose(random_, 1.0);
+    const OrientedBox other{X.R(), X.p, 0.1 * glm::abs(dvec3(unit(), unit(), unit()))};
+    QueryBox query;
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) query.axis[i][k] = asFloat(other.R[i][k]);
+      query.center[i] = asFloat(other.center[i] - double{node.origin[i]});
+      query.half[i] = asFloat(other.half[i]);
+    }
+    alignas(32) float squared[kTreeWidth];
+    kernels_->boxBounds(node, query, squared);
+    for (std::uint32_t lane = 0; lane < kTreeWidth; ++lane) {
+      if (lane >= node.count) {
+        EXPECT_GT(squared[lane], 1e30f) << "lanes that are not used are infinitely far";
+        continue;
+      }
+      const double expected = std::sqrt(lowerBoundSquared(tree.box(index * kTreeWidth + lane), other));
+      EXPECT_LE(std::sqrt(double{squared[lane]}), expected + 1e-12);
+      EXPECT_GE(std::sqrt(double{squared[lane]}), expected - 2e-5);
+    }
+  }
+}
+
+TEST_P(ProximityKernels, planesOnlyPassOverPairsThatAreFarther) {
+  int passed_over = 0, kept = 0;
+  for (int round = 0; round < 3000; ++round) {
+    LeafBlock leaves[2] = {};
+    Corners corners[2][kLeafSize];
+    for (int which = 0; which < 2; ++which) {
+      leaves[which].count = static_cast<std::uint32_t>(1 + (round / (1 + 3 * which)) % kLeafSize);
+      for (int lane = 0; lane < kLeafSize; ++lane) {
+        corners[which][lane] = triangle(round + lane, which == 0 ? dvec3(0.0) : dvec3(0.05 * unit()), 0.05);
+        for (std::size_t k = 0; k < 9; ++k) {
+          leaves[which].corner[k][lane] = asFloat(corners[which][lane][k / 3][static_cast<int>(k % 3)]);
+        }
+      }
+    }
+    const Pose X = test::randomPose(random_, 0.1);
+    LeafTransform transform;
+    for (int i = 0; i < 9; ++i) transform.R[i] = asFloat(X.R()[i % 3][i / 3]);
+    for (int i = 0; i < 3; ++i) transform.t[i] = asFloat(X.p[i]);
+    const double limit = 0.05 * std::abs(unit());
+    alignas(16) float moved[9][kLeafSize];
+    const std::uint32_t near = kernels_->leafPairs(leaves[0], leaves[1], transform, asFloat(limit * limit), moved);
+    for (std::uint32_t bit = 0; bit < 16; ++bit) {
+      const std::uint32_t i = bit % 4, j = bit / 4;
+      if (i >= leaves[0].count || j >= leaves[1].count) {
+        EXPECT_EQ(near >> bit & 1u, 0u);
+        continue;
+      }
+      Corners b = corners[1][j];
+      for (dvec3& corner : b) corner = X * corner;
+      EXPECT_NEAR(double{moved[0][j]}, b[0].x, 1e-6);
+      const double distance = std::sqrt(triangleDistance(corners[0][i], b).squared);
+      if ((near >> bit & 1u) != 0) {
+        ++kept;
+      } else {
+        ++passed_over;
+        EXPECT_GT(distance, limit - 1e-6);
+      }
+    }
+  }
+  EXPECT_GT(passed_over, 1000);
+  EXPECT_GT(kept, 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ProximityKernels, testing::Values("portable", "avx2", "avx512"));
+
+}  // namespace
+}  // namespace hapticell::collision

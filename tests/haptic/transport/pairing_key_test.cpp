@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/transport/pairing_key.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/support/test_data.h"
+
+namespace hapticell::haptic {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+using ::testing::Not;
+
+TEST(PairingKey, its_code_reads_back_however_it_is_typed) {
+  for (int i = 0; i < 200; ++i) {
+    const PairingKey key = *PairingKey::make();
+    std::string code = key.code();
+    EXPECT_THAT(code, MatchesRegex("([0-9A-HJKMNP-TV-Z]{4}-){6}[0-9A-HJKMNP-TV-Z]{4}"));
+    EXPECT_EQ(PairingKey::parse(code), key);
+    std::string typed;
+    for (const char sign : code) {
+      if (sign == '-') continue;
+      typed += sign == '0' ? 'o' : sign == '1' ? 'l' : static_cast<char>(std::tolower(sign));
+      if (typed.size() % 7 == 0) typed += ' ';
+    }
+    EXPECT_EQ(PairingKey::parse(typed + "\n"), key) << typed;
+  }
+}
+
+TEST(PairingKey, no_two_are_alike_and_the_name_does_not_tell_the_secret) {
+  const PairingKey one = *PairingKey::make(), other = *PairingKey::make();
+  EXPECT_NE(one.code(), other.code());
+  EXPECT_NE(one.secret(), other.secret());
+  EXPECT_NE(one.identity(), other.identity());
+  std::string secret;
+  for (const auto byte : one.secret()) secret += static_cast<char>(byte);
+  EXPECT_THAT(one.identity(), Not(HasSubstr(secret.substr(0, 4))));
+}
+
+TEST(PairingKey, a_single_mistyped_sign_is_found) {
+  const std::string code = PairingKey::parse(PairingKey::make()->code())->code();
+  int found = 0, tried = 0;
+  for (std::size_t at = 0; at < code.size(); ++at) {
+    if (code[at] == '-') continue;
+    for (const char wrong : {'0', '7', 'A', 'Z'}) {
+      if (code[at] == wrong) continue;
+      std::string bad = code;
+      bad[at] = wrong;
+      ++tried;
+      if (!PairingKey::parse(bad)) ++found;
+    }
+  }
+  EXPECT_GE(found, tried - 2) << "twelve bits of check sum let one of 4096 through";
+}
+
+TEST(PairingKey, what_is_no_code_is_refused) {
+  const std::string code = PairingKey::make()->code();
+  EXPECT_THAT(PairingKey::parse("").error().message(), HasSubstr("0 signs"));
+  EXPECT_THAT(PairingKey::parse(code.substr(1)).error().message(), HasSubstr("27 signs"));
+  EXPECT_THAT(PairingKey::parse(code + "0").error().message(), HasSubstr("29 signs"));
+  EXPECT_THAT(PairingKey::parse("U" + code.substr(1)).error().message(), HasSubstr("'U'"));
+  EXPECT_THAT(PairingKey::parse(std::string(100'000, '7')).error().message(), HasSubstr("signs"));
+}
+
+TEST(PairingKey, a_file_is_for_its_owner_only) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "deep" / "server.key";
+  const PairingKey key = *PairingKey::make();
+  ASSERT_TRUE(saveKey(key, file).has_value());
+  struct stat facts {};
+  ASSERT_EQ(stat(file.c_str(), &facts), 0);
+  EXPECT_EQ(facts.st_mode & 0777, 0600u);
+  EXPECT_EQ(loadKey(file), key);
+  const PairingKey next = *PairingKey::make();
+  ASSERT_TRUE(saveKey(next, file).has_value());
+  EXPECT_EQ(loadKey(file), next) << "a new pairing makes the old key worthless";
+  chmod(file.c_str(), 0640);
+  EXPECT_THAT(loadKey(file).error().message(), HasSubstr("other users may read"));
+  EXPECT_FALSE(loadKey(folder.path() / "none.key").has_value());
+}
+
+TEST(PairingKey, a_file_of_something_else_is_said_so) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "server.key";
+  std::ofstream(file) << std::string(1000, 'x');
+  chmod(file.c_str(), 0600);
+  EXPECT_THAT(loadKey(file).error().message(), HasSubstr("no pairing code"));
+  EXPECT_FALSE(saveKey(*PairingKey::make(), "/proc/nowhere/server.key").has_value());
+}
+
+TEST(PairingKey, a_server_on_another_machine_has_a_file_of_its_own) {
+  EXPECT_EQ(knownServerKeyFile("10.0.0.7", 4747).filename(), "10.0.0.7_4747.key");
+  EXPECT_EQ(knownServerKeyFile("../../etc/passwd", 1).filename(), ".._.._etc_passwd_1.key");
+  EXPECT_EQ(knownServerKeyFile("fe80::1%eth0", 1).filename(), "fe80__1_eth0_1.key");
+}
+
+}  // namespace
+}  // namespace hapticell::haptic

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trajectory/programs/reading/program_path.h"
+
+namespace hapticell::trajectory {
+
+/// A position of /POS: of group 1.
+struct FanucPosition {
+  std::size_t line = 0;
+  std::optional<Pose> X;
+  std::optional<ProgramPath::Joints> joints;
+  int frame = 0;
+  bool has_more_groups = false;
+  bool has_external_axes = false;
+};
+
+struct FanucLine {
+  std::size_t line = 0;
+  std::string text;  ///< Upper case, blanks gone but inside of texts.
+};
+
+/// What stands in an LS file: its parts /PROG, /MN and /POS.
+struct FanucFile {
+  std::string name;
+  std::vector<FanucLine> lines;  ///< Without remarks; what goes on over several lines is one.
+  std::map<int, FanucPosition> positions;
+};
+
+FanucFile parseFanuc(const std::string& text);
+
+}  // namespace hapticell::trajectory

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "trajectory/programs/reading/program_run.h"
+
+namespace hapticell::trajectory {
+
+const Dialect& krl();
+
+/// The routines of a KRL module (.src) and, as statements, its lines outside of them (.dat). A block that does not end
+/// fails the path with its line.
+void parseKrl(const Tokens& tokens, ProgramPath& path, std::vector<Routine>& routines, Block& data);
+
+}  // namespace hapticell::trajectory

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "trajectory/programs/reading/program_tokens.h"
+#include "trajectory/programs/reading/program_value.h"
+
+namespace hapticell::trajectory {
+
+/// One argument of a call; named in RAPID (\Rx:=5, or a switch \Off) and URScript (a=1.2).
+struct Argument {
+  std::string name;
+  Value value;
+};
+
+/// A step into a variable: a field, or an index as it stands in the text.
+struct AccessStep {
+  std::string field;  ///< Empty for an index.
+  double index = 0.0;
+  bool is_known = true;
+};
+
+/// What words in expressions mean: given by the language.
+struct ExpressionMeaning {
+  /// A variable's value; null where the file gives none (then `variable` is asked). It stays while an expression is
+  /// read.
+  std::function<const Value*(const std::string& name)> find;
+  std::function<Value(const std::string& name)> variable;  ///< A word of the language, or why it is unknown.
+  std::function<Value(const std::string& name, const std::vector<Argument>& arguments)> call;
+  std::function<Value(const Value& whole, const std::string& field)> field;  ///< Of what is no record.
+  std::function<Value(const Value& a, const Value& b)> compose;              ///< KRL's ':'; may be empty.
+};
+
+/// Reads expressions of KRL, RAPID and URScript from tokens and works out their value at once.
+///
+/// Stops before the first token that cannot belong to the expression. What is no expression gives an unknown value.
+class ExpressionReader {
+ public:
+  ExpressionReader(const Tokens& tokens, std::size_t at, const Dialect& dialect, const ExpressionMeaning& meaning)
+      : tokens_(tokens), at_(at), dialect_(dialect), meaning_(meaning) {}
+
+  Value expression();
+  /// KRL's place of a target: no comparison or sum, so that what follows a target is not taken into it.
+  Value term() { return composed(); }
+  /// "name", "name.field", "name[2].x": for assignments. An empty name where there is none.
+  std::string path(std::vector<AccessStep>& steps);
+  /// Arguments up to a closing bracket (which is taken) or the end of the statement.
+  std::vector<Argument> arguments();
+
+  std::size_t at() const { return at_; }
+  bool isAtEnd() const { return at_ >= tokens_.size() || tokens_[at_].kind == Token::Kind::kLineEnd; }
+  const Token& next() const;
+  bool take(std::string_view sign);
+
+ private:
+  Value either();
+  Value both();
+  Value negated();
+  Value compared();
+  Value sum();
+  Value product();
+  Value composed();
+  Value signedValue();
+  Value postfixed();
+  Value primary();
+  Value named(const std::string& name);
+  Value record();
+  Value listUntil(const char* closing, std::string type);
+  bool takeIndex(AccessStep& step);
+  const Value* element(const Value& whole, const AccessStep& step) const;
+
+  const Tokens& tokens_;
+  std::size_t at_;
+  const Dialect& dialect_;
+  const ExpressionMeaning& meaning_;
+  int depth_ = 0;
+};
+
+}  // namespace hapticell::trajectory

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trajectory/programs/reading/program_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hapticell::trajectory {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kArcError = 1e-4;    // m between an arc and its chords
+constexpr double kLeastStep = 1e-3;   // s between frames
+constexpr double kJointLinear = 1.0;  // m/s and rad/s assumed for a joint move at full speed
+constexpr double kJointAngular = kPi;
+constexpr std::size_t kMostTargets = 2'000'000;
+constexpr std::size_t kMostLineNotes = 20;
+constexpr std::size_t kMostArcFrames = 2000;
+
+/// A circle through three points.
+struct Circle {
+  dvec3 center, x, y;  // two axes as long as the radius; the first point is at angle 0
+  double via = 0.0, end = 0.0;
+  double radius() const { return glm::length(x); }
+  dvec3 at(double angle) const { return center + std::cos(angle) * x + std::sin(angle) * y; }
+};
+
+std::optional<Circle> circleThrough(const dvec3& a, const dvec3& b, const dvec3& c) {
+  const dvec3 u = b - a, v = c - a;
+  const dvec3 n = glm::cross(u, v);
+  const double nn = glm::dot(n, n);
+  if (!(nn > 1e-18 * std::max(1e-12, glm::dot(u, u) * glm::dot(v, v)))) return std::nullopt;
+  Circle circle;
+  circle.center = a + (glm::dot(u, u) * glm::cross(v, n) - glm::dot(v, v) * glm::cross(u, n)) / (2.0 * nn);
+  circle.x = a - circle.center;
+  circle.y = glm::cross(n / std::sqrt(nn), circle.x);
+  const auto angleOf = [&](const dvec3& p) {
+    const double angle = std::atan2(glm::dot(p - circle.center, circle.y), glm::dot(p - circle.center, circle.x));
+    return angle <= 0.0 ? angle + 2.0 * kPi : angle;
+  };
+  circle.via = angleOf(b);
+  circle.end = angleOf(c);
+  return circle;
+}
+
+std::string lineName(std::size_t line) {
+  return "line " + std::to_string(line);
+}
+
+}  // namespace
+
+void ProgramPath::setLinearSpeed(double meters_per_second) {
+  if (meters_per_second > 0.0 && std::isfinite(meters_per_second)) linear_ = meters_per_second;
+}
+void ProgramPath::setAngularSpeed(double radians_per_second) {
+  if (radians_per_second > 0.0 && std::isfinite(radians_per_second)) angular_ = radians_per_second;
+}
+void ProgramPath::setJointShare(double share) {
+  if (share > 0.0 && std::isfinite(share)) share_ = std::min(share, 1.0);
+}
+
+void ProgramPath::setFrame(const std::optional<Pose>& X_BF, const std::string& name) {
+  X_BF_ = X_BF;
+  frame_name_ = X_BF ? "" : name;
+}
+
+/// False where the targets would be in frames whose places to each other nobody knows.
+bool ProgramPath::checkFrame(std::size_t line) {
+  if (hasFailed()) return false;
+  frames_.emplace(frame_name_, line);
+  if (frames_.size() < 2) return true;
+  std::string list;
+  for (const auto& [name, first] : frames_)
+    list += (list.empty() ? "" : ", ") + (name.empty() ? std::string("the robot's base") : name) + " (" +
+            lineName(first) + ")";
+  fail(line, "targets in several frames: " + list, "one frame, or frames whose places the file gives",
+       "Write the frames' values into the program, or read its parts one by one.");
+  return false;
+}
+
+double ProgramPath::durationTo(const Pose& X_B, bool is_joint_move) const {
+  if (targets_.empty()) return 0.0;
+  const PoseDistance way = distanceBetween(targets_.back().X, X_B);
+  const double linear = is_joint_move ? kJointLinear * share_ : linear_;
+  const double angular = is_joint_move ? kJointAngular * share_ : angular_;
+  return std::max({kLeastStep, way.position / linear, way.angle / angular});
+}
+
+void ProgramPath::add(std::size_t line, const Pose& X_B, const std::optional<Joints>& joints, bool is_joint_move) {
+  if (hasFailed()) return;
+  if (!X_B.isValid()) return fail(line, "a target that is not finite", "finite numbers", "");
+  if (!missed_.empty()) {
+    if (!targets_.empty()) {
+      return fail(missed_.front().first, missed_.front().second, "a target that the file gives, as moves follow it",
+                  options_.forward_kinematics ? "Write its value into the program."
+                                              : "Give the robot (--robot) where it is given by joints, else write its "
+                                                "value into the program.");
+    }
+    noteMissed("before the first");
+  }
+  if (targets_.size() >= kMostTargets) return fail(line, "more than 2 000 000 targets", "fewer", "");
+  targets_.push_back({X_B, joints, durationTo(X_B, is_joint_move), 0.0});
+  here_ = X_B;
+  joints_ = joints;
+}
+
+void ProgramPath::moveTo(std::size_t line, const Pose& X_FT, bool is_joint_move) {
+  if (!checkFrame(line)) return;
+  add(line, X_BF_ ? *X_BF_ * X_FT : X_FT, {}, is_joint_move);
+}
+
+void ProgramPath::moveArc(std::size_t line, const Pose& via_FT, const Pose& end_FT, std::optional<double> angle) {
+  if (!checkFrame(line)) return;
+  if (!here_) return fail(line, "an arc from a place that is not known", "a target before it", "");
+  const Pose X_BF = X_BF_.value_or(Pose::identity());
+  const Pose begin = *here_, via = X_BF * via_FT, end = X_BF * end_FT;
+  const auto circle = circleThrough(begin.p, via.p, end.p);
+  if (!circle || (!angle && circle->via > circle->end)) {
+    return fail(line, "an arc whose three points lie on one line, or in another order", "three points of a circle", "");
+  }
+  const double whole = angle ? std::abs(*angle) : circle->end;
+  if (!(whole > 0.0) || !(whole < 100.0)) return fail(line, "an arc of no or many turns", "an angle up to 100 rad", "");
+  const double direction = angle && *angle < 0.0 ? -1.0 : 1.0;
+  const double step = 2.0 * std::acos(std::clamp(1.0 - kArcError / circle->radius(), 0.0, 1.0));
+  const auto piece = [&](double from, double to, bool is_last) {
+    const auto count = static_cast<std::size_t>(
+        std::clamp(std::ceil((to - from) / std::max(step, 1e-6)), 1.0, static_cast<double>(kMostArcFrames)));
+    for (std::size_t i = 1; i <= count; ++i) {
+      const double a = from + (to - from) * static_cast<double>(i) / static_cast<double>(count);
+      Pose X = interpolate(begin, end, std::min(1.0, a / whole));
+      X.p = is_last && i == count && !angle ? end.p : circle->at(direction * a);
+      add(line, X, {}, false);
+    }
+  };
+  const bool has_via = circle->via < whole && direction > 0.0;
+  if (has_via) piece(0.0, circle->via, false);
+  piece(has_via ? circle->via : 0.0, whole, true);
+  note("Arcs are given by frames within 0.1 mm of them, turning evenly from their begin to their end.");
+}
+
+void ProgramPath::moveJoints(std::size_t line, const Joints& joints, const std::optional<Pose>& pose) {
+  if (hasFailed()) return;
+  if (pose) {
+    moveTo(line, *pose, true);
+    if (!targets_.empty() && !hasFailed()) targets_.back().joints = joints_ = joints;
+    return;
+  }
+  if (options_.forward_kinematics) {
+    const std::optional<Pose> X_B = options_.forward_kinematics(joints);
+    if (!X_B) return fail(line, "joints that the robot does not have", "six joints of the robot", "");
+    const std::string frame = std::exchange(frame_name_, "");
+    if (checkFrame(line)) add(line, *X_B, joints, true);
+    frame_name_ = frame;
+    return;
+  }
+  missTarget(line, "a target given by joints");
+  joints_ = joints;
+}
+
+void ProgramPath::missTarget(std::size_t line, const std::string& why) {
+  if (hasFailed()) return;
+  missed_.emplace_back(line, why);
+  here_.reset();
+  joints_.reset();
+}
+
+void ProgramPath::noteMissed(const char* where) {
+  for (const auto& [line, why] : missed_)
+    noteLine(line, std::string("left out, as it comes ") + where + " known target: " + why + ".");
+  missed_.clear();
+}
+
+void ProgramPath::wait(double seconds) {
+  if (!targets_.empty() && seconds > 0.0 && std::isfinite(seconds) && missed_.empty()) targets_.back().dwell += seconds;
+}
+
+std::optional<Pose> ProgramPath::current() const {
+  if (!here_) return std::nullopt;
+  return X_BF_ ? X_BF_->inverse() * *here_ : *here_;
+}
+
+void ProgramPath::note(const std::string& sentence) {
+  if (std::find(notes_.begin(), notes_.end(), sentence) == notes_.end()) notes_.push_back(sentence);
+}
+
+void ProgramPath::noteLine(std::size_t line, const std::string& sentence) {
+  const std::string text = "Line " + std::to_string(line) + ": " + sentence;
+  if (std::find(notes_.begin(), notes_.end(), text) != notes_.end()) return;
+  if (++line_notes_ <= kMostLineNotes) notes_.push_back(text);
+}
+
+void ProgramPath::skip(std::size_t line) {
+  if (std::find(skipped_.begin(), skipped_.end(), line) == skipped_.end() && skipped_.size() < 10000)
+    skipped_.push_back(line);
+}
+
+void ProgramPath::fail(std::size_t line, const std::string& found, const std::string& expected,
+                       const std::string& fix) {
+  if (!error_) error_ = Error{"", lineName(line), found, expected, fix};
+}
+
+void ProgramPath::noteLines() {
+  if (line_notes_ > kMostLineNotes)
+    notes_.push_back("And " + std::to_string(line_notes_ - kMostLineNotes) + " more lines of these kinds.");
+  if (skipped_.empty()) return;
+  std::sort(skipped_.begin(), skipped_.end());
+  std::string list;
+  for (std::size_t i = 0; i < std::min<std::size_t>(skipped_.size(), 12); ++i)
+    list += (i == 0 ? "" : ", ") + std::to_string(skipped_[i]);
+  if (skipped_.size() > 12) list += " and " + std::to_string(skipped_.size() - 12) + " more";
+  notes_.push_back("Without motion and not kept (outputs, waiting for inputs, settings): lines " + list + ".");
+}
+
+Expected<ReadProgram> ProgramPath::finish(const std::string& name) {
+  if (error_) return makeError(*error_);
+  if (targets_.empty()) {
+    if (missed_.empty()) return makeError({"", "", "no moves", "a program with moves to targets", ""});
+    return makeError({"", lineName(missed_.front().first), missed_.front().second, "a target that the file gives",
+                      "Give the robot (--robot) where targets are given by joints."});
+  }
+  noteMissed("behind the last");
+  noteLines();
+  ReadProgram read;
+  Trajectory& motion = read.trajectory;
+  motion.name = name;
+  motion.moved = "tcp";
+  const auto has = [](const Target& target) { return target.joints.has_value(); };
+  const bool has_joints = std::all_of(targets_.begin(), targets_.end(), has);
+  if (has_joints) {
+    motion.joint_names = options_.joint_names;
+    if (motion.joint_names.size() != 6) motion.joint_names = {"j1", "j2", "j3", "j4", "j5", "j6"};
+  } else if (std::any_of(targets_.begin(), targets_.end(), has)) {
+    notes_.push_back("Joints are not kept, as not all targets have them; their poses are.");
+  }
+  motion.reserve(targets_.size());
+  double t = 0.0;
+  for (const Target& target : targets_) {
+    t += target.duration;
+    const std::span<const double> joints =
+        has_joints ? std::span<const double>(*target.joints) : std::span<const double>();
+    motion.addFrame({t, target.X, false, target.dwell}, joints);
+    t += target.dwell;
+  }
+  if (const auto unknown = frames_.begin(); unknown != frames_.end() && !unknown->first.empty())
+    notes_.push_back("Poses are in " + unknown->first + ", whose place the file does not give.");
+  notes_.push_back(
+      "A program has no times: lines take their length by their speed, joint moves are taken at 1 m/s and "
+      "180 deg/s by their share.");
+  read.notes = std::move(notes_);
+  return read;
+}
+
+}  // namespace hapticell::trajectory

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "trajectory/programs/reading/program_reader.h"
+
+namespace hapticell::trajectory {
+
+/// Collects the targets of a program that is being read and makes a trajectory of them.
+///
+/// After the first error nothing more is taken. Poses are given in the program's present frame F (setFrame()).
+class ProgramPath {
+ public:
+  using Joints = std::array<double, 6>;  ///< rad
+
+  explicit ProgramPath(const ProgramReadOptions& options) : options_(options) {}
+
+  void setLinearSpeed(double meters_per_second);
+  void setAngularSpeed(double radians_per_second);
+  void setJointShare(double share);  ///< Of the robot's greatest, 0 to 1.
+  /// The frame that the next targets are given in, in the robot's base. Nothing: the file does not say where `name` is.
+  void setFrame(const std::optional<Pose>& X_BF, const std::string& name);
+  const std::optional<Pose>& frame() const { return X_BF_; }
+
+  void moveTo(std::size_t line, const Pose& X_FT, bool is_joint_move);
+  /// Through `via` to `end`, by so many radians in all where `angle` is given (KRL's CA), else to `end`.
+  void moveArc(std::size_t line, const Pose& via_FT, const Pose& end_FT, std::optional<double> angle = {});
+  /// `pose` where the program gives it beside the joints.
+  void moveJoints(std::size_t line, const Joints& joints, const std::optional<Pose>& pose = {});
+  /// A target that the file does not give. At the begin or end it is left out with a note, in the middle it is an
+  /// error.
+  void missTarget(std::size_t line, const std::string& why);
+  void wait(double seconds);
+
+  /// Where the last target was, in the present frame; nothing where that is not known.
+  std::optional<Pose> current() const;
+  const std::optional<Joints>& currentJoints() const { return joints_; }
+
+  void note(const std::string& sentence);                        ///< Each sentence once.
+  void noteLine(std::size_t line, const std::string& sentence);  ///< "line 12: ..."; at most twenty.
+  void skip(std::size_t line);                                   ///< A statement without motion that is not kept.
+  void fail(std::size_t line, const std::string& found, const std::string& expected, const std::string& fix);
+  bool hasFailed() const { return error_.has_value(); }
+
+  Expected<ReadProgram> finish(const std::string& name);
+
+ private:
+  struct Target {
+    Pose X;
+    std::optional<Joints> joints;
+    double duration = 0.0;
+    double dwell = 0.0;
+  };
+  void add(std::size_t line, const Pose& X_B, const std::optional<Joints>& joints, bool is_joint_move);
+  double durationTo(const Pose& X_B, bool is_joint_move) const;
+  bool checkFrame(std::size_t line);
+  void noteMissed(const char* where);
+  void noteLines();
+
+  const ProgramReadOptions& options_;
+  std::vector<Target> targets_;
+  std::optional<Pose> X_BF_ = Pose::identity();
+  std::string frame_name_;
+  std::map<std::string, std::size_t> frames_;  // by name, the first line with a target in it; "" where known
+  std::optional<Pose> here_;                   // the last target, in the base or in the one unknown frame
+  std::optional<Joints> joints_;
+  double linear_ = 0.25, angular_ = 3.0, share_ = 1.0;
+  std::vector<std::pair<std::size_t, std::string>> missed_;  // since the last target: line, why
+  std::vector<std::size_t> skipped_;
+  std::vector<std::string> notes_;
+  std::size_t line_notes_ = 0;
+  std::optional<Error> error_;
+};
+
+}  // namespace hapticell::trajectory

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trajectory/programs/reading/program_reader.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "geometry/system/regular_file.h"
+#include "trajectory/programs/reading/program_readers.h"
+
+namespace hapticell::trajectory {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLargestProgram = 256U << 20U;
+
+std::string lowerText(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+std::string extensionOf(const fs::path& file) {
+  return lowerText(file.extension().string());
+}
+
+bool isAmong(const std::string& word, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
+}
+
+Expected<std::string> textOf(const fs::path& file) {
+  auto content = geometry::readRegularFile(file, kLargestProgram);
+  if (!content) return makeError(content.error());
+  std::string text = std::move(*content);
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  if (text.find('\0') != std::string::npos)
+    return makeError({file.string(), "", "a binary file", "a program as text",
+                      "Save it as text on the controller (FANUC: .ls, not .tp)."});
+  return text;
+}
+
+/// A file of this name in the folder, whatever the case.
+fs::path besides(const fs::path& folder, const std::string& name) {
+  std::error_code problem;
+  for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    if (lowerText(entry->path().filename().string()) == lowerText(name)) return entry->path();
+  }
+  return {};
+}
+
+Expected<ReadProgram> readKrlFiles(const fs::path& file, const ProgramReadOptions& options) {
+  fs::path source = file;
+  const std::string stem = file.stem().string();
+  if (extensionOf(file) == ".dat") source = besides(file.parent_path(), stem + ".src");
+  if (source.empty()) {
+    return makeError({file.string(), "", "points without a program", stem + ".src beside it", "Open the .src file."});
+  }
+  ProgramText text;
+  auto read = textOf(source);
+  if (!read) return tl::unexpected(read.error());
+  text.source = std::move(*read);
+  const fs::path data = besides(file.parent_path(), stem + ".dat");
+  const fs::path more = besides(file.parent_path(), "$config.dat");
+  for (const auto& [path, into] : {std::pair(data, &text.data), std::pair(more, &text.more_data)}) {
+    if (path.empty()) continue;
+    auto points = textOf(path);
+    if (!points) return tl::unexpected(points.error());
+    *into = std::move(*points);
+  }
+  auto program = readKrl(text, options);
+  if (program && data.empty()) program->notes.insert(program->notes.begin(), "There is no " + stem + ".dat beside it.");
+  if (!program && data.empty() && program.error().fix.empty())
+    program.error().fix = "There is no " + stem + ".dat beside it, where KRL keeps its points.";
+  return program;
+}
+
+}  // namespace
+
+bool isProgramFile(const fs::path& file) {
+  return isAmong(extensionOf(file),
+                 {".src", ".dat", ".mod", ".modx", ".prg", ".sys", ".ls", ".script", ".urscript", ".jbi"});
+}
+
+Expected<ReadProgram> readProgram(const fs::path& file, const ProgramReadOptions& options) {
+  const std::string extension = extensionOf(file);
+  Expected<ReadProgram> program =
+      makeError({"", "", "the extension '" + extension + "'", ".src, .mod, .ls or .script", ""});
+  if (extension == ".src" || extension == ".dat") {
+    program = readKrlFiles(file, options);
+  } else if (isProgramFile(file)) {
+    const auto text = textOf(file);
+    if (!text) return tl::unexpected(text.error());
+    if (extension == ".jbi")
+      program = readInform(*text, options);
+    else if (extension == ".ls")
+      program = readFanuc(*text, options);
+    else if (isAmong(extension, {".script", ".urscript"}))
+      program = readUrScript(*text, options);
+    else
+      program = readRapid(*text, options);
+  }
+  if (!program) {
+    if (program.error().file.empty()) program.error().file = file.string();
+    return program;
+  }
+  if (program->trajectory.name.empty()) program->trajectory.name = file.stem().string();
+  return program;
+}
+
+}  // namespace hapticell::trajectory

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/shapes/pose.h"
+
+namespace hapticell::trajectory {
+
+/// What an expression of a robot's program is worth, as far as the files say.
+///
+/// A value that depends on something outside (an input, a sensor, data of another file) is unknown, with the reason in
+/// `text`; so is everything that is made of it.
+struct Value {
+  enum class Kind { kUnknown, kNumber, kTruth, kText, kList, kRecord };
+  Kind kind = Kind::kUnknown;
+  double number = 0.0;              ///< Also of a truth: 1 or 0.
+  std::string text;                 ///< Of a text or enumeration; a list's type; why it is unknown.
+  std::vector<Value> items;         ///< Of a list or record.
+  std::vector<std::string> fields;  ///< A record's, one an item.
+
+  static Value unknown(std::string why) { return {Kind::kUnknown, 0.0, std::move(why), {}, {}}; }
+  static Value of(double number) { return {Kind::kNumber, number, {}, {}, {}}; }
+  static Value truth(bool is_true) { return {Kind::kTruth, is_true ? 1.0 : 0.0, {}, {}, {}}; }
+  static Value word(std::string text) { return {Kind::kText, 0.0, std::move(text), {}, {}}; }
+  static Value list(std::string type, const std::vector<double>& numbers);
+  static Value list(std::string type, std::vector<Value> items) {
+    return {Kind::kList, 0.0, std::move(type), std::move(items), {}};
+  }
+
+  bool isKnown() const { return kind != Kind::kUnknown; }
+  bool isNumber() const { return kind == Kind::kNumber || kind == Kind::kTruth; }
+  /// The field of a record; nothing where it has none.
+  const Value* find(std::string_view field) const;
+  std::optional<double> numberOf(std::string_view field) const;
+  /// All numbers of a list of numbers; nothing where one is none, or there are not `count`.
+  std::optional<std::vector<double>> numbers(std::size_t count) const;
+  /// Why this or a part of it is unknown; empty where all is known.
+  std::string whyUnknown() const;
+};
+
+/// The result of an operator ("+", "==", "and", ...). Unknown where an operand is, or where it has no such operator.
+Value binary(std::string_view sign, const Value& a, const Value& b);
+
+}  // namespace hapticell::trajectory

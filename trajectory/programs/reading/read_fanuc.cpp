@@ -1,0 +1,484 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <map>
+
+#include "trajectory/motion/csv_table.h"
+#include "trajectory/programs/reading/fanuc_file.h"
+#include "trajectory/programs/reading/program_readers.h"
+#include "trajectory/programs/reading/robot_angles.h"
+
+namespace hapticell::trajectory {
+
+namespace {
+
+constexpr double kFanucDegree = 0.017453292519943295;  // rad
+constexpr std::size_t kMostSteps = 500'000;
+
+/// Runs the lines of /MN.
+class FanucRun {
+ public:
+  FanucRun(const FanucFile& file, ProgramPath& path) : file_(file), path_(path) {
+    for (std::size_t i = 0; i < file_.lines.size(); ++i)
+      if (const auto label = bracketed(file_.lines[i].text, "LBL["); label && starts(file_.lines[i].text, "LBL["))
+        labels_[*label] = i;
+  }
+
+  void run() {
+    std::size_t rounds = 0;
+    for (at_ = 0; at_ < file_.lines.size() && !path_.hasFailed();) {
+      const FanucLine& line = file_.lines[at_++];
+      if (++rounds > kMostSteps + file_.lines.size())
+        return path_.fail(line.line, "a loop that does not end", "a program that comes to an end", "");
+      step(line);
+    }
+  }
+
+ private:
+  /// "P[3:NAME]" after "P[" is 3.
+  static std::optional<int> bracketed(const std::string& text, const std::string& opening, std::size_t from = 0) {
+    const auto at = text.find(opening, from);
+    if (at == std::string::npos) return std::nullopt;
+    const auto begin = at + opening.size();
+    const auto number = parseNumber(text.substr(begin, text.find_first_of(":]", begin) - begin));
+    if (!number || *number < 0 || *number > 1e6) return std::nullopt;
+    return static_cast<int>(*number);
+  }
+
+  static bool starts(const std::string& text, const char* word) { return text.starts_with(word); }
+
+  void step(const FanucLine& line) {
+    const std::string& text = line.text;
+    if (starts(text, "J P") || starts(text, "L P") || starts(text, "C P") || starts(text, "A P") || starts(text, "S P"))
+      return move(line);
+    if (starts(text, "LBL[")) return;
+    if (starts(text, "JMP")) return jump(line, bracketed(text, "LBL["));
+    if (starts(text, "IF")) return condition(line);
+    if (starts(text, "FOR")) return beginFor(line);
+    if (starts(text, "ENDFOR")) return endFor(line);
+    if (starts(text, "SELECT"))
+      return path_.fail(line.line, "SELECT", "lines that run in their order",
+                        "Take the branches that are not wanted out of a copy.");
+    if (starts(text, "ELSE")) return skipTo(line, {"ENDIF"});
+    if (starts(text, "ENDIF")) return;
+    if (starts(text, "WAIT")) return wait(line);
+    if (starts(text, "R[")) return assign(line);
+    if (starts(text, "PR[")) return assignPosition(line);
+    if (starts(text, "END") || starts(text, "ABORT")) {
+      at_ = file_.lines.size();
+      return;
+    }
+    if (starts(text, "CALL") || starts(text, "RUN")) {
+      path_.noteLine(line.line, "'" + text + "' is not in the file; if it moves, that is missing.");
+    } else if (starts(text, "OFFSET") || starts(text, "TOOL_OFFSET") || starts(text, "VOFFSET")) {
+      path_.fail(line.line, "'" + text + "', which moves the targets that follow", "targets as they stand", "");
+    } else if (isStill(text)) {
+      path_.skip(line.line);
+    } else {
+      path_.noteLine(line.line, "'" + text.substr(0, 60) + "' is not understood and left out.");
+    }
+  }
+
+  static bool isStill(const std::string& text) {
+    static constexpr std::array<const char*, 37> kWords{
+        "UFRAME",     "UTOOL",       "DO[",       "RO[",       "GO[",      "AO[",    "SO[",     "FLG[",
+        "F[",         "SR[",         "M[",        "TIMER",     "OVERRIDE", "UALM",   "MESSAGE", "PAYLOAD",
+        "$",          "COL ",        "PAUSE",     "CALIBRATE", "LOCK",     "UNLOCK", "MONITOR", "JOINT_MAX",
+        "LINEAR_MAX", "SOFTFLOAT",   "TC_ONLINE", "------",    "COND",     "CANCEL", "ARC ",    "WEAVE",
+        "WELD",       "POINT_LOGIC", "RSR",       "--EG",      "COLL"};
+    return std::any_of(kWords.begin(), kWords.end(), [&](const char* word) { return starts(text, word); });
+  }
+
+  /// "R[1]", a number, or "R[1]+2": as far as the file says.
+  std::optional<double> number(const std::string& text) const {
+    for (std::size_t i = 1; i < text.size(); ++i) {
+      const bool is_sign = (text[i] == '+' || text[i] == '-' || text[i] == '*' || text[i] == '/') &&
+                           std::string_view("+-*/(=<>").find(text[i - 1]) == std::string_view::npos;
+      if (!is_sign) continue;
+      const auto a = number(text.substr(0, i)), b = number(text.substr(i + 1));
+      if (!a || !b) return std::nullopt;
+      if (text[i] == '+') return *a + *b;
+      if (text[i] == '-') return *a - *b;
+      if (text[i] == '*') return *a * *b;
+      return *b == 0.0 ? std::nullopt : std::optional(*a / *b);
+    }
+    if (starts(text, "R[")) {
+      const auto r = bracketed(text, "R[");
+      const auto found = r ? registers_.find(*r) : registers_.end();
+      return found == registers_.end() ? std::nullopt : std::optional(found->second);
+    }
+    if (const auto pr = registerIn(text); pr && pr->second >= 1 && pr->second <= 6) {
+      const auto found = position_registers_.find(pr->first);
+      if (found == position_registers_.end() || !found->second.X) return std::nullopt;
+      return elementOf(found->second, pr->second);
+    }
+    return parseNumber(text);
+  }
+
+  /// Nor the names in brackets: R[1:UP-DOWN].
+  static std::string withoutBlanks(std::string text) {
+    text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+    for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at)) {
+      const std::size_t end = text.find(']', at);
+      if (end == std::string::npos) break;
+      text.erase(at, end - at);
+    }
+    return text;
+  }
+
+  void assign(const FanucLine& line) {
+    const std::string text = withoutBlanks(line.text);
+    const auto r = bracketed(text, "R[");
+    const auto equals = text.find('=');
+    if (!r || equals == std::string::npos) return path_.skip(line.line);
+    const auto value = number(text.substr(equals + 1));
+    if (value)
+      registers_[*r] = *value;
+    else
+      registers_.erase(*r);
+  }
+
+  /// PR[1]=P[2], PR[1]=LPOS, PR[1,3]=PR[1,3]-R[21]; what is not understood makes the register unknown.
+  void assignPosition(const FanucLine& line) {
+    const std::string text = withoutBlanks(line.text);
+    const auto equals = text.find('=');
+    const auto left = registerIn(text.substr(0, equals));
+    if (!left || equals == std::string::npos) return path_.skip(line.line);
+    const std::string right = text.substr(equals + 1);
+    if (left->second == 0) return assignWhole(line, left->first, right);
+    const auto value = number(right);
+    const auto found = position_registers_.find(left->first);
+    if (found == position_registers_.end()) return;
+    if (!value || !setElement(found->second, left->second, *value)) position_registers_.erase(found);
+  }
+
+  void assignWhole(const FanucLine& line, int to, const std::string& right) {
+    std::optional<FanucPosition> value;
+    const auto pr = registerIn(right);
+    if (right == "LPOS" && path_.current()) {
+      value = FanucPosition{line.line, path_.current(), {}, frame_, false, false};
+    } else if (const auto p = starts(right, "P[") ? bracketed(right, "P[") : std::nullopt) {
+      if (const auto found = file_.positions.find(*p); found != file_.positions.end()) value = found->second;
+    } else if (pr && pr->second == 0) {
+      if (const auto found = position_registers_.find(pr->first); found != position_registers_.end())
+        value = found->second;
+    }
+    const bool is_single = right == "LPOS" || right.find(']') + 1 == right.size();
+    if (value && is_single) {
+      position_registers_[to] = *value;
+    } else {
+      position_registers_.erase(to);
+    }
+  }
+
+  /// "PR[2:NAME]" is 2 and 0, "PR[2,3:NAME]" 2 and 3.
+  static std::optional<std::pair<int, int>> registerIn(const std::string& text) {
+    if (!starts(text, "PR[")) return std::nullopt;
+    const auto end = text.find_first_of(",:]", 3);
+    if (end == std::string::npos) return std::nullopt;
+    const auto first = parseNumber(text.substr(3, end - 3));
+    if (!first || *first < 0 || *first > 1e6) return std::nullopt;
+    if (text[end] != ',') return std::pair(static_cast<int>(*first), 0);
+    const auto second = parseNumber(text.substr(end + 1, text.find_first_of(":]", end) - end - 1));
+    if (!second || *second < 1 || *second > 9) return std::nullopt;
+    return std::pair(static_cast<int>(*first), static_cast<int>(*second));
+  }
+
+  /// X, Y, Z, W, P, R are 1 to 6.
+  static bool setElement(FanucPosition& position, int element, double value) {
+    if (!position.X || element > 6) return false;
+    if (element <= 3) {
+      position.X->p[element - 1] = 1e-3 * value;
+      return true;
+    }
+    dvec3 wpr = fanucAngles(position.X->q);
+    wpr[element - 4] = value;
+    position.X->q = fromFanucAngles(wpr);
+    return true;
+  }
+
+  static double elementOf(const FanucPosition& position, int element) {
+    return element <= 3 ? 1e3 * position.X->p[element - 1] : fanucAngles(position.X->q)[element - 4];
+  }
+
+  void wait(const FanucLine& line) {
+    const std::string text = withoutBlanks(line.text);
+    const auto unit = text.find("(SEC)");
+    const auto seconds = unit == std::string::npos ? std::nullopt : number(text.substr(4, unit - 4));
+    if (seconds)
+      path_.wait(*seconds);
+    else
+      path_.skip(line.line);
+  }
+
+  void jump(const FanucLine& line, const std::optional<int>& label) {
+    const auto found = label ? labels_.find(*label) : labels_.end();
+    if (found == labels_.end())
+      return path_.fail(line.line, "a jump to a label that is not there", "a LBL of the program", "");
+    if (found->second < at_ && !is_decided_) {
+      path_.noteLine(line.line, "a jump back; what it repeats is read once.");
+      return;
+    }
+    at_ = found->second;
+  }
+
+  /// Whether "R[1]<>2" holds; nothing where the file does not say.
+  std::optional<bool> holds(std::string text) const {
+    for (const char* word : {" OR ", " AND "}) {
+      const auto at = text.find(word);
+      if (at == std::string::npos) continue;
+      const auto a = holds(text.substr(0, at)), b = holds(text.substr(at + std::string(word).size()));
+      if (!a || !b) return std::nullopt;
+      return std::string(word) == " OR " ? *a || *b : *a && *b;
+    }
+    text = withoutBlanks(text);
+    while (text.size() > 1 && text.front() == '(' && text.back() == ')') text = text.substr(1, text.size() - 2);
+    for (const char* sign : {"<>", "<=", ">=", "=", "<", ">"}) {
+      const std::size_t at = text.find(sign);
+      if (at == std::string::npos) continue;
+      const auto a = number(text.substr(0, at)), b = number(text.substr(at + std::string(sign).size()));
+      if (!a || !b) return std::nullopt;
+      const std::string s = sign;
+      return s == "<>"   ? *a != *b
+             : s == "<=" ? *a <= *b
+             : s == ">=" ? *a >= *b
+             : s == "="  ? *a == *b
+             : s == "<"  ? *a < *b
+                         : *a > *b;
+    }
+    return std::nullopt;
+  }
+
+  /// IF condition,JMP LBL[1] | CALL X; IF (condition) THEN.
+  void condition(const FanucLine& line) {
+    const std::string& text = line.text;
+    const auto then = text.rfind("THEN");
+    const auto comma = text.rfind(',');
+    const bool is_block = then != std::string::npos;
+    const std::size_t end = is_block ? then : comma;
+    if (end == std::string::npos || end < 2)
+      return path_.noteLine(line.line, "'" + text.substr(0, 60) + "' is not understood and left out.");
+    const auto is_true = holds(text.substr(2, end - 2));
+    if (is_block) {
+      if (!is_true) return undecidedBlock(line);
+      if (!*is_true) skipTo(line, {"ELSE", "ENDIF"});
+      return;
+    }
+    if (!is_true) {
+      path_.noteLine(line.line,
+                     "'" + text.substr(0, 60) + "' depends on what the file does not give; it is read as not so.");
+      return;
+    }
+    if (!*is_true) return;
+    const std::string rest = text.substr(comma + 1);
+    is_decided_ = true;
+    if (rest.find("JMP") != std::string::npos)
+      jump(line, bracketed(rest, "LBL["));
+    else
+      path_.noteLine(line.line, "'" + rest + "' is not in the file; if it moves, that is missing.");
+    is_decided_ = false;
+  }
+
+  void undecidedBlock(const FanucLine& line) {
+    const std::size_t from = at_;
+    skipTo(line, {"ENDIF"});
+    for (std::size_t i = from; i < at_ && i < file_.lines.size(); ++i) {
+      const std::string& text = file_.lines[i].text;
+      if (text.size() > 2 && text[1] == ' ' && text[2] == 'P')
+        return path_.fail(line.line, "moves that depend on '" + line.text.substr(0, 60) + "'",
+                          "a condition that the file decides",
+                          "Take the branch that is not wanted out of a copy of the program.");
+    }
+    path_.skip(line.line);
+  }
+
+  /// Behind the matching one of these lines.
+  void skipTo(const FanucLine& line, std::initializer_list<const char*> words) {
+    for (int depth = 0; at_ < file_.lines.size(); ++at_) {
+      const std::string& text = file_.lines[at_].text;
+      if (starts(text, "IF") && text.find("THEN") != std::string::npos) ++depth;
+      for (const char* word : words) {
+        if (depth != 0 || !starts(text, word)) continue;
+        ++at_;
+        return;
+      }
+      if (starts(text, "ENDIF")) --depth;
+    }
+    path_.fail(line.line, "an IF without its ENDIF", "ENDIF", "");
+  }
+
+  struct Loop {
+    std::size_t first;
+    int register_number;
+    double to, step;
+  };
+
+  /// FOR R[1]=1 TO 3
+  void beginFor(const FanucLine& line) {
+    const std::string text = withoutBlanks(line.text.substr(3));
+    const bool is_down = text.find("DOWNTO") != std::string::npos;
+    const auto to = text.find(is_down ? "DOWNTO" : "TO"), equals = text.find('=');
+    const auto r = bracketed(text, "R[");
+    if (!r || to == std::string::npos || equals == std::string::npos || equals > to)
+      return path_.fail(line.line, "a FOR that is not understood", "FOR R[1]=1 TO 3", "");
+    const auto from = number(text.substr(equals + 1, to - equals - 1)),
+               last = number(text.substr(to + (is_down ? 6 : 2)));
+    if (!from || !last)
+      return path_.fail(line.line, "a FOR whose limits the file does not give", "numbers or registers that are set",
+                        "");
+    registers_[*r] = *from;
+    loops_.push_back({at_, *r, *last, is_down ? -1.0 : 1.0});
+    if ((*last - *from) * loops_.back().step >= 0.0) return;
+    loops_.pop_back();
+    for (int depth = 1; at_ < file_.lines.size() && depth > 0; ++at_) {
+      if (starts(file_.lines[at_].text, "FOR ")) ++depth;
+      if (starts(file_.lines[at_].text, "ENDFOR")) --depth;
+    }
+  }
+
+  void endFor(const FanucLine& line) {
+    if (loops_.empty()) return path_.fail(line.line, "ENDFOR without FOR", "FOR", "");
+    const Loop loop = loops_.back();
+    double& value = registers_[loop.register_number];
+    if ((loop.to - value - loop.step) * loop.step >= 0.0) {
+      value += loop.step;
+      at_ = loop.first;
+    } else {
+      loops_.pop_back();
+    }
+  }
+
+  void setSpeed(const std::string& text) {
+    struct Unit {
+      const char* name;
+      double scale;
+    };
+    for (const Unit& unit : {Unit{"MM/SEC", 1e-3}, Unit{"CM/MIN", 1e-2 / 60.0}, Unit{"INCH/MIN", 0.0254 / 60.0},
+                             Unit{"DEG/SEC", kFanucDegree}, Unit{"%", 0.01}}) {
+      const auto at = text.find(unit.name);
+      if (at == std::string::npos) continue;
+      auto begin = at;
+      while (begin > 0 && std::string_view("0123456789.").find(text[begin - 1]) != std::string_view::npos) --begin;
+      const auto value = parseNumber(text.substr(begin, at - begin));
+      if (!value) return;
+      if (*unit.name == '%')
+        path_.setJointShare(unit.scale * *value);
+      else if (*unit.name == 'D')
+        path_.setAngularSpeed(unit.scale * *value);
+      else
+        path_.setLinearSpeed(unit.scale * *value);
+      return;
+    }
+  }
+
+  const FanucPosition* positionIn(const FanucLine& line, std::size_t from, std::string& why) const {
+    const std::size_t place = line.text.find('P', from);
+    if (place == std::string::npos) {
+      why = "a move without target";
+      return nullptr;
+    }
+    if (line.text.compare(place, 2, "PR") == 0) {
+      const auto pr = registerIn(line.text.substr(place));
+      const auto held = pr ? position_registers_.find(pr->first) : position_registers_.end();
+      if (held != position_registers_.end()) return &held->second;
+      why = "a target in a position register, which the program does not set";
+      return nullptr;
+    }
+    auto number = bracketed(line.text, "P[", place);
+    if (!number) {
+      // P[R[1]]
+      const auto r = bracketed(line.text, "P[R[", place);
+      const auto found = r ? registers_.find(*r) : registers_.end();
+      if (found != registers_.end()) number = static_cast<int>(found->second);
+    }
+    const auto found = number ? file_.positions.find(*number) : file_.positions.end();
+    if (found == file_.positions.end()) {
+      why = number ? "P[" + std::to_string(*number) + "], which is not in /POS" : "a position by a register";
+      return nullptr;
+    }
+    if (!found->second.X && !found->second.joints) {
+      why = "P[" + std::to_string(*number) + "], which has no value";
+      return nullptr;
+    }
+    return &found->second;
+  }
+
+  void move(const FanucLine& line) {
+    const std::string& text = line.text;
+    if (text.find("OFFSET") != std::string::npos) {
+      return path_.fail(line.line, "a target with an offset by a position register", "targets as they stand",
+                        "Take the offset out of a copy, or write the targets with it.");
+    }
+    setSpeed(text);
+    if (text.find(" COORD") != std::string::npos)
+      path_.note("COORD: poses are relative to what the other motion group carries; its motion is not read.");
+    std::string why;
+    const FanucPosition* position = positionIn(line, 2, why);
+    if (!position) return path_.missTarget(line.line, why);
+    if (position->has_more_groups) path_.note("Only motion group 1 is read.");
+    if (position->has_external_axes) path_.note("External axes of the targets (E1 ...) are not kept.");
+    if (text.front() == 'C') {
+      const auto behind = text.find(']', 2);
+      const std::size_t second = behind == std::string::npos ? behind : text.find('P', behind);
+      if (second == std::string::npos || text.compare(second, 2, "P[") != 0)
+        return path_.fail(line.line, "C with one position", "two positions", "");
+      const FanucPosition* end = positionIn(line, second, why);
+      setFrame(*position);
+      if (!end || !end->X || !position->X || !path_.current())
+        return path_.missTarget(line.line, end ? "an arc without known points" : why);
+      return path_.moveArc(line.line, *position->X, *end->X);
+    }
+    if (text.front() == 'A' || text.front() == 'S')
+      path_.noteLine(line.line, "an arc or spline by single points; it is read as straight lines between them.");
+    const bool is_relative = text.find(" INC") != std::string::npos;
+    if (position->joints) return moveJoints(line, *position->joints, is_relative);
+    setFrame(*position);
+    Pose X = *position->X;
+    if (is_relative) {
+      const auto here = path_.current();
+      if (!here)
+        return path_.fail(line.line, "a move relative to a target that the file does not give", "a known target", "");
+      X = {here->p + X.p, glm::normalize(X.q * here->q)};
+    }
+    path_.moveTo(line.line, X, text.front() == 'J');
+  }
+
+  void setFrame(const FanucPosition& position) {
+    frame_ = position.frame;
+    if (position.frame == 0) return path_.setFrame(Pose::identity(), "");
+    path_.setFrame(std::nullopt, position.frame < 0 ? "the frame that is chosen"
+                                                    : "the user frame " + std::to_string(position.frame));
+  }
+
+  void moveJoints(const FanucLine& line, ProgramPath::Joints joints, bool is_relative) {
+    if (is_relative) return path_.missTarget(line.line, "joints relative to the target before");
+    // FANUC counts axis 3 from the horizontal, models from axis 2.
+    joints[2] += joints[1];
+    path_.note("FANUC's J3 is counted from the horizontal: J2 is added to it.");
+    path_.moveJoints(line.line, joints);
+  }
+
+  const FanucFile& file_;
+  ProgramPath& path_;
+  std::map<int, std::size_t> labels_;
+  std::map<int, double> registers_;
+  std::map<int, FanucPosition> position_registers_;
+  int frame_ = 0;  // of the last target
+  std::vector<Loop> loops_;
+  std::size_t at_ = 0;
+  bool is_decided_ = false;
+};
+
+}  // namespace
+
+Expected<ReadProgram> readFanuc(const std::string& text, const ProgramReadOptions& options) {
+  const FanucFile file = parseFanuc(text);
+  if (file.lines.empty()) return makeError({"", "/MN", "no lines", "a FANUC program in LS form: /PROG, /MN, /POS", ""});
+  ProgramPath path(options);
+  FanucRun(file, path).run();
+  return path.finish(file.name);
+}
+
+}  // namespace hapticell::trajectory

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trajectory/programs/writing/program_export.h"
+
+namespace hapticell::trajectory {
+
+/// How a language writes one kind of number: what it accepts, in its own unit, and with how many digits.
+struct NumberRule {
+  const char* unit;
+  double scale;  ///< From SI to `unit`.
+  double least, greatest;
+  int decimals;
+};
+
+/// The rules of one language. Where it has no such number, `greatest` is 0.
+struct ProgramNumbers {
+  const char* language;     ///< "KUKA KRL"
+  NumberRule speed;         ///< Of lines, from m/s.
+  NumberRule acceleration;  ///< Of lines, from m/s2.
+  NumberRule joint_speed;   ///< Of the first move, from a share of 1.
+  NumberRule blend;         ///< From m.
+  NumberRule dwell;         ///< From s.
+};
+
+/// Ranges as the makers' manuals give them; where those leave the upper end to the robot, a value that no robot
+/// reaches.
+const ProgramNumbers& programNumbers(ProgramFormat format);
+
+/// Turns numbers into the language's text, and remembers what went wrong or was rounded.
+///
+/// A number that the language cannot hold (it would become 0, or another one at the end of the range) is an error; the
+/// first one is kept. Rounding by more than 0.1 % is a note, once for each kind of number.
+class NumberWriter {
+ public:
+  explicit NumberWriter(const ProgramNumbers& numbers) : numbers_(numbers) {}
+
+  /// `value` in SI by `rule`; `name` is what users call it ("speed", "dwell of frame 3").
+  std::string text(const NumberRule& rule, double value, const std::string& kind, const std::string& place = "");
+
+  const std::optional<Error>& error() const { return error_; }
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  const ProgramNumbers& numbers_;
+  std::optional<Error> error_;
+  std::vector<std::string> notes_;
+  std::vector<std::string> noted_kinds_;
+};
+
+}  // namespace hapticell::trajectory

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "trajectory/programs/writing/program_export.h"
+#include "trajectory/programs/writing/program_numbers.h"
+
+namespace hapticell::trajectory {
+
+/// What all writers need, checked by exportProgram: at least one frame; six joints or none.
+struct ProgramInput {
+  const Trajectory& trajectory;
+  const ProgramOptions& options;
+  std::string name;            ///< Fit for the controller.
+  std::vector<double> blends;  ///< One a frame, m; 0 at the ends, at dwells and where the language cannot hold it.
+  const ProgramNumbers& rules;
+  NumberWriter& numbers;
+
+  bool hasJoints() const { return trajectory.hasJoints(); }
+  std::string configurationAt(std::size_t i) const;
+  /// Numbers of the options and of frame `i` in the language's unit.
+  std::string speed() const { return numbers.text(rules.speed, options.speed, "speed"); }
+  std::string acceleration() const { return numbers.text(rules.acceleration, options.acceleration, "acceleration"); }
+  std::string jointSpeed() const { return numbers.text(rules.joint_speed, options.joint_speed, "joint speed"); }
+  std::string blend(std::size_t i) const { return numbers.text(rules.blend, blends[i], "blend", placeOf(i)); }
+  std::string dwell(std::size_t i) const { return numbers.text(rules.dwell, trajectory[i].dwell, "dwell", placeOf(i)); }
+
+ private:
+  static std::string placeOf(std::size_t i) { return "frame " + std::to_string(i); }
+};
+
+std::vector<ProgramFile> writeKrl(const ProgramInput& input);
+std::vector<ProgramFile> writeRapid(const ProgramInput& input);
+std::vector<ProgramFile> writeFanuc(const ProgramInput& input);
+std::vector<ProgramFile> writeUrScript(const ProgramInput& input);
+std::vector<ProgramFile> writeVal3(const ProgramInput& input);
+std::vector<ProgramFile> writeInform(const ProgramInput& input);
+
+/// "a, b, c" of numbers times `unit`, with `decimals` digits.
+std::string numberList(std::initializer_list<double> values, int decimals, std::string_view separator = ",");
+std::string jointList(std::span<const double> joints, int decimals, double unit, std::string_view separator = ",");
+
+inline constexpr double kDegreesPerRadian = 57.295779513082323;
+inline constexpr double kMillimetres = 1000.0;
+
+}  // namespace hapticell::trajectory

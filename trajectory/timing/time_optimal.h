@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "trajectory/motion/cubic_spline.h"
+
+namespace hapticell::trajectory {
+
+/// Bounds for each dimension of a path, all positive: per second, per second squared.
+struct MotionLimits {
+  std::vector<double> velocity;
+  std::vector<double> acceleration;
+  /// Per second cubed; empty: jerk is free.
+  std::vector<double> jerk;
+};
+
+/// A path whose coordinates are limited, with derivatives by its parameter s.
+class LimitedPath {
+ public:
+  virtual ~LimitedPath() = default;
+  virtual std::size_t dimensions() const = 0;
+  /// Begin and end of s and, between them, where the second derivative may kink; strictly increasing.
+  virtual const std::vector<double>& breaks() const = 0;
+  /// dimensions() numbers each.
+  virtual void derivatives(double s, std::span<double> first, std::span<double> second) const = 0;
+};
+
+/// A spline whose every dimension is limited.
+class LimitedSpline : public LimitedPath {
+ public:
+  explicit LimitedSpline(const CubicSpline& spline) : spline_(spline) {}
+  std::size_t dimensions() const override { return spline_.dimensions(); }
+  const std::vector<double>& breaks() const override { return spline_.breaks(); }
+  void derivatives(double s, std::span<double> first, std::span<double> second) const override {
+    spline_.evaluate(s, 1, first);
+    spline_.evaluate(s, 2, second);
+  }
+
+ private:
+  const CubicSpline& spline_;
+};
+
+/// Where on a path a motion is at each time: s with constant acceleration between grid points; or the mean of that over
+/// a window of time, which bounds the jerk: then the acceleration is steady and the motion takes the window longer.
+class PathTiming {
+ public:
+  PathTiming() = default;
+  /// `s` strictly increasing, `speed` = ds/dt at each, not both zero at neighbours.
+  PathTiming(std::vector<double> s, std::vector<double> speed);
+
+  /// The same averaged over `window` seconds, as far as it is not already.
+  PathTiming averaged(double window) const;
+  /// The same, everything `factor` times as slow.
+  PathTiming stretched(double factor) const;
+
+  double duration() const { return t_.empty() ? 0.0 : stretch_ * (t_.back() + window_); }
+  struct State {
+    double s = 0.0, speed = 0.0, acceleration = 0.0;
+  };
+  State at(double t) const;  ///< Clamped to the ends.
+
+ private:
+  State plainAt(double t) const;
+  /// Integral of s from the start on, by time. Longer than a double: a window is the small difference of two.
+  long double integralTo(double t) const;
+
+  std::vector<double> s_, speed_, t_;
+  std::vector<long double> integral_;
+  double window_ = 0.0, stretch_ = 1.0;
+};
+
+struct TimingOptions {
+  std::size_t grid_points = 1000;
+  double start_speed = 0.0, end_speed = 0.0;  ///< ds/dt
+};
+
+/// The fastest motion along the path within the limits on velocity and acceleration: reachability analysis over the
+/// grid, backwards for the speeds from which the end can be met, then forwards as fast as they allow (Pham & Pham, "A
+/// new approach to time-optimal path parameterization based on reachability analysis", IEEE T-RO 34(3), 2018).
+/// Acceleration is bounded at both ends of each grid step. Errors: a path of no length, limits that are not positive, a
+/// start or end speed that no motion can have.
+Expected<PathTiming> timeOptimal(const LimitedPath& path, const MotionLimits& limits,
+                                 const TimingOptions& options = {});
+Expected<PathTiming> timeOptimal(const CubicSpline& path, const MotionLimits& limits,
+                                 const TimingOptions& options = {});
+
+/// The same slowed so that the jerk keeps its limits as well, however small they are: the way by time is averaged over
+/// a window and the whole stretched until every limit holds; of windows and of lower speeds the shortest result is
+/// taken. Near the optimum, not on it (StraightTiming is, for a straight path). From rest to rest.
+Expected<PathTiming> jerkLimited(const LimitedPath& path, const MotionLimits& limits,
+                                 const TimingOptions& options = {});
+Expected<PathTiming> jerkLimited(const CubicSpline& path, const MotionLimits& limits,
+                                 const TimingOptions& options = {});
+
+/// Largest share of each limit that the motion uses, by sampling (1 is the limit).
+struct LimitUse {
+  double velocity = 0.0, acceleration = 0.0, jerk = 0.0;
+};
+LimitUse limitUse(const CubicSpline& path, const PathTiming& timing, const MotionLimits& limits, double dt);
+
+/// The errors that timings have for limits: a velocity, an acceleration and, where there is any, a jerk for each
+/// dimension, all positive.
+Expected<void> checkLimits(std::size_t dimensions, const MotionLimits& limits);
+
+/// How much slower everything must go so that all limits hold; at least 1.
+double stretchFor(const LimitUse& use);
+
+}  // namespace hapticell::trajectory

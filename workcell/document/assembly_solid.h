@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "geometry/shapes/triangle_mesh.h"
+#include "workcell/document/document_state.h"
+
+namespace hapticell::workcell {
+
+/// The state in which the assembly `name` and all solids below it are one solid of that name, so that it can be held as
+/// one body. The state itself where `name` is no assembly, or one with robots or mechanisms below it.
+DocumentState withAssemblyAsSolid(const DocumentState& state, const std::string& name);
+
+/// One solid of an entity and all that stands below it in the tree (robots left out), in the entity's frame: what an
+/// assembly is while it is held. Empty where there is no mesh at all.
+geometry::TriangleMesh mergedMesh(const DocumentState& state, EntityId id);
+
+}  // namespace hapticell::workcell

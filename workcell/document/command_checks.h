@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workcell/document/document_state.h"
+
+namespace hapticell::workcell {
+
+// What commands check before they change anything. Each error is one sentence that names the entity or set.
+
+/// An error of a command: no file, but the place in the document.
+Error refusal(std::string place, std::string found, std::string expected, std::string fix = {});
+
+/// The name as messages show it: 'Gripper'.
+std::string quotedName(const std::string& name);
+
+/// That two things of a kind cannot have one name.
+Error taken(const std::string& name);
+
+/// Refused: empty names, more than 200 letters, control characters, spaces at the ends. `what` names the thing.
+Expected<void> checkName(const std::string& what, const std::string& name);
+
+/// Refused: numbers that are not finite, a quaternion that is not of length 1.
+Expected<void> checkPose(const std::string& what, const Pose& pose);
+
+/// How far from the origin parts may lie, m: pictures are drawn in single precision, which is a tenth of a millimetre
+/// there and gets coarser beyond.
+inline constexpr double kFarthest = 2000.0;
+
+/// Refused: a place beyond kFarthest from the origin of the cell.
+Expected<void> checkReach(const std::string& name, const dvec3& p_WE);
+
+/// Refused: also where its mesh reaches farther, in the cell or in its own frame.
+Expected<void> checkReach(const Entity& entity);
+
+/// Refused: another number of values than the robot's variables, values that are not finite.
+Expected<void> checkJoints(const Entity& entity, const std::vector<double>& joints);
+
+/// Refused: a tip link that the robot does not have, a tool centre point that is no pose.
+Expected<void> checkTool(const Entity& entity);
+
+/// Refused: tools on a link that is not there, with one name twice, or with a pose that is none.
+Expected<void> checkTools(const Entity& entity);
+
+/// Refused: poses with one name twice, or without a finite number for each joint; poses of what is no robot.
+Expected<void> checkNamedPoses(const Entity& entity);
+
+/// Refused: frames with one name twice or with a pose that is none.
+Expected<void> checkFrames(const Entity& entity);
+
+/// Refused: a colour out of 0 to 1, a mass not above 0.
+Expected<void> checkProperties(const Entity& entity);
+
+/// Refused: a name that is none, distances out of 0 to 1 m.
+Expected<void> checkPairSet(const PairSet& set);
+Expected<void> checkPairRule(const PairRule& rule, const DocumentState& state);
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workcell/document/command.h"
+#include "workcell/document/document_state.h"
+
+namespace hapticell::workcell {
+
+/// The workcell: entities, pair sets, view. Changed only by commands, each of which can be undone.
+///
+/// Belongs to one thread (the window's, or a command's). Others are handed values: snapshotEntities(), or a copy of
+/// state().
+class Document {
+ public:
+  Document() = default;
+  /// A document as it was read; nothing to undo, not dirty. Ids are given anew, in order.
+  explicit Document(DocumentState state);
+
+  /// Where documents follow each other: ids and revision go on from those of the one before, so that none of them means
+  /// something in both. Before the first command.
+  void continueAfter(const Document& before);
+
+  const DocumentState& state() const { return state_; }
+  const Entity* find(EntityId id) const { return state_.find(id); }
+  const Entity* findByName(std::string_view name) const { return state_.findByName(name); }
+  /// Copies of all entities; meshes and robot models are shared.
+  std::vector<Entity> snapshotEntities() const;
+  /// `wanted`, or "wanted 2", "wanted 3" ... where that name is taken.
+  std::string uniqueName(std::string_view wanted) const;
+
+  /// Does the command as one step of undo (or as part of the compound that is open); what was undone can then no longer
+  /// be done again. On error nothing has changed. Gives the id of the entity it was about; 0 for commands about none.
+  Expected<EntityId> execute(const Command& command);
+
+  /// From here to endCompound() all commands are one step with this text: a drag, an import. Compounds may be nested;
+  /// the outermost counts. A compound that changed nothing leaves no step.
+  void beginCompound(std::string text);
+  void endCompound();
+  /// Ends all open compounds and takes back what was done in them (Escape during a drag).
+  void cancelCompound();
+  bool inCompound() const { return compound_depth_ > 0; }
+
+  /// False, and nothing done, where there is nothing to undo or a compound is open.
+  bool undo();
+  bool redo();
+  bool canUndo() const { return !inCompound() && !undo_.empty(); }
+  bool canRedo() const { return !inCompound() && !redo_.empty(); }
+  /// What the step is called; empty where there is none.
+  std::string undoText() const { return undo_.empty() ? "" : undo_.back().text; }
+  std::string redoText() const { return redo_.empty() ? "" : redo_.back().text; }
+
+  /// What can be undone, oldest first, and what can be done again, next first: the history as a list.
+  std::vector<std::string> undoTexts() const;
+  std::vector<std::string> redoTexts() const;
+
+  /// Grows with every change, undo and redo too: what is drawn or checked is stale when it differs.
+  std::uint64_t revision() const { return revision_; }
+  /// True when the state is not the one last saved or read; undoing back to that makes it false.
+  bool isDirty() const { return state_id_ != saved_state_id_; }
+  void markSaved() { saved_state_id_ = state_id_; }
+  /// Makes it dirty whatever is undone: it was restored from a copy and stands in no file.
+  void markUnsaved() { saved_state_id_ = ~std::uint64_t{0}; }
+
+  /// Their files stand elsewhere now (old to new path), in all states that can be undone to. Not a change by itself.
+  void moveTrajectories(const std::map<std::string, std::string>& places);
+
+  /// Where it was read or last saved; empty for a new one.
+  const std::filesystem::path& path() const { return path_; }
+  void setPath(std::filesystem::path path) { path_ = std::move(path); }
+
+ private:
+  struct Step {
+    std::string text;
+    DocumentState state;  // The one to go to.
+    std::uint64_t state_id = 0;
+  };
+
+  void number();
+  void moveStep(std::vector<Step>& from, std::vector<Step>& to);
+
+  DocumentState state_;
+  EntityId next_id_ = 1;
+  std::vector<Step> undo_;
+  std::vector<Step> redo_;
+  Step compound_;  // The state before the open compound.
+  int compound_depth_ = 0;
+  std::uint64_t revision_ = 0;
+  std::uint64_t state_id_ = 0;  // Names the state; never given twice.
+  std::uint64_t last_state_id_ = 0;
+  std::uint64_t saved_state_id_ = 0;
+  std::filesystem::path path_;
+};
+
+}  // namespace hapticell::workcell

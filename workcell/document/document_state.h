@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mannequin/ergonomics/scores/work_task.h"
+#include "workcell/entity/entity.h"
+#include "workcell/entity/guide.h"
+
+namespace hapticell::trajectory {
+class Trajectory;
+}
+
+namespace hapticell::workcell {
+
+/// How the user last looked at the cell.
+struct SavedView {
+  dvec3 p_WEye{2.0, -2.0, 1.5};
+  dvec3 p_WTarget{0.0};
+};
+
+/// A trajectory that belongs to the cell, in a file of its own (*.htraj).
+struct TrajectoryReference {
+  std::string name;  ///< Unique among them.
+  std::string path;  ///< Absolute while in memory; written relative to the document.
+  /// Its content where it was made or read already; shared, never changed. The document does not read it itself.
+  std::shared_ptr<const trajectory::Trajectory> motion = {};
+};
+
+/// All that a document holds, as a value. Entities are shared between copies and never changed in place, so a copy
+/// costs one pointer an entity: undo keeps whole states, and another thread may be handed one.
+struct DocumentState {
+  std::vector<std::shared_ptr<const Entity>> entities;  ///< In the order of the tree; ids and names are unique.
+  std::vector<PairSet> pair_sets;                       ///< Names unique.
+  std::vector<PairRule> pair_rules;                     ///< At most one for each two sides.
+  std::vector<Guide> guides;                            ///< Names unique; each bound to an entity that is there.
+  std::vector<ergonomics::WorkTask> work_tasks;         ///< What mannequins do here; names unique.
+  std::optional<SavedView> view;
+  std::vector<TrajectoryReference> trajectories;
+
+  /// What is checked against what, whole: for whoever prepares a scene of it.
+  PairPolicy pairPolicy() const { return {pair_sets, pair_rules}; }
+
+  /// Null when there is none.
+  const Entity* find(EntityId id) const;
+  const Entity* findByName(std::string_view name) const;
+  const PairSet* findPairSet(std::string_view name) const;
+  const Guide* findGuide(std::string_view name) const;
+  const TrajectoryReference* findTrajectory(std::string_view name) const;
+  const ergonomics::WorkTask* findWorkTask(std::string_view name) const;
+  /// The first task that names the mannequin, else the first that names none; null where there is neither.
+  const ergonomics::WorkTask* workTaskOf(std::string_view mannequin) const;
+};
+
+/// `entity` is `carrier`, or is attached to it, directly or through others.
+bool isCarriedBy(const DocumentState& state, const Entity& entity, EntityId carrier);
+
+/// The entity and all that stands below it in the tree (by `parent`), itself first. Empty where there is none.
+std::vector<EntityId> familyOf(const DocumentState& state, EntityId id);
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands on entities of every kind.
+#include <algorithm>
+
+#include "workcell/document/command_checks.h"
+#include "workcell/entity/named_poses.h"
+#include "workcell/document/perform_command.h"
+
+namespace hapticell::workcell {
+
+namespace {
+
+Expected<void> checkNew(const Entity& entity, const DocumentState& state) {
+  if (auto checked = checkName("the entity's name", entity.name); !checked) return checked;
+  const bool solid = entity.kind == EntityKind::kSolid;
+  const bool shapeless = entity.kind == EntityKind::kAssembly || entity.kind == EntityKind::kFrame;
+  if (!shapeless && !entity.unloaded && (solid ? !entity.mesh : !entity.robot)) {
+    return makeError(refusal(quotedName(entity.name), "nothing in it", solid ? "a mesh" : "a robot"));
+  }
+  if (auto checked = checkPose(quotedName(entity.name), entity.X_WE); !checked) return checked;
+  if (!entity.joints.empty()) {
+    if (auto checked = checkJoints(entity, entity.joints); !checked) return checked;
+  }
+  if (auto checked = checkTools(entity); !checked) return checked;
+  if (auto checked = checkNamedPoses(entity); !checked) return checked;
+  if (auto checked = checkAttachment(entity, state); !checked) return checked;
+  if (auto checked = checkFrames(entity); !checked) return checked;
+  return checkProperties(entity);
+}
+
+/// What an assembly's properties mean for those below it.
+void handDown(const SetProperties& command, Entity& target) {
+  if (command.color) target.color = *command.color;
+  if (command.visible) target.visible = *command.visible;
+  if (command.locked) target.locked = *command.locked;
+  if (command.checked) target.checked = *command.checked;
+  if (command.on_contact) target.on_contact = *command.on_contact;
+  if (command.force_class) target.force_class = *command.force_class;
+  if (command.material) target.material = *command.material;
+}
+
+/// The positions of `before` for another model, by the joints' names, within its limits; others at rest.
+std::vector<double> jointsFor(const kinematics::RobotModel& model, const Entity& before) {
+  std::vector<double> q = kinematics::restPositions(model);
+  for (std::size_t i = 0; i < model.moving.size(); ++i) {
+    const kinematics::Joint& joint = model.joints[static_cast<std::size_t>(model.moving[i])];
+    for (std::size_t k = 0; before.robot && k < before.joints.size(); ++k) {
+      const int old = before.robot->moving[k];
+      if (before.robot->joints[static_cast<std::size_t>(old)].name == joint.name) {
+        q[i] = std::clamp(before.joints[k], joint.lower, joint.upper);
+      }
+    }
+  }
+  return q;
+}
+
+}  // namespace
+
+Expected<EntityId> perform(const AddEntity& command, StateEdit& edit) {
+  if (edit.state().findByName(command.entity.name)) return makeError(taken(command.entity.name));
+  return addNewlyNamed(command.entity, edit);
+}
+
+Expected<EntityId> addNewlyNamed(const Entity& added, StateEdit& edit) {
+  auto entity = std::make_shared<Entity>(added);
+  entity->id = edit.newId();
+  if (auto checked = checkNew(*entity, edit.state()); !checked) return makeError(checked.error());
+  if (entity->robot && entity->joints.empty()) entity->joints = kinematics::restPositions(*entity->robot);
+  edit.state().entities.push_back(std::move(entity));
+  return edit.newId();
+}
+
+Expected<EntityId> perform(const RemoveEntity& command, StateEdit& edit) {
+  const auto entity = edit.movable(command.id);
+  if (!entity) return makeError(entity.error());
+  const std::vector<EntityId> family = familyOf(edit.state(), command.id);
+  for (EntityId id : family) {
+    if (auto free = edit.movable(id); !free) return makeError(free.error());
+  }
+  for (EntityId id : family) {
+    const std::string name = edit.state().find(id)->name;
+    edit.dropFromPairSets(name);
+    std::erase_if(edit.state().pair_rules, [&](const PairRule& r) { return r.first == name || r.second == name; });
+    edit.releaseAllFrom(name);
+    std::erase_if(edit.state().guides, [&](const Guide& g) { return g.entity == name || g.surface == name; });
+    std::erase_if(edit.state().work_tasks, [&](const auto& task) { return task.mannequin == name; });
+  }
+  std::erase_if(edit.state().entities,
+                [&](const auto& other) { return std::find(family.begin(), family.end(), other->id) != family.end(); });
+  return command.id;
+}
+
+Expected<EntityId> perform(const RenameEntity& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  if (auto checked = checkName("the entity's name", command.name); !checked) return makeError(checked.error());
+  const Entity* other = edit.state().findByName(command.name);
+  if (other && other->id != command.id) return makeError(taken(command.name));
+  for (PairSet& set : edit.state().pair_sets) {
+    std::replace(set.first.begin(), set.first.end(), (*entity)->name, command.name);
+    std::replace(set.second.begin(), set.second.end(), (*entity)->name, command.name);
+  }
+  const std::string before = (*entity)->name;
+  for (PairRule& rule : edit.state().pair_rules) {
+    if (rule.first == before) rule.first = command.name;
+    if (rule.second == before) rule.second = command.name;
+  }
+  for (Guide& guide : edit.state().guides) {
+    if (guide.entity == before) guide.entity = command.name;
+    if (guide.surface == before) guide.surface = command.name;
+  }
+  for (auto& task : edit.state().work_tasks) {
+    if (task.mannequin == before) task.mannequin = command.name;
+  }
+  for (const auto& near : std::vector(edit.state().entities)) {
+    if (near->parent == before) edit.change(near->id, [&](Entity& changed) { changed.parent = command.name; });
+    if (near->attachment.to != before) continue;
+    edit.change(near->id, [&](Entity& changed) { changed.attachment.to = command.name; });
+  }
+  return edit.change(command.id, [&](Entity& changed) { changed.name = command.name; });
+}
+
+Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  const Entity& before = **entity;
+  const bool fits =
+      before.kind == command.fresh.kind && (command.fresh.mesh || command.fresh.robot) && !before.mechanism;
+  if (!fits) return makeError(refusal(quotedName(before.name), "another kind of thing", "a shape of the kind it has"));
+  Entity changed = before;
+  changed.source = command.fresh.source;
+  changed.unloaded.reset();
+  changed.mesh = command.fresh.mesh;
+  changed.proxy = {};
+  if (command.fresh.figure) {
+    changed.figure = command.fresh.figure;
+    changed.mass = command.fresh.mass;
+  }
+  if (command.fresh.robot) {
+    changed.robot = command.fresh.robot;
+    changed.joints = jointsFor(*changed.robot, before);
+    changed.named_poses = before.robot ? posesFor(*changed.robot, before) : before.named_poses;
+    if (changed.robot->findLink(changed.tip_link) < 0) changed.tip_link = command.fresh.tip_link;
+    std::erase_if(changed.tools, [&](const ToolFrame& tool) { return changed.robot->findLink(tool.tip_link) < 0; });
+  }
+  return edit.change(command.id, [&](Entity& target) { target = changed; });
+}
+
+Expected<EntityId> perform(const SetCollisionProxy& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  if (!(*entity)->mesh) return makeError(refusal(quotedName((*entity)->name), "no mesh", "a solid"));
+  const bool wanted = command.proxy.kind != CollisionProxy::Kind::kNone;
+  if (wanted && (!command.proxy.mesh || command.proxy.mesh->triangles.empty())) {
+    return makeError(refusal(quotedName((*entity)->name), "nothing to check it by", "a mesh"));
+  }
+  return edit.change(command.id, [&](Entity& target) { target.proxy = wanted ? command.proxy : CollisionProxy{}; });
+}
+
+Expected<EntityId> perform(const SetPlacement& command, StateEdit& edit) {
+  const auto entity = edit.movable(command.id);
+  if (!entity) return makeError(entity.error());
+  if (auto checked = checkPose(quotedName((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
+  return edit.moveFamily(**entity, [&](Entity& changed) { changed.X_WE = command.X_WE; });
+}
+
+Expected<EntityId> perform(const SetJoints& command, StateEdit& edit) {
+  const auto entity = edit.movable(command.id);
+  if (!entity) return makeError(entity.error());
+  if (auto checked = checkJoints(**entity, command.joints); !checked) return makeError(checked.error());
+  return edit.move(command.id, [&](Entity& changed) { changed.joints = command.joints; });
+}
+
+Expected<EntityId> perform(const SetConfiguration& command, StateEdit& edit) {
+  const auto entity = edit.movable(command.id);
+  if (!entity) return makeError(entity.error());
+  if (auto checked = checkPose(quotedName((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
+  if (auto checked = checkJoints(**entity, command.joints); !checked) return makeError(checked.error());
+  return edit.moveFamily(**entity, [&](Entity& changed) {
+    changed.X_WE = command.X_WE;
+    changed.joints = command.joints;
+  });
+}
+
+Expected<EntityId> perform(const SetProperties& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  Entity changed = **entity;
+  if (command.color) changed.color = *command.color;
+  if (command.visible) changed.visible = *command.visible;
+  if (command.locked) changed.locked = *command.locked;
+  if (command.checked) changed.checked = *command.checked;
+  if (command.on_contact) changed.on_contact = *command.on_contact;
+  if (command.force_class) changed.force_class = *command.force_class;
+  if (command.material) changed.material = *command.material;
+  if (command.mass) changed.mass = *command.mass;
+  if (command.parent) changed.parent = *command.parent;
+  if (auto checked = checkProperties(changed); !checked) return makeError(checked.error());
+  const std::vector<EntityId> family = familyOf(edit.state(), command.id);
+  if (command.parent) {
+    const Entity* parent = edit.state().findByName(changed.parent);
+    if (parent && std::find(family.begin(), family.end(), parent->id) != family.end()) {
+      return makeError(refusal(quotedName(changed.name), "a place below itself", "another assembly"));
+    }
+  }
+  if (changed.kind == EntityKind::kAssembly) {
+    for (EntityId id : family) edit.change(id, [&](Entity& target) { handDown(command, target); });
+  }
+  return edit.change(command.id, [&](Entity& target) { target = changed; });
+}
+
+Expected<EntityId> perform(const SetFrames& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  Entity changed = **entity;
+  changed.frames = command.frames;
+  if (auto checked = checkFrames(changed); !checked) return makeError(checked.error());
+  return edit.change(command.id, [&](Entity& target) { target = changed; });
+}
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands on tools of robots and on what hangs on something.
+#include <algorithm>
+
+#include "workcell/document/command_checks.h"
+#include "workcell/document/perform_command.h"
+
+namespace hapticell::workcell {
+
+namespace {
+
+void takeChosenTool(Entity& robot) {
+  const auto chosen = std::find_if(robot.tools.begin(), robot.tools.end(),
+                                   [&](const ToolFrame& tool) { return tool.name == robot.tool; });
+  if (chosen == robot.tools.end()) {
+    robot.tool.clear();
+    return;
+  }
+  robot.tip_link = chosen->tip_link;
+  robot.X_LT = chosen->X_LT;
+}
+
+}  // namespace
+
+std::string tipOf(const Entity& robot) {
+  if (!robot.tip_link.empty()) return robot.tip_link;
+  const int tip = robot.robot->defaultTip();
+  return tip < 0 ? std::string{} : robot.robot->links[static_cast<std::size_t>(tip)].name;
+}
+
+Expected<void> checkAttachment(const Entity& entity, const DocumentState& state) {
+  if (entity.attachment.to.empty()) return {};
+  const Entity* carrier = state.findByName(entity.attachment.to);
+  const std::string place = quotedName(entity.name) + ", attached";
+  if (!carrier)
+    return makeError(refusal(place, "no entity " + quotedName(entity.attachment.to), "one of the document"));
+  if (!entity.attachment.link.empty() && (!carrier->robot || carrier->robot->findLink(entity.attachment.link) < 0)) {
+    return makeError(
+        refusal(place, "no link " + quotedName(entity.attachment.link), "a link of " + quotedName(carrier->name)));
+  }
+  return checkPose(place, entity.attachment.X_LE);
+}
+
+Expected<EntityId> perform(const SetTool& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  Entity changed = **entity;
+  changed.tip_link = command.tip_link;
+  changed.X_LT = command.X_LT;
+  changed.tool.clear();
+  if (!changed.robot) return makeError(refusal(quotedName(changed.name), "a solid", "a robot, which can have a tool"));
+  if (auto checked = checkTool(changed); !checked) return makeError(checked.error());
+  return edit.change(command.id, [&](Entity& target) { target = changed; });
+}
+
+Expected<EntityId> perform(const SetTools& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  Entity changed = **entity;
+  if (!changed.robot) return makeError(refusal(quotedName(changed.name), "a solid", "a robot, which can have tools"));
+  changed.tools = command.tools;
+  takeChosenTool(changed);
+  if (auto checked = checkTools(changed); !checked) return makeError(checked.error());
+  return edit.change(command.id, [&](Entity& target) { target = changed; });
+}
+
+Expected<EntityId> perform(const SetNamedPoses& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  Entity changed = **entity;
+  changed.named_poses = command.poses;
+  if (auto checked = checkNamedPoses(changed); !checked) return makeError(checked.error());
+  return edit.change(command.id, [&](Entity& target) { target = changed; });
+}
+
+Expected<EntityId> perform(const ChooseTool& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  Entity changed = **entity;
+  changed.tool = command.name;
+  takeChosenTool(changed);
+  if (changed.tool != command.name) {
+    return makeError(
+        refusal(quotedName(changed.name), "no tool " + quotedName(command.name), "the name of one of its tools"));
+  }
+  return edit.change(command.id, [&](Entity& target) { target = changed; });
+}
+
+Expected<EntityId> perform(const Attach& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id), carrier = edit.existing(command.to);
+  if (!entity) return makeError(entity.error());
+  if (!carrier) return makeError(carrier.error());
+  for (const Entity* at = *carrier; at; at = edit.state().findByName(at->attachment.to)) {
+    if (at->id != command.id) continue;
+    return makeError(refusal(quotedName((*entity)->name),
+                             quotedName((*carrier)->name) + " is that entity or hangs on it",
+                             "another entity to hang it on"));
+  }
+  Attachment attachment{(*carrier)->name, command.link, {}};
+  if ((*carrier)->robot && attachment.link.empty()) attachment.link = tipOf(**carrier);
+  Entity changed = **entity;
+  changed.attachment = std::move(attachment);
+  if (auto checked = checkAttachment(changed, edit.state()); !checked) return makeError(checked.error());
+  changed.attachment.X_LE = carrierPose(**carrier, changed.attachment.link).inverse() * changed.X_WE;
+  return edit.change(command.id, [&](Entity& target) { target = changed; });
+}
+
+Expected<EntityId> perform(const Detach& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  return edit.change(command.id, [](Entity& changed) { changed.attachment = {}; });
+}
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/entity/import_options.h"
+
+namespace hapticell::workcell {
+
+const char* axisName(UpAxis axis) {
+  return axis == UpAxis::kX ? "x" : axis == UpAxis::kY ? "y" : "z";
+}
+
+Expected<UpAxis> parseAxis(std::string_view text) {
+  for (UpAxis axis : {UpAxis::kX, UpAxis::kY, UpAxis::kZ}) {
+    if (text == axisName(axis)) return axis;
+  }
+  return makeError({"", "", "the axis '" + std::string(text.substr(0, 20)) + "'", "x, y or z", ""});
+}
+
+}  // namespace hapticell::workcell

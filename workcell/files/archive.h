@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "geometry/system/error.h"
+
+namespace hapticell::workcell {
+
+/// True for names that writeArchive() can write: ".zip", ".tar.gz", ".tgz".
+bool isArchiveName(const std::filesystem::path& file);
+
+/// Writes all files below `folder` into an archive, with names relative to it, aside, reads it back (checkArchive()) and
+/// moves it into place. Times and owners are left out, so the same files give the same bytes. On error, also where what
+/// is read back differs, the old file stands.
+Expected<void> writeArchive(const std::filesystem::path& folder, const std::filesystem::path& file);
+
+}  // namespace hapticell::workcell

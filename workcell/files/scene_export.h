@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "workcell/document/document_state.h"
+#include "workcell/scenes/import_scene.h"
+
+namespace hapticell::workcell {
+
+/// What stands in a document as a scene in the world's frame: assemblies, solids, and robots (and mechanisms) as
+/// assemblies of their links at the joints they stand at. Solids that came from STEP or IGES keep their origin.
+ImportedScene sceneOf(const DocumentState& state);
+
+/// The same of a file of any readable format. `options` as for an import (a robot stands at its resting joints).
+/// `monitor` may be null.
+Expected<ImportedScene> sceneOfFile(const std::filesystem::path& file, const ImportOptions& options,
+                                    Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
+
+/// What the formats that exportScene() writes are called: ".step", ".stp", ".glb", ".gltf", ".stl", ".obj", ".ply",
+/// ".off".
+const std::vector<std::string>& writableExtensions();
+
+struct ExportOptions {
+  double metres_per_unit = 1.0;  ///< Of the written STL, OBJ, PLY, OFF; the other formats have their own unit.
+  ImportLimits limits = {};
+  ImportMonitor* monitor = nullptr;  ///< May be null.
+};
+
+/// Writes what stands in a document, or the part of it that is left in `state`, as exportScene(); a ".urdf" is the one
+/// robot in it with the base it has (writeUrdf()).
+Expected<void> exportState(const DocumentState& state, const std::filesystem::path& file, const ExportOptions& options,
+                           Diagnostics& diagnostics);
+
+/// Writes a scene in the format that the file's extension names, aside and then moved into place. STEP: tree, names,
+/// colours, placements; exact shapes where a node has an origin, else a plane face a triangle. glTF: tree, names,
+/// colours, placements. OBJ: names and colours. PLY, OFF: colours. STL: triangles alone.
+///
+/// Errors: an extension that is none of these, nothing to write, an origin's file that is gone or changed, a file that
+/// cannot be written, and what the importer's process says; the old file then still stands.
+Expected<void> exportScene(const ImportedScene& scene, const std::filesystem::path& file, const ExportOptions& options,
+                           Diagnostics& diagnostics);
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "geometry/system/error.h"
+#include "workcell/format/document_io.h"
+#include "workcell/document/document_state.h"
+#include "workcell/text/field_reader.h"
+
+namespace hapticell::workcell {
+
+/// The JSON of a state, with file names relative to `folder` (absolute).
+Json jsonFromState(const DocumentState& state, const std::filesystem::path& folder);
+
+/// The state that the JSON says, with its meshes and robots read; an error names the entity but not the document's
+/// file.
+Expected<DocumentState> stateFromJson(const Json& json, const std::filesystem::path& folder, Diagnostics& diagnostics,
+                                      const LoadOptions& options);
+
+}  // namespace hapticell::workcell

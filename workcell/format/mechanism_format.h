@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "workcell/entity/mechanism.h"
+#include "workcell/format/source_format.h"
+
+namespace hapticell::workcell {
+
+Json jsonFromMechanism(const MechanismDefinition& definition, const std::filesystem::path& folder);
+
+/// The mechanism called `name` with its parts read; `place` stands in the messages.
+Expected<Entity> mechanismFromJson(const Json& json, const std::string& name, const std::string& place,
+                                   const FormatContext& context, SourceReader& sources);
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "workcell/text/field_reader.h"
+#include "workcell/format/format_context.h"
+
+namespace hapticell::workcell {
+
+/// What robots, mechanisms and mannequins have besides: joints, tool, tools, named poses. Nothing for others.
+void addRobotFields(const Entity& entity, Json& json);
+
+/// Reads them into an entity whose model is there; `place` stands in the messages.
+void readRobotFields(FieldReader& fields, const std::string& place, const FormatContext& context, Entity& entity);
+
+}  // namespace hapticell::workcell

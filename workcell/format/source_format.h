@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "workcell/text/field_reader.h"
+#include "workcell/format/format_context.h"
+
+namespace hapticell::workcell {
+
+/// A file's name as it stands in a document in `folder`.
+std::string relativeName(const std::string& path, const std::filesystem::path& folder);
+
+Json jsonFromSource(const SourceFile& source, const std::filesystem::path& folder);
+Json jsonFromColor(const std::array<float, 3>& color);
+
+/// Reads where shapes come from, asking for files that are no longer there (LoadOptions::locate).
+class SourceReader {
+ public:
+  explicit SourceReader(const FormatContext& context) : context_(context) {}
+  /// `place` stands in the messages.
+  void read(const Json& json, const std::string& place, SourceFile& source);
+
+ private:
+  void locate(std::string& path);
+
+  const FormatContext& context_;
+  std::map<std::filesystem::path, std::optional<std::filesystem::path>> located_;
+  std::map<std::filesystem::path, std::filesystem::path> moved_folders_;
+};
+
+}  // namespace hapticell::workcell

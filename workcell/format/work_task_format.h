@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "mannequin/ergonomics/scores/work_task.h"
+#include "workcell/text/field_reader.h"
+
+namespace hapticell::workcell {
+
+/// What is not known is left out.
+Json jsonFromWorkTask(const ergonomics::WorkTask& task);
+/// Reads one; what is missing stays unknown. `index` counts from 0, for messages.
+ergonomics::WorkTask workTaskFromJson(const Json& json, std::size_t index, std::optional<Error>& error,
+                                      Diagnostics& diagnostics);
+
+}  // namespace hapticell::workcell

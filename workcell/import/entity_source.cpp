@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/import/entity_source.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+
+#include "geometry/shapes/shapes.h"
+#include "mannequin/body/body_request_text.h"
+#include "mannequin/shape/figure_model.h"
+#include "mannequin/motion/free_hand.h"
+#include "workcell/entity/built_in_parts.h"
+#include "workcell/meshes/mesh_care.h"
+#include "workcell/meshes/mesh_reader.h"
+#include "workcell/robots/robot_library.h"
+#include "workcell/robots/robot_reader.h"
+#include "workcell/scenes/scene_exchange.h"
+#include "workcell/text/text_cursor.h"
+#include "workcell/scenes/whole_mesh.h"
+
+namespace hapticell::workcell {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string schemeOf(const std::string& what) {
+  const std::size_t colon = what.find(':');
+  if (colon == std::string::npos) return {};
+  std::string scheme = what.substr(0, colon);
+  for (const char* known : {"library", "mannequin", "hand", "frame"}) {
+    if (scheme == known) return scheme;
+  }
+  return findBuiltInPart(scheme) != nullptr ? scheme : std::string();
+}
+
+void turnUp(geometry::TriangleMesh& mesh, const std::optional<UpAxis>& up) {
+  if (!up || *up == UpAxis::kZ) return;
+  const Pose X_WF = turnedUp(*up);
+  for (dvec3& vertex : mesh.vertices) vertex = X_WF * vertex;
+}
+
+/// A hand by itself, for a glove: "hand:left" or "hand:right", with ":SEX:PERCENTILE" another body's.
+Expected<Entity> loadFreeHand(const std::string& what) {
+  const std::string words = what.substr(what.find(':') + 1);
+  const std::string side = words.substr(0, words.find(':'));
+  const std::string body = "mannequin:" + (words == side ? "male:50" : words.substr(side.size() + 1));
+  if (side != "left" && side != "right") {
+    return makeError({what, "", "the hand '" + side + "'", "hand:left or hand:right, and :SEX:PERCENTILE", ""});
+  }
+  const Expected<mannequin::BodyRequest> request = mannequin::parseBodyRequest(body);
+  const Expected<mannequin::Figure> figure =
+      request ? mannequin::makeFigure(*request) : Expected<mannequin::Figure>(makeError(request.error()));
+  if (!figure) {
+    Error error = figure.error();
+    error.file = what;
+    return makeError(std::move(error));
+  }
+  const auto model =
+      mannequin::freeHandModel(*figure, side == "left" ? mannequin::Side::kLeft : mannequin::Side::kRight);
+  Entity entity;
+  entity.kind = EntityKind::kRobot;
+  entity.robot = model;
+  entity.joints.assign(model->dof(), 0.0);
+  entity.name = side + " hand";
+  entity.source = {what, 1.0};
+  entity.tip_link = model->links.front().name;
+  entity.mass = 0.4;
+  return entity;
+}
+
+/// "frame:".
+Expected<Entity> loadFrame(const std::string& what) {
+  if (what.back() != ':') {
+    return makeError({what, "", "'" + what.substr(what.find(':') + 1) + "' behind frame:", "frame: alone",
+                      "A frame has no sizes: give it a name and a place (name=N, pose=x,y,z,qw,qx,qy,qz)."});
+  }
+  return makeFrame("frame", {});
+}
+
+}  // namespace
+
+Entity makeFrame(std::string name, const Pose& X_WE) {
+  Entity entity;
+  entity.kind = EntityKind::kFrame;
+  entity.name = std::move(name);
+  entity.source = {"frame:", 1.0};
+  entity.X_WE = X_WE;
+  entity.checked = false;
+  return entity;
+}
+
+bool isBuiltIn(const std::string& what) {
+  return !schemeOf(what).empty();
+}
+
+Expected<Entity> EntityLoader::load(const std::string& what, double scale, Diagnostics& diagnostics) {
+  return loadSource({what, scale}, diagnostics);
+}
+
+Expected<Entity> EntityLoader::loadSource(const SourceFile& source, Diagnostics& diagnostics) {
+  Expected<Entity> entity = loadShapeOf(source, diagnostics);
+  if (!entity || !entity->mesh || (!source.oriented && source.simplified == 0.0)) return entity;
+  entity->source.oriented = source.oriented;
+  entity->source.simplified = source.simplified;
+  auto& cared = cared_meshes_[{entity->mesh, {source.oriented, source.simplified}}];
+  if (!cared) {
+    geometry::TriangleMesh mesh = *entity->mesh;
+    if (source.oriented) orient(mesh);
+    if (source.simplified > 0.0) {
+      Expected<MadeMesh> made = simplify(mesh, source.simplified);
+      if (!made) return makeError(made.error());
+      mesh = std::move(made->mesh);
+    }
+    cared = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+  }
+  entity->mesh = cared;
+  return entity;
+}
+
+Expected<Entity> EntityLoader::loadShapeOf(const SourceFile& source, Diagnostics& diagnostics) {
+  const std::string& what = source.path;
+  const std::string scheme = schemeOf(what);
+  const bool said = source.scale != 0.0 && source.scale != 1.0;
+  if (scheme == "mannequin") return loadMannequin(what);
+  if (scheme == "hand") return loadFreeHand(what);
+  if (scheme == "frame") return loadFrame(what);
+  if (scheme == "library") return loadLibraryRobot(what, diagnostics);
+  if (!scheme.empty()) return makeBuiltInPart(what, said ? source.scale : 1.0);
+  const fs::path file = (folder_ / what).lexically_normal();
+  if (holdsScene(file)) return loadPart(file, source, diagnostics);
+  if (!looksLikeRobot(file)) {
+    return source.part.empty() ? loadMesh(file, source, diagnostics) : loadPart(file, source, diagnostics);
+  }
+  if (said) {
+    return makeError(
+        {file.string(), "", "a unit for a robot", "none: robot files are in metres", "Leave the unit out."});
+  }
+  return loadRobot(file, source.arguments, diagnostics);
+}
+
+Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const ImportOptions& options,
+                                              Diagnostics& diagnostics, ImportMonitor* monitor) {
+  const fs::path file = (folder_ / what).lexically_normal();
+  if (!isBuiltIn(what) && holdsScene(file)) {
+    Expected<ImportedScene> scene = readScene(file, options, monitor);
+    if (!scene) return makeError(scene.error());
+    return entitiesFromScene(std::move(*scene), {file.string()}, options, diagnostics);
+  }
+  if (monitor) monitor->report("reading", 0.0);
+  if (!isBuiltIn(what) && !looksLikeRobot(file)) return loadMeshTree(file, options, diagnostics);
+  ImportMonitor* const usual = monitor_;
+  if (monitor) monitor_ = monitor;
+  SourceFile source{what, options.metres_per_unit.value_or(0.0)};
+  source.arguments = options.arguments;
+  declared_.clear();
+  Expected<Entity> entity = loadSource(source, diagnostics);
+  monitor_ = usual;
+  if (!entity) return makeError(entity.error());
+  ImportResult result;
+  const std::optional<RobotFormat> format = robotFormatOf(file);
+  result.report.format = format ? formatName(*format) : entity->robot ? "library" : "shape";
+  result.report.parts = 1;
+  result.report.arguments = declared_;
+  if (entity->mesh) result.report.triangles = entity->mesh->triangles.size();
+  result.entities.push_back(std::move(*entity));
+  return result;
+}
+
+Expected<ImportResult> EntityLoader::loadMeshTree(const fs::path& file, const ImportOptions& options,
+                                                  Diagnostics& diagnostics) const {
+  MeshReadOptions reading{options.metres_per_unit, options.weld, options.warn_about_unit && !options.metres_per_unit};
+  Expected<MeshFileParts> read = readMeshParts(file, reading, !options.merge, diagnostics);
+  if (!read) return makeError(read.error());
+  const geometry::WeldReport weld = read->weld;
+  const bool one = read->parts.size() == 1;
+  const UpAxis up = options.up_axis.value_or(UpAxis::kZ);
+  if (one) turnUp(read->parts[0].mesh, up);  // A file of one solid is a part without a name, as loadMesh() reads it.
+  ImportedScene scene = sceneOfParts(std::move(*read), file.stem().string());
+  for (SceneNode& node : scene.nodes) {
+    if (!one && node.parent < 0) node.X_PN = turnedUp(up) * node.X_PN;
+  }
+  ImportOptions made;  // All else is done.
+  made.up_axis = options.up_axis;
+  made.weld = false;
+  Expected<ImportResult> result = entitiesFromScene(std::move(scene), {file.string()}, made, diagnostics);
+  if (!result) return result;
+  if (one) result->entities[0].source.part.clear();
+  result->report.up_axis = up;
+  result->report.merged_vertices = weld.merged_vertices;
+  result->report.degenerate_triangles = weld.degenerate_triangles;
+  result->report.duplicate_triangles = weld.duplicate_triangles;
+  return result;
+}
+
+Expected<Entity> EntityLoader::loadPart(const fs::path& file, const SourceFile& source, Diagnostics& diagnostics) {
+  ImportOptions options;
+  if (source.scale != 0.0) options.metres_per_unit = source.scale;
+  options.up_axis = source.up_axis;
+  options.tessellation = source.tessellation;
+  options.merge = source.part.empty();
+  char how[120];
+  std::snprintf(how, sizeof how, "|%.17g|%d|%.17g|%.17g|%d", source.scale,
+                source.up_axis ? static_cast<int>(*source.up_axis) : -1, source.tessellation.chord,
+                source.tessellation.angle, options.merge);
+  const std::string key = file.string() + how;
+  auto known = trees_.find(key);
+  if (known == trees_.end()) {
+    Expected<ImportResult> tree = loadTree(file.string(), options, diagnostics, monitor_);
+    if (!tree) return makeError(tree.error());
+    known = trees_.emplace(key, std::move(*tree)).first;
+  }
+  for (const Entity& entity : known->second.entities) {
+    if (!options.merge && entity.source.part != source.part) continue;
+    Entity found = entity;
+    found.parent.clear();
+    return found;
+  }
+  return makeError({file.string(), "", "no part '" + source.part + "'", "a part that the file still holds",
+                    "Import the file anew."});
+}
+
+Expected<Entity> EntityLoader::loadLibraryRobot(const std::string& what, Diagnostics& diagnostics) {
+  const std::string name = what.substr(what.find(':') + 1);
+  const Expected<fs::path> file = findLibraryRobot(name);
+  if (!file) return makeError(file.error());
+  Expected<Entity> entity = loadRobot(*file, {}, diagnostics);
+  if (!entity) return entity;
+  entity->source = {what, 1.0};
+  entity->name = name;
+  return entity;
+}
+
+Expected<Entity> EntityLoader::loadMannequin(const std::string& what) {
+  const Expected<mannequin::BodyRequest> request = mannequin::parseBodyRequest(what);
+  Expected<mannequin::Figure> figure =
+      request ? mannequin::makeFigure(*request) : Expected<mannequin::Figure>(makeError(request.error()));
+  if (!figure) {
+    Error error = figure.error();
+    error.file = what;
+    return makeError(std::move(error));
+  }
+  auto& model = robots_[what].model;
+  if (!model) model = mannequin::figureModel(*figure);
+  Entity entity;
+  entity.kind = EntityKind::kMannequin;
+  entity.robot = model;
+  entity.joints = mannequin::toModel(*figure, *mannequin::libraryPosture(*figure, "standing")).joints;
+  entity.figure = std::make_shared<const mannequin::Figure>(std::move(*figure));
+  entity.name = "mannequin";
+  entity.source = {what, 1.0};
+  entity.tip_link = "r_hand";
+  entity.mass = entity.figure->totalMass();
+  return entity;
+}
+
+Expected<Entity> EntityLoader::loadRobot(const fs::path& file, const xacro::Arguments& arguments,
+                                         Diagnostics& diagnostics) {
+  std::string key = file.string();
+  for (const auto& [name, value] : arguments) key += "|" + name + ":=" + value;
+  auto& known = robots_[key];
+  if (!known.model) {
+    declared_.clear();
+    Expected<TomlRobot> robot = readRobot(file, diagnostics, monitor_, RobotContent::kAll, arguments, &declared_);
+    if (!robot) return makeError(robot.error());
+    known = {std::make_shared<const kinematics::RobotModel>(std::move(robot->model)), std::move(robot->tools),
+             robot->X_FB};
+  }
+  Entity entity = robotEntity(known.model, known.model->name.empty() ? file.stem().string() : known.model->name);
+  entity.X_WE = known.X_FB;
+  entity.tools = known.tools;
+  entity.source = {file.string(), 1.0};
+  entity.source.arguments = arguments;
+  return entity;
+}
+
+Expected<Entity> EntityLoader::loadMesh(const fs::path& file, const SourceFile& source, Diagnostics& diagnostics) {
+  const char* up = source.up_axis ? axisName(*source.up_axis) : "";
+  KnownMesh& known = meshes_[{file.string() + "|" + up, source.scale}];
+  if (!known.mesh) {
+    Diagnostics notes;
+    MeshReadOptions reading;
+    if (source.scale != 0.0) reading.scale = source.scale;
+    reading.warn_about_unit = !unit_is_stated_;
+    Expected<MeshFileParts> read = readMeshParts(file, reading, false, notes);
+    if (!read) return makeError(read.error());
+    MeshPart& part = read->parts[0];
+    turnUp(part.mesh, source.up_axis);
+    known = {std::make_shared<const geometry::TriangleMesh>(std::move(part.mesh)), part.color, read->metres_per_unit};
+    for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
+  }
+  Entity entity;
+  entity.mesh = known.mesh;
+  entity.name = file.stem().string();
+  if (known.color) entity.color = *known.color;
+  entity.source = {file.string(), known.metres_per_unit, "", source.up_axis, {}};
+  return entity;
+}
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "geometry/system/error.h"
+#include "workcell/entity/entity.h"
+#include "workcell/import/imported_entities.h"
+
+namespace hapticell::workcell {
+
+/// Makes entities of what users name: a mesh file (STL, OBJ, PLY, OFF), a CAD file (readScene), a robot file
+/// (readRobot), a cell (SDF model or world), "library:NAME" (a built-in robot: see listLibraryRobots()), a built-in
+/// solid such as "box:X,Y,Z" or "table:" (see builtInParts(); sizes in the given unit), or "frame:" (a frame of the
+/// cell). Files that are named twice are read once. One thread.
+class EntityLoader {
+ public:
+  /// Files are looked for relative to `folder`. `unit_is_stated`: each scale was written down by somebody (a workcell
+  /// document), so a size that suggests another unit is no reason to warn.
+  /// `monitor` (may be null) is told of, and can end, what load() and loadSource() do.
+  explicit EntityLoader(std::filesystem::path folder, bool unit_is_stated = false, ImportMonitor* monitor = nullptr)
+      : folder_(std::move(folder)), unit_is_stated_(unit_is_stated), monitor_(monitor) {}
+
+  /// One entity with shape, source and a name that suggests itself (the robot's own, else the file's stem); the rest as
+  /// by default, joints empty. `scale` is metres per unit of the file (0: as the file says, metres where it says none);
+  /// a robot's file is always in metres, another scale for it is an error. A file with a tree becomes one solid. What
+  /// is missing, broken or not known is an error that names it. A mannequin, "mannequin:SEX:PERCENTILE", stands with
+  /// its feet on the floor of its own frame.
+  Expected<Entity> load(const std::string& what, double scale, Diagnostics& diagnostics);
+
+  /// The entity that a source in a document stands for: as load(), but the one part of the file that `source.part`
+  /// names where it does. The parts of one file are read together, once.
+  Expected<Entity> loadSource(const SourceFile& source, Diagnostics& diagnostics);
+
+  /// All that a file holds, as a tree of entities (parents first) placed in the file's frame, with a report. `monitor`
+  /// may be null. Robots, meshes and built-in shapes are one entity.
+  Expected<ImportResult> loadTree(const std::string& what, const ImportOptions& options, Diagnostics& diagnostics,
+                                  ImportMonitor* monitor = nullptr);
+
+ private:
+  using MeshPointer = std::shared_ptr<const geometry::TriangleMesh>;
+
+  Expected<Entity> loadShapeOf(const SourceFile& source, Diagnostics& diagnostics);
+  Expected<Entity> loadLibraryRobot(const std::string& what, Diagnostics& diagnostics);
+  Expected<Entity> loadMannequin(const std::string& what);
+  Expected<Entity> loadRobot(const std::filesystem::path& file, const xacro::Arguments& arguments,
+                             Diagnostics& diagnostics);
+  Expected<Entity> loadMesh(const std::filesystem::path& file, const SourceFile& source, Diagnostics& diagnostics);
+  Expected<Entity> loadPart(const std::filesystem::path& file, const SourceFile& source, Diagnostics& diagnostics);
+  Expected<ImportResult> loadMeshTree(const std::filesystem::path& file, const ImportOptions& options,
+                                      Diagnostics& diagnostics) const;
+
+  std::filesystem::path folder_;
+  bool unit_is_stated_ = false;
+  ImportMonitor* monitor_ = nullptr;
+  struct KnownMesh {
+    MeshPointer mesh;
+    std::optional<std::array<float, 3>> color;
+    double metres_per_unit = 1.0;
+  };
+  std::map<std::pair<std::string, double>, KnownMesh> meshes_;
+  struct KnownRobot {
+    std::shared_ptr<const kinematics::RobotModel> model;
+    std::vector<ToolFrame> tools;
+    Pose X_FB;
+  };
+  std::map<std::string, KnownRobot> robots_;       // By file and arguments.
+  std::vector<xacro::DeclaredArgument> declared_;  // Of the xacro that was read last.
+  std::map<std::pair<MeshPointer, std::pair<bool, double>>, MeshPointer> cared_meshes_;  // By how they were made.
+  std::map<std::string, ImportResult> trees_;                                            // By file and how it was read.
+};
+
+/// A frame of the cell of that name, standing at X_WE.
+Entity makeFrame(std::string name, const Pose& X_WE);
+
+/// True for a source that is no file: "library:", "mannequin:", "hand:", "frame:", or a built-in solid ("box:",
+/// "table:", ...).
+bool isBuiltIn(const std::string& what);
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "workcell/import/entity_source.h"
+#include "workcell/scenes/import_monitor.h"
+
+namespace hapticell::workcell {
+
+using ImportId = std::uint64_t;
+
+struct ImportRequest {
+  std::string what;              ///< A file or anything else EntityLoader knows.
+  std::filesystem::path folder;  ///< Files are looked for relative to it.
+  ImportOptions options;
+};
+
+struct ImportStatus {
+  enum class State { kUnknown, kQueued, kRunning, kDone, kFailed, kCancelled };
+  State state = State::kUnknown;
+  ImportProgress progress;
+};
+
+/// Imports files beside the window: queued, one after the other, on a thread of its own, so that nobody waits.
+///
+///     const ImportId id = importer.start({"part.step", folder, options});
+///     ... later, on a timer or when the listener was called: importer.status(id), importer.cancel(id)
+///     if (auto result = importer.take(id)) { ... *result is an Expected<ImportResult> ... }
+///
+/// What comes out is a value (entities in tree order and a report); the document changes only when its owner calls
+/// addImported(). All functions may be called from any thread; none blocks for longer than a lock.
+class Importer {
+ public:
+  /// `listener`, where given, is called on the importer's thread whenever a job ended: only wake somebody there.
+  explicit Importer(std::function<void(ImportId)> listener = {});
+  /// Cancels everything and waits for the thread: at most 0.2 s where a process does the work, else for the reading of
+  /// the one file that is being read.
+  ~Importer();
+  Importer(const Importer&) = delete;
+  Importer& operator=(const Importer&) = delete;
+
+  ImportId start(ImportRequest request);
+  ImportStatus status(ImportId id) const;
+  /// A queued one is not begun, a running one is given up; its result is an error that says so. Nothing for others.
+  void cancel(ImportId id);
+  /// The result, once: empty while the job is not over, and after it was taken.
+  std::optional<Expected<ImportResult>> take(ImportId id);
+
+ private:
+  struct Job;
+  void run();
+  void finish(const std::shared_ptr<Job>& job, Expected<ImportResult> result);
+
+  std::function<void(ImportId)> listener_;
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  std::map<ImportId, std::shared_ptr<Job>> jobs_;
+  std::deque<std::shared_ptr<Job>> queue_;
+  ImportId last_id_ = 0;
+  bool stopping_ = false;
+  std::thread thread_;  // Last: it uses all the others.
+};
+
+}  // namespace hapticell::workcell

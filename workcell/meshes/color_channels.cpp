@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/meshes/color_channels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace hapticell::workcell {
+
+void ColorChannels::set(std::size_t index, const std::array<double, 3>& channels) {
+  constexpr double kMost = 1e6;
+  const auto usable = [](double channel) { return channel >= 0.0 && channel <= kMost; };  // False for NaN too.
+  if (!std::all_of(channels.begin(), channels.end(), usable)) {
+    ++refused_;
+    return;
+  }
+  if (channels_.size() <= index) channels_.resize(index + 1, kNoColor);
+  for (std::size_t k = 0; k < 3; ++k) {
+    channels_[index][k] = static_cast<float>(channels[k]);
+    greatest_ = std::max(greatest_, channels_[index][k]);
+  }
+}
+
+std::vector<Color> ColorChannels::take(std::size_t count, std::optional<double> full) && {
+  if (channels_.empty()) return {};
+  channels_.resize(count, kNoColor);
+  const float whole = full ? static_cast<float>(*full) : greatest_ > 1.0f ? 255.0f : 1.0f;
+  for (Color& color : channels_) {
+    if (!isColor(color)) continue;
+    for (float& channel : color) channel = std::min(channel / whole, 1.0f);
+  }
+  return std::move(channels_);
+}
+
+void ColorChannels::report(std::string_view what, Diagnostics& diagnostics) const {
+  if (refused_ == 0) return;
+  diagnostics.warn(std::to_string(refused_) + " " + std::string(what) +
+                   " have a colour that is no numbers of at least 0; it was left out");
+}
+
+Color meanColor(std::span<const Color> colors) {
+  if (!std::all_of(colors.begin(), colors.end(), isColor)) return kNoColor;
+  if (std::all_of(colors.begin(), colors.end(), [&](const Color& c) { return c == colors.front(); }))
+    return colors.front();
+  Color mean{0.0f, 0.0f, 0.0f};
+  for (const Color& color : colors) {
+    for (std::size_t k = 0; k < 3; ++k) mean[k] += color[k] / static_cast<float>(colors.size());
+  }
+  for (float& channel : mean) channel = std::min(channel, 1.0f);  // Rounded, ten tenths are more than one.
+  return mean;
+}
+
+}  // namespace hapticell::workcell

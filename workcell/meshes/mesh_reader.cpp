@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/meshes/mesh_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/system/assertion.h"
+#include "workcell/text/file_content.h"
+#include "workcell/meshes/length_unit.h"
+#include "workcell/meshes/mesh_care.h"
+#include "workcell/meshes/mesh_formats.h"
+#include "workcell/meshes/obj_materials.h"
+#include "workcell/text/text_cursor.h"
+
+namespace hapticell::workcell {
+
+namespace {
+
+constexpr const char* kReadable = "a mesh as STL, OBJ, PLY or OFF";
+
+bool beginsWithUtf16(std::string_view content) {
+  return content.starts_with("\xFF\xFE") || content.starts_with("\xFE\xFF");
+}
+
+/// The first word of the first line that is neither empty nor a comment, within the file's beginning.
+std::string_view firstWord(std::string_view content) {
+  TextCursor cursor(content.substr(0, 65536));
+  while (cursor.nextLine()) {
+    const std::string_view word = cursor.nextWord();
+    if (!word.empty() && !word.starts_with('#')) return word;
+  }
+  return {};
+}
+
+bool isObjKeyword(std::string_view word) {
+  constexpr std::array<std::string_view, 11> kKeywords = {"v", "vn", "vt", "vp", "f",     "o",
+                                                          "g", "s",  "l",  "p",  "mtllib"};
+  return word == "usemtl" || std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
+}
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+/// What an unreadable file seems to be, for the message.
+std::string seemsToBe(std::string_view content) {
+  if (content.starts_with("ISO-10303-21")) return "a STEP file";
+  if (content.starts_with("glTF")) return "a glTF file";
+  if (content.starts_with("PK\x03\x04")) return "a zip archive";
+  if (content.substr(0, 4096).find("<COLLADA") != std::string_view::npos) return "a Collada file";
+  if (content.substr(0, 4096).find("<robot") != std::string_view::npos) return "a URDF robot";
+  if (beginsWithUtf16(content)) return "UTF-16 text";
+  return "a content of an unknown kind";
+}
+
+using Reader = Expected<RawMesh> (*)(std::string_view, Diagnostics&);
+
+Reader readerOf(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::kStlAscii:
+      return readStlAscii;
+    case MeshFormat::kStlBinary:
+      return readStlBinary;
+    case MeshFormat::kObj:
+      return readObj;
+    case MeshFormat::kPly:
+      return readPly;
+    case MeshFormat::kOff:
+      return readOff;
+    case MeshFormat::kUnknown:
+      break;
+  }
+  return nullptr;
+}
+
+/// `assumed`: nobody said metres either.
+void warnAboutUnit(const geometry::Bounds& bounds, bool assumed, Diagnostics& diagnostics) {
+  const bool open = assumed && unitIsOpen(bounds);
+  if (guessUnit(bounds) == LengthUnit::kMetre && !open) return;
+  const dvec3 size = bounds.size();
+  const double largest = std::max({size.x, size.y, size.z});
+  char text[200];
+  if (open) {
+    std::snprintf(text, sizeof text,
+                  "the file names no unit; it was read in metres and measures %.4g m; if it measures %.4g millimetres, "
+                  "say unit mm",
+                  largest, largest);
+  } else {
+    std::snprintf(
+        text, sizeof text,
+        "the file names no unit; read in metres it measures %.4g m, so millimetres seem to be meant (unit mm)",
+        largest);
+  }
+  diagnostics.warn(text);
+}
+
+void warnAboutWelding(const geometry::WeldReport& weld, Diagnostics& diagnostics) {
+  if (weld.degenerate_triangles > 0) {
+    diagnostics.warn(std::to_string(weld.degenerate_triangles) + " triangles without area were dropped");
+  }
+  if (weld.duplicate_triangles > 0) {
+    diagnostics.warn(std::to_string(weld.duplicate_triangles) + " triangles were there twice and dropped once");
+  }
+}
+
+Error named(Error error, const std::filesystem::path& name) {
+  if (error.file.empty()) error.file = name.string();
+  return error;
+}
+
+Error unreadable(std::string_view content) {
+  if (beginsWithUtf16(content)) {
+    return {"", "", "the file is UTF-16 text", "plain text (UTF-8)", "Save it again as UTF-8 or ASCII."};
+  }
+  return {"", "", seemsToBe(content), kReadable, "Export it in one of these."};
+}
+
+Expected<RawMesh> parseRaw(std::string_view content, const std::filesystem::path& name, MeshFormat& format,
+                           Diagnostics& diagnostics) {
+  if (content.empty()) return makeError({name.string(), "", "the file is empty", kReadable, ""});
+  format = probeMeshFormat(content, name.extension().string());
+  const Reader reader = readerOf(format);
+  if (!reader) return makeError(named(unreadable(content), name));
+  Expected<RawMesh> raw = reader(content, diagnostics);
+  if (!raw) return makeError(named(raw.error(), name));
+  return raw;
+}
+
+double unitOf(const RawMesh& raw, const MeshReadOptions& options) {
+  const double unit = options.scale.value_or(raw.metres_per_unit.value_or(1.0));
+  HAPTICELL_DEMAND(unit > 0.0 && std::isfinite(unit));
+  return unit;
+}
+
+/// To metres and, where asked for, welded; what welding did is added up.
+void finish(geometry::TriangleMesh& mesh, double metres_per_unit, const MeshReadOptions& options,
+            geometry::WeldReport& sum) {
+  for (dvec3& vertex : mesh.vertices) vertex *= metres_per_unit;
+  if (!options.weld) return;
+  const geometry::WeldReport weld = geometry::weld(mesh, geometry::weldTolerance(mesh));
+  sum.merged_vertices += weld.merged_vertices;
+  sum.degenerate_triangles += weld.degenerate_triangles;
+  sum.duplicate_triangles += weld.duplicate_triangles;
+}
+
+/// What is read to be counted only (unwelded) is judged by who counts.
+void warnAboutFacing(std::span<const geometry::TriangleMesh* const> meshes, const MeshReadOptions& options,
+                     Diagnostics& diagnostics) {
+  if (!options.weld) return;
+  FacingNote note;
+  for (const geometry::TriangleMesh* mesh : meshes) note.look(*mesh);
+  note.tell(diagnostics);
+}
+
+Error nothingLeft(const std::filesystem::path& name, std::uint64_t triangles_in_file) {
+  const char* found = triangles_in_file == 0 ? "no triangles" : "only triangles without area";
+  return {name.string(), "", found, "a mesh with at least one triangle", ""};
+}
+
+template <typename File>
+bool guessIsDue(const File& file, const MeshReadOptions& options) {
+  return options.warn_about_unit && file.metres_per_unit == 1.0 && !file.unit_is_stated;
+}
+
+}  // namespace
+
+const char* formatName(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::kStlAscii:
+    case MeshFormat::kStlBinary:
+      return "stl";
+    case MeshFormat::kObj:
+      return "obj";
+    case MeshFormat::kPly:
+      return "ply";
+    case MeshFormat::kOff:
+      return "off";
+    case MeshFormat::kUnknown:
+      break;
+  }
+  return "unknown";
+}
+
+MeshFormat probeMeshFormat(std::string_view content, std::string_view extension) {
+  if (hasLengthOfBinaryStl(content)) return MeshFormat::kStlBinary;
+  if (content.starts_with("ply\n") || content.starts_with("ply\r")) return MeshFormat::kPly;
+  const std::string named = lowerCase(extension);
+  const std::string_view word = firstWord(content);
+  const bool text = !beginsWithUtf16(content) && content.substr(0, 4096).find('\0') == std::string_view::npos;
+  if (!text) return named == ".stl" && !beginsWithUtf16(content) ? MeshFormat::kStlBinary : MeshFormat::kUnknown;
+  if (word.ends_with("OFF") && word.size() <= 7) return MeshFormat::kOff;
+  if (lowerCase(word.substr(0, 6)) == "solid") return MeshFormat::kStlAscii;
+  if (isObjKeyword(word)) return MeshFormat::kObj;
+  if (named == ".stl") return content.size() < 84 ? MeshFormat::kStlAscii : MeshFormat::kStlBinary;
+  if (named == ".obj" && seemsToBe(content) == "a content of an unknown kind") return MeshFormat::kObj;
+  return MeshFormat::kUnknown;
+}
+
+Expected<MeshFile> parseMeshFile(std::string_view content, const std::filesystem::path& name,
+                                 const MeshReadOptions& options, Diagnostics& diagnostics) {
+  MeshFile file;
+  Expected<RawMesh> raw = parseRaw(content, name, file.format, diagnostics);
+  if (!raw) return makeError(raw.error());
+  file.metres_per_unit = unitOf(*raw, options);
+  file.unit_is_stated = raw->metres_per_unit.has_value();
+  file.triangles_in_file = raw->mesh.triangles.size();
+  file.mesh = std::move(raw->mesh);
+  finish(file.mesh, file.metres_per_unit, options, file.weld);
+  if (file.mesh.triangles.empty()) return makeError(nothingLeft(name, file.triangles_in_file));
+  warnAboutWelding(file.weld, diagnostics);
+  warnAboutFacing(std::array<const geometry::TriangleMesh*, 1>{&file.mesh}, options, diagnostics);
+  if (guessIsDue(file, options)) warnAboutUnit(file.mesh.bounds(), !options.scale, diagnostics);
+  return file;
+}
+
+Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const MeshReadOptions& options, bool split,
+                                      Diagnostics& diagnostics) {
+  Expected<std::string> content = readFileContent(path);
+  if (!content) return makeError(content.error());
+  MeshFileParts file;
+  Expected<RawMesh> raw = parseRaw(*content, path, file.format, diagnostics);
+  if (!raw) return makeError(raw.error());
+  *content = {};
+  file.metres_per_unit = unitOf(*raw, options);
+  file.unit_is_stated = raw->metres_per_unit.has_value();
+  file.triangles_in_file = raw->mesh.triangles.size();
+  const auto materials = readObjMaterials(path, raw->material_files, diagnostics);
+  file.parts = partsOf(std::move(*raw), materials, split, diagnostics);
+  geometry::Bounds bounds;
+  for (MeshPart& part : file.parts) {
+    finish(part.mesh, file.metres_per_unit, options, file.weld);
+    bounds.add(part.mesh.bounds());
+  }
+  const std::size_t gone = std::erase_if(file.parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });
+  if (file.parts.empty()) return makeError(nothingLeft(path, file.triangles_in_file));
+  if (gone > 0) diagnostics.warn(std::to_string(gone) + " solids of triangles without area were left out");
+  warnAboutWelding(file.weld, diagnostics);
+  std::vector<const geometry::TriangleMesh*> meshes;
+  for (const MeshPart& part : file.parts) meshes.push_back(&part.mesh);
+  warnAboutFacing(meshes, options, diagnostics);
+  if (guessIsDue(file, options)) warnAboutUnit(bounds, !options.scale, diagnostics);
+  return file;
+}
+
+Expected<MeshFile> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
+                                Diagnostics& diagnostics) {
+  const Expected<std::string> content = readFileContent(path);
+  if (!content) return makeError(content.error());
+  return parseMeshFile(*content, path, options, diagnostics);
+}
+
+Expected<geometry::TriangleMesh> readMesh(const std::filesystem::path& path, const MeshReadOptions& options,
+                                          Diagnostics& diagnostics) {
+  Expected<MeshFile> file = readMeshFile(path, options, diagnostics);
+  if (!file) return makeError(file.error());
+  return std::move(file->mesh);
+}
+
+}  // namespace hapticell::workcell

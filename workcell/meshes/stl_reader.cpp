@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+
+#include "workcell/meshes/byte_source.h"
+#include "workcell/meshes/mesh_formats.h"
+#include "workcell/text/text_cursor.h"
+#include "workcell/meshes/unit_statement.h"
+
+namespace hapticell::workcell {
+
+namespace {
+
+constexpr std::size_t kHeaderBytes = 84;  // 80 of text, 4 of count.
+constexpr std::size_t kTriangleBytes = 50;
+constexpr const char* kTruncated = "The file is truncated: export it again.";
+
+bool sameWord(std::string_view word, std::string_view lower) {
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
+                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
+std::string triangleOf(std::size_t triangle, std::size_t count) {
+  return "triangle " + std::to_string(triangle + 1) + " of " + std::to_string(count);
+}
+
+std::uint32_t countInHeader(std::string_view content) {
+  return readNumber<std::uint32_t>(content.substr(80), std::endian::little);
+}
+
+Error wrongWord(const TextCursor& cursor, std::string_view word, const std::string& expected) {
+  if (word.empty()) return {"", cursor.place(), "the file ends", expected, kTruncated};
+  return {"", cursor.place(), inQuotes(word), expected, ""};
+}
+
+/// One facet behind its word "facet". The normal is not used (exporters write NaN there for slivers): any words pass.
+Expected<void> readFacet(TextCursor& cursor, geometry::TriangleMesh& mesh) {
+  cursor.restOfLine();
+  for (const char* expected : {"outer", "loop"}) {
+    const std::string_view word = cursor.nextWordOfText();
+    if (!sameWord(word, expected)) return makeError(wrongWord(cursor, word, "'outer loop'"));
+  }
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (int corner = 0; corner < 3; ++corner) {
+    const std::string_view word = cursor.nextWordOfText();
+    if (!sameWord(word, "vertex")) return makeError(wrongWord(cursor, word, "'vertex' (three of them a facet)"));
+    const Expected<dvec3> point = readPoint(cursor, "vertex");
+    if (!point) return makeError(point.error());
+    mesh.vertices.push_back(*point);
+  }
+  for (const char* expected : {"endloop", "endfacet"}) {
+    const std::string_view word = cursor.nextWordOfText();
+    if (!sameWord(word, expected)) return makeError(wrongWord(cursor, word, inQuotes(expected)));
+  }
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  return {};
+}
+
+}  // namespace
+
+bool hasLengthOfBinaryStl(std::string_view content) {
+  return content.size() >= kHeaderBytes && content.size() == kHeaderBytes + kTriangleBytes * countInHeader(content);
+}
+
+Expected<RawMesh> readStlAscii(std::string_view content, Diagnostics&) {
+  RawMesh raw;
+  geometry::TriangleMesh& mesh = raw.mesh;
+  TextCursor cursor(content);
+  bool in_solid = false;
+  while (true) {
+    const std::string_view word = cursor.nextWordOfText();
+    if (word.empty()) break;
+    if (!in_solid && sameWord(word, "solid")) {
+      const std::string_view name = cursor.restOfLine();
+      if (mesh.triangles.empty()) raw.metres_per_unit = statedUnit(name);
+      in_solid = true;
+    } else if (in_solid && sameWord(word, "facet")) {
+      if (auto facet = readFacet(cursor, mesh); !facet) return makeError(facet.error());
+    } else if (in_solid && sameWord(word, "endsolid")) {
+      cursor.restOfLine();
+      in_solid = false;
+    } else {
+      return makeError(wrongWord(cursor, word, in_solid ? "'facet' or 'endsolid'" : "'solid'"));
+    }
+  }
+  if (in_solid) return makeError(wrongWord(cursor, {}, "'facet' or 'endsolid'"));
+  return raw;
+}
+
+Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnostics) {
+  if (content.size() < kHeaderBytes) {
+    return makeError({"", "", std::to_string(content.size()) + " bytes",
+                      "at least the 84 bytes of a binary STL's header", kTruncated});
+  }
+  const std::size_t count = countInHeader(content);
+  const std::size_t room = (content.size() - kHeaderBytes) / kTriangleBytes;
+  const std::size_t spare = (content.size() - kHeaderBytes) % kTriangleBytes;
+  if (count > room) {
+    return makeError({"", triangleOf(room, count), "the file ends after " + std::to_string(content.size()) + " bytes",
+                      std::to_string(kHeaderBytes + kTriangleBytes * count) + " bytes", kTruncated});
+  }
+  if (count < room) {
+    return makeError({"", "header", "a count of " + std::to_string(count) + " triangles",
+                      std::to_string(room) + ", which is what the file's length holds", "Export the file again."});
+  }
+  if (spare > 0) diagnostics.warn(std::to_string(spare) + " bytes behind the last triangle were not read");
+  RawMesh raw;
+  raw.metres_per_unit = statedUnit(content.substr(0, kHeaderBytes - 4));
+  geometry::TriangleMesh& mesh = raw.mesh;
+  mesh.vertices.reserve(3 * count);
+  mesh.triangles.reserve(count);
+  for (std::size_t triangle = 0; triangle < count; ++triangle) {
+    const std::string_view bytes = content.substr(kHeaderBytes + kTriangleBytes * triangle + 12);
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      dvec3 point;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t at = 4 * (3 * corner + axis);
+        point[static_cast<int>(axis)] = readNumber<float>(bytes.substr(at), std::endian::little);
+      }
+      if (!isUsable(point)) return makeError(unusableCoordinate(triangleOf(triangle, count), "vertex", point));
+      mesh.vertices.push_back(point);
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return raw;
+}
+
+}  // namespace hapticell::workcell

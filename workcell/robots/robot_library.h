@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "workcell/robots/robot_toml.h"
+
+namespace hapticell::workcell {
+
+/// A robot of the shipped library: "library:NAME" loads it.
+struct LibraryRobot {
+  std::string name;
+  RobotSheet sheet;
+  std::filesystem::path file;  ///< robots/NAME.toml, or robots/NAME/robot.toml or robot.urdf.
+};
+
+/// All built-in robots, by name. Files that cannot be read are told in `diagnostics` and left out.
+std::vector<LibraryRobot> listLibraryRobots(Diagnostics& diagnostics);
+
+/// The file of one of them; an error that names some where there is none of that name.
+Expected<std::filesystem::path> findLibraryRobot(const std::string& name);
+
+/// What the maker allows at the flange, kg, of a robot with that SourceFile::path: as its robot.toml says, built-in or
+/// the user's own. 0 where nothing says it (URDF, SDF, mechanisms). An error where that file is missing or broken.
+Expected<double> ratedPayload(const std::string& source);
+
+}  // namespace hapticell::workcell

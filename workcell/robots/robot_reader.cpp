@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/robots/robot_reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "geometry/system/regular_file.h"
+#include "workcell/scenes/sdf_reader.h"
+#include "workcell/robots/srdf.h"
+#include "workcell/robots/xacro_file.h"
+
+namespace hapticell::workcell {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lowerExtension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+constexpr std::size_t kRobotHead = 65536;
+
+/// An XML text without its comments.
+std::string withoutComments(const std::string& text) {
+  std::string plain;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = text.find("<!--", at);
+    plain.append(text, at, begin - at);
+    if (begin == std::string::npos) break;
+    const std::size_t end = text.find("-->", begin + 4);
+    at = end == std::string::npos ? text.size() : end + 3;
+  }
+  return plain;
+}
+
+/// The name of the first element of an XML text without comments; empty where it begins otherwise, or later than there
+/// is text.
+std::string rootElementOf(const std::string& text) {
+  std::size_t at = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  while (at != std::string::npos && (text.compare(at, 2, "<?") == 0 || text.compare(at, 2, "<!") == 0)) {
+    const std::size_t end = text.find('>', at);
+    at = end == std::string::npos ? end : text.find_first_not_of(" \t\r\n", end + 1);
+  }
+  if (at == std::string::npos || text[at] != '<') return {};
+  return text.substr(at + 1, text.find_first_of(" \t\r\n/>", at + 1) - at - 1);
+}
+
+/// Whether something is defined, asked or worked out: a call of a macro that nothing defines is left of a file that was
+/// expanded without it, and no reason to take the file for a xacro.
+bool isXacroText(const std::string& text) {
+  static const std::regex defines(
+      R"(<xacro:(macro|property|include|arg|if|unless|insert_block|attribute|element)[\s/>]|\$\((arg|optenv|env|eval) )");
+  return std::regex_search(text, defines);
+}
+
+/// The moving joints on the way to each link that carries no other, as "rrp"; a turning joint is an "r", limited or
+/// not.
+std::map<std::string, int> freeLegs(const kinematics::RobotModel& model) {
+  std::vector<std::string> way(model.links.size());
+  std::vector<bool> carries(model.links.size(), false);
+  for (const kinematics::Joint& joint : model.joints) {
+    const auto parent = static_cast<std::size_t>(joint.parent_link);
+    carries[parent] = true;
+    const char* kind = joint.variable < 0 ? "" : joint.type == kinematics::JointType::kPrismatic ? "p" : "r";
+    way[static_cast<std::size_t>(joint.child_link)] = way[parent] + kind;
+  }
+  std::map<std::string, int> legs;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    if (!carries[i]) ++legs[way[i]];
+  }
+  return legs;
+}
+
+/// A parallel robot written as a tree, for URDF has no words for its loops: three or more equal legs that end free.
+void hintAtOpenLoops(const kinematics::RobotModel& model, Diagnostics& diagnostics) {
+  constexpr int kLegs = 3;
+  constexpr std::size_t kJoints = 3;
+  for (const auto& [way, count] : freeLegs(model)) {
+    if (count < kLegs || way.size() < kJoints) continue;
+    diagnostics.warn(
+        std::to_string(count) + " equal legs of " + std::to_string(way.size()) +
+        " joints end free: if this is a parallel robot, its loops are open, for the file does not state them; "
+        "close them with a robot.toml (docs/formats.md)");
+  }
+}
+
+}  // namespace
+
+std::optional<RobotFormat> robotFormatOf(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
+  const std::string extension = lowerExtension(file), head = geometry::headOfFile(file, kRobotHead);
+  if (extension == ".toml") return RobotFormat::kToml;
+  const std::size_t begin = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (begin == std::string::npos || head[begin] != '<') return std::nullopt;
+  if (extension == ".xacro") return RobotFormat::kXacro;
+  const std::string text = withoutComments(head), root = rootElementOf(text);
+  if (root == "robot") return isXacroText(text) ? RobotFormat::kXacro : RobotFormat::kUrdf;
+  if (extension == ".sdf" || extension == ".world" || root == "sdf") return RobotFormat::kSdf;
+  return extension == ".urdf" ? std::optional(RobotFormat::kUrdf) : std::nullopt;
+}
+
+const char* formatName(RobotFormat format) {
+  switch (format) {
+    case RobotFormat::kXacro:
+      return "xacro";
+    case RobotFormat::kSdf:
+      return "sdf";
+    case RobotFormat::kToml:
+      return "toml";
+    case RobotFormat::kUrdf:
+      break;
+  }
+  return "urdf";
+}
+
+Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, ImportMonitor* monitor,
+                              RobotContent content, const xacro::Arguments& arguments,
+                              std::vector<xacro::DeclaredArgument>* declared) {
+  const RobotFormat format = robotFormatOf(file).value_or(RobotFormat::kUrdf);  // Whose reader says what it is instead.
+  if (format != RobotFormat::kXacro && !arguments.empty())
+    diagnostics.warn("the file is no xacro; the value of '" + arguments.begin()->first + "' was not used");
+  if (format == RobotFormat::kToml) return readRobotToml(file, diagnostics);
+  Pose X_FB;
+  Expected<kinematics::RobotModel> model = [&]() -> Expected<kinematics::RobotModel> {
+    if (format == RobotFormat::kSdf) {
+      Expected<SdfRobot> read = readSdf(file, diagnostics, monitor);
+      if (!read) return makeError(read.error());
+      X_FB = read->X_FB;
+      return std::move(read->model);
+    }
+    if (format == RobotFormat::kUrdf) return readUrdf(file, diagnostics, monitor, content);
+    std::vector<xacro::DeclaredArgument> unasked;
+    const auto expanded = expandXacroFile(file, arguments, declared ? *declared : unasked, diagnostics);
+    if (!expanded) return makeError(expanded.error());
+    return readUrdfText(expanded->text, file, diagnostics, monitor, content, &expanded->places);
+  }();
+  if (!model) return makeError(model.error());
+  if (!model->closure) hintAtOpenLoops(*model, diagnostics);
+  TomlRobot robot;
+  robot.model = std::move(*model);
+  robot.X_FB = X_FB;
+  robot.sheet.name = robot.model.name;
+  if (const auto srdf = format == RobotFormat::kSdf ? std::nullopt : findSrdf(file, robot.model.name)) {
+    if (auto read = readSrdf(*srdf, robot.model, diagnostics); !read) return makeError(read.error());
+  }
+  return robot;
+}
+
+std::vector<xacro::DeclaredArgument> robotArguments(const fs::path& file, const xacro::Arguments& arguments) {
+  std::vector<xacro::DeclaredArgument> declared;
+  Diagnostics ignored;
+  if (robotFormatOf(file) == RobotFormat::kXacro)
+    static_cast<void>(expandXacroFile(file, arguments, declared, ignored));
+  return declared;
+}
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/model/robot_model.h"
+
+class TiXmlElement;
+
+namespace hapticell::workcell {
+
+class UrdfLines;
+
+/// A <visual> or <collision>.
+struct UrdfShape {
+  enum class Kind { kNone, kEmpty, kBox, kCylinder, kSphere, kCapsule, kMesh };
+  Kind kind = Kind::kNone;  ///< kNone: nothing that is known, see `reason`. kEmpty: a placeholder without size.
+  std::string reason;
+  dvec3 size{1.0};  ///< Edges of a box; scale of a mesh.
+  double radius = 0.0, length = 0.0;
+  std::string mesh;  ///< As the file names it.
+  Pose X_LS;
+  std::string material;  ///< Empty: none is named.
+  std::optional<std::array<float, 4>> color;
+  int line = 0;
+};
+
+struct UrdfLink {
+  std::string name;
+  int line = 0;
+  std::vector<UrdfShape> visuals, collisions;
+};
+
+struct UrdfJoint {
+  kinematics::Joint joint;  ///< Without links, variable and mimic.
+  std::string type;         ///< As the file says.
+  std::string parent, child;
+  std::string mimicked;  ///< Empty: it moves by itself.
+  double multiplier = 1.0, offset = 0.0;
+  bool states_velocity = true;
+  int line = 0, mimic_line = 0;
+};
+
+/// A <material>: its color, or what there is instead.
+struct UrdfMaterial {
+  std::string name;
+  std::optional<std::array<float, 4>> color;
+  bool textured = false;
+  int line = 0;
+};
+
+/// Reads the elements of a URDF file. What moves no joint and no shape is never refused: what is odd there becomes a
+/// warning. Errors have the line: numbers of origins, axes, limits and mimics that are none, a zero axis, a joint of an
+/// unknown type, without name or ends. Limits without end, crossed or missing mean no limit (as in PyBullet); each is a
+/// warning but "inf" itself.
+Expected<UrdfLink> readUrdfLink(const TiXmlElement& element, const UrdfLines& lines, Diagnostics& diagnostics);
+Expected<UrdfJoint> readUrdfJoint(const TiXmlElement& element, const UrdfLines& lines, Diagnostics& diagnostics);
+UrdfMaterial readUrdfMaterial(const TiXmlElement& element, const UrdfLines& lines, Diagnostics& diagnostics);
+
+}  // namespace hapticell::workcell

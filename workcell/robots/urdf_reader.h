@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "kinematics/model/robot_model.h"
+#include "xacro/expand.h"
+
+namespace hapticell::workcell {
+
+class ImportMonitor;
+
+/// How much of a robot's file is read.
+enum class RobotContent {
+  kAll,
+  kKinematics,  ///< Links and joints without their shapes: no mesh is looked for. Of URDF and xacro; others are read
+                ///< all.
+};
+
+/// Reads a robot from a URDF file with its meshes (any readable format) and boxes, cylinders, capsules and spheres.
+///
+/// Joints come depth first in the order of the file, variables from base to tip; mimic chains are resolved to the joint
+/// that moves. Meshes are found by findReference() and scaled by their own `scale`; one file is read once. A visual
+/// that cannot be read is replaced by the link's collision shapes, and a link without
+/// collision shapes is checked by its visual ones; each such case is told in `diagnostics`. A shape that cannot be had
+/// at all is left out, told and counted in Link::lost_shapes. Floating, planar and spherical joints
+/// are read as fixed, with a warning. Dynamics, inertias, efforts, transmissions, calibrations and safety controllers
+/// are passed over.
+///
+/// Errors name file, line, and the fix: what readUrdfStructure() refuses. Nothing throws. Any thread.
+/// `monitor` (may be null) is told of, and can end, the reading of meshes in the importer's process.
+Expected<kinematics::RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics,
+                                          ImportMonitor* monitor = nullptr, RobotContent content = RobotContent::kAll);
+
+/// The same of a text, as if it stood in the file `path` (for messages and relative mesh paths). `places` (may be
+/// null): where its lines come from.
+Expected<kinematics::RobotModel> readUrdfText(const std::string& text, const std::filesystem::path& path,
+                                              Diagnostics& diagnostics, ImportMonitor* monitor = nullptr,
+                                              RobotContent content = RobotContent::kAll,
+                                              const std::vector<xacro::Expanded::Place>* places = nullptr);
+
+}  // namespace hapticell::workcell

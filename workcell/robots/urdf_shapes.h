@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "kinematics/model/robot_model.h"
+#include "workcell/text/package_path.h"
+#include "workcell/scenes/scene_batch.h"
+#include "workcell/robots/urdf_elements.h"
+
+namespace hapticell::workcell {
+
+class UrdfLines;
+
+/// Turns the shapes of URDF links into meshes; reads each mesh file once.
+class UrdfShapes {
+ public:
+  /// `monitor` (may be null) is told of, and can end, the reading of Collada and other scene files.
+  UrdfShapes(const UrdfLines& lines, Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
+
+  /// Reads the scene files of all links together (see SceneBatch); fill() then finds them read.
+  void readAhead(const std::vector<UrdfLink>& links);
+
+  /// Fills the link's visuals and collisions; see readUrdf() for what replaces what. A shape that cannot be had is left
+  /// out, reported, and counted in Link::lost_shapes. The only error: the reading was cancelled.
+  Expected<void> fill(const UrdfLink& source, kinematics::Link& link);
+
+  /// Tells once, for the whole robot, which links are shown or checked otherwise than their file says.
+  void reportReplacements();
+
+ private:
+  using MeshKey = std::tuple<std::string, double, double, double>;
+
+  const UrdfLines& lines_;
+  std::filesystem::path folder_;
+  Diagnostics& diagnostics_;
+  SceneBatch scenes_;
+  std::map<std::string, std::optional<FoundFile>> found_;  ///< By what the file names.
+  std::map<MeshKey, std::shared_ptr<const geometry::TriangleMesh>> meshes_;
+  std::set<std::string> reported_, unreadable_formats_;
+  bool package_missing_ = false;
+  std::string link_;  ///< That is being filled.
+  std::vector<std::string> shown_by_collision_, checked_by_visual_, partly_, without_shape_;
+
+  /// A shape, or nothing where it cannot be had; `lost` is then counted up, unless nothing is missed of it.
+  std::optional<kinematics::LinkShape> shapeOf(const UrdfShape& source, int& lost);
+  std::shared_ptr<const geometry::TriangleMesh> fileMesh(const UrdfShape& source, std::string& file);
+  Expected<std::shared_ptr<const geometry::TriangleMesh>> scaledMesh(const UrdfShape& source,
+                                                                     const std::filesystem::path& path);
+  const std::optional<FoundFile>& find(const std::string& name);
+  void reportOnce(int line, const std::string& what, const std::string& sentence);
+};
+
+}  // namespace hapticell::workcell

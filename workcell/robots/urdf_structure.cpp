@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/robots/urdf_structure.h"
+
+#include <tinyxml.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "workcell/robots/urdf_lines.h"
+#include "xacro/xml_document.h"
+
+namespace hapticell::workcell {
+
+namespace {
+
+constexpr std::size_t kMostLinks = 5000;
+
+class StructureReader {
+ public:
+  StructureReader(const UrdfLines& lines, Diagnostics& diagnostics) : lines_(lines), diagnostics_(diagnostics) {}
+
+  Expected<UrdfStructure> read(const TiXmlElement& robot);
+
+ private:
+  const UrdfLines& lines_;
+  Diagnostics& diagnostics_;
+  UrdfStructure structure_;
+  std::map<std::string, int> link_lines_, joint_lines_;
+  std::map<std::string, const UrdfJoint*> mimics_;
+  std::map<std::string, UrdfMaterial> materials_;
+  std::map<std::string, int> undefined_, textured_;  ///< Materials without a color, with a line.
+
+  struct Unexpanded {
+    int line = 0;  ///< Of the first.
+    int count = 0;
+  };
+  std::map<std::string, Unexpanded> unexpanded_;  ///< Calls of macros that are not in the file.
+
+  Expected<void> readElement(const TiXmlElement& element);
+  void reportUnexpanded();
+  Expected<void> addWorld();
+  Expected<void> addLink(UrdfLink link);
+  Expected<void> addJoint(UrdfJoint joint);
+  void defineMaterial(UrdfMaterial material, bool at_top);
+  void defineMaterialsBelow(const TiXmlElement& element);
+  void colorShapes();
+  std::optional<std::array<float, 4>> colorOf(const UrdfShape& shape);
+  void reportColors();
+  void reportVelocities();
+  Expected<void> checkEnds() const;
+  Expected<void> checkMimics();
+  Expected<std::string> findRoot();
+  Expected<std::vector<UrdfJoint>> sortFrom(const std::string& root) const;
+};
+
+template <class T>
+std::string listOfNames(const T& names) {
+  std::string text;
+  std::size_t count = 0;
+  for (const std::string& name : names) {
+    if (++count > 8) return text + " and " + std::to_string(names.size() - 8) + " more";
+    text += std::string(count > 1 ? ", " : "") + "'" + name + "'";
+  }
+  return text;
+}
+
+Expected<void> StructureReader::addLink(UrdfLink link) {
+  const auto [known, fresh] = link_lines_.emplace(link.name, link.line);
+  if (!fresh) {
+    return lines_.refuse(link.line,
+                         "a second link '" + link.name + "' (the first is on " + lines_.words(known->second) + ")",
+                         "each name once", "Rename one of them.");
+  }
+  structure_.links.push_back(std::move(link));
+  return {};
+}
+
+Expected<void> StructureReader::addJoint(UrdfJoint joint) {
+  const auto [known, fresh] = joint_lines_.emplace(joint.joint.name, joint.line);
+  if (!fresh) {
+    return lines_.refuse(
+        joint.line, "a second joint '" + joint.joint.name + "' (the first is on " + lines_.words(known->second) + ")",
+        "each name once", "Rename one of them.");
+  }
+  structure_.joints.push_back(std::move(joint));
+  return {};
+}
+
+/// The first definition of a name counts; others are told where their color differs. One without color, texture or
+/// name defines nothing.
+void StructureReader::defineMaterial(UrdfMaterial material, bool at_top) {
+  if (material.name.empty() || (!material.color && !material.textured)) return;
+  const auto [known, fresh] = materials_.emplace(material.name, material);
+  if (fresh || !at_top || known->second.color == material.color) return;
+  diagnostics_.warn(lines_.words(material.line) + ": the material '" + material.name +
+                    "' is defined a second time with another color; the first, on " + lines_.words(known->second.line) +
+                    ", counts");
+}
+
+void StructureReader::defineMaterialsBelow(const TiXmlElement& element) {
+  for (const TiXmlElement* visual = element.FirstChildElement("visual"); visual;
+       visual = visual->NextSiblingElement("visual")) {
+    Diagnostics said_elsewhere;
+    if (const TiXmlElement* material = visual->FirstChildElement("material"))
+      defineMaterial(readUrdfMaterial(*material, lines_, said_elsewhere), false);
+  }
+}
+
+Expected<void> StructureReader::readElement(const TiXmlElement& element) {
+  const std::string& name = element.ValueStr();
+  static const std::set<std::string> kOfXacro = {"xacro:macro", "xacro:property", "xacro:include", "xacro:arg",
+                                                 "xacro:if", "xacro:unless", "xacro:insert_block"};
+  if (kOfXacro.count(name) > 0)
+    return lines_.refuse(element.Row(), "<" + name + ">", "plain URDF",
+                         "Give the file the ending .xacro, and it is expanded.");
+  if (name.starts_with("xacro:")) ++unexpanded_.try_emplace(name, Unexpanded{element.Row(), 0}).first->second.count;
+  if (name == "material") {
+    defineMaterial(readUrdfMaterial(element, lines_, diagnostics_), true);
+  } else if (name == "link") {
+    auto link = readUrdfLink(element, lines_, diagnostics_);
+    return link ? addLink(std::move(*link)) : makeError(link.error());
+  } else if (name == "joint") {
+    auto joint = readUrdfJoint(element, lines_, diagnostics_);
+    return joint ? addJoint(std::move(*joint)) : makeError(joint.error());
+  }
+  return {};
+}
+
+std::optional<std::array<float, 4>> StructureReader::colorOf(const UrdfShape& shape) {
+  if (shape.color) return shape.color;
+  if (shape.material.empty()) return std::nullopt;
+  const auto material = materials_.find(shape.material);
+  if (material == materials_.end())
+    undefined_.emplace(shape.material, shape.line);
+  else if (!material->second.color && material->second.textured)
+    textured_.emplace(shape.material, material->second.line);
+  return material == materials_.end() ? std::nullopt : material->second.color;
+}
+
+void StructureReader::colorShapes() {
+  for (UrdfLink& link : structure_.links) {
+    for (UrdfShape& shape : link.visuals) shape.color = colorOf(shape);
+  }
+}
+
+void StructureReader::reportColors() {
+  for (const auto& [name, line] : undefined_)
+    diagnostics_.warn(lines_.words(line) + ": the material '" + name +
+                      "' is defined nowhere; its links are shown grey");
+  for (const auto& [name, line] : textured_)
+    diagnostics_.warn(lines_.words(line) + ": the material '" + name +
+                      "' has a picture and no color; pictures are not shown, its links are grey");
+}
+
+void StructureReader::reportVelocities() {
+  std::vector<std::string> names;
+  int line = 0;
+  for (const UrdfJoint& joint : structure_.joints) {
+    if (joint.joint.type == kinematics::JointType::kFixed || joint.states_velocity || !joint.mimicked.empty()) continue;
+    if (joint.type == "continuous") continue;  // Limits are no part of it.
+    names.push_back(joint.joint.name);
+    if (line == 0) line = joint.line;
+  }
+  if (!names.empty())
+    diagnostics_.warn(lines_.words(line) + ": no finite velocity is stated for " + listOfNames(names) +
+                      "; 180 deg/s or 1 m/s is assumed where one is needed");
+}
+
+void StructureReader::reportUnexpanded() {
+  for (const auto& [name, calls] : unexpanded_)
+    diagnostics_.warn(lines_.words(calls.line) + ": <" + name + "> was never expanded (" + std::to_string(calls.count) +
+                      (calls.count > 1 ? " times" : " time") +
+                      "), and its macro is not in the file: what it stands for is left out");
+}
+
+/// The world needs no link of its own in some tools (Drake, Bullet): what is joined to it stands on the cell.
+Expected<void> StructureReader::addWorld() {
+  if (link_lines_.count("world") > 0) return {};
+  for (const UrdfJoint& joint : structure_.joints) {
+    if (joint.parent != "world") continue;
+    diagnostics_.warn(lines_.words(joint.line) + ": joint '" + joint.joint.name +
+                      "' hangs on 'world', which is no link of the file; it is taken as the root");
+    UrdfLink world;
+    world.name = "world";
+    world.line = joint.line;
+    return addLink(std::move(world));
+  }
+  return {};
+}
+
+Expected<void> StructureReader::checkEnds() const {
+  std::map<std::string, std::string> carried;
+  for (const UrdfJoint& joint : structure_.joints) {
+    for (const std::string& link : {joint.parent, joint.child}) {
+      if (!link_lines_.count(link)) {
+        return lines_.refuse(joint.line,
+                             "joint '" + joint.joint.name + "' names the link '" + link + "', which is not in the file",
+                             "the name of a link", "Add the link or correct the name.");
+      }
+    }
+    const auto [first, fresh] = carried.emplace(joint.child, joint.joint.name);
+    if (!fresh) {
+      return lines_.refuse(joint.line,
+                           "link '" + joint.child + "' is the child of two joints, '" + first->second + "' and '" +
+                               joint.joint.name + "'",
+                           "a tree",
+                           "URDF cannot say closed loops: leave one of the joints out, and close it with a robot.toml "
+                           "(docs/formats.md).");
+    }
+  }
+  return {};
+}
+
+Expected<void> StructureReader::checkMimics() {
+  for (const UrdfJoint& joint : structure_.joints) {
+    if (!joint.mimicked.empty()) mimics_[joint.joint.name] = &joint;
+  }
+  for (const auto& [name, first] : mimics_) {
+    const UrdfJoint* mimic = first;
+    for (std::size_t steps = 0;; ++steps) {
+      if (!joint_lines_.count(mimic->mimicked))
+        return lines_.refuse(mimic->mimic_line, "the joint '" + mimic->mimicked + "' to be mimicked is not in the file",
+                             "the name of a joint");
+      if (mimic->mimicked == name || steps > mimics_.size())
+        return lines_.refuse(first->mimic_line, "joint '" + name + "' mimics itself in a circle",
+                             "a joint that moves by itself at the end");
+      const auto next = mimics_.find(mimic->mimicked);
+      if (next == mimics_.end()) break;
+      mimic = next->second;
+    }
+  }
+  return {};
+}
+
+/// The root; links that hang on nothing, carry nothing and have no shape are left out.
+Expected<std::string> StructureReader::findRoot() {
+  std::set<std::string> children, parents;
+  for (const UrdfJoint& joint : structure_.joints) {
+    children.insert(joint.child);
+    parents.insert(joint.parent);
+  }
+  const auto is_root = [&](const UrdfLink& link) { return !children.count(link.name); };
+  const auto idle = [&](const UrdfLink& link) {
+    return is_root(link) && !parents.count(link.name) && link.visuals.empty() && link.collisions.empty();
+  };
+  auto& links = structure_.links;
+  if (std::count_if(links.begin(), links.end(), is_root) > 1 && !structure_.joints.empty()) {
+    for (const UrdfLink& link : links) {
+      if (idle(link))
+        diagnostics_.warn(lines_.words(link.line) + ": no joint names the link '" + link.name +
+                          "' and it has no shape; it is left out");
+    }
+    std::erase_if(links, idle);
+  }
+  std::vector<const UrdfLink*> roots;
+  for (const UrdfLink& link : links) {
+    if (is_root(link)) roots.push_back(&link);
+  }
+  if (roots.empty()) {
+    return lines_.refuse(structure_.joints.front().line, "the joints form a cycle: every link is the child of another",
+                         "a tree with one root link", "Leave out the joint that closes the cycle.");
+  }
+  if (roots.size() > 1) {
+    return lines_.refuse(roots[1]->line,
+                         "two root links, '" + roots[0]->name + "' (" + lines_.words(roots[0]->line) + ") and '" +
+                             roots[1]->name + "'" +
+                             (roots.size() > 2 ? ", and " + std::to_string(roots.size() - 2) + " more" : ""),
+                         "one link that is no joint's child", "Join them by a fixed joint.");
+  }
+  return roots.front()->name;
+}
+
+Expected<std::vector<UrdfJoint>> StructureReader::sortFrom(const std::string& root) const {
+  std::map<std::string, std::vector<const UrdfJoint*>> below;
+  for (const UrdfJoint& joint : structure_.joints) below[joint.parent].push_back(&joint);
+  std::vector<UrdfJoint> sorted;
+  std::set<std::string> reached = {root};
+  std::vector<const UrdfJoint*> open(below[root].rbegin(), below[root].rend());
+  while (!open.empty()) {
+    const UrdfJoint* joint = open.back();
+    open.pop_back();
+    sorted.push_back(*joint);
+    reached.insert(joint->child);
+    const auto& next = below[joint->child];
+    open.insert(open.end(), next.rbegin(), next.rend());
+  }
+  for (const UrdfJoint& joint : structure_.joints) {
+    if (!reached.count(joint.child)) {
+      return lines_.refuse(
+          joint.line,
+          "the joints form a cycle: link '" + joint.child + "' (joint '" + joint.joint.name + "') hangs on itself",
+          "a tree from the root link '" + root + "'", "Leave out the joint that closes the cycle.");
+    }
+  }
+  return sorted;
+}
+
+Expected<UrdfStructure> StructureReader::read(const TiXmlElement& robot) {
+  if (const char* name = robot.Attribute("name")) structure_.robot_name = name;
+  // Only direct children count: <transmission> and <ros2_control> repeat <joint name=…>.
+  for (const TiXmlElement* child = robot.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    if (auto read = readElement(*child); !read) return makeError(read.error());
+  }
+  for (const TiXmlElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link"))
+    defineMaterialsBelow(*link);
+  if (structure_.links.size() > kMostLinks)
+    return lines_.refuse(robot.Row(), std::to_string(structure_.links.size()) + " links", "at most 5000");
+  if (structure_.links.empty()) {
+    return lines_.refuse(robot.Row(), "<robot> has no links", "at least one <link>",
+                         "A file of macros is opened through the file that includes it.");
+  }
+  reportUnexpanded();
+  if (auto added = addWorld(); !added) return makeError(added.error());
+  if (auto checked = checkEnds(); !checked) return makeError(checked.error());
+  if (auto checked = checkMimics(); !checked) return makeError(checked.error());
+  const auto root = findRoot();
+  if (!root) return makeError(root.error());
+  auto sorted = sortFrom(*root);
+  if (!sorted) return makeError(sorted.error());
+  structure_.root_link = *root;
+  structure_.joints = std::move(*sorted);
+  colorShapes();
+  reportColors();
+  reportVelocities();
+  return std::move(structure_);
+}
+
+}  // namespace
+
+const UrdfLink& UrdfStructure::link(const std::string& name) const {
+  return *std::find_if(links.begin(), links.end(), [&name](const UrdfLink& link) { return link.name == name; });
+}
+
+Expected<UrdfStructure> readUrdfStructure(const std::string& content, const UrdfLines& lines,
+                                          Diagnostics& diagnostics) {
+  TiXmlDocument document;
+  if (auto parsed = xacro::parseXml(content, lines.file(), document); !parsed) return makeError(parsed.error());
+  const TiXmlElement* robot = document.RootElement();
+  if (!robot || robot->ValueStr() != "robot") {
+    return lines.refuse(robot ? robot->Row() : 0,
+                        robot ? "the root element <" + robot->ValueStr() + ">" : "no XML element",
+                        "<robot name=\"…\"> (URDF)");
+  }
+  return StructureReader(lines, diagnostics).read(*robot);
+}
+
+}  // namespace hapticell::workcell

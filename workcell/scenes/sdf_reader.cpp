@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/scenes/sdf_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <sdf/sdf.hh>
+
+#include "kinematics/closures/joint_graph.h"
+#include "workcell/scenes/sdf_robot.h"
+#include "workcell/scenes/sdf_shapes.h"
+#include "workcell/scenes/sdf_tidier.h"
+
+namespace hapticell::workcell {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using kinematics::GraphJoint;
+using kinematics::JointGraph;
+using kinematics::JointType;
+using kinematics::LinkShape;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = 1e15;  // SDF's own words for none are -1e16 and 1e16.
+
+/// An axis of a joint in the robot's frame M, with its own limits.
+struct SdfAxis {
+  dvec3 axis_M{0.0};
+  double lower = -kInfinity, upper = kInfinity, velocity = 0.0;
+};
+
+class SdfModelReader {
+ public:
+  SdfModelReader(const SdfSource& source, const sdf::Model& model, const fs::path& file, Diagnostics& diagnostics,
+                 ImportMonitor* monitor)
+      : model_(model), file_(file), diagnostics_(diagnostics), shapes_(source, asGazeboDoes(), monitor) {}
+
+  Expected<SdfRobot> read() {
+    graph_.name = model_.Name();
+    if (auto added = addModel(model_, "", Pose()); !added) return makeError(added.error());
+    if (graph_.links.empty())
+      return makeError(refusal("model '" + graph_.name + "'", "no links", "at least one <link>"));
+    if (shapes_.isCancelled()) return makeError({file_.string(), "", "the import was cancelled", "", ""});
+    setMimics();
+    graph_.root = root();
+    if (!graph_.joints.empty()) fixFreeLinks();
+    auto model = kinematics::modelOfGraph(graph_);
+    if (!model) {
+      Error error = model.error();
+      error.file = file_.string();
+      return makeError(std::move(error));
+    }
+    chooseTip(*model);
+    for (const std::string& note : shapes_.notes().warnings) diagnostics_.warn(file_.string() + ": " + note);
+    return SdfRobot{std::move(*model), graph_.links[static_cast<std::size_t>(graph_.root)].X_ML};
+  }
+
+ private:
+  Error refusal(const std::string& place, const std::string& found, const std::string& expected) const {
+    return {file_.string(), place, found, expected, ""};
+  }
+
+  int linkNamed(const std::string& name) const {
+    for (std::size_t k = 0; k < graph_.links.size(); ++k) {
+      if (graph_.links[k].link.name == name) return static_cast<int>(k);
+    }
+    return -1;
+  }
+
+  /// Links, then joints, of the model and of those inside it, whose names begin with `scope` ("load::").
+  Expected<void> addModel(const sdf::Model& model, const std::string& scope, const Pose& X_MN) {
+    for (std::uint64_t k = 0; k < model.LinkCount(); ++k) {
+      if (model.LinkByIndex(k)->Name() == kNoLink) continue;
+      if (auto added = addLink(*model.LinkByIndex(k), scope, X_MN); !added) return added;
+    }
+    for (std::uint64_t k = 0; k < model.ModelCount(); ++k) {
+      const sdf::Model& inside = *model.ModelByIndex(k);
+      ignition::math::Pose3d X;
+      if (const auto errors = inside.SemanticPose().Resolve(X, "__model__"); !errors.empty())
+        return makeError(refusal("model '" + inside.Name() + "'", firstOf(errors), "a pose that can be told"));
+      if (auto added = addModel(inside, scope + inside.Name() + "::", X_MN * toPose(X)); !added) return added;
+    }
+    for (std::uint64_t k = 0; k < model.JointCount(); ++k) {
+      if (auto added = addJoint(*model.JointByIndex(k), scope, X_MN); !added) return added;
+    }
+    return {};
+  }
+
+  template <typename Shape>
+  void addShape(const sdf::Link& link, const Shape& shape, std::vector<LinkShape>& shapes, const LinkShape& look) {
+    const auto mesh = shape.Geom() ? shapes_.meshOf(*shape.Geom(), link.Name()) : nullptr;
+    if (!mesh) return;
+    ignition::math::Pose3d pose;
+    if (const auto errors = shape.SemanticPose().Resolve(pose, link.Name()); !errors.empty()) {
+      diagnostics_.warn(file_.string() + ": link '" + link.Name() + "': a shape is left out, for its place cannot be "
+                        "told: " + firstOf(errors));
+      return;
+    }
+    LinkShape made = look;
+    made.mesh = mesh;
+    made.X_LS = toPose(pose);
+    made.source = shape.Geom()->MeshShape() ? "mesh" : "shape";
+    shapes.push_back(std::move(made));
+  }
+
+  Expected<void> addLink(const sdf::Link& source, const std::string& scope, const Pose& X_MN) {
+    kinematics::GraphLink link;
+    link.link.name = scope + source.Name();
+    ignition::math::Pose3d pose;
+    if (const auto errors = source.SemanticPose().Resolve(pose, "__model__"); !errors.empty())
+      return makeError(refusal("link '" + source.Name() + "'", firstOf(errors), "a pose that can be told"));
+    link.X_ML = X_MN * toPose(pose);
+    if (!link.X_ML.isValid())
+      return makeError(refusal("link '" + source.Name() + "'", "a pose that is not one", "finite numbers"));
+    LinkShape look;
+    for (std::uint64_t k = 0; k < source.VisualCount(); ++k) {
+      const sdf::Visual& visual = *source.VisualByIndex(k);
+      look.color = {0.7f, 0.7f, 0.7f, 1.0f};
+      if (const sdf::Material* material = visual.Material()) {
+        const auto c = material->Diffuse();
+        if (c.R() > 0.0f || c.G() > 0.0f || c.B() > 0.0f) look.color = {c.R(), c.G(), c.B(), 1.0f};
+      }
+      addShape(source, visual, link.link.visuals, look);
+    }
+    for (std::uint64_t k = 0; k < source.CollisionCount(); ++k) {
+      addShape(source, *source.CollisionByIndex(k), link.link.collisions, look);
+    }
+    if (link.link.collisions.empty()) link.link.collisions = link.link.visuals;
+    graph_.links.push_back(std::move(link));
+    return {};
+  }
+
+  /// The cell itself as a link, for joints that move against it.
+  int worldLink() {
+    if (const int known = linkNamed("world"); known >= 0) return known;
+    kinematics::GraphLink world;
+    world.link.name = "world";
+    ignition::math::Pose3d X_WM;
+    if (model_.SemanticPose().Resolve(X_WM).empty() && toPose(X_WM).isValid()) world.X_ML = toPose(X_WM).inverse();
+    graph_.links.push_back(std::move(world));
+    world_link_ = "world";
+    return static_cast<int>(graph_.links.size()) - 1;
+  }
+
+  Expected<void> addJoint(const sdf::Joint& source, const std::string& scope, const Pose& X_MN) {
+    const std::string place = "joint '" + scope + source.Name() + "'";
+    std::string parent, child;
+    if (const auto errors = source.ResolveParentLink(parent); !errors.empty())
+      return makeError(refusal(place, firstOf(errors), "the name of a link"));
+    if (const auto errors = source.ResolveChildLink(child); !errors.empty())
+      return makeError(refusal(place, firstOf(errors), "the name of a link"));
+    const bool to_world = parent == "world" || child == "world";
+    if (to_world && source.Type() == sdf::JointType::FIXED) {
+      if (world_link_.empty()) world_link_ = scope + (parent == "world" ? child : parent);
+      if (linkNamed("world") < 0) return {};
+    }
+    const auto number = [&](const std::string& name) { return name == "world" ? worldLink() : linkNamed(scope + name); };
+    GraphJoint joint;
+    joint.joint.name = scope + source.Name();
+    joint.joint.parent_link = number(parent);
+    joint.joint.child_link = number(child);
+    if (joint.joint.parent_link < 0 || joint.joint.child_link < 0)
+      return makeError(refusal(
+          place,
+          "it names the link '" + (joint.joint.parent_link < 0 ? parent : child) + "', which is not in the model",
+          "a link of it"));
+    ignition::math::Pose3d pose;
+    if (const auto errors = source.SemanticPose().Resolve(pose, "__model__"); !errors.empty())
+      return makeError(refusal(place, firstOf(errors), "a pose that can be told"));
+    joint.X_MJ = Pose::translation((X_MN * toPose(pose)).p);  // Axes are asked for in the model's frame.
+    return addTyped(source, joint, scope, X_MN, place);
+  }
+
+  Expected<std::vector<SdfAxis>> axesOf(const sdf::Joint& source, const std::string& scope, const Pose& X_MN,
+                                        const std::string& place) {
+    std::vector<SdfAxis> axes;
+    for (unsigned k = 0; k < 2; ++k) {
+      const sdf::JointAxis* axis = source.Axis(k);
+      if (!axis) continue;
+      ignition::math::Vector3d xyz;
+      if (const auto errors = axis->ResolveXyz(xyz, "__model__"); !errors.empty())
+        return makeError(refusal(place, firstOf(errors), "an axis"));
+      const sdf::ElementPtr own = axis->Element();  // The library takes z where it complains.
+      if (own && own->HasElement("xyz") && own->Get<ignition::math::Vector3d>("xyz").Length() < 1e-9) xyz = {0, 0, 0};
+      const dvec3 direction(xyz.X(), xyz.Y(), xyz.Z());
+      if (!(glm::length(direction) > 1e-9)) return makeError(refusal(place, "an axis of length zero", "a direction"));
+      SdfAxis made;
+      made.axis_M = X_MN.rotate(glm::normalize(direction));
+      made.lower = axis->Lower() < -kNoLimit ? -kInfinity : axis->Lower();
+      made.upper = axis->Upper() > kNoLimit ? kInfinity : axis->Upper();
+      made.velocity = axis->MaxVelocity() > 0.0 && axis->MaxVelocity() < kNoLimit ? axis->MaxVelocity() : 0.0;
+      if (std::isnan(made.lower) || made.lower > made.upper)
+        return makeError(refusal(place,
+                                 "its lower limit " + std::to_string(made.lower) + " is over the upper " +
+                                     std::to_string(made.upper),
+                                 "lower <= upper"));
+      axes.push_back(made);
+      noteMimic(*axis, scope, scope + source.Name(), k);
+    }
+    return axes;
+  }
+
+  /// One joint for each axis, with its own limits.
+  void addAxes(const GraphJoint& prototype, const std::vector<SdfAxis>& axes, bool slides) {
+    std::vector<dvec3> directions;
+    for (const SdfAxis& axis : axes) directions.push_back(axis.axis_M);
+    const std::size_t first = graph_.joints.size();
+    kinematics::addCompoundJoint(graph_, prototype, directions);
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      kinematics::Joint& joint = graph_.joints[first + k].joint;
+      joint.lower = axes[k].lower;
+      joint.upper = axes[k].upper;
+      joint.velocity = axes[k].velocity;
+      const bool endless = std::isinf(joint.lower) && std::isinf(joint.upper);
+      joint.type = slides ? JointType::kPrismatic : endless ? JointType::kContinuous : JointType::kRevolute;
+    }
+  }
+
+  Expected<void> addTyped(const sdf::Joint& source, GraphJoint& joint, const std::string& scope, const Pose& X_MN,
+                          const std::string& place) {
+    auto read = axesOf(source, scope, X_MN, place);
+    if (!read) return makeError(read.error());
+    std::vector<SdfAxis>& axes = *read;
+    const auto take = [&](std::size_t count, bool slides) -> Expected<void> {
+      if (axes.size() < count) return makeError(refusal(place, "no axis", "<axis> with <xyz>"));
+      axes.resize(count);
+      addAxes(joint, axes, slides);
+      return {};
+    };
+    switch (source.Type()) {
+      case sdf::JointType::FIXED:
+        joint.joint.type = JointType::kFixed;
+        graph_.joints.push_back(joint);
+        return {};
+      case sdf::JointType::CONTINUOUS:
+        for (SdfAxis& axis : axes) {  // Which goes round for ever whatever limits stand there.
+          axis.lower = -kInfinity;
+          axis.upper = kInfinity;
+        }
+        return take(1, false);
+      case sdf::JointType::REVOLUTE:
+        return take(1, false);
+      case sdf::JointType::PRISMATIC:
+        return take(1, true);
+      case sdf::JointType::UNIVERSAL:
+      case sdf::JointType::REVOLUTE2:
+        return take(2, false);
+      case sdf::JointType::BALL:
+        addAxes(joint, {{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}, false);
+        return {};
+      case sdf::JointType::SCREW:
+        return addScrew(source, joint, axes, place);
+      case sdf::JointType::GEARBOX:
+        diagnostics_.warn(file_.string() + ": " + place + " is a gearbox; it is left out");
+        return {};
+      case sdf::JointType::INVALID:
+        break;
+    }
+    return makeError(refusal(place, "a joint type that is not known",
+                             "revolute, continuous, prismatic, fixed, screw, universal, revolute2 or ball"));
+  }
+
+  Expected<void> addScrew(const sdf::Joint& source, GraphJoint& joint, const std::vector<SdfAxis>& axes,
+                          const std::string& place) {
+    if (axes.empty()) return makeError(refusal(place, "no axis", "<axis> with <xyz>"));
+    joint.joint.axis_J = axes[0].axis_M;
+    joint.joint.lower = axes[0].lower;
+    joint.joint.upper = axes[0].upper;
+    joint.joint.velocity = axes[0].velocity;
+    const bool endless = std::isinf(joint.joint.lower) && std::isinf(joint.joint.upper);
+    joint.joint.type = endless ? JointType::kContinuous : JointType::kRevolute;
+    const sdf::ElementPtr element = source.Element();
+    const sdf::ElementPtr metres = element ? element->FindElement("screw_thread_pitch") : nullptr;
+    const double pitch = metres ? std::strtod(metres->Get<std::string>().c_str(), nullptr)
+                                : -2.0 * M_PI / source.ThreadPitch();  // Until SDF 1.9: radians a metre, left-handed.
+    if (!(std::abs(pitch) > 1e-12 && std::abs(pitch) < 1e9))
+      return makeError(refusal(place, "a screw without pitch", "<thread_pitch>"));
+    kinematics::addScrewJoint(graph_, joint, pitch);
+    return {};
+  }
+
+  /// SDF 1.11: position = multiplier (position of the other - reference) + offset.
+  void noteMimic(const sdf::JointAxis& axis, const std::string& scope, const std::string& joint, unsigned number) {
+    const sdf::ElementPtr own = axis.Element();
+    const sdf::ElementPtr mimic = own ? own->FindElement("mimic") : nullptr;
+    if (!mimic) return;
+    const auto number_in = [&](const char* name, double otherwise) {
+      const sdf::ElementPtr element = mimic->FindElement(name);
+      return element ? std::strtod(element->Get<std::string>().c_str(), nullptr) : otherwise;
+    };
+    MimicOf made;
+    made.follower = {joint, number};
+    made.leader.first = scope + (mimic->GetAttribute("joint") ? mimic->GetAttribute("joint")->GetAsString() : "");
+    const auto leading = mimic->GetAttribute("axis");
+    made.leader.second = leading && leading->GetAsString() == "axis2" ? 1 : 0;
+    made.multiplier = number_in("multiplier", 1.0);
+    made.offset = number_in("offset", 0.0) - made.multiplier * number_in("reference", 0.0);
+    mimics_.push_back(made);
+  }
+
+  void setMimics() {
+    const auto find = [&](const std::pair<std::string, unsigned>& wanted) {
+      for (std::size_t k = 0; k < graph_.joints.size(); ++k) {
+        const std::string& name = graph_.joints[k].joint.name;
+        if ((wanted.second == 0 && name == wanted.first) ||
+            name == wanted.first + "_" + std::to_string(wanted.second + 1)) {
+          return static_cast<int>(k);
+        }
+      }
+      return -1;
+    };
+    for (const MimicOf& mimic : mimics_) {
+      const int follower = find(mimic.follower), leader = find(mimic.leader);
+      const bool chained = std::any_of(mimics_.begin(), mimics_.end(),
+                                       [&](const MimicOf& other) { return find(other.follower) == leader; });
+      if (follower < 0 || leader < 0 || chained) {
+        diagnostics_.warn(file_.string() + ": joint '" + mimic.follower.first + "' is read as one that moves by " +
+                          "itself: it follows '" + mimic.leader.first + "', " +
+                          (chained ? "which follows another itself" : "which is not there"));
+        continue;
+      }
+      graph_.joints[static_cast<std::size_t>(follower)].joint.mimic =
+          kinematics::Mimic{leader, mimic.multiplier, mimic.offset};
+    }
+  }
+
+  /// Bodies of the model that no joint reaches stand where the file puts them.
+  void fixFreeLinks() {
+    std::vector<int> group(graph_.links.size());
+    for (std::size_t k = 0; k < group.size(); ++k) group[k] = static_cast<int>(k);
+    const std::function<int(int)> find = [&](int k) {
+      return group[static_cast<std::size_t>(k)] == k ? k : find(group[static_cast<std::size_t>(k)]);
+    };
+    for (const GraphJoint& joint : graph_.joints) {
+      group[static_cast<std::size_t>(find(joint.joint.child_link))] = find(joint.joint.parent_link);
+    }
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      const int own = find(static_cast<int>(k)), base = find(graph_.root);
+      if (own == base) continue;
+      GraphJoint joint;
+      joint.joint.name = graph_.links[k].link.name + " stands";
+      joint.joint.parent_link = graph_.root;
+      joint.joint.child_link = static_cast<int>(k);
+      joint.X_MJ = graph_.links[k].X_ML;
+      graph_.joints.push_back(joint);
+      group[static_cast<std::size_t>(own)] = base;
+      diagnostics_.warn(file_.string() + ": no joint connects the link '" + graph_.links[k].link.name +
+                        "' to the root; it is fixed where it stands");
+    }
+  }
+
+  /// The link that is fixed to the world, else the first that is no joint's child, else the first.
+  int root() const {
+    if (const int at = linkNamed(world_link_); at >= 0) return at;
+    for (std::size_t k = 0; k < graph_.links.size(); ++k) {
+      const bool is_child = std::any_of(graph_.joints.begin(), graph_.joints.end(), [&](const GraphJoint& joint) {
+        return joint.joint.child_link == static_cast<int>(k);
+      });
+      const bool is_parent = std::any_of(graph_.joints.begin(), graph_.joints.end(), [&](const GraphJoint& joint) {
+        return joint.joint.parent_link == static_cast<int>(k);
+      });
+      const bool named_base = graph_.links[k].link.name.find("base") != std::string::npos;
+      if (!is_child && is_parent && (named_base || linkNamed("base_link") < 0)) return static_cast<int>(k);
+    }
+    return 0;
+  }
+
+  void chooseTip(kinematics::RobotModel& model) const {
+    for (const char* word : {"end_effector", "platform"}) {
+      for (const kinematics::GraphLink& link : graph_.links) {
+        const int at = model.findLink(link.link.name);
+        if (at > 0 && link.link.name.find(word) != std::string::npos) {
+          model.tip = at;
+          return;
+        }
+      }
+    }
+  }
+
+  struct MimicOf {
+    std::pair<std::string, unsigned> follower, leader;  // Joint, number of its axis.
+    double multiplier = 1.0, offset = 0.0;
+  };
+
+  const sdf::Model& model_;
+  const fs::path& file_;
+  Diagnostics& diagnostics_;
+  SdfShapes shapes_;
+  JointGraph graph_;
+  std::string world_link_;
+  std::vector<MimicOf> mimics_;
+};
+
+bool movesInside(const sdf::Model& model) {
+  if (hasMovingJoints(model)) return true;
+  for (std::uint64_t k = 0; k < model.ModelCount(); ++k) {
+    if (movesInside(*model.ModelByIndex(k))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool hasMovingJoints(const sdf::Model& model) {
+  for (std::uint64_t k = 0; k < model.JointCount(); ++k) {
+    if (model.JointByIndex(k)->Type() != sdf::JointType::FIXED) return true;
+  }
+  return false;
+}
+
+Expected<SdfRobot> readSdfRobot(const SdfSource& source, const sdf::Model& model, const fs::path& file,
+                                Diagnostics& diagnostics, ImportMonitor* monitor) {
+  return SdfModelReader(source, model, file, diagnostics, monitor).read();
+}
+
+Expected<SdfRobot> readSdf(const fs::path& file, Diagnostics& diagnostics, ImportMonitor* monitor) {
+  const auto source = SdfSource::load(file);
+  if (!source) return makeError(source.error());
+  const std::vector<const sdf::Model*> models = source->models();
+  if (models.empty()) return makeError({file.string(), "", "no model", "<model name=\"…\">", ""});
+  for (const std::string& warning : source->warnings()) diagnostics.warn(file.string() + ": " + warning);
+  const auto moving = std::find_if(models.begin(), models.end(), [](const sdf::Model* m) { return movesInside(*m); });
+  const sdf::Model* const model = moving == models.end() ? models.front() : *moving;
+  if (models.size() > 1) {
+    diagnostics.warn(file.string() + ": of " + std::to_string(models.size()) + " models only '" + model->Name() +
+                     "' is read, for it has joints that move");
+  }
+  Expected<SdfRobot> robot = readSdfRobot(*source, *model, file, diagnostics, monitor);
+  ignition::math::Pose3d X_FM;
+  if (robot && model->SemanticPose().Resolve(X_FM).empty() && toPose(X_FM).isValid())
+    robot->X_FB = toPose(X_FM) * robot->X_FB;
+  return robot;
+}
+
+}  // namespace hapticell::workcell

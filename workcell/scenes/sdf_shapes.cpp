@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/scenes/sdf_shapes.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <sdf/Box.hh>
+#include <sdf/Capsule.hh>
+#include <sdf/Cylinder.hh>
+#include <sdf/Ellipsoid.hh>
+#include <sdf/Sphere.hh>
+
+#include "geometry/shapes/shapes.h"
+#include "workcell/meshes/mesh_reader.h"
+#include "workcell/scenes/whole_mesh.h"
+
+namespace hapticell::workcell {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+dvec3 toVector(const ignition::math::Vector3d& v) {
+  return {v.X(), v.Y(), v.Z()};
+}
+
+void scaleOutward(geometry::TriangleMesh& mesh, const dvec3& scale) {
+  for (dvec3& vertex : mesh.vertices) vertex *= scale;
+  if (scale.x * scale.y * scale.z > 0.0) return;
+  for (geometry::Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);  // Outward stays outward.
+}
+
+/// The shapes that need no file; empty for all others.
+geometry::TriangleMesh plainShape(const sdf::Geometry& geometry) {
+  if (const auto* box = geometry.BoxShape()) return geometry::makeBox(toVector(box->Size()));
+  if (const auto* cylinder = geometry.CylinderShape()) {
+    return geometry::makeCylinder(cylinder->Radius(), cylinder->Length());
+  }
+  if (const auto* sphere = geometry.SphereShape()) return geometry::makeSphere(sphere->Radius());
+  if (const auto* capsule = geometry.CapsuleShape()) return geometry::makeCapsule(capsule->Radius(), capsule->Length());
+  if (const auto* ellipsoid = geometry.EllipsoidShape()) {
+    geometry::TriangleMesh mesh = geometry::makeSphere(1.0);
+    scaleOutward(mesh, toVector(ellipsoid->Radii()));
+    return mesh;
+  }
+  return {};
+}
+
+/// All that stands at or below nodes of that name; empty where there is none.
+geometry::TriangleMesh partOf(const ImportedScene& scene, const std::string& name) {
+  const std::vector<Pose> X_F = nodePoses(scene);
+  std::vector<bool> chosen(scene.nodes.size(), false);
+  geometry::TriangleMesh mesh;
+  for (std::size_t k = 0; k < scene.nodes.size(); ++k) {
+    const SceneNode& node = scene.nodes[k];
+    chosen[k] = node.name == name || node.instance == name ||
+                (node.parent >= 0 && chosen[static_cast<std::size_t>(node.parent)]);
+    if (chosen[k] && node.mesh >= 0) {
+      geometry::append(mesh, scene.meshes[static_cast<std::size_t>(node.mesh)], X_F[k]);
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+ImportOptions asGazeboDoes() {
+  ImportOptions options;
+  options.up_axis = UpAxis::kZ;
+  options.warn_about_unit = false;
+  return options;
+}
+
+SdfShapes::SdfShapes(const SdfSource& source, const ImportOptions& options, ImportMonitor* monitor)
+    : source_(source), scenes_(options, monitor), monitor_(monitor) {
+  std::vector<fs::path> files;
+  for (const SdfMeshFile& mesh : source.meshFiles()) files.push_back(mesh.file);
+  scenes_.readAhead(files);
+}
+
+Expected<geometry::TriangleMesh> SdfShapes::wholeOrPart(const fs::path& file, const sdf::Mesh& mesh) {
+  ImportOptions options = scenes_.options();
+  const bool scene = holdsScene(file);
+  if (!scene) options.metres_per_unit = 1.0;  // Gazebo reads no unit out of a mesh file.
+  if (mesh.Submesh().empty()) return readWholeMesh(file, options, notes_, &scenes_);
+  geometry::TriangleMesh part;
+  if (scene) {
+    const auto read = scenes_.scene(file);
+    if (!read) return makeError(read.error());
+    part = partOf(*read, mesh.Submesh());
+  } else {
+    auto parts = readMeshParts(file, {options.metres_per_unit, options.weld, false}, true, notes_);
+    if (!parts) return makeError(parts.error());
+    part = partOf(sceneOfParts(std::move(*parts), file.stem().string()), mesh.Submesh());
+  }
+  if (part.triangles.empty()) {
+    return makeError({file.string(), "", "no part '" + mesh.Submesh() + "' in it", "the part that <submesh> names", ""});
+  }
+  if (mesh.CenterSubmesh()) {
+    const dvec3 middle = part.bounds().center();
+    for (dvec3& vertex : part.vertices) vertex -= middle;
+  }
+  return part;
+}
+
+SdfShapes::MeshPointer SdfShapes::meshOfFile(const sdf::Mesh& mesh, const std::string& owner) {
+  const SdfMeshFile& file = source_.meshFile(mesh);
+  const dvec3 scale = toVector(mesh.Scale());
+  char size[100];
+  std::snprintf(size, sizeof size, "|%.17g %.17g %.17g|%d|", scale.x, scale.y, scale.z, mesh.CenterSubmesh());
+  const auto [known, is_new] = known_.try_emplace(file.file.string() + size + mesh.Submesh());
+  if (!is_new) return known->second;
+  auto read = wholeOrPart(file.file, mesh);
+  if (monitor_) monitor_->report("reading meshes", 1.0 - 1.0 / (1.0 + 0.1 * static_cast<double>(known_.size())));
+  if (!read) {
+    notes_.warn("'" + owner + "': its mesh " + file.uri + " is left out: " + read.error().message());
+    return nullptr;
+  }
+  scaleOutward(*read, scale);
+  return known->second = std::make_shared<const geometry::TriangleMesh>(std::move(*read));
+}
+
+SdfShapes::MeshPointer SdfShapes::meshOf(const sdf::Geometry& geometry, const std::string& owner) {
+  if (const auto* mesh = geometry.MeshShape()) return meshOfFile(*mesh, owner);
+  geometry::TriangleMesh mesh = plainShape(geometry);
+  return mesh.triangles.empty() ? nullptr : std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+}
+
+}  // namespace hapticell::workcell

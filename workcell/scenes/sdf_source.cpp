@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/scenes/sdf_source.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <sdf/sdf.hh>
+
+#include "geometry/system/scratch_folder.h"
+#include "workcell/scenes/sdf_files.h"
+#include "workcell/scenes/sdf_tidier.h"
+#include "workcell/scenes/sdf_xml.h"
+
+namespace hapticell::workcell {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What follows from another complaint, and is said in terms of the library's inside.
+bool isConsequence(const sdf::Error& error) {
+  return error.Code() == sdf::ErrorCode::FRAME_ATTACHED_TO_GRAPH_ERROR ||
+         error.Code() == sdf::ErrorCode::POSE_RELATIVE_TO_GRAPH_ERROR ||
+         error.Message().find("Failed to load a world") != std::string::npos;
+}
+
+void tellComplaints(const sdf::Errors& errors, std::vector<std::string>& warnings) {
+  constexpr std::size_t kMost = 8;
+  std::vector<std::string> told;
+  for (const sdf::Error& error : errors) {
+    const std::string words = firstOf({error});
+    if (isConsequence(error) || std::find(told.begin(), told.end(), words) != told.end()) continue;
+    told.push_back(words);
+  }
+  if (told.empty() && !errors.empty()) told.push_back(firstOf(errors));
+  for (std::size_t k = 0; k < std::min(told.size(), kMost); ++k) warnings.push_back("sdformat: " + told[k]);
+  if (told.size() > kMost) warnings.push_back("sdformat: " + std::to_string(told.size() - kMost) + " more complaints");
+}
+
+bool isSolid(const TiXmlElement& link) {
+  for (const char* kind : {"visual", "collision"}) {
+    for (const TiXmlElement* shape = link.FirstChildElement(kind); shape; shape = shape->NextSiblingElement(kind)) {
+      const TiXmlElement* geometry = shape->FirstChildElement("geometry");
+      const TiXmlElement* first = geometry ? geometry->FirstChildElement() : nullptr;
+      if (first && first->ValueStr() != "plane" && first->ValueStr() != "empty") return true;
+    }
+  }
+  return false;
+}
+
+/// What a model is, looked at from outside.
+struct ModelOutline {
+  bool solid = false, jointed = false, grouped = false;
+};
+
+class Outliner {
+ public:
+  /// All models and includes that stand in `parent`.
+  std::vector<ModelOutline> modelsIn(const TiXmlElement& parent, const fs::path& file, int depth) {
+    std::vector<ModelOutline> all;
+    constexpr int kDeepest = 20;
+    for (const TiXmlElement* child = parent.FirstChildElement(); child && depth < kDeepest;
+         child = child->NextSiblingElement()) {
+      if (child->ValueStr() == "model") all.push_back(outlineOfModel(*child, file, depth));
+      if (child->ValueStr() != "include") continue;
+      const fs::path taken = findSdfModel(textOf(child, "uri"), file);
+      const auto [known, is_new] = of_file_.try_emplace(taken.string());
+      if (is_new) {
+        TiXmlDocument document;
+        const auto root = taken.empty() ? Expected<TiXmlElement*>(makeError({})) : parseSdf(taken, document);
+        const TiXmlElement* model = root ? (*root)->FirstChildElement("model") : nullptr;
+        // A file that takes itself in finds no model there, as where it is read.
+        if (model) of_file_[taken.string()] = outlineOfModel(*model, taken, depth + 1);
+      }
+      if (const auto& model = of_file_[taken.string()]) all.push_back(*model);
+    }
+    return all;
+  }
+
+ private:
+  std::map<std::string, std::optional<ModelOutline>> of_file_;  // Each is read once, however often it is taken in.
+
+  ModelOutline outlineOfModel(const TiXmlElement& model, const fs::path& file, int depth) {
+    ModelOutline outline;
+    const bool moves = hasMovingJoint(model);
+    const TiXmlElement* const own_link = model.FirstChildElement("link");
+    for (const TiXmlElement* link = own_link; link; link = link->NextSiblingElement("link")) {
+      outline.solid = outline.solid || isSolid(*link);
+    }
+    const std::vector<ModelOutline> inside = modelsIn(model, file, depth + 1);
+    int jointed = 0, others = 0;
+    for (const ModelOutline& part : inside) {
+      outline.solid = outline.solid || part.solid;
+      jointed += part.jointed ? 1 : 0;
+      others += !part.jointed && part.solid ? 1 : 0;
+      outline.grouped = outline.grouped || part.grouped;
+    }
+    const bool has_models = model.FirstChildElement("model") || model.FirstChildElement("include");
+    if (own_link || !has_models) {
+      outline.jointed = moves || (own_link && jointed > 0);
+    } else {
+      outline.grouped = outline.grouped || moves;
+      outline.jointed = !moves && jointed == 1 && others == 0;
+    }
+    return outline;
+  }
+};
+
+}  // namespace
+
+Pose toPose(const ignition::math::Pose3d& X) {
+  return {{X.Pos().X(), X.Pos().Y(), X.Pos().Z()},
+          glm::normalize(dquat(X.Rot().W(), X.Rot().X(), X.Rot().Y(), X.Rot().Z()))};
+}
+
+std::string firstOf(const sdf::Errors& errors) {
+  std::string text = errors.front().Message();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text.substr(0, 400);
+}
+
+std::optional<SdfOutline> outlineOf(const fs::path& file) {
+  TiXmlDocument document;
+  const auto root = parseSdf(file, document);
+  if (!root) return std::nullopt;
+  SdfOutline outline;
+  const TiXmlElement* const world = (*root)->FirstChildElement("world");
+  outline.world = world != nullptr;
+  for (const ModelOutline& model : Outliner().modelsIn(world ? *world : **root, file, 0)) {
+    outline.models += model.solid || model.jointed ? 1 : 0;
+    outline.jointed += model.jointed ? 1 : 0;
+    outline.grouped = outline.grouped || model.grouped;
+  }
+  outline.world = outline.world || (*root)->FirstChildElement("include");
+  if ((*root)->FirstChildElement("model") && !world) outline.models = std::max(outline.models, 1);
+  return outline;
+}
+
+Expected<SdfSource> SdfSource::load(const fs::path& file) {
+  static std::mutex mutex;  // The library's console and its description of the format are one for the process.
+  const std::lock_guard lock(mutex);
+  sdf::Console::Instance()->SetQuiet(true);
+  // Where the copies of models that are taken in stand while the library reads them.
+  const auto folder = ScratchFolder::make();
+  if (!folder) {
+    return makeError({file.string(), "", "no folder for temporary files can be made", "room in the folder TMPDIR", ""});
+  }
+  SdfTidier tidier(folder->path());
+  const Expected<std::string> text = tidier.tidy(file);
+  if (!text) return makeError(text.error());
+  SdfSource source;
+  source.root_ = std::make_shared<sdf::Root>();
+  source.warnings_ = tidier.warnings();
+  source.meshes_ = std::move(tidier.meshes());
+  sdf::Errors errors;
+  try {
+    errors = source.root_->LoadSdfString(*text);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    return makeError({file.string(), "", "content that the SDF library does not get through", "SDF",
+                      "Check it with another program (gz sdf --check), or export it again."});
+  }
+  if (source.models().empty()) {
+    if (!errors.empty()) return makeError({file.string(), "", firstOf(errors), "valid SDF", ""});
+    if (!source.world()) return makeError({file.string(), "", "no model", "<model name=\"…\">", ""});
+  }
+  tellComplaints(errors, source.warnings_);
+  return source;
+}
+
+std::vector<const sdf::Model*> SdfSource::models() const {
+  std::vector<const sdf::Model*> all;
+  if (world()) {
+    for (std::uint64_t k = 0; k < world()->ModelCount(); ++k) all.push_back(world()->ModelByIndex(k));
+  } else if (root_->Model()) {
+    all.push_back(root_->Model());
+  }
+  return all;
+}
+
+const SdfMeshFile& SdfSource::meshFile(const sdf::Mesh& mesh) const {
+  static const SdfMeshFile kNone;
+  const auto number = static_cast<std::size_t>(std::strtoul(mesh.Uri().c_str(), nullptr, 10));
+  return number < meshes_.size() ? meshes_[number] : kNone;
+}
+
+}  // namespace hapticell::workcell

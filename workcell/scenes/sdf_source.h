@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <sdf/Mesh.hh>
+#include <sdf/Root.hh>
+#include <string>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "geometry/shapes/pose.h"
+
+namespace hapticell::workcell {
+
+/// A mesh file that an SDF file names.
+struct SdfMeshFile {
+  std::string uri;             ///< As it stands there.
+  std::filesystem::path file;  ///< Where it was found.
+};
+
+/// An SDF file with all models that it takes in, as libsdformat understands it: its frames say where everything stands.
+///
+/// Before the library sees the text it is tidied, since the library refuses a whole file for one bad word in what plays
+/// no part here: what has no effect on place, shape or motion is taken out (ContentReport), names that are there twice
+/// get a number, poses that are too short are filled with 0, populations become models, models and meshes that are not
+/// there are left out. All but the first of these are told in warnings(). A world is put around several models at the
+/// top, or an <include> there.
+class SdfSource {
+ public:
+  /// Errors: no XML, nested deeper than 200, not SDF, no model in it, a version that the library does not know. The
+  /// library's console is quiet from then on. Any thread.
+  static Expected<SdfSource> load(const std::filesystem::path& file);
+
+  /// Models stand in the (first) world, or there is one model without a world.
+  const sdf::Root& root() const { return *root_; }
+  /// Null where the file has no world.
+  const sdf::World* world() const { return root_->WorldCount() > 0 ? root_->WorldByIndex(0) : nullptr; }
+  /// All models at the top.
+  std::vector<const sdf::Model*> models() const;
+  /// The file behind a mesh of root().
+  const SdfMeshFile& meshFile(const sdf::Mesh& mesh) const;
+  const std::vector<SdfMeshFile>& meshFiles() const { return meshes_; }
+  /// Sentences without the file's name.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  std::shared_ptr<sdf::Root> root_;
+  std::vector<SdfMeshFile> meshes_;
+  std::vector<std::string> warnings_;
+};
+
+/// What stands at the top of an SDF file, told without the library: quick enough for isSdfCell().
+struct SdfOutline {
+  int models = 0;              ///< With a shape that is no plane, at the top.
+  int jointed = 0;             ///< With a joint that moves and links of their own, at the top or alone in a wrapper.
+  bool grouped = false;        ///< A joint that moves lies between models of a model without links of its own.
+  bool world = false;
+};
+
+/// Nothing where the file is no SDF. Models that are taken in are looked into.
+std::optional<SdfOutline> outlineOf(const std::filesystem::path& file);
+
+/// X_AB as the library has it.
+Pose toPose(const ignition::math::Pose3d& X_AB);
+
+/// The library's own words in one line of at most 400 bytes.
+std::string firstOf(const sdf::Errors& errors);
+
+}  // namespace hapticell::workcell

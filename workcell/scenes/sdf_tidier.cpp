@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/scenes/sdf_tidier.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "workcell/text/file_content.h"
+#include "workcell/scenes/sdf_files.h"
+#include "workcell/scenes/sdf_population.h"
+#include "workcell/text/text_cursor.h"
+
+namespace hapticell::workcell {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kNewestMinor = 9;  // Of SDF 1.x that the library reads.
+constexpr int kOldestListed = 4;
+constexpr int kFilesDeep = 20;
+constexpr std::size_t kMostElements = 200'000;
+
+int minorOf(const TiXmlElement& root) {
+  int minor = -1;
+  return std::sscanf(attributeOf(root, "version").c_str(), "1.%d", &minor) == 1 ? minor : -1;
+}
+
+/// What a place is called in a warning: the nearest name from the element upwards.
+std::string nameFor(const TiXmlElement* element) {
+  for (; element; element = element->Parent() ? element->Parent()->ToElement() : nullptr) {
+    const std::string own = attributeOf(*element, "name");
+    if (!own.empty()) return "'" + own + "'";
+    if (const std::string named = textOf(element, "name"); !named.empty()) return "'" + named + "'";
+  }
+  return "the file";
+}
+
+std::string textOfNumbers(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) {
+    char word[32];
+    std::snprintf(word, sizeof word, "%.17g", number);
+    text.append(text.empty() ? "" : " ").append(word);
+  }
+  return text;
+}
+
+/// How many numbers stand in an element of that name; 0: none.
+std::size_t numbersOfElement(const std::string& name) {
+  static const std::map<std::string, std::size_t> kCounts = {
+      {"size", 3},   {"radius", 1},   {"length", 1},       {"radii", 3},              {"scale", 3},
+      {"xyz", 3},    {"lower", 1},    {"upper", 1},        {"velocity", 1},           {"diffuse", 4},
+      {"offset", 1}, {"ambient", 4},  {"multiplier", 1},   {"screw_thread_pitch", 1}, {"thread_pitch", 1},
+      {"step", 3},   {"reference", 1}};
+  const auto found = kCounts.find(name);
+  return found == kCounts.end() ? 0 : found->second;
+}
+
+/// True where the text means the same in all versions from 1.4: no joints, no frames in the manner of 1.6, no names that
+/// stand for models inside models.
+bool isPlain(const TiXmlElement& element) {
+  if (element.ValueStr() == "joint" || element.Attribute("frame")) return false;
+  if (attributeOf(element, "name").find("::") != std::string::npos) return false;
+  for (const TiXmlElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    if (!isPlain(*child)) return false;
+  }
+  return true;
+}
+
+/// The model itself where an <include> names it, with that one's name and place: the library takes a tenth of a second
+/// for each file that it reads.
+void putInPlace(TiXmlElement& parent, TiXmlElement& include, const TiXmlElement& model, const std::string& name) {
+  TiXmlElement* const own = parent.InsertBeforeChild(&include, model)->ToElement();
+  own->SetAttribute("name", name);
+  const TiXmlElement* const pose = include.FirstChildElement("pose");
+  if (pose) {
+    while (TiXmlElement* known = own->FirstChildElement("pose")) own->RemoveChild(known);
+    own->InsertEndChild(*pose);
+  }
+  if (const std::string frame = textOf(&include, "placement_frame"); !frame.empty()) {
+    own->SetAttribute("placement_frame", frame);
+  }
+}
+
+void putMissing(const std::string& what, const std::map<std::string, int>& missing,
+                std::vector<std::string>& warnings) {
+  if (missing.empty()) return;
+  std::string names;
+  int count = 0;
+  for (const auto& [name, times] : missing) {
+    names += (names.empty() ? "" : ", ") + name + (times > 1 ? " (" + std::to_string(times) + " times)" : "");
+    count += times;
+  }
+  warnings.push_back(std::to_string(count) + " " + what + " and were left out: " + names);
+}
+
+}  // namespace
+
+Expected<std::string> SdfTidier::tidy(const fs::path& file) {
+  TiXmlDocument document;
+  const auto root = parseSdf(file, document);
+  if (!root) return makeError(root.error());
+  open_.insert(fs::absolute(file).lexically_normal().string());
+  const Place place = placeOf(**root, {file, 0, false});
+  arrangeTop(**root, place);
+  tidyChildren(**root, place);
+  if (refused_) return makeError(*refused_);
+  TiXmlPrinter printer;
+  printer.SetStreamPrinting();
+  (*root)->Accept(&printer);
+  return printer.Str();
+}
+
+std::vector<std::string> SdfTidier::warnings() const {
+  std::vector<std::string> all = told_;
+  report_.tell(all);
+  putMissing("models that it names are not there", missing_models_, all);
+  putMissing("meshes that it names are not there", missing_meshes_, all);
+  return all;
+}
+
+/// Sets a version that the library reads.
+SdfTidier::Place SdfTidier::placeOf(TiXmlElement& root, const Place& place) {
+  const int minor = minorOf(root);
+  if (minor < 0 && attributeOf(root, "version").empty()) root.SetAttribute("version", "1.6");
+  if (minor > kNewestMinor) root.SetAttribute("version", "1.9");
+  return {place.file, place.depth, minor >= 0 && minor < kOldestListed};
+}
+
+/// One world, or one model without a world.
+void SdfTidier::arrangeTop(TiXmlElement& root, const Place& place) {
+  int models = 0, includes = 0, worlds = 0;
+  for (TiXmlElement* child = root.FirstChildElement(); child;) {
+    TiXmlElement* const next = child->NextSiblingElement();
+    models += child->ValueStr() == "model" ? 1 : 0;
+    includes += child->ValueStr() == "include" ? 1 : 0;
+    if (child->ValueStr() == "world" && worlds++ > 0) {
+      tell(*child, place, "a second world is left out");
+      root.RemoveChild(child);
+    }
+    child = next;
+  }
+  if (worlds > 0 || (models == 1 && includes == 0) || models + includes == 0) return;
+  auto* const world = new TiXmlElement("world");  // The root owns it.
+  world->SetAttribute("name", "world_of_models");
+  for (TiXmlElement* child = root.FirstChildElement(); child;) {
+    TiXmlElement* const next = child->NextSiblingElement();
+    world->InsertEndChild(*child);
+    root.RemoveChild(child);
+    child = next;
+  }
+  root.LinkEndChild(world);
+}
+
+void SdfTidier::tell(const TiXmlElement& of, const Place& place, const std::string& what) {
+  const std::string where = place.depth > 0 ? " (" + place.file.filename().string() + ")" : "";
+  told_.push_back(nameFor(&of) + where + ": " + what);
+}
+
+void SdfTidier::tidyChildren(TiXmlElement& parent, const Place& place) {
+  Names names;
+  for (TiXmlElement* child = parent.FirstChildElement(); child;) {
+    TiXmlElement* const next = child->NextSiblingElement();
+    if (!keep(parent, *child, names, place)) parent.RemoveChild(child);
+    child = next;
+  }
+  const bool empty = parent.ValueStr() == "model" && !parent.FirstChildElement("link") &&
+                     !parent.FirstChildElement("model") && !parent.FirstChildElement("include");
+  if (!empty) return;
+  auto* const link = new TiXmlElement("link");  // The model owns it.
+  link->SetAttribute("name", kNoLink);
+  parent.LinkEndChild(link);
+}
+
+std::string SdfTidier::Siblings::own(const std::string& wanted) {
+  if (names.insert(wanted).second) return wanted;
+  int& number = last.try_emplace(wanted, 1).first->second;
+  std::string name;
+  do {
+    name = wanted + "_" + std::to_string(++number);
+  } while (!names.insert(name).second);
+  return name;
+}
+
+bool SdfTidier::count(std::size_t elements, const Place& place) {
+  elements_ += elements;
+  if (elements_ > kMostElements && !refused_)
+    refused_ = Error{place.file.string(), "", "more than 200 000 elements with all that it includes", "fewer",
+                     "Look for models that include each other several times, or cut the world into parts."};
+  return !refused_;
+}
+
+bool SdfTidier::keep(TiXmlElement& parent, TiXmlElement& child, Names& names, const Place& place) {
+  if (!count(1, place)) return false;
+  const std::string kind = child.ValueStr(), element = parent.ValueStr() + "/" + kind;
+  if (!place.lenient || report_.rule(element)) {
+    const std::string where = nameFor(&child) + (place.depth == 0 ? " in line " + std::to_string(child.Row()) : "");
+    if (report_.meet(element, where) != Treatment::kUsed) return false;
+  }
+  if (kind == "include") return keepInclude(parent, child, names, place);
+  if (kind == "population") {
+    settle(parent, child, names, place);
+    return false;
+  }
+  static const std::set<std::string> kNamed = {"model", "link", "joint", "frame", "visual", "collision", "world"};
+  if (kNamed.contains(kind)) giveName(child, names, place);
+  return keepByKind(parent, child, place);
+}
+
+bool SdfTidier::keepByKind(TiXmlElement& parent, TiXmlElement& child, const Place& place) {
+  const std::string kind = child.ValueStr();
+  if (kind == "pose") return keepPose(child, parent, place);
+  if (numbersOfElement(kind) > 0 && !child.FirstChildElement()) return keepNumbers(child, parent, place);
+  if (kind == "center" || kind == "use_parent_model_frame") return keepWord(child);
+  if (kind == "mesh" && parent.ValueStr() == "geometry") {
+    tidyChildren(child, place);
+    return keepMesh(child, place);
+  }
+  tidyChildren(child, place);
+  if (kind == "geometry") return keepShape(child, parent, place);
+  const bool shape = kind == "visual" || kind == "collision";
+  return !shape || child.FirstChildElement("geometry") != nullptr;
+}
+
+/// Every sibling has a name, and its own.
+void SdfTidier::giveName(TiXmlElement& element, Names& names, const Place& place) {
+  const std::string kind = element.ValueStr();
+  const std::string written = attributeOf(element, "name");
+  std::string wanted = written.empty() ? kind : written;
+  for (std::size_t at = wanted.find("::"); at != std::string::npos && !place.lenient; at = wanted.find("::")) {
+    const TiXmlElement* root = element.GetDocument() ? element.GetDocument()->RootElement() : nullptr;
+    if (root && minorOf(*root) < 8) break;  // Older files write models inside models so; the library takes them apart.
+    wanted.replace(at, 2, "_");
+  }
+  if ((wanted == "world" && kind != "world") || (wanted.starts_with("__") && wanted.ends_with("__"))) wanted += "_";
+  const std::string name = names[kind].own(wanted);
+  if (name == written) return;
+  if (!written.empty()) {
+    tell(element, place, "the name is there twice or not allowed; this <" + kind + "> is called '" + name + "'");
+  }
+  element.SetAttribute("name", name);
+}
+
+bool SdfTidier::keepPose(TiXmlElement& pose, const TiXmlElement& of, const Place& place) {
+  const std::string text = textOf(pose), format = attributeOf(pose, "rotation_format");
+  const bool quaternion = format == "quat_xyzw";
+  if (!format.empty() && !quaternion && format != "euler_rpy") {
+    tell(of, place, "the rotation format '" + format + "' is not known; roll, pitch, yaw is assumed");
+    pose.RemoveAttribute("rotation_format");
+  }
+  if (text.empty()) return true;
+  std::vector<double> numbers = numbersIn(text);
+  const auto usable = std::find_if_not(numbers.begin(), numbers.end(), [](double n) { return isUsable(n); });
+  numbers.erase(usable, numbers.end());
+  const std::size_t wanted = quaternion ? 7 : 6;
+  if (numbers.size() != wanted) {
+    tell(of, place,
+         "the pose '" + text + "' has " + std::to_string(numbers.size()) + " numbers instead of " +
+             std::to_string(wanted) + "; the others are taken as 0");
+    numbers.resize(wanted, 0.0);
+    setText(pose, textOfNumbers(numbers));
+  }
+  if (!quaternion) return true;
+  if (std::hypot(std::hypot(numbers[3], numbers[4]), std::hypot(numbers[5], numbers[6])) > 1e-9) return true;
+  tell(of, place, "the pose '" + text + "' has a quaternion of length 0; no rotation is assumed");
+  numbers[6] = 1.0;
+  setText(pose, textOfNumbers(numbers));
+  return true;
+}
+
+/// A word too many or too few would have the library refuse the file.
+bool SdfTidier::keepNumbers(TiXmlElement& element, const TiXmlElement& of, const Place& place) {
+  const std::string kind = element.ValueStr(), text = textOf(element);
+  const std::size_t wanted = numbersOfElement(kind);
+  std::vector<double> numbers = numbersIn(text);
+  const bool color = kind == "diffuse" || kind == "ambient";
+  if (color && numbers.size() == 3) numbers.push_back(1.0);
+  const bool limit = kind == "lower" || kind == "upper" || kind == "velocity";
+  if (limit && numbers.size() == 1 && std::isinf(numbers[0])) numbers[0] = std::copysign(1e16, numbers[0]);
+  const bool sound = numbers.size() == wanted &&
+                     std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
+  if (sound) {
+    setText(element, textOfNumbers(numbers));
+    return true;
+  }
+  if (color) return false;
+  const std::string assumed = kind == "scale"                            ? "; 1 is assumed"
+                              : kind == "lower" || kind == "upper"       ? "; no limit is assumed"
+                              : kind == "multiplier"                     ? "; 1 is assumed"
+                              : kind == "offset" || kind == "reference"  ? "; 0 is assumed"
+                                                                         : "";
+  tell(of, place,
+       "<" + kind + "> is '" + text + "' instead of " + std::to_string(wanted) + " number" + (wanted > 1 ? "s" : "") +
+           assumed);
+  return false;
+}
+
+/// "true" or "false"; what is neither is taken as its default.
+bool SdfTidier::keepWord(TiXmlElement& element) {
+  std::string word = textOf(element);
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (word != "true" && word != "false" && word != "1" && word != "0") return false;
+  setText(element, word == "true" || word == "1" ? "true" : "false");
+  return true;
+}
+
+bool SdfTidier::keepInclude(TiXmlElement& parent, TiXmlElement& include, Names& names, const Place& place) {
+  const std::string uri = textOf(&include, "uri");
+  const fs::path file = findSdfModel(uri, place.file);
+  const Taken taken = file.empty() ? Taken{} : take(file, place);
+  if (taken.file.empty()) {
+    ++missing_models_[uri + taken.why];
+    return false;
+  }
+  if (!count(taken.elements, place)) return false;
+  tidyChildren(include, place);
+  TiXmlElement* name = include.FirstChildElement("name");
+  if (!name) name = include.InsertEndChild(TiXmlElement("name"))->ToElement();
+  const std::string written = textOf(*name), wanted = written.empty() ? taken.name : written;
+  const std::string own = names["model"].own(wanted);
+  if (own != wanted && !written.empty()) tell(include, place, "the name is there twice; it is called '" + own + "'");
+  setText(*name, own);
+  setText(*include.FirstChildElement("uri"), taken.file.string());
+  if (include.FirstChildElement("placement_frame") && !include.FirstChildElement("pose")) {
+    include.InsertEndChild(TiXmlElement("pose"));
+  }
+  if (!taken.model || !attributeOf(include, "merge").empty()) return true;
+  putInPlace(parent, include, *taken.model, own);
+  return false;
+}
+
+const SdfTidier::Taken& SdfTidier::take(const fs::path& file, const Place& place) {
+  const std::string key = fs::absolute(file).lexically_normal().string();
+  if (const auto known = taken_.find(key); known != taken_.end()) return known->second;
+  static const Taken kLoop{{}, {}, " (it takes itself in)", nullptr, 0};
+  if (place.depth >= kFilesDeep || open_.contains(key)) return kLoop;
+  Taken taken;
+  TiXmlDocument document;
+  const auto root = parseSdf(file, document);
+  TiXmlElement* const model = root ? (*root)->FirstChildElement("model") : nullptr;
+  if (!model) {
+    taken.why = root ? " (no model in it)" : " (" + root.error().found + ")";
+    return taken_[key] = taken;
+  }
+  open_.insert(key);
+  for (TiXmlElement* child = (*root)->FirstChildElement(); child;) {
+    TiXmlElement* const next = child->NextSiblingElement();
+    if (child != model) (*root)->RemoveChild(child);
+    child = next;
+  }
+  const Place inside = placeOf(**root, {file, place.depth + 1, false});
+  const std::size_t before = std::exchange(elements_, 0);
+  tidyChildren(**root, inside);
+  taken.elements = std::exchange(elements_, before);
+  open_.erase(key);
+  taken.name = attributeOf(*model, "name");
+  if (!inside.lenient && isPlain(*model)) taken.model = std::make_shared<TiXmlElement>(*model);
+  taken.file = folder_ / (std::to_string(taken_.size()) + ".sdf");
+  TiXmlPrinter printer;
+  printer.SetStreamPrinting();
+  (*root)->Accept(&printer);
+  if (!writeFileAtomically(taken.file, printer.Str(), {.durable = false}))
+    taken = {{}, {}, " (no room for a copy)", nullptr, 0};
+  return taken_[key] = taken;
+}
+
+bool SdfTidier::keepMesh(TiXmlElement& mesh, const Place& place) {
+  const std::string uri = textOf(&mesh, "uri");
+  const auto found = findSdfFile(uri, place.file);
+  const fs::path file = found ? found->path : fs::path();
+  std::error_code ignored;
+  if (file.empty() || !fs::is_regular_file(file, ignored)) {
+    ++missing_meshes_[uri.empty() ? "a mesh without <uri>" : uri];
+    return false;
+  }
+  if (!found->taken_for_package.empty() && taken_packages_.insert(found->taken_for_package).second)
+    tell(mesh, place, takenForPackage(uri, *found));
+  const std::vector<double> scale = numbersIn(textOf(&mesh, "scale"));
+  if (std::find(scale.begin(), scale.end(), 0.0) != scale.end()) {
+    tell(mesh, place, "the mesh " + uri + " is left out: a scale of 0");
+    return false;
+  }
+  const auto [number, is_new] = mesh_numbers_.try_emplace(uri + "|" + file.string(), static_cast<int>(meshes_.size()));
+  if (is_new) meshes_.push_back({uri, file});
+  setText(*mesh.FirstChildElement("uri"), std::to_string(number->second));
+  return true;
+}
+
+/// A shape whose size is missing would get one that the standard makes up.
+bool SdfTidier::keepShape(TiXmlElement& geometry, const TiXmlElement& of, const Place& place) {
+  const TiXmlElement* const shape = geometry.FirstChildElement();
+  if (!shape) return false;  // Told where it was taken out.
+  static const std::map<std::string, std::vector<const char*>> kSizes = {{"box", {"size"}},
+                                                                         {"sphere", {"radius"}},
+                                                                         {"cylinder", {"radius", "length"}},
+                                                                         {"capsule", {"radius", "length"}},
+                                                                         {"ellipsoid", {"radii"}}};
+  const auto sizes = kSizes.find(shape->ValueStr());
+  if (sizes == kSizes.end()) return true;
+  for (const char* size : sizes->second) {
+    const std::vector<double> numbers = numbersIn(textOf(shape, size));
+    const bool positive = !numbers.empty() && std::all_of(numbers.begin(), numbers.end(),
+                                                          [](double n) { return n > 0.0 && isUsable(n); });
+    if (positive) continue;
+    tell(of, place, "is left out: a shape <" + shape->ValueStr() + "> without size");
+    return false;
+  }
+  return true;
+}
+
+/// Puts the models of a population where Gazebo does.
+void SdfTidier::settle(TiXmlElement& world, TiXmlElement& population, Names& names, const Place& place) {
+  const Population settled = populationOf(population);
+  if (!settled.remark.empty()) tell(population, place, settled.remark);
+  const TiXmlElement* source = population.FirstChildElement("model");
+  if (!source) source = population.FirstChildElement("include");
+  for (std::size_t k = 0; source && !refused_ && k < settled.positions.size(); ++k) {
+    TiXmlElement* const clone = world.InsertBeforeChild(&population, *source)->ToElement();
+    const std::string name = attributeOf(*source, "name") + "_clone_" + std::to_string(k);
+    while (TiXmlElement* pose = clone->FirstChildElement("pose")) clone->RemoveChild(pose);
+    TiXmlElement pose("pose");
+    const dvec3& p = settled.positions[k];
+    setText(pose, textOfNumbers({p.x, p.y, p.z, 0, 0, 0}));
+    clone->InsertEndChild(pose);
+    if (source->ValueStr() == "model") clone->SetAttribute("name", name);
+    if (!keep(world, *clone, names, place)) world.RemoveChild(clone);
+  }
+}
+
+}  // namespace hapticell::workcell

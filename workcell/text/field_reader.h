@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "geometry/system/error.h"
+#include "geometry/shapes/pose.h"
+
+namespace hapticell::workcell {
+
+using Json = nlohmann::ordered_json;
+
+/// Reads the members of one JSON object with checks. A member that is absent leaves its target as it is; one of the
+/// wrong kind is kept as the error (the first counts) and the rest goes on without effect, so that a reader need not
+/// ask each time.
+class FieldReader {
+ public:
+  /// `object` must outlive this; `place` is what messages call it ("entity 'table'").
+  FieldReader(const Json& object, std::string place, std::optional<Error>& error);
+
+  void read(const char* key, std::string& target);
+  void read(const char* key, bool& target);
+  void read(const char* key, double& target);  ///< Finite.
+  void read(const char* key, Pose& target);    ///< {"position": [x, y, z], "quaternion": [w, x, y, z]}
+  void read(const char* key, std::vector<std::string>& target);
+  void read(const char* key, std::map<std::string, std::string>& target);  ///< {"name": "text", …}
+  /// Exactly `count` finite numbers.
+  bool readNumbers(const char* key, std::size_t count, std::vector<double>& target);
+  /// One of the words; `target` becomes its index.
+  void readWord(const char* key, const std::vector<std::string>& words, int& target);
+  /// The member where it is of that kind (array or object); null when absent.
+  const Json* array(const char* key);
+  const Json* object(const char* key);
+
+  void require(const char* key);
+  /// Warns of members that nobody asked for: a misspelt key would else be without effect in silence.
+  void warnAboutOthers(Diagnostics& diagnostics) const;
+  void fail(const std::string& key, std::string found, std::string expected);
+
+ private:
+  const Json* member(const char* key);
+
+  const Json& object_;
+  std::string place_;
+  std::optional<Error>& error_;
+  std::set<std::string> asked_;
+};
+
+/// JSON text with one member a line, and lists of plain values in one line. Ends with a line end.
+std::string prettyText(const Json& value);
+
+Json toJson(const Pose& pose);
+
+}  // namespace hapticell::workcell
