@@ -8,6 +8,7 @@
 
 #include "bench/mannequin_goals.h"
 #include "bench/thread_clock.h"
+#include "geometry/system/percentile.h"
 #include "mannequin/ergonomics/advice/better_place.h"
 #include "mannequin/ergonomics/advice/body_sizes.h"
 #include "mannequin/ergonomics/advice/driving_parts.h"
@@ -18,13 +19,8 @@ namespace {
 
 using namespace hapticell;
 
-double quantile(std::vector<double> values, double q) {
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, static_cast<std::size_t>(q * static_cast<double>(values.size())))];
-}
-
 void row(const char* name, const std::vector<double>& ms) {
-  std::printf("| %s | %.2f | %.2f |\n", name, 1e3 * quantile(ms, 0.5), 1e3 * quantile(ms, 0.99));
+  std::printf("| %s | %.2f | %.2f |\n", name, 1e3 * percentile(ms, 0.5), 1e3 * percentile(ms, 0.99));
 }
 
 }  // namespace

@@ -6,11 +6,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "bench/mannequin_goals.h"
 #include "bench/mannequin_recorded.h"
+#include "geometry/system/percentile.h"
 #include "mannequin/body/joint_limits.h"
 #include "mannequin/posture/support_polygon.h"
 
@@ -31,12 +33,6 @@ struct Clock {
 
 double microseconds(Clock::time_point begin) {
   return Clock::now() - begin;
-}
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, static_cast<std::size_t>(q * static_cast<double>(values.size())))];
 }
 
 void measureKinematics(const Figure& figure) {
@@ -61,7 +57,9 @@ void measureKinematics(const Figure& figure) {
 
 Posture nearPosture(const Posture& reached, std::mt19937_64& random) {
   Posture near = reached;
-  const auto small = [&] { return (static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5) * 4.0 * M_PI / 180.0; };
+  const auto small = [&] {
+    return (static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5) * 4.0 * std::numbers::pi / 180.0;
+  };
   for (std::size_t i = 0; i < indexOf(Dof::kLeftHipFlexion); ++i) {
     const DofInfo& info = dofInfo(static_cast<Dof>(i));
     near.angles[i] += small();
@@ -91,8 +89,8 @@ void measureSolves(const Figure& figure, const char* name, const bench::GoalOpti
   std::printf(
       "%-34s %6d goals  %6.2f %%  median %7.1f  p99 %7.1f us  iterations %.1f  tries p50/p99 %.0f/%.0f  limits broken: "
       "%s\n",
-      name, count, 100.0 * solved / count, quantile(times, 0.5), quantile(times, 0.99),
-      static_cast<double>(iterations) / count, quantile(tries, .5), quantile(tries, .99),
+      name, count, 100.0 * solved / count, percentile(times, 0.5), percentile(times, 0.99),
+      static_cast<double>(iterations) / count, percentile(tries, .5), percentile(tries, .99),
       worst_limit > 0 ? "YES" : "no");
 }
 
@@ -133,7 +131,7 @@ void measureDrag(const Figure& figure, const char* name, bool two_hands, bool lo
     }
   }
   std::printf("%-34s %6zu ticks  median %7.1f  p99 %7.1f us  elbow step %.2f deg  feet %.3f mm\n", name, times.size(),
-              quantile(times, 0.5), quantile(times, 0.99), swing * 180.0 / M_PI, 1000.0 * foot);
+              percentile(times, 0.5), percentile(times, 0.99), swing * 180.0 / std::numbers::pi, 1000.0 * foot);
 }
 
 /// An object between both hands, 1 to 2 mm a tick along lines that lead out of reach: what the hands slip on it.
@@ -170,7 +168,7 @@ void measureHeldObject(const Figure& figure, int paths) {
     }
   }
   std::printf("%-34s %6zu ticks  median %7.1f  p99 %7.1f us  slip %.1e m, %.1e rad at most; out of reach %d %%\n",
-              "drag, held object", times.size(), quantile(times, 0.5), quantile(times, 0.99), slip, turn,
+              "drag, held object", times.size(), percentile(times, 0.5), percentile(times, 0.99), slip, turn,
               static_cast<int>(100 * beyond / static_cast<int>(times.size())));
 }
 
@@ -206,7 +204,8 @@ void measureFourSizes() {
     }
     times.push_back(microseconds(begin));
   }
-  std::printf("four sizes for one target: median %.0f us, p99 %.0f us\n", quantile(times, 0.5), quantile(times, 0.99));
+  std::printf("four sizes for one target: median %.0f us, p99 %.0f us\n", percentile(times, 0.5),
+              percentile(times, 0.99));
 }
 
 }  // namespace

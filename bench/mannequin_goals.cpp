@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mannequin/body/joint_limits.h"
 #include "mannequin/posture/limb_inverse.h"
@@ -20,7 +21,8 @@ double uniform(std::mt19937_64& random, double low, double high) {
 
 dmat3 randomShoulder(std::mt19937_64& random, Side side, double share) {
   while (true) {
-    const double psi = uniform(random, -M_PI, M_PI), rho = M_PI * std::sqrt(uniform(random, 0.0, 1.0));
+    const double psi = uniform(random, -std::numbers::pi, std::numbers::pi),
+                 rho = std::numbers::pi * std::sqrt(uniform(random, 0.0, 1.0));
     const double twist = uniform(random, kShoulderTwistLower, kShoulderTwistUpper);
     const double middle = 0.5 * (kShoulderTwistLower + kShoulderTwistUpper);
     const dmat3 R = ballRotation(BallJoint::kShoulder, side, share * rho, psi, middle + share * (twist - middle));

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "bench/thread_clock.h"
+#include "mannequin/motion/retarget.h"
 #include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/posture/limb_inverse.h"
-#include "mannequin/motion/retarget.h"
 
 namespace hapticell::bench {
 
@@ -64,7 +65,8 @@ RecordedError replayHandsAndFeet(const Figure& figure, const MotionClip& clip) {
       error.worst_hand_mm =
           std::max(error.worst_hand_mm, 1000.0 * glm::length(handPose(real, side).p - handPose(ours, side).p));
       if (motion->postures[f][armDof(side, Dof::kLeftElbowFlexion)] < 20.0 * kDegree) continue;
-      const double off = std::remainder(swivelOf(figure, real, side) - swivelOf(figure, ours, side), 2.0 * M_PI);
+      const double off =
+          std::remainder(swivelOf(figure, real, side) - swivelOf(figure, ours, side), 2.0 * std::numbers::pi);
       error.swivel_deg += std::abs(off) / kDegree;
       error.elbow_mm += 1000.0 * glm::length(real[forearm].p_WS - ours[forearm].p_WS);
       ++elbows;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <random>
 
 #include "bench/kinematics_figures.h"
@@ -53,7 +54,7 @@ void trackWhole(const char* robot, const char* what, const RobotModel& model, co
     solution.q = kinematics::test::randomJoints(model, random);
     const Pose X_0 = kinematics::test::tipPose(model, solution.q, tip);
     for (int i = 0; i < kSamples; ++i) {
-      const double s = 1e-2 * std::sin(2e-3 * M_PI * i);
+      const double s = 1e-2 * std::sin(2e-3 * std::numbers::pi * i);
       wanted[static_cast<std::size_t>(i)] = displaced(X_0, {s * dvec3(0.8, 0.5, 0.3), s * dvec3(1.0, 1.5, 0.8)});
     }
     std::vector<double> q = solution.q;
@@ -82,9 +83,10 @@ void throughTheWrist(const char* robot, const RobotModel& model, std::vector<dou
   constexpr int kSamples = 10000;
   for (int i = 0; i < kSamples; ++i) {
     const double t = 1e-3 * i;
-    const Pose X_BT = displaced(
-        X_0, {dvec3(0.0),
-              {0.25 * std::sin(0.4 * M_PI * t), 0.25 * std::sin(1.0 * M_PI * t), 0.05 * std::sin(0.4 * M_PI * t)}});
+    const Pose X_BT =
+        displaced(X_0, {dvec3(0.0),
+                        {0.25 * std::sin(0.4 * std::numbers::pi * t), 0.25 * std::sin(1.0 * std::numbers::pi * t),
+                         0.05 * std::sin(0.4 * std::numbers::pi * t)}});
     before = solution.q;
     ns.push_back(timed([&] { inverse->solveNearest(X_BT, before, 1e-3, solution); }));
     off = std::max(off, solution.position_error);

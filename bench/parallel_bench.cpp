@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -85,7 +86,7 @@ void hexapod(double tilt_deg) {
   while (poses.size() < kPoses) {
     const dvec3 axis = glm::normalize(dvec3(between(random, -1, 1), between(random, -1, 1), between(random, -1, 1)));
     const Pose X{{between(random, -0.12, 0.12), between(random, -0.12, 0.12), between(random, 0.45, 0.72)},
-                 glm::angleAxis(between(random, 0.0, tilt_deg * M_PI / 180.0), axis)};
+                 glm::angleAxis(between(random, 0.0, tilt_deg * std::numbers::pi / 180.0), axis)};
     if (robot.regularity(X) * sign <= 0.0) continue;  // Another assembly.
     poses.push_back(X);
     near.push_back(displaced(X, {{2e-4, -1e-4, 1e-4}, {2e-4, 1e-4, -3e-4}}));

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -165,7 +166,7 @@ std::vector<SolverRow> randomRows(std::mt19937_64& random) {
 std::vector<SolverRow> boreRows(std::mt19937_64&) {
   std::vector<SolverRow> rows(64);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double angle = 2.0 * M_PI * static_cast<double>(i) / 64.0;
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / 64.0;
     rows[i] = {{-std::cos(angle), -std::sin(angle), 0, 0, 0, 0}, 1e-3, false};
   }
   return rows;

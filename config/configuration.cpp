@@ -120,11 +120,15 @@ Expected<void> setValue(Configuration& configuration, std::string_view key, std:
   visitSettings(configuration, setter);
   if (!setter.known) {
     const std::string like = likeliest(configuration, key);
-    return makeError({"", "key '" + std::string(key) + "'", "there is no such key",
-                      like.empty() ? "" : "a key like " + like, "All keys stand in the shipped hapticell.toml."});
+    return makeError({.place = "key '" + std::string(key) + "'",
+                      .found = "there is no such key",
+                      .expected = like.empty() ? "" : "a key like " + like,
+                      .fix = "All keys stand in the shipped hapticell.toml."});
   }
   if (!setter.problem_range.empty()) {
-    return makeError({"", "key '" + std::string(key) + "'", '"' + std::string(text) + '"', setter.problem_range, ""});
+    return makeError({.place = "key '" + std::string(key) + "'",
+                      .found = '"' + std::string(text) + '"',
+                      .expected = setter.problem_range});
   }
   return {};
 }

@@ -35,7 +35,8 @@ Expected<void> applyPreset(Configuration& configuration, const toml::node& node)
   const std::string preset = node.value_or(std::string());
   if (preset == "shipped") return {};
   if (preset != "classic")
-    return makeError({"", lineOf(node) + ", key 'preset'", '"' + preset + '"', "shipped or classic", ""});
+    return makeError(
+        {.place = lineOf(node) + ", key 'preset'", .found = '"' + preset + '"', .expected = "shipped or classic"});
   configuration.manipulation.rate_hz = 10.0;
   configuration.gui.rate_hz = 10.0;
   return {};
@@ -60,7 +61,8 @@ Expected<void> applyTable(Configuration& configuration, const toml::table& table
     }
     const std::optional<std::string> text = textOf(node);
     auto done = text ? setValue(configuration, key, *text)
-                     : Expected<void>(makeError({"", "key '" + key + "'", "a list or a date", "one value", ""}));
+                     : Expected<void>(makeError(
+                           {.place = "key '" + key + "'", .found = "a list or a date", .expected = "one value"}));
     if (!done) {
       Error error = done.error();
       error.place = lineOf(node) + ", " + error.place;
@@ -74,8 +76,8 @@ Expected<void> applyTable(Configuration& configuration, const toml::table& table
 
 Expected<Configuration> readConfiguration(const std::string& path, const Configuration& base) {
   const auto text = geometry::readRegularFile(path, kLargestSettings);
-  if (!text) return makeError(text.error());
-  if (auto flat = geometry::checkNesting(*text, geometry::NestedText::kToml, path); !flat) return makeError(flat.error());
+  HAPTICELL_TRY(text);
+  HAPTICELL_TRY(geometry::checkNesting(*text, geometry::NestedText::kToml, path));
   toml::table root;
   try {
     root = toml::parse(*text, path);
@@ -101,7 +103,8 @@ Expected<std::string> findShippedFile(const std::string& relative) {
   std::vector<fs::path> folders;
   if (const char* named = std::getenv("HAPTICELL_CONFIG_DIR")) {
     if (!fs::path(named).is_absolute())
-      return makeError({"", "HAPTICELL_CONFIG_DIR", "'" + std::string(named) + "'", "an absolute path", ""});
+      return makeError(
+          {.place = "HAPTICELL_CONFIG_DIR", .found = "'" + std::string(named) + "'", .expected = "an absolute path"});
     folders.emplace_back(named);
   }
   std::error_code ignored;
@@ -111,20 +114,21 @@ Expected<std::string> findShippedFile(const std::string& relative) {
   for (const fs::path& folder : folders) {
     if (fs::exists(folder / relative, ignored)) return (folder / relative).string();
   }
-  return makeError({relative, "", "it is in none of the folders of shipped files", "",
-                    "Set HAPTICELL_CONFIG_DIR to the folder that holds hapticell.toml."});
+  return makeError({.file = relative,
+                    .found = "it is in none of the folders of shipped files",
+                    .fix = "Set HAPTICELL_CONFIG_DIR to the folder that holds hapticell.toml."});
 }
 
 Expected<Configuration> loadConfiguration(const std::string& extra) {
   const auto shipped = findShippedFile("hapticell.toml");
-  if (!shipped) return makeError(shipped.error());
+  HAPTICELL_TRY(shipped);
   auto configuration = readConfiguration(*shipped);
   const auto folder = userSettingsFolder();
-  if (!folder) return makeError(folder.error());
+  HAPTICELL_TRY(folder);
   const fs::path own = *folder / "hapticell.toml";
   std::error_code ignored;
   if (fs::exists(own, ignored)) {
-    if (auto trusted = checkUserFile(own); !trusted) return makeError(trusted.error());
+    HAPTICELL_TRY(checkUserFile(own));
     if (configuration) configuration = readConfiguration(own.string(), *configuration);
   }
   if (configuration && !extra.empty()) configuration = readConfiguration(extra, *configuration);

@@ -91,7 +91,11 @@ class TableReader {
       value = *number;
   }
   void fail(const toml::node& node, const std::string& key, const std::string& found, const std::string& expected) {
-    if (!error_) error_ = Error{file_, lineOf(node) + ", key '" + section_ + "." + key + "'", found, expected, ""};
+    if (!error_)
+      error_ = Error{.file = file_,
+                     .place = lineOf(node) + ", key '" + section_ + "." + key + "'",
+                     .found = found,
+                     .expected = expected};
   }
 
   const toml::table& table_;
@@ -149,19 +153,25 @@ std::optional<Error> readSection(const toml::node& node, const std::string& key,
   for (const Section& section : kSections) {
     if (key != section.name) continue;
     const toml::table* table = node.as_table();
-    if (table == nullptr) return Error{file, lineOf(node) + ", key '" + key + "'", "no table", "[" + key + "]", ""};
+    if (table == nullptr)
+      return Error{.file = file,
+                   .place = lineOf(node) + ", key '" + key + "'",
+                   .found = "no table",
+                   .expected = "[" + key + "]"};
     TableReader reader(*table, file, key);
     section.read(reader, profile);
     return reader.finish();
   }
-  return Error{file, lineOf(node) + ", key '" + key + "'", "there is no such key",
-               "[capabilities], [mechanics] or [electronics]", ""};
+  return Error{.file = file,
+               .place = lineOf(node) + ", key '" + key + "'",
+               .found = "there is no such key",
+               .expected = "[capabilities], [mechanics] or [electronics]"};
 }
 
 }  // namespace
 
 Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::string& name) {
-  if (auto flat = geometry::checkNesting(text, geometry::NestedText::kToml, name); !flat) return makeError(flat.error());
+  HAPTICELL_TRY(geometry::checkNesting(text, geometry::NestedText::kToml, name));
   DeviceProfile profile;
   toml::table document;
   try {
@@ -169,22 +179,28 @@ Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::str
   } catch (const toml::parse_error& problem) {
     const auto& at = problem.source().begin;
     const std::string place = "line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
-    return makeError({name, place, std::string(problem.description()), "TOML", ""});
+    return makeError({.file = name, .place = place, .found = std::string(problem.description()), .expected = "TOML"});
   }
   for (const auto& [key, node] : document) {
     if (auto error = readSection(node, std::string(key.str()), name, profile)) return makeError(std::move(*error));
   }
   if (profile.continuous_force > profile.peak_force) {
-    return makeError({name, "key 'capabilities.continuous_force'", textOf(profile.continuous_force),
-                      "no more than peak_force, " + textOf(profile.peak_force), ""});
+    return makeError({.file = name,
+                      .place = "key 'capabilities.continuous_force'",
+                      .found = textOf(profile.continuous_force),
+                      .expected = "no more than peak_force, " + textOf(profile.peak_force)});
   }
   if (profile.driven_axes != 3 && profile.driven_axes != 6) {
-    return makeError({name, "key 'capabilities.driven_axes'", std::to_string(profile.driven_axes),
-                      "3 (force) or 6 (force and torque)", ""});
+    return makeError({.file = name,
+                      .place = "key 'capabilities.driven_axes'",
+                      .found = std::to_string(profile.driven_axes),
+                      .expected = "3 (force) or 6 (force and torque)"});
   }
   if ((profile.driven_axes == 6) != (profile.peak_torque > 0.0)) {
-    return makeError({name, "key 'capabilities.peak_torque'", textOf(profile.peak_torque),
-                      "above 0 with driven_axes = 6, else 0", ""});
+    return makeError({.file = name,
+                      .place = "key 'capabilities.peak_torque'",
+                      .found = textOf(profile.peak_torque),
+                      .expected = "above 0 with driven_axes = 6, else 0"});
   }
   return profile;
 }
@@ -192,7 +208,7 @@ Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::str
 Expected<DeviceProfile> readDeviceProfile(const std::filesystem::path& file) {
   constexpr std::uintmax_t kMostBytes = 1'000'000;
   const auto text = geometry::readRegularFile(file, kMostBytes);
-  if (!text) return makeError({file.string(), "", text.error().found, "a device profile", ""});
+  if (!text) return makeError({.file = file.string(), .found = text.error().found, .expected = "a device profile"});
   return parseDeviceProfile(*text, file.string());
 }
 

@@ -35,13 +35,14 @@ Expected<fs::path> userFolder(const char* variable, const char* below_home, cons
   const fs::path home = absolutePath("HOME");
   if (!home.empty()) return home / below_home / "hapticell";
   const char* const found = std::getenv("HOME");
-  return makeError({"", "the folder of " + what,
-                    found == nullptr ? "HOME is not set"
-                                     : (*found == '\0' ? std::string("HOME is empty")
-                                                       : "HOME is '" + std::string(found) + "', no absolute path"),
-                    "the home folder of this user",
-                    std::string("Set HOME") + (variable != nullptr ? std::string(" or ") + variable : std::string()) +
-                        ". Nothing is looked for in the current folder."});
+  return makeError(
+      {.place = "the folder of " + what,
+       .found = found == nullptr ? "HOME is not set"
+                                 : (*found == '\0' ? std::string("HOME is empty")
+                                                   : "HOME is '" + std::string(found) + "', no absolute path"),
+       .expected = "the home folder of this user",
+       .fix = std::string("Set HOME") + (variable != nullptr ? std::string(" or ") + variable : std::string()) +
+              ". Nothing is looked for in the current folder."});
 }
 
 std::string nameOf(uid_t user) {
@@ -65,7 +66,10 @@ bool isGroupOfItsOwn(gid_t id, uid_t owner) {
 }
 
 tl::unexpected<Error> refuse(const fs::path& path, std::string found, std::string fix) {
-  return makeError({path.string(), "", std::move(found), "what only you (and root) may write", std::move(fix)});
+  return makeError({.file = path.string(),
+                    .found = std::move(found),
+                    .expected = "what only you (and root) may write",
+                    .fix = std::move(fix)});
 }
 
 /// `also` is believed besides root and this user.
@@ -139,7 +143,7 @@ Expected<void> makeOwnFolder(const fs::path& folder) {
     made /= step;
     if (fs::exists(made, ignored)) continue;
     if (::mkdir(made.c_str(), 0700) != 0 && errno != EEXIST)
-      return makeError({made.string(), "", std::strerror(errno), "a folder that can be made", ""});
+      return makeError({.file = made.string(), .found = std::strerror(errno), .expected = "a folder that can be made"});
   }
   return checkUserFile(folder);
 }

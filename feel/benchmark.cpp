@@ -92,14 +92,16 @@ Expected<std::vector<Figure>> runBenchmark(const BenchmarkOptions& options) {
   const std::string known = names(jobs);
   std::erase_if(jobs, [&](const FigureJob& job) { return !wanted(job, only); });
   if (jobs.empty()) {
-    return makeError({"", "--only", "'" + options.only + "'", "one of " + known,
-                      options.timing ? "" : "M7 and M11 are measured only with --timing."});
+    return makeError({.place = "--only",
+                      .found = "'" + options.only + "'",
+                      .expected = "one of " + known,
+                      .fix = options.timing ? "" : "M7 and M11 are measured only with --timing."});
   }
   Answers answers(jobs.size(), Expected<std::vector<Figure>>(std::vector<Figure>{}));
   runAll(jobs, options, answers);
   std::vector<Figure> figures;
   for (const auto& answer : answers) {
-    if (!answer) return tl::unexpected(answer.error());
+    HAPTICELL_TRY(answer);
     std::copy_if(answer->begin(), answer->end(), std::back_inserter(figures),
                  [&](const Figure& figure) { return wanted(figure, only); });
   }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/system/assertion.h"
+#include "geometry/system/percentile.h"
 
 namespace hapticell::feel {
 
@@ -14,12 +15,6 @@ namespace {
 constexpr double kTick = 0.001;
 constexpr double kAfterChange = 0.05;  // s after a change of contacts that are left out: true impacts.
 constexpr double kLeastDepth = 0.3e-3;
-
-double percentile(std::vector<double> values, double part) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
 
 std::unique_ptr<RenderingWay> wayOf(const SessionSetup& setup) {
   if (setup.classic) return std::make_unique<ClassicWay>(setup.renderer);
@@ -34,8 +29,8 @@ SessionSetup withTorque(SessionSetup setup) {
 haptic::SafetyOptions limitsOf(const SessionSetup& setup) {
   haptic::SafetyOptions options;
   options.peak_torque = setup.renderer.peak_torque;
-  // What becomes unstable is to be seen, not to be stopped; and a conveyor's session begins beyond the arm's reach, from
-  // where the arm is thrown.
+  // What becomes unstable is to be seen, not to be stopped; and a conveyor's session begins beyond the arm's reach,
+  // from where the arm is thrown.
   options.speed_limit = 1e9;
   return options;
 }

@@ -37,7 +37,7 @@ FeelFigures slide(const FeelScene& scene, const SessionSetup& setup) {
 
 Expected<std::vector<Figure>> networkFigures(const NamedScene& named) {
   const auto scene = named.make();
-  if (!scene) return tl::unexpected(scene.error());
+  HAPTICELL_TRY(scene);
   std::vector<Figure> figures;
   for (const double delay : kDelays) {
     SessionSetup setup;

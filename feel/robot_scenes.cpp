@@ -139,7 +139,7 @@ struct Robot {
 Expected<Robot> loadRobot(bool limited) {
   Diagnostics diagnostics;
   auto entity = workcell::EntityLoader(".").load("library:hc6", 1.0, diagnostics);
-  if (!entity) return tl::unexpected(entity.error());
+  HAPTICELL_TRY(entity);
   auto model = std::make_shared<kinematics::RobotModel>(*entity->robot);
   if (limited) {
     kinematics::Joint& joint = model->joints[static_cast<std::size_t>(model->moving[kForearm - 1])];
@@ -148,14 +148,14 @@ Expected<Robot> loadRobot(bool limited) {
   int tip = model->findLink(entity->tip_link);
   if (tip < 0) tip = model->defaultTip();
   auto inverse = kinematics::NumericInverse::create(*model, tip, entity->X_LT);
-  if (!inverse) return tl::unexpected(inverse.error());
+  HAPTICELL_TRY(inverse);
   return Robot{model, {tip, entity->X_LT}, std::move(*inverse)};
 }
 
 template <typename Scene>
 Expected<std::unique_ptr<FeelScene>> makeScene(bool limited) {
   auto robot = loadRobot(limited);
-  if (!robot) return tl::unexpected(robot.error());
+  HAPTICELL_TRY(robot);
   return std::unique_ptr<FeelScene>(
       std::make_unique<Scene>(std::move(robot->model), robot->tool, std::move(robot->inverse)));
 }

@@ -109,7 +109,7 @@ std::vector<Sliding> movedSlidings() {
 Expected<FeelFigures> slide(const Sliding& sliding, SessionSetup setup) {
   if (sliding.torque) setup.device.driven_axes = 6, setup.device.peak_torque = kPeakTorque;
   const auto scene = sliding.scene.make();
-  if (!scene) return tl::unexpected(scene.error());
+  HAPTICELL_TRY(scene);
   FeelSession session(**scene, setup);
   touchAndSlide(session, **scene, sliding.duration);
   FeelFigures figures = session.figures();
@@ -141,13 +141,13 @@ Expected<std::vector<Figure>> slidingFigures(const Sliding& sliding) {
   old.rate = kRates[0];
   old.classic = true;
   const auto classic = slide(sliding, old);
-  if (!classic) return tl::unexpected(classic.error());
+  HAPTICELL_TRY(classic);
   std::vector<Figure> figures;
   for (const ClientRate& rate : kRates) {
     SessionSetup setup;
     setup.rate = rate;
     const auto ours = slide(sliding, setup);
-    if (!ours) return tl::unexpected(ours.error());
+    HAPTICELL_TRY(ours);
     append(sliding, rateName(rate), *ours, *classic, figures);
   }
   return figures;
@@ -201,7 +201,7 @@ double insideBeyondZone(const FeelScene& scene, const SessionSetup& setup) {
 Expected<std::vector<Figure>> stallFigures(const NamedScene& named) {
   std::vector<Figure> figures;
   const auto scene = named.make();
-  if (!scene) return tl::unexpected(scene.error());
+  HAPTICELL_TRY(scene);
   SessionSetup old;
   old.rate = kRates[0];
   old.classic = true;

@@ -44,7 +44,7 @@ SessionSetup delayed(const ClientRate& rate, int ticks) {
 
 Expected<std::vector<Figure>> restFigures(const NamedScene& named, bool full) {
   const auto scene = named.make();
-  if (!scene) return tl::unexpected(scene.error());
+  HAPTICELL_TRY(scene);
   std::vector<Figure> figures;
   for (const ClientRate& rate : kRates) {
     if (!full && rate.rate_hz != kRates[0].rate_hz) continue;

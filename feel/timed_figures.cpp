@@ -11,6 +11,7 @@
 #include "feel/figure_job.h"
 #include "feel/rendering_way.h"
 #include "geometry/shapes/shapes.h"
+#include "geometry/system/percentile.h"
 #include "manipulation/session/local_server.h"
 #include "manipulation/session/session.h"
 
@@ -25,11 +26,6 @@ constexpr int kBallSegments = 72;
 constexpr double kHandTime = 6.0;  // s.
 constexpr int kTicksOfASet = 17;   // 60 Hz.
 constexpr int kWalks = 3;
-
-double percentile(std::vector<double>& values, double part) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
 
 workcell::Entity solid(workcell::EntityId id, const std::string& name,
                        std::shared_ptr<const geometry::TriangleMesh> mesh, const dvec3& p_WE) {
@@ -71,12 +67,12 @@ Expected<std::vector<Figure>> latencyFigures() {
   options.entity = "box";
   options.hand = slidingHand();
   auto server = manipulation::LocalServer::start(options.device, options.configuration);
-  if (!server) return tl::unexpected(server.error());
+  HAPTICELL_TRY(server);
   const auto report = manipulation::runSessionOnServer(options, "127.0.0.1", (*server)->port());
-  if (!report) return tl::unexpected(report.error());
+  HAPTICELL_TRY(report);
   options.configuration.manipulation.rate_hz = kRates[0].rate_hz;
   const auto classic = manipulation::runSessionOnServer(options, "127.0.0.1", (*server)->port());
-  if (!classic) return tl::unexpected(classic.error());
+  HAPTICELL_TRY(classic);
   const char* scene = "box among a million triangles, loopback";
   return std::vector<Figure>{{"M7.p50", scene, "", "ms", report->latency_p50_ms, 2.0, false, classic->latency_p50_ms},
                              {"M7.p99", scene, "", "ms", report->latency_p99_ms, 10.0, false, classic->latency_p99_ms}};

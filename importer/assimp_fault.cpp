@@ -32,19 +32,26 @@ std::optional<Error> binaryGltfFault(const fs::path& file, std::string_view head
   const std::uintmax_t size = fs::file_size(file, fault);
   const auto version = numberAt(head, 4), length = numberAt(head, 8), json = numberAt(head, 12);
   if (fault || !version || !length || !json) {
-    return Error{"", "header", "the file ends after " + std::to_string(size) + " bytes",
-                 "the 20 bytes of a binary glTF file's header and more", kCopyAgain};
+    return Error{.place = "header",
+                 .found = "the file ends after " + std::to_string(size) + " bytes",
+                 .expected = "the 20 bytes of a binary glTF file's header and more",
+                 .fix = kCopyAgain};
   }
   if (*version != 2 && *version != 1) {
-    return Error{"", "header", "version " + std::to_string(*version), "1 or 2", kAgain};
+    return Error{
+        .place = "header", .found = "version " + std::to_string(*version), .expected = "1 or 2", .fix = kAgain};
   }
   if (size < *length) {
-    return Error{"", "header", "the file ends after " + std::to_string(size) + " bytes",
-                 std::to_string(*length) + " bytes", kCopyAgain};
+    return Error{.place = "header",
+                 .found = "the file ends after " + std::to_string(size) + " bytes",
+                 .expected = std::to_string(*length) + " bytes",
+                 .fix = kCopyAgain};
   }
   if (*version == 2 && *json > *length) {
-    return Error{"", "first chunk", "a length of " + std::to_string(*json) + " bytes",
-                 "less than the file's " + std::to_string(*length), kAgain};
+    return Error{.place = "first chunk",
+                 .found = "a length of " + std::to_string(*json) + " bytes",
+                 .expected = "less than the file's " + std::to_string(*length),
+                 .fix = kAgain};
   }
   return std::nullopt;
 }
@@ -95,16 +102,20 @@ Error assimpFault(const fs::path& file, std::string_view head, std::string messa
   }
   const std::string expected = "the content of " + formatWord(file);
   if (message.find("No suitable reader") != std::string::npos || message.empty()) {
-    return {"", "beginning", "a content that is not of this format", expected, kAgain};
+    return {.place = "beginning", .found = "a content that is not of this format", .expected = expected, .fix = kAgain};
   }
-  if (message.find("std::") != std::string::npos || message.find("sto") == 0 || message.find("_M_") != std::string::npos ||
-      message.find("basic_string") != std::string::npos || message == "map::at") {
+  if (message.find("std::") != std::string::npos || message.find("sto") == 0 ||
+      message.find("_M_") != std::string::npos || message.find("basic_string") != std::string::npos ||
+      message == "map::at") {
     Error fault = libraryFault(message);
     fault.expected += " in " + formatWord(file);
     return fault;
   }
   std::string place = placeIn(message);
-  return {"", std::move(place), "the reader refused it (" + tidied(std::move(message), file) + ")", expected, kAgain};
+  return {.place = std::move(place),
+          .found = "the reader refused it (" + tidied(std::move(message), file) + ")",
+          .expected = expected,
+          .fix = kAgain};
 }
 
 }  // namespace hapticell::importer

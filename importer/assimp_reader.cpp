@@ -7,8 +7,8 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-#include <algorithm>
 #include <assimp/DefaultIOSystem.h>
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 #include <cctype>
@@ -291,8 +291,8 @@ const aiScene* load(Assimp::Importer& importer, const Reading& reading, const st
   };
   const aiScene* const scene = read(kSteps);
   const std::string complaint = scene ? "" : importer.GetErrorString();
-  const bool plays_no_part =
-      complaint.find("aiScene::mCameras") != std::string::npos || complaint.find("aiScene::mLights") != std::string::npos;
+  const bool plays_no_part = complaint.find("aiScene::mCameras") != std::string::npos ||
+                             complaint.find("aiScene::mLights") != std::string::npos;
   return plays_no_part ? read(kSteps & ~static_cast<unsigned>(aiProcess_ValidateDataStructure)) : scene;
 }
 
@@ -315,7 +315,7 @@ Expected<ImportedScene> readOwnGltf(const Reading& reading, const std::string& h
 
 Expected<ImportedScene> readOwnThreeMf(const Reading& reading) {
   const auto read = readThreeMf(reading.file);
-  if (!read) return makeError(read.error());
+  HAPTICELL_TRY(read);
   Convention convention;
   convention.metres_per_unit = convention.metres_in_scene = read->metres_per_unit;
   convention.up = UpAxis::kZ;
@@ -331,7 +331,7 @@ Expected<ImportedScene> readWithAssimp(const Reading& reading, ParentLink& paren
   ColladaText collada;
   if (format == "dae") {
     auto text = readColladaText(reading.file);
-    if (!text) return makeError(text.error());
+    HAPTICELL_TRY(text);
     collada = std::move(*text);
   }
   Assimp::Importer importer;

@@ -10,9 +10,9 @@
 #include <Message_ProgressIndicator.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDF_Tool.hxx>
-#include <TCollection_AsciiString.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopLoc_Location.hxx>
 #include <XCAFApp_Application.hxx>
@@ -63,8 +63,9 @@ bool looksLikeStep(const std::filesystem::path& file) {
 }
 
 Error unreadable(const char* format) {
-  return {"", "", std::string("it is not readable as ") + format, std::string("a sound ") + format + " file",
-          "Export it again."};
+  return {.found = std::string("it is not readable as ") + format,
+          .expected = std::string("a sound ") + format + " file",
+          .fix = "Export it again."};
 }
 
 Expected<CadDocument> openStep(const std::string& name, const Message_ProgressRange& range) {
@@ -86,7 +87,7 @@ Expected<CadDocument> openStep(const std::string& name, const Message_ProgressRa
     }
   }
   if (!reader.Transfer(result.document, scope.Next())) {
-    return makeError({"", "", "no shape could be made of it", "a STEP file with solids or surfaces", ""});
+    return makeError({.found = "no shape could be made of it", .expected = "a STEP file with solids or surfaces"});
   }
   return result;
 }
@@ -108,7 +109,7 @@ Expected<CadDocument> openIges(const std::string& name, const Message_ProgressRa
     }
   }
   if (!reader.Transfer(result.document, scope.Next())) {
-    return makeError({"", "", "no shape could be made of it", "an IGES file with surfaces", ""});
+    return makeError({.found = "no shape could be made of it", .expected = "an IGES file with surfaces"});
   }
   return result;
 }
@@ -183,7 +184,8 @@ Expected<void> checkTree(const CadDocument& cad) {
     XCAFDoc_ShapeTool::GetComponents(labels[k], components);
     for (const TDF_Label& component : components) below.back().push_back(numberOf(component));
   }
-  return geometry::checkUnfolding(below, roots, {}, [&](std::uint32_t node) { return "'" + nameOf(labels[node]) + "'"; });
+  return geometry::checkUnfolding(below, roots, {},
+                                  [&](std::uint32_t node) { return "'" + nameOf(labels[node]) + "'"; });
 }
 
 CadDocument newCadDocument() {
@@ -194,13 +196,13 @@ CadDocument newCadDocument() {
 
 Expected<CadDocument> openCad(const std::filesystem::path& file, const std::function<void(double)>& progress) {
   // References to other files are relative to the file, but the library looks for them from where the process is.
-  if (::chdir(file.parent_path().c_str()) != 0) return makeError({"", "", "its folder cannot be entered", "", ""});
+  if (::chdir(file.parent_path().c_str()) != 0) return makeError({.found = "its folder cannot be entered"});
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Handle(Indicator) indicator = new Indicator(progress);
   const std::string name = file.filename().string();
   if (!looksLikeStep(file)) return openIges(name, indicator->Start());
   const auto text = StepText::open(file);
-  if (!text) return makeError(text.error());
+  HAPTICELL_TRY(text);
   auto opened = openStep(text->name(), indicator->Start());
   if (opened) opened->warnings = text->warnings();
   return opened;

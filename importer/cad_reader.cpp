@@ -3,8 +3,8 @@
 
 #include <BRepBndLib.hxx>
 #include <BRep_Builder.hxx>
-#include <Standard_Failure.hxx>
 #include <Bnd_Box.hxx>
+#include <Standard_Failure.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
@@ -70,8 +70,9 @@ class CadSceneBuilder {
     if (loose_shapes_ > 0) addLoose();
     tellMissing();
     if (scene_.meshes.empty() && !first_fault_.empty())
-      return makeError({"", "", first_fault_, "at least one part that can be read",
-                        "Export it again, or in another format (STEP, glTF, STL)."});
+      return makeError({.found = first_fault_,
+                        .expected = "at least one part that can be read",
+                        .fix = "Export it again, or in another format (STEP, glTF, STL)."});
     return std::move(scene_);
   }
 
@@ -180,7 +181,7 @@ class CadSceneBuilder {
     const int number = ++done_, all = std::max(total_, done_);
     const std::string of = " part " + std::to_string(number) + " of " + std::to_string(all) + ", ";
     parent_.progress(kReading + (1.0 - kReading) * (number - 1) / all, "meshing" + of + name);
-    Error fault{"", "", "content at which its reader breaks down", "", ""};
+    Error fault{.found = "content at which its reader breaks down"};
     if (!reading_.skipped.contains(number)) {
       parent_.beginPart(number);
       try {
@@ -259,8 +260,8 @@ Expected<ImportedScene> readCad(const Reading& reading, ParentLink& parent) {
   parent.progress(0.02, "reading");
   constexpr double kReading = 0.6;
   const auto cad = openCad(reading.file, [&](double share) { parent.progress(kReading * share, "reading"); });
-  if (!cad) return makeError(cad.error());
-  if (auto tree = checkTree(*cad); !tree) return makeError(tree.error());
+  HAPTICELL_TRY(cad);
+  HAPTICELL_TRY(checkTree(*cad));
   return CadSceneBuilder(*cad, reading, parent).build(*cad);
 }
 

@@ -170,7 +170,8 @@ class NodeGraph {
   }
 
   Expected<void> check() const {
-    return geometry::checkUnfolding(below_, roots_, {}, [this](std::uint32_t node) { return "node '" + ids_[node] + "'"; });
+    return geometry::checkUnfolding(below_, roots_, {},
+                                    [this](std::uint32_t node) { return "node '" + ids_[node] + "'"; });
   }
 
  private:
@@ -212,7 +213,7 @@ class TextWriter : public pugi::xml_writer {
 
 Expected<ColladaText> readColladaText(const std::filesystem::path& file) {
   auto content = workcell::readFileContent(file);
-  if (!content) return makeError(content.error());
+  HAPTICELL_TRY(content);
   if (auto flat = geometry::checkNesting(*content, geometry::NestedText::kXml, ""); !flat)
     return makeError(flat.error());
   pugi::xml_document document;
@@ -223,11 +224,12 @@ Expected<ColladaText> readColladaText(const std::filesystem::path& file) {
   if (!parsed || !root) {
     const auto end = content->begin() + std::clamp<std::ptrdiff_t>(parsed.offset, 0, std::ssize(*content));
     const auto line = 1 + std::count(content->begin(), end, '\n');
-    return makeError({"", parsed ? "" : "line " + std::to_string(line),
-                      parsed ? "no <COLLADA>" : parsed.description(), "the content of a Collada file",
-                      "Export it again."});
+    return makeError({.place = parsed ? "" : "line " + std::to_string(line),
+                      .found = parsed ? "no <COLLADA>" : parsed.description(),
+                      .expected = "the content of a Collada file",
+                      .fix = "Export it again."});
   }
-  if (auto tree = NodeGraph(root).check(); !tree) return makeError(tree.error());
+  HAPTICELL_TRY(NodeGraph(root).check());
   ColladaText result;
   if (ColladaTidier(root, result).run()) {
     TextWriter writer(result.text);

@@ -7,7 +7,8 @@ namespace hapticell::importer {
 
 Expected<UnpackedMesh> unpackDraco(std::string_view bytes, std::uint32_t attribute) {
   const auto refused = [](const std::string& found) {
-    return makeError(Error{"", "KHR_draco_mesh_compression", found, "a sound mesh", "Export it again."});
+    return makeError(Error{
+        .place = "KHR_draco_mesh_compression", .found = found, .expected = "a sound mesh", .fix = "Export it again."});
   };
   draco::DecoderBuffer buffer;
   buffer.Init(bytes.data(), bytes.size());

@@ -23,7 +23,8 @@ constexpr std::size_t kMostElements = 200'000'000;
 constexpr std::size_t kMostZeros = 1'000'000;  ///< That a sparse accessor starts from.
 
 Error fault(std::string place, std::string found, std::string expected = "the content of a glTF file") {
-  return {"", std::move(place), std::move(found), std::move(expected), "Export it again."};
+  return {
+      .place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = "Export it again."};
 }
 
 std::uint32_t word(std::string_view bytes, std::size_t at) {
@@ -144,12 +145,12 @@ std::string gltfText(const Json& object, const char* key) {
 
 Expected<GltfFile> GltfFile::open(const fs::path& file) {
   const auto content = workcell::readFileContent(file);
-  if (!content) return makeError(content.error());
+  HAPTICELL_TRY(content);
   const auto chunks = chunksOf(*content);
-  if (!chunks) return makeError(chunks.error());
+  HAPTICELL_TRY(chunks);
   GltfFile result;
   const std::string_view text = chunks->first;
-  if (auto flat = geometry::checkNesting(text, geometry::NestedText::kJson, ""); !flat) return makeError(flat.error());
+  HAPTICELL_TRY(geometry::checkNesting(text, geometry::NestedText::kJson, ""));
   try {
     result.json_ = Json::parse(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text);
   } catch (const Json::parse_error& problem) {
@@ -158,7 +159,7 @@ Expected<GltfFile> GltfFile::open(const fs::path& file) {
     return makeError(fault("its JSON", "a number that no computer holds"));
   }
   if (!result.json_.is_object()) return makeError(fault("", "no JSON object"));
-  if (auto loaded = result.loadBuffers(file, std::string(chunks->second)); !loaded) return makeError(loaded.error());
+  HAPTICELL_TRY(result.loadBuffers(file, std::string(chunks->second)));
   return result;
 }
 
@@ -180,8 +181,10 @@ Expected<void> GltfFile::loadBuffers(const fs::path& file, std::string binary) {
       if (!fs::exists(path, ignored)) path = file.parent_path() / workcell::percentDecoded(uri);
       auto content = workcell::readFileContent(path);
       if (!content) {
-        return makeError({"", place, "its file " + uri.substr(0, 100) + ": " + content.error().found, "a file beside it",
-                          "Put it there: a .gltf needs its .bin files."});
+        return makeError({.place = place,
+                          .found = "its file " + uri.substr(0, 100) + ": " + content.error().found,
+                          .expected = "a file beside it",
+                          .fix = "Put it there: a .gltf needs its .bin files."});
       }
       bytes = std::move(*content);
     }
@@ -214,11 +217,12 @@ Expected<std::string_view> GltfFile::compressedView(std::size_t index, const Jso
   const std::size_t buffer = gltfNumber(how, "buffer", kNone), offset = gltfNumber(how, "byteOffset", 0);
   const std::size_t length = gltfNumber(how, "byteLength", kNone), stride = gltfNumber(how, "byteStride", 0);
   const std::size_t count = gltfNumber(how, "count", kNone);
-  const bool there = buffer < buffers_.size() && offset <= buffers_[buffer].size() &&
-                     length <= buffers_[buffer].size() - offset;
+  const bool there =
+      buffer < buffers_.size() && offset <= buffers_[buffer].size() && length <= buffers_[buffer].size() - offset;
   // A packed block of 256 elements has at least a header of four bytes for each of their bytes.
   constexpr std::size_t kPackedFold = 64, kAlways = 65536;
-  if (!there || stride == 0 || stride > 256 || count > kMostElements || count * stride > kPackedFold * length + kAlways) {
+  if (!there || stride == 0 || stride > 256 || count > kMostElements ||
+      count * stride > kPackedFold * length + kAlways) {
     return makeError(fault(place, "more bytes than its buffer holds"));
   }
   const auto* const source = reinterpret_cast<const unsigned char*>(buffers_[buffer].data() + offset);
@@ -256,11 +260,12 @@ Expected<GltfFile::Layout> GltfFile::layoutOf(const Json& accessor, std::size_t 
     const bool sparse = !gltfMember(accessor, "sparse").empty();
     if (!sparse && layout.count > 0) return makeError(fault("accessor", "no data"));
     if (layout.count > kMostZeros)
-      return makeError(fault("accessor", std::to_string(layout.count) + " elements without data", "fewer than a million"));
+      return makeError(
+          fault("accessor", std::to_string(layout.count) + " elements without data", "fewer than a million"));
     return layout;
   }
   const auto bytes = view(number);
-  if (!bytes) return makeError(bytes.error());
+  HAPTICELL_TRY(bytes);
   const Json& own_view = gltfElement(gltfMember(json_, "bufferViews"), number);
   layout.stride = gltfNumber(own_view, "byteStride", size);
   const Json& compressed = gltfMember(gltfMember(own_view, "extensions"), "EXT_meshopt_compression");
@@ -290,7 +295,7 @@ Expected<std::vector<double>> GltfFile::numbers(std::size_t index, std::size_t c
       values[k * components + c] = valueAt(element + c * size, layout->kind, layout->normalized);
     }
   }
-  if (auto put = putSparse(accessor, *layout, values); !put) return makeError(put.error());
+  HAPTICELL_TRY(putSparse(accessor, *layout, values));
   return values;
 }
 
@@ -302,7 +307,8 @@ Expected<void> GltfFile::putSparse(const Json& accessor, const Layout& layout, s
   const std::size_t count = gltfNumber(sparse, "count", 0), offset = gltfNumber(places, "byteOffset", 0);
   const std::size_t value_offset = gltfNumber(replaced, "byteOffset", 0), size = bytesOf(layout.kind);
   const int kind = static_cast<int>(gltfNumber(places, "componentType", 0));
-  const auto where = view(gltfNumber(places, "bufferView", kNone)), what = view(gltfNumber(replaced, "bufferView", kNone));
+  const auto where = view(gltfNumber(places, "bufferView", kNone)),
+             what = view(gltfNumber(replaced, "bufferView", kNone));
   if (!where || !what) return makeError(where ? what.error() : where.error());
   const std::size_t element = size * layout.components;
   if (bytesOf(kind) == 0 || kind == 5126 || count > kMostElements || offset > where->size() ||
@@ -323,13 +329,13 @@ Expected<void> GltfFile::putSparse(const Json& accessor, const Layout& layout, s
 
 Expected<std::vector<float>> GltfFile::floats(std::size_t accessor, std::size_t components) {
   const auto values = numbers(accessor, components);
-  if (!values) return makeError(values.error());
+  HAPTICELL_TRY(values);
   return std::vector<float>(values->begin(), values->end());
 }
 
 Expected<std::vector<std::uint32_t>> GltfFile::indices(std::size_t accessor) {
   const auto values = numbers(accessor, 1);
-  if (!values) return makeError(values.error());
+  HAPTICELL_TRY(values);
   std::vector<std::uint32_t> result;
   result.reserve(values->size());
   for (const double value : *values) {

@@ -22,7 +22,8 @@ constexpr std::size_t kMostNodes = 200'000;
 constexpr int kDeepestNode = 500;
 
 Error gltfFault(std::string place, std::string found, std::string expected) {
-  return {"", std::move(place), std::move(found), std::move(expected), "Export it again."};
+  return {
+      .place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = "Export it again."};
 }
 
 std::vector<float> gltfFloats(const json& object, const char* key, std::vector<float> otherwise) {
@@ -54,16 +55,16 @@ class GltfReader {
   explicit GltfReader(GltfFile& file) : file_(file), report_("glTF") {}
 
   Expected<ModelScene> read() {
-    if (auto able = checkRequired(); !able) return makeError(able.error());
+    HAPTICELL_TRY(checkRequired());
     const std::vector<std::size_t> indices = rootNodes();
-    if (auto tree = checkNodes(indices); !tree) return makeError(tree.error());
+    HAPTICELL_TRY(checkNodes(indices));
     meetFeatures();
     addMaterials();
-    if (auto added = addMeshes(); !added) return makeError(added.error());
+    HAPTICELL_TRY(addMeshes());
     std::vector<std::unique_ptr<aiNode>> roots;
     for (const std::size_t index : indices) {
       auto node = nodeOf(index, 0);
-      if (!node) return makeError(node.error());
+      HAPTICELL_TRY(node);
       roots.push_back(std::move(*node));
     }
     if (roots.empty()) return makeError(gltfFault("", "a scene without nodes", "nodes with meshes"));
@@ -89,9 +90,10 @@ class GltfReader {
       const auto* const rule = report_.rule(name.get<std::string>());
       using workcell::Treatment;
       if (rule && (rule->treatment == Treatment::kUsed || rule->treatment == Treatment::kNoted)) continue;
-      return makeError({"", "extensionsRequired", "the extension " + name.get<std::string>() + ", which is not read",
-                        "extensions that docs/formats.md lists",
-                        "Export it without that extension, or convert it with a tool that can take it out."});
+      return makeError({.place = "extensionsRequired",
+                        .found = "the extension " + name.get<std::string>() + ", which is not read",
+                        .expected = "extensions that docs/formats.md lists",
+                        .fix = "Export it without that extension, or convert it with a tool that can take it out."});
     }
     return {};
   }
@@ -126,7 +128,7 @@ class GltfReader {
       if (!gltfMember(list[k], "weights").empty()) report_.meet("morph targets", "'" + name + "'");
       for (std::size_t p = 0; primitives.is_array() && p < primitives.size(); ++p) {
         auto mesh = meshOf(primitives[p], primitives.size() > 1 ? name + "-" + std::to_string(p) : name);
-        if (!mesh) return makeError(mesh.error());
+        HAPTICELL_TRY(mesh);
         if (!*mesh) continue;
         own.push_back(static_cast<unsigned>(meshes_.size()));
         meshes_.push_back(std::move(*mesh));
@@ -150,20 +152,20 @@ class GltfReader {
     std::vector<std::uint32_t> indices;
     if (!draco.empty()) {
       const auto bytes = file_.view(gltfNumber(draco, "bufferView", kNoIndex));
-      if (!bytes) return makeError(bytes.error());
+      HAPTICELL_TRY(bytes);
       const std::size_t id = gltfNumber(gltfMember(draco, "attributes"), "POSITION", kNoIndex);
       auto unpacked = unpackDraco(*bytes, static_cast<std::uint32_t>(id));
-      if (!unpacked) return makeError(unpacked.error());
+      HAPTICELL_TRY(unpacked);
       positions = std::move(unpacked->positions);
       indices = std::move(unpacked->triangles);
     } else {
       const std::size_t accessor = gltfNumber(gltfMember(primitive, "attributes"), "POSITION", kNoIndex);
       if (accessor == kNoIndex) return nullptr;
       auto read = file_.floats(accessor, 3);
-      if (!read) return makeError(read.error());
+      HAPTICELL_TRY(read);
       positions = std::move(*read);
       auto triangles = trianglesOf(primitive, mode, positions.size() / 3);
-      if (!triangles) return makeError(triangles.error());
+      HAPTICELL_TRY(triangles);
       indices = std::move(*triangles);
     }
     const std::size_t vertices = positions.size() / 3;
@@ -179,7 +181,7 @@ class GltfReader {
     std::vector<std::uint32_t> corners;
     if (const std::size_t accessor = gltfNumber(primitive, "indices", kNoIndex); accessor != kNoIndex) {
       auto read = file_.indices(accessor);
-      if (!read) return makeError(read.error());
+      HAPTICELL_TRY(read);
       corners = std::move(*read);
     } else {
       for (std::size_t k = 0; k < vertices; ++k) corners.push_back(static_cast<std::uint32_t>(k));
@@ -253,7 +255,8 @@ class GltfReader {
     const std::size_t number = gltfNumber(source, "mesh", kNoIndex);
     const json& mesh = gltfElement(gltfMember(file_.json(), "meshes"), number);
     if (number != kNoIndex && number >= of_mesh_.size()) {
-      return makeError(gltfFault(place, "mesh " + std::to_string(number) + ", which is not there", "a mesh of the file"));
+      return makeError(
+          gltfFault(place, "mesh " + std::to_string(number) + ", which is not there", "a mesh of the file"));
     }
     std::string name = gltfText(source, "name");
     if (name.empty()) name = gltfText(mesh, "name");
@@ -271,7 +274,7 @@ class GltfReader {
     for (const json& child : gltfMember(source, "children")) {
       if (!child.is_number_unsigned()) continue;
       auto below = nodeOf(child.get<std::size_t>(), depth + 1);
-      if (!below) return makeError(below.error());
+      HAPTICELL_TRY(below);
       children.push_back(std::move(*below));
     }
     giveChildren(*node, std::move(children));
@@ -297,12 +300,13 @@ class GltfReader {
       const std::size_t accessor = gltfNumber(attributes, kNames[k], kNoIndex);
       if (accessor == kNoIndex) continue;
       auto read = file_.floats(accessor, sizes[k]);
-      if (!read) return makeError(read.error());
+      HAPTICELL_TRY(read);
       lists[k] = std::move(*read);
       count = std::max(count, lists[k].size() / sizes[k]);
     }
     if ((made_ += count) > kMostNodes)
-      return makeError(gltfFault("node '" + name + "'", "more than " + std::to_string(kMostNodes) + " instances", "fewer"));
+      return makeError(
+          gltfFault("node '" + name + "'", "more than " + std::to_string(kMostNodes) + " instances", "fewer"));
     for (std::size_t k = 0; k < count; ++k) {
       const auto element = [&](int list, std::vector<float> otherwise) {
         const std::size_t at = k * otherwise.size();
@@ -330,7 +334,7 @@ class GltfReader {
 
 Expected<ModelScene> readGltf(const std::filesystem::path& file) {
   auto opened = GltfFile::open(file);
-  if (!opened) return makeError(opened.error());
+  HAPTICELL_TRY(opened);
   return GltfReader(*opened).read();
 }
 

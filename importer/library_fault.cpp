@@ -66,11 +66,14 @@ constexpr Meaning kMeanings[] = {
 Error libraryFault(const std::string& words) {
   for (const Meaning& meaning : kMeanings) {
     if (words.find(meaning.word) != std::string::npos)
-      return {"", "", meaning.found, meaning.expected, "Export it again, or in another format (STEP, glTF, STL)."};
+      return {.found = meaning.found,
+              .expected = meaning.expected,
+              .fix = "Export it again, or in another format (STEP, glTF, STL)."};
   }
   const bool says_nothing = words.empty() || words.find("std::") != std::string::npos;
-  return {"", "", "content that contradicts itself" + (says_nothing ? "" : " (" + words + ")"), "a sound file",
-          "Export it again, or in another format (STEP, glTF, STL)."};
+  return {.found = "content that contradicts itself" + (says_nothing ? "" : " (" + words + ")"),
+          .expected = "a sound file",
+          .fix = "Export it again, or in another format (STEP, glTF, STL)."};
 }
 
 }  // namespace hapticell::importer

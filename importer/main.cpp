@@ -64,9 +64,8 @@ bool isCad(const fs::path& file) {
   if (beginsAsStep(hapticell::geometry::headOfFile(file, 65536))) return true;
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".step" || extension == ".stp" || extension == ".p21" ||
-         extension == ".stpz" || extension == ".iges" ||
-         extension == ".igs";
+  return extension == ".step" || extension == ".stp" || extension == ".p21" || extension == ".stpz" ||
+         extension == ".iges" || extension == ".igs";
 }
 
 Expected<std::string> readOne(const Call& call, const fs::path& file, ParentLink& parent) {
@@ -80,7 +79,7 @@ Expected<std::string> readOne(const Call& call, const fs::path& file, ParentLink
   const auto scene = isCad(file) ? readCad(reading, parent) : readWithAssimp(reading, parent);
   if (!scene) return hapticell::makeError(scene.error());
   if (scene->meshes.empty()) {
-    return hapticell::makeError({"", "", "no shape in it", "at least one solid or surface", ""});
+    return hapticell::makeError({.found = "no shape in it", .expected = "at least one solid or surface"});
   }
   parent.progress(1.0, "handing over");
   return hapticell::workcell::sceneBytes(*scene);
@@ -88,7 +87,7 @@ Expected<std::string> readOne(const Call& call, const fs::path& file, ParentLink
 
 Expected<void> handOver(const std::string& bytes, ParentLink& parent) {
   if (parent.writeScene(bytes)) return {};
-  return hapticell::makeError({"", "", "no room to hand it over", "", ""});
+  return hapticell::makeError({.found = "no room to hand it over"});
 }
 
 /// What the libraries throw becomes an error.
@@ -97,8 +96,9 @@ Expected<Result> guarded(const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    return hapticell::makeError({"", "", "it needs more memory than an import may use", "a smaller or coarser model",
-                                 "Choose a coarser tessellation or import it in parts."});
+    return hapticell::makeError({.found = "it needs more memory than an import may use",
+                                 .expected = "a smaller or coarser model",
+                                 .fix = "Choose a coarser tessellation or import it in parts."});
   } catch (const Standard_Failure& failure) {
     return hapticell::makeError(libraryFault(failure.DynamicType()->Name()));
   } catch (const std::exception& failure) {

@@ -55,11 +55,11 @@ bool leadsOut(const std::string& name) {
 }  // namespace
 
 Expected<ModelPackage> unpackModel(const fs::path& file) {
-  if (auto regular = geometry::checkRegularFile(file); !regular) return makeError(regular.error());
+  HAPTICELL_TRY(geometry::checkRegularFile(file));
   const std::unique_ptr<archive, Closer> in(archive_read_new());
   archive_read_support_format_zip(in.get());
   if (archive_read_open_filename(in.get(), file.c_str(), 65536) != ARCHIVE_OK) {
-    return makeError({"", "", "no ZIP archive", "a 3MF file", "Export it again."});
+    return makeError({.found = "no ZIP archive", .expected = "a 3MF file", .fix = "Export it again."});
   }
   std::error_code ignored;
   const auto packed = static_cast<std::int64_t>(fs::file_size(file, ignored));
@@ -76,21 +76,25 @@ Expected<ModelPackage> unpackModel(const fs::path& file) {
     }
     bytes += std::max<std::int64_t>(archive_entry_size(entry), 0);
     if (bytes > kMostBytes || (bytes > kHarmless && bytes > kMostFold * packed)) {
-      return makeError({"", "entry '" + name + "'", "more than it may unpack to",
-                        "at most 1 GB, and 200 times its own size", "Split the model, or export it again."});
+      return makeError({.place = "entry '" + name + "'",
+                        .found = "more than it may unpack to",
+                        .expected = "at most 1 GB, and 200 times its own size",
+                        .fix = "Split the model, or export it again."});
     }
     if (!isRead(name)) continue;
     std::string part = contentOf(in.get(), kMostBytes);  // Whatever size it states.
     unpacked += static_cast<std::int64_t>(part.size());
     if (unpacked > kMostBytes || (unpacked > kHarmless && unpacked > kMostFold * packed)) {
-      return makeError({"", "entry '" + name + "'", "more than it may unpack to",
-                        "at most 1 GB, and 200 times its own size", "Split the model, or export it again."});
+      return makeError({.place = "entry '" + name + "'",
+                        .found = "more than it may unpack to",
+                        .expected = "at most 1 GB, and 200 times its own size",
+                        .fix = "Split the model, or export it again."});
     }
     package.parts["/" + name] = std::move(part);
   }
   if (status != ARCHIVE_EOF) {
     const char* const why = archive_error_string(in.get());
-    return makeError({"", "", why ? why : "a damaged archive", "a 3MF file", "Export it again."});
+    return makeError({.found = why ? why : "a damaged archive", .expected = "a 3MF file", .fix = "Export it again."});
   }
   return package;
 }

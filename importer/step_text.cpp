@@ -36,7 +36,12 @@ unsigned byteAt(const std::string& text, std::size_t at) {
 bool isUtf8(const std::string& text) {
   for (std::size_t k = 0; k < text.size();) {
     const unsigned first = byteAt(text, k);
-    const std::size_t more = first < 0x80 ? 0 : first < 0xC2 ? 9 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : first < 0xF5 ? 3 : 9;
+    const std::size_t more = first < 0x80   ? 0
+                             : first < 0xC2 ? 9
+                             : first < 0xE0 ? 1
+                             : first < 0xF0 ? 2
+                             : first < 0xF5 ? 3
+                                            : 9;
     if (more == 9) return false;
     for (std::size_t i = 1; i <= more; ++i) {
       if ((byteAt(text, k + i) & 0xC0u) != 0x80u) return false;
@@ -137,7 +142,8 @@ Expected<void> checkReferences(const std::string& content, const std::filesystem
       const auto status = std::filesystem::status(path, fault);
       if (fault || !std::filesystem::exists(status) || std::filesystem::is_directory(status)) continue;
       if (auto regular = geometry::checkRegularFile(path); !regular) {
-        return makeError({"", "reference to '" + name + "'", regular.error().found, "a file beside it", ""});
+        return makeError(
+            {.place = "reference to '" + name + "'", .found = regular.error().found, .expected = "a file beside it"});
       }
       if (beginsAsStep(geometry::headOfFile(path, 65536))) open.push_back(path.string());
     }
@@ -161,14 +167,15 @@ Expected<std::string> unpacked(const std::filesystem::path& file) {
   archive_read_support_format_raw(in.get());
   archive_entry* entry = nullptr;
   const auto refused = [] {
-    return makeError(Error{"", "", "it is packed in a way that is not known", "a STEP file, or one packed by gzip or ZIP",
-                           "Unpack it, or export it as .step."});
+    return makeError(Error{.found = "it is packed in a way that is not known",
+                           .expected = "a STEP file, or one packed by gzip or ZIP",
+                           .fix = "Unpack it, or export it as .step."});
   };
   if (archive_read_open_filename(in.get(), file.c_str(), 65536) != ARCHIVE_OK) return refused();
   constexpr std::uintmax_t kHarmlessStep = std::uintmax_t{64} << 20, kStepFold = 200;
   std::error_code ignored;
-  const std::uintmax_t most =
-      std::min<std::uintmax_t>(kMostUnpacked, std::max(kHarmlessStep, kStepFold * std::filesystem::file_size(file, ignored)));
+  const std::uintmax_t most = std::min<std::uintmax_t>(
+      kMostUnpacked, std::max(kHarmlessStep, kStepFold * std::filesystem::file_size(file, ignored)));
   std::vector<char> block(std::size_t{1} << 20);
   while (archive_read_next_header(in.get(), &entry) == ARCHIVE_OK) {
     std::string content;
@@ -176,8 +183,9 @@ Expected<std::string> unpacked(const std::filesystem::path& file) {
     while ((count = archive_read_data(in.get(), block.data(), block.size())) > 0) {
       content.append(block.data(), static_cast<std::size_t>(count));
       if (content.size() > most) {
-        return makeError({"", "", "more than " + std::to_string(most >> 20) + " MB once unpacked",
-                          "at most 4 GB, and 200 times its own size", "Unpack it, or export it again."});
+        return makeError({.found = "more than " + std::to_string(most >> 20) + " MB once unpacked",
+                          .expected = "at most 4 GB, and 200 times its own size",
+                          .fix = "Unpack it, or export it again."});
       }
     }
     if (count == 0 && beginsAsStep(std::string_view(content).substr(0, 65536))) return content;
@@ -230,7 +238,8 @@ class StepScanner {
     const std::string_view arguments = text_.substr(at_, end == std::string_view::npos ? end : end - at_);
     const std::size_t last = arguments.rfind(',');
     const bool solid = word.starts_with("TESSELLATED");
-    const bool exact_behind = solid && last != std::string_view::npos && arguments.find('#', last) != std::string_view::npos;
+    const bool exact_behind =
+        solid && last != std::string_view::npos && arguments.find('#', last) != std::string_view::npos;
     outline_.tessellated += exact_behind ? 0 : 1;
   }
 
@@ -278,7 +287,8 @@ std::string guessEncoding(const std::vector<std::string>& raw) {
   }
   if (low_controls && all(isShiftJis)) return "SHIFT_JIS";
   if (low_controls && all(isGb18030)) return "GB18030";
-  // Chinese characters are pairs of bytes, half of the second ones below the letters of Latin-1, and seldom stand alone.
+  // Chinese characters are pairs of bytes, half of the second ones below the letters of Latin-1, and seldom stand
+  // alone.
   const bool pairs = odd_runs == 0 && all(isGb18030);
   if (pairs && (letters < high || high >= 4 * runs)) return "GB18030";
   return "ISO-8859-1";
@@ -286,23 +296,22 @@ std::string guessEncoding(const std::vector<std::string>& raw) {
 
 Expected<StepText> StepText::open(const std::filesystem::path& file) {
   auto content = workcell::readFileContent(file);
-  if (!content) return makeError(content.error());
-  if (auto regular = checkReferences(*content, file.parent_path()); !regular) return makeError(regular.error());
+  HAPTICELL_TRY(content);
+  HAPTICELL_TRY(checkReferences(*content, file.parent_path()));
   StepText result;
   result.name_ = file.filename().string();
   bool changed = false;
   if (!beginsAsStep(*content) && (content->starts_with("\x1F\x8B") || content->starts_with("PK"))) {
     content = unpacked(file);
-    if (!content) return makeError(content.error());
+    HAPTICELL_TRY(content);
     changed = true;
   }
   const StepOutline outline = outlineOfStep(*content);
   if (outline.tessellated > 0 && outline.exact_faces == 0) {
-    return makeError({"", "",
-                      "it holds tessellated shapes only (" + std::to_string(outline.tessellated) +
-                          ", triangles as of AP242), which are not read",
-                      "solids or surfaces with exact faces",
-                      "Export it with exact shapes (B-rep), or its triangles as STL, OBJ or 3MF."});
+    return makeError({.found = "it holds tessellated shapes only (" + std::to_string(outline.tessellated) +
+                               ", triangles as of AP242), which are not read",
+                      .expected = "solids or surfaces with exact faces",
+                      .fix = "Export it with exact shapes (B-rep), or its triangles as STL, OBJ or 3MF."});
   }
   if (outline.tessellated > 0) {
     result.warnings_.push_back(std::to_string(outline.tessellated) +
@@ -315,8 +324,10 @@ Expected<StepText> StepText::open(const std::filesystem::path& file) {
     const std::string words = encoding == "ISO-8859-1" ? "Latin-1 (Western Europe)"
                               : encoding == "GB18030"  ? "GB 18030 (Chinese)"
                                                        : "Shift-JIS (Japanese)";
-    result.warnings_.push_back(std::to_string(outline.raw.size()) + " texts, among them perhaps names of parts, are written in bytes "
-                               "of no stated encoding; " + words + " is assumed");
+    result.warnings_.push_back(std::to_string(outline.raw.size()) +
+                               " texts, among them perhaps names of parts, are written in bytes "
+                               "of no stated encoding; " +
+                               words + " is assumed");
     changed = true;
   }
   std::string_view text = *content;
@@ -328,7 +339,7 @@ Expected<StepText> StepText::open(const std::filesystem::path& file) {
   result.descriptor_ = ::memfd_create("step", MFD_CLOEXEC);
   for (std::size_t done = 0; result.descriptor_ >= 0 && done < text.size();) {
     const ssize_t count = ::write(result.descriptor_, text.data() + done, text.size() - done);
-    if (count <= 0) return makeError({"", "", "no room for its text", "", ""});
+    if (count <= 0) return makeError({.found = "no room for its text"});
     done += static_cast<std::size_t>(count);
   }
   result.name_ = "/proc/self/fd/" + std::to_string(result.descriptor_);

@@ -120,12 +120,12 @@ class StepBuilder {
     // A root that is moved needs something to stand in; so do several of them.
     const bool plain = roots_.size() == 1 && isIdentity(scene_.nodes[roots_[0]].X_PN);
     if (plain) {
-      if (auto root = define(roots_[0]); !root) return makeError(root.error());
+      HAPTICELL_TRY(define(roots_[0]));
     } else {
       const TDF_Label top = shapes_->NewShape();
       setName(top, workcell::kWorkcellRoot);
       for (std::size_t root : roots_) {
-        if (auto used = use(root, top); !used) return makeError(used.error());
+        HAPTICELL_TRY(use(root, top));
       }
     }
     shapes_->UpdateAssemblies();
@@ -160,7 +160,7 @@ class StepBuilder {
       setName(shapes_->AddComponent(label, *own, TopLoc_Location()), node.name);
     }
     for (std::size_t child : children_[index]) {
-      if (auto used = use(child, label); !used) return makeError(used.error());
+      HAPTICELL_TRY(use(child, label));
     }
     return label;
   }
@@ -168,7 +168,7 @@ class StepBuilder {
   Expected<bool> use(std::size_t index, const TDF_Label& assembly) {
     const SceneNode& node = scene_.nodes[index];
     auto definition = define(index);
-    if (!definition) return makeError(definition.error());
+    HAPTICELL_TRY(definition);
     const TDF_Label component = shapes_->AddComponent(assembly, *definition, TopLoc_Location(transformOf(node.X_PN)));
     setName(component, node.instance.empty() ? node.name : node.instance);
     return true;
@@ -179,7 +179,7 @@ class StepBuilder {
     const auto key = std::tuple(node.mesh, node.name, color);
     if (const auto known = parts_.find(key); known != parts_.end()) return known->second;
     auto shape = shapeOf(node);
-    if (!shape) return makeError(shape.error());
+    HAPTICELL_TRY(shape);
     const TDF_Label label = shapes_->AddShape(*shape, false);
     setName(label, node.name);
     setColor(label, node);
@@ -194,11 +194,14 @@ class StepBuilder {
     const geometry::TriangleMesh& mesh = scene_.meshes[static_cast<std::size_t>(node.mesh)];
     constexpr std::size_t kMostFaces = 200'000;
     if (mesh.triangles.size() > kMostFaces) {
-      return makeError({"", "'" + node.name + "'", std::to_string(mesh.triangles.size()) + " triangles",
-                        "at most 200000 as STEP faces", "Export it as glTF or STL, or make the mesh coarser first."});
+      return makeError({.place = "'" + node.name + "'",
+                        .found = std::to_string(mesh.triangles.size()) + " triangles",
+                        .expected = "at most 200000 as STEP faces",
+                        .fix = "Export it as glTF or STL, or make the mesh coarser first."});
     }
     const TopoDS_Shape shape = facetedShape(mesh);
-    if (shape.IsNull()) return makeError({"", "'" + node.name + "'", "no triangle with an area", "a mesh", ""});
+    if (shape.IsNull())
+      return makeError({.place = "'" + node.name + "'", .found = "no triangle with an area", .expected = "a mesh"});
     return shape;
   }
 
@@ -215,8 +218,10 @@ class StepBuilder {
     }
     TopoDS_Shape shape = source->find(node.origin->part);
     if (shape.IsNull()) {
-      return makeError({"", "'" + node.name + "'", "no part '" + node.origin->part + "' in " + node.origin->file,
-                        "the file that it was imported from, unchanged", "Import it anew."});
+      return makeError({.place = "'" + node.name + "'",
+                        .found = "no part '" + node.origin->part + "' in " + node.origin->file,
+                        .expected = "the file that it was imported from, unchanged",
+                        .fix = "Import it anew."});
     }
     const double factor =
         node.origin->metres_per_unit > 0.0 ? node.origin->metres_per_unit / source->metresPerUnit() : 1.0;
@@ -262,7 +267,7 @@ class StepBuilder {
 
 Expected<void> writeStep(const workcell::ImportedScene& scene, const std::filesystem::path& file, ParentLink& parent) {
   const auto cad = StepBuilder(scene, parent).build();
-  if (!cad) return makeError(cad.error());
+  HAPTICELL_TRY(cad);
   STEPCAFControl_Writer writer;
   writer.SetNameMode(true);
   writer.SetColorMode(true);
@@ -273,10 +278,10 @@ Expected<void> writeStep(const workcell::ImportedScene& scene, const std::filesy
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   parent.progress(0.85, "writing");
   if (!writer.Transfer(cad->document, STEPControl_AsIs)) {
-    return makeError({"", "", "the parts cannot be written as STEP", "", ""});
+    return makeError({.found = "the parts cannot be written as STEP"});
   }
   if (writer.Write(file.c_str()) != IFSelect_RetDone) {
-    return makeError({"", "", "the file cannot be written", "room and permission", ""});
+    return makeError({.found = "the file cannot be written", .expected = "room and permission"});
   }
   return {};
 }

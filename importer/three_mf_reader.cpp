@@ -23,7 +23,8 @@ constexpr int kDeepestComponent = 100;
 constexpr std::size_t kMostUses = 200'000;
 
 Error packageFault(std::string place, std::string found, std::string expected) {
-  return {"", std::move(place), std::move(found), std::move(expected), "Export it again."};
+  return {
+      .place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = "Export it again."};
 }
 
 /// A name without the prefix of its namespace.
@@ -94,9 +95,9 @@ class ThreeMfReader {
   Expected<ThreeMfModel> read() {
     const std::string root = rootPart();
     const auto document = part(root);
-    if (!document) return makeError(document.error());
+    HAPTICELL_TRY(document);
     const pugi::xml_node model = childNamed(**document, "model");
-    if (auto able = checkRequired(model); !able) return makeError(able.error());
+    HAPTICELL_TRY(checkRequired(model));
     ThreeMfModel result;
     if (const std::string unit = attributeNamed(model, "unit"); !unit.empty()) {
       result.metres_per_unit = metresOfUnit(unit);
@@ -108,11 +109,11 @@ class ThreeMfReader {
     readSlicerNames();
     std::vector<std::unique_ptr<aiNode>> items;
     const pugi::xml_node build = childNamed(model, "build");
-    if (auto tree = checkComponents(build, root); !tree) return makeError(tree.error());
+    HAPTICELL_TRY(checkComponents(build, root));
     for (const pugi::xml_node item : build.children()) {
       if (!isNamed(item, "item")) continue;
       auto node = use(item, root, 0);
-      if (!node) return makeError(node.error());
+      HAPTICELL_TRY(node);
       items.push_back(std::move(*node));
     }
     if (items.empty()) return makeError(packageFault(root, "no <item> in its <build>", "objects to be built"));
@@ -184,9 +185,11 @@ class ThreeMfReader {
       const auto* const rule = report_.rule(name);
       using workcell::Treatment;
       if (rule && (rule->treatment == Treatment::kUsed || rule->treatment == Treatment::kNoted)) continue;
-      return makeError({"", "requiredextensions", "the extension '" + (name.empty() ? prefix : name) + "' (" + space +
-                                                      "), which is not read",
-                        "extensions that docs/formats.md lists", "Export it without that extension."});
+      return makeError(
+          {.place = "requiredextensions",
+           .found = "the extension '" + (name.empty() ? prefix : name) + "' (" + space + "), which is not read",
+           .expected = "extensions that docs/formats.md lists",
+           .fix = "Export it without that extension."});
     }
     return {};
   }
@@ -241,25 +244,26 @@ class ThreeMfReader {
         if (isNamed(component, "component")) below[k].push_back(numberOfUse(component, owner));
       }
     }
-    return geometry::checkUnfolding(
-        below, roots, {kDeepestComponent, kMostUses},
-        [&](std::uint32_t number) { return keys[number].first + ", object " + keys[number].second; });
+    return geometry::checkUnfolding(below, roots, {kDeepestComponent, kMostUses}, [&](std::uint32_t number) {
+      return keys[number].first + ", object " + keys[number].second;
+    });
   }
 
   /// An <item> or <component>: an object, placed.
   Expected<std::unique_ptr<aiNode>> use(const pugi::xml_node& source, const std::string& in_part, int depth) {
     const std::string id = attributeNamed(source, "objectid"), owner = ownerOf(source, in_part);
     const std::string place = owner + ", object " + id;
-    if (depth > kDeepestComponent) return makeError(packageFault(place, "components in a circle", "a tree of components"));
+    if (depth > kDeepestComponent)
+      return makeError(packageFault(place, "components in a circle", "a tree of components"));
     const auto document = part(owner);
-    if (!document) return makeError(document.error());
+    HAPTICELL_TRY(document);
     const pugi::xml_node resources = childNamed(childNamed(**document, "model"), "resources");
     const pugi::xml_node object = objectOf(resources, owner, id);
     if (!object) return makeError(packageFault(place, "no such object", "an object of that part"));
     const auto matrix = transformOf(source);
     if (!matrix) return makeError(packageFault(place, "a transform that is none", "12 numbers"));
     auto made = shapeOf(object, resources, {owner, id});
-    if (!made) return makeError(made.error());
+    HAPTICELL_TRY(made);
     auto node = newNode((*made)->name);
     node->mTransformation = *matrix;
     node->mNumMeshes = static_cast<unsigned>((*made)->meshes.size());
@@ -271,7 +275,7 @@ class ThreeMfReader {
     for (const pugi::xml_node component : childNamed(object, "components").children()) {
       if (!isNamed(component, "component")) continue;
       auto below = use(component, owner, depth + 1);
-      if (!below) return makeError(below.error());
+      HAPTICELL_TRY(below);
       parts.push_back(std::move(*below));
     }
     giveChildren(*node, std::move(parts));
@@ -298,14 +302,15 @@ class ThreeMfReader {
     if (made.name.empty()) made.name = "Object_" + key.second;
     if (const pugi::xml_node mesh = childNamed(object, "mesh")) {
       auto read = meshOf(mesh, object, resources, made.name);
-      if (!read) return makeError(read.error());
+      HAPTICELL_TRY(read);
       made.meshes.push_back(static_cast<unsigned>(meshes_.size()));
       meshes_.push_back(std::move(*read));
     }
     for (const pugi::xml_node child : object.children()) {
       static constexpr std::string_view kRead[] = {"mesh", "components", "metadatagroup"};
       const std::string_view name = localName(child.name());
-      if (child.type() == pugi::node_element && std::find(std::begin(kRead), std::end(kRead), name) == std::end(kRead)) {
+      if (child.type() == pugi::node_element &&
+          std::find(std::begin(kRead), std::end(kRead), name) == std::end(kRead)) {
         report_.meet(name, "'" + made.name + "'");
       }
     }
@@ -379,7 +384,7 @@ class ThreeMfReader {
 
 Expected<ThreeMfModel> readThreeMf(const std::filesystem::path& file) {
   auto package = unpackModel(file);
-  if (!package) return makeError(package.error());
+  HAPTICELL_TRY(package);
   return ThreeMfReader(std::move(*package)).read();
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "xacro/built_ins.h"
@@ -13,8 +14,6 @@
 namespace hapticell::xacro {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct OneNumber {
   const char* name;
@@ -30,13 +29,13 @@ const OneNumber kOne[] = {
     {"asin", std::asin},    {"asinh", std::asinh},
     {"atan", std::atan},    {"atanh", std::atanh},
     {"cbrt", std::cbrt},    {"cos", std::cos},
-    {"cosh", std::cosh},    {"degrees", [](double x) { return x * (180.0 / kPi); }},
+    {"cosh", std::cosh},    {"degrees", [](double x) { return x * (180.0 / std::numbers::pi); }},
     {"erf", std::erf},      {"erfc", std::erfc},
     {"exp", std::exp},      {"exp2", std::exp2},
     {"expm1", std::expm1},  {"fabs", std::fabs},
     {"gamma", std::tgamma}, {"lgamma", std::lgamma},
     {"log10", std::log10},  {"log1p", std::log1p},
-    {"log2", std::log2},    {"radians", [](double x) { return x * (kPi / 180.0); }},
+    {"log2", std::log2},    {"radians", [](double x) { return x * (std::numbers::pi / 180.0); }},
     {"sin", std::sin},      {"sinh", std::sinh},
     {"sqrt", std::sqrt},    {"tan", std::tan},
     {"tanh", std::tanh},
@@ -238,8 +237,8 @@ void addMathFunctions(Scope& scope, Scope& name_space) {
   const Add add = [&set](const std::string& name, std::function<Value(Call&)> run) {
     set(name, makeFunction(name, std::move(run)));
   };
-  set("pi", kPi);
-  set("tau", 2.0 * kPi);
+  set("pi", std::numbers::pi);
+  set("tau", 2.0 * std::numbers::pi);
   set("e", 2.718281828459045235);
   set("inf", std::numeric_limits<double>::infinity());
   set("nan", std::numeric_limits<double>::quiet_NaN());

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 
@@ -20,7 +21,7 @@ namespace {
 
 constexpr std::size_t kLongestYaml = std::size_t{8} << 20;
 
-const std::map<std::string, double> kUnits = {{"!radians", 1.0}, {"!degrees", 3.14159265358979323846 / 180.0},
+const std::map<std::string, double> kUnits = {{"!radians", 1.0}, {"!degrees", std::numbers::pi / 180.0},
                                               {"!meters", 1.0},  {"!millimeters", 0.001},
                                               {"!foot", 0.3048}, {"!inches", 0.0254}};
 const std::set<std::string> kTrue = {"yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"};

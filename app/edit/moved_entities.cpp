@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <numbers>
 
 namespace hapticell::app {
 namespace {
@@ -65,7 +66,7 @@ double stepped(double value, double step) {
 Pose motionOnto(const Pose& X_WF, const Pose& X_WT, bool align, bool face_to_face) {
   if (!align) return Pose::translation(X_WT.p - X_WF.p);
   // Half a turn about x: z looks the other way.
-  const dquat flip = face_to_face ? glm::angleAxis(glm::pi<double>(), dvec3(1, 0, 0)) : dquat(1, 0, 0, 0);
+  const dquat flip = face_to_face ? glm::angleAxis(std::numbers::pi, dvec3(1, 0, 0)) : dquat(1, 0, 0, 0);
   return X_WT * Pose::rotation(flip) * X_WF.inverse();
 }
 

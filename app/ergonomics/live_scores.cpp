@@ -82,7 +82,7 @@ Expected<void> LiveScores::chooseOwnLimits(const QString& file) {
     settings.remove(kLimitsKey);
   } else {
     auto read = ergonomics::readForceTable(file.toStdString());
-    if (!read) return tl::unexpected(read.error());
+    HAPTICELL_TRY(read);
     own_limits_ = std::move(*read);
     settings.setValue(kLimitsKey, file);
   }

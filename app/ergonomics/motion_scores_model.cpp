@@ -27,12 +27,13 @@ Expected<std::shared_ptr<const MotionScoresModel::Motion>> MotionScoresModel::re
                                                                                    const mannequin::Figure& figure,
                                                                                    const ergonomics::WorkTask& task) {
   const auto clip = mannequin::readRecordedMotion(path);
-  if (!clip) return makeError(clip.error());
+  HAPTICELL_TRY(clip);
   auto motion = std::make_shared<Motion>();
   motion->assumptions = clip->assumptions;
   auto own = mannequin::retarget(figure, *clip);
-  if (!own) return makeError(own.error());
-  if (own->postures.empty()) return makeError({path, "frames", "none", "a motion", ""});
+  HAPTICELL_TRY(own);
+  if (own->postures.empty())
+    return makeError({.file = path, .place = "frames", .found = "none", .expected = "a motion"});
   motion->own = rulaOf(figure, own->postures, task);
   motion->phase = ergonomics::worstPhase(motion->own, own->frame_time);
   motion->seconds = own->frame_time * static_cast<double>(own->postures.size());
@@ -44,7 +45,7 @@ Expected<std::shared_ptr<const MotionScoresModel::Motion>> MotionScoresModel::re
   motion->places = ergonomics::betterPlaces(figure, worst, task);
   for (std::size_t i = 0; i < motion->bands.size(); ++i) {
     const auto same = mannequin::retarget(bodies[i].figure, *clip);
-    if (!same) return makeError(same.error());
+    HAPTICELL_TRY(same);
     for (const int score : rulaOf(bodies[i].figure, same->postures, task))
       motion->bands[i].push_back(ergonomics::bandOfRula(score));
   }

@@ -5,8 +5,8 @@
 #include <exception>
 
 #include "workcell/files/autosave.h"
-#include "workcell/import/background_thread.h"
 #include "workcell/files/content_name.h"
+#include "workcell/import/background_thread.h"
 
 namespace hapticell::app {
 
@@ -23,7 +23,7 @@ Expected<workcell::Document> guarded(const std::function<Expected<workcell::Docu
   try {
     return read();
   } catch (const std::exception& exception) {
-    return makeError({path.toStdString(), "", std::string("it cannot be read: ") + exception.what(), "", ""});
+    return makeError({.file = path.toStdString(), .found = std::string("it cannot be read: ") + exception.what()});
   }
 }
 

@@ -11,13 +11,13 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
-#include "app/kit/system_open.h"
 #include "app/import/change_page.h"
 #include "app/kit/file_dialog.h"
+#include "app/kit/system_open.h"
 #include "app/style/plain_lines.h"
-#include "workcell/format/document_io.h"
 #include "workcell/files/pack.h"
 #include "workcell/files/scene_export.h"
+#include "workcell/format/document_io.h"
 
 namespace hapticell::app {
 namespace {
@@ -45,7 +45,7 @@ Expected<DocumentState> stateBefore(ExportWork::Against against, const DocumentS
   options.keep_unloaded = true;
   options.monitor = &monitor;
   auto document = workcell::loadDocument(file, notes, options);
-  if (!document) return makeError(document.error());
+  HAPTICELL_TRY(document);
   return document->state();
 }
 
@@ -109,7 +109,7 @@ void ExportWork::exportTo(const QString& path, bool selection_only) {
     monitor.report("writing", 0.0);
     Diagnostics notes;
     const auto written = workcell::exportState(state, path.toStdString(), options, notes);
-    if (!written) return makeError(written.error());
+    HAPTICELL_TRY(written);
     return BackgroundWork::Then([this, path, notes] { tellWritten(path, notes.warnings); });
   };
   run(path, work, tr("%1 was not written").arg(QFileInfo(path).fileName()));
@@ -149,7 +149,7 @@ void ExportWork::packTo(const QString& path, bool allow_outside) {
     monitor.report("packing", 0.0);
     Diagnostics notes;
     const auto packed = workcell::pack(state, path.toStdString(), name, scope, notes, &monitor);
-    if (!packed) return makeError(packed.error());
+    HAPTICELL_TRY(packed);
     if (!packed->isWritten()) {
       QStringList outside;
       for (const auto& file : packed->outside) outside << plainLines(QString::fromStdString(file.string()));
@@ -175,9 +175,9 @@ void ExportWork::reportTo(const QString& path, Against against, const QString& o
   const auto work = [=, this, state = document.state(), cell = host_.documentModel().title()](
                         workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
     const auto before = stateBefore(against, state, file, monitor);
-    if (!before) return makeError(before.error());
+    HAPTICELL_TRY(before);
     const auto written = writeChanges(workcell::compareStates(*before, state), cell, against_text, path);
-    if (!written) return makeError(written.error());
+    HAPTICELL_TRY(written);
     return BackgroundWork::Then([this, path] { tellWritten(path, {}); });
   };
   run(path, work, failed);

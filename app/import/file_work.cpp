@@ -174,7 +174,8 @@ NamedParts FileWork::partsOfCell() const {
 
 void FileWork::select(const std::vector<workcell::EntityId>& parts) {
   std::vector<workcell::EntityId> there = parts;  // What was deleted since cannot be selected.
-  std::erase_if(there, [this](workcell::EntityId part) { return !host_.documentModel().document().state().find(part); });
+  std::erase_if(there,
+                [this](workcell::EntityId part) { return !host_.documentModel().document().state().find(part); });
   if (!there.empty()) host_.selection().setAll(there, there.front());
 }
 
@@ -308,7 +309,7 @@ void FileWork::reload(const std::vector<std::string>& paths) {
   const auto work = [this, paths, name, text, state = host_.documentModel().document().state()](
                         workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
     auto reload = std::make_shared<ShapeReload>(reloadShapes(state, paths, monitor));
-    if (monitor.isCancelled()) return makeError({name.toStdString(), "", "the reading was cancelled", "", ""});
+    if (monitor.isCancelled()) return makeError({.file = name.toStdString(), .found = "the reading was cancelled"});
     return BackgroundWork::Then([this, reload, name, text] {
       tellRemarks(name, reload->problems, partsOfCell());
       const auto& document = host_.documentModel().document();

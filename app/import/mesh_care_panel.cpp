@@ -151,7 +151,7 @@ void MeshCarePanel::simplify() {
          tolerance = 0.001 * tolerance_->value()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
           monitor.report("simplifying", 0.1);
           auto made = workcell::simplify(*mesh, tolerance);
-          if (!made) return makeError(made.error());
+          HAPTICELL_TRY(made);
           const QString told =
               tr("%1 of %2 triangles are left, off the surface by at most %3.")
                   .arg(countText(static_cast<double>(made->mesh.triangles.size())),
@@ -188,7 +188,7 @@ void MeshCarePanel::chooseProxy(int kind) {
          tolerance = 0.001 * tolerance_->value()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
           monitor.report("making what is checked", 0.1);
           auto proxy = workcell::makeProxy(*mesh, kind, tolerance);
-          if (!proxy) return makeError(proxy.error());
+          HAPTICELL_TRY(proxy);
           auto made = std::make_shared<CollisionProxy>(std::move(*proxy));
           return BackgroundWork::Then([this, id, made] {
             host_.documentModel().execute(workcell::SetCollisionProxy{id, *made});

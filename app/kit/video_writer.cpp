@@ -23,20 +23,22 @@ bool VideoWriter::isVideo(const QString& file) {
 Expected<std::unique_ptr<VideoWriter>> VideoWriter::open(const QString& file, const QSize& size, int frames_a_second) {
   const QString program = QString::fromStdString(config::systemProgram("ffmpeg").string());
   if (program.isEmpty()) {
-    return makeError({file.toStdString(), "", "the program ffmpeg is not installed", "ffmpeg, which writes videos",
-                      "Install ffmpeg, or write a picture (png)."});
+    return makeError({.file = file.toStdString(),
+                      .found = "the program ffmpeg is not installed",
+                      .expected = "ffmpeg, which writes videos",
+                      .fix = "Install ffmpeg, or write a picture (png)."});
   }
   if (size.isEmpty() || size.width() % 2 != 0 || size.height() % 2 != 0) {
-    return makeError({file.toStdString(), "",
-                      "a picture of " + std::to_string(size.width()) + " x " + std::to_string(size.height()),
-                      "an even width and height", ""});
+    return makeError({.file = file.toStdString(),
+                      .found = "a picture of " + std::to_string(size.width()) + " x " + std::to_string(size.height()),
+                      .expected = "an even width and height"});
   }
   std::unique_ptr<VideoWriter> writer(new VideoWriter);
   writer->file_ = file;
   writer->size_ = size;
   const QFileInfo info(file);
   auto part = AtomicFile::begin(file.toStdString());
-  if (!part) return makeError(part.error());
+  HAPTICELL_TRY(part);
   writer->part_.emplace(std::move(*part));
   QStringList arguments{"-y",
                         "-loglevel",
@@ -70,8 +72,11 @@ VideoWriter::~VideoWriter() {
 
 Error VideoWriter::failure(const QString& what) {
   const QString said = QString::fromLocal8Bit(ffmpeg_.readAll()).simplified();
-  return {file_.toStdString(), "ffmpeg", (said.isEmpty() ? what : said).toStdString(), "a video that can be written",
-          "Look whether the folder exists, and whether ffmpeg knows this ending."};
+  return {.file = file_.toStdString(),
+          .place = "ffmpeg",
+          .found = (said.isEmpty() ? what : said).toStdString(),
+          .expected = "a video that can be written",
+          .fix = "Look whether the folder exists, and whether ffmpeg knows this ending."};
 }
 
 Expected<void> VideoWriter::add(const QImage& picture) {

@@ -20,13 +20,16 @@ Expected<void> writeBytes(const QString& path, const QByteArray& bytes) {
 Expected<void> writePicture(const QImage& picture, const QString& path, int quality) {
   const QByteArray format = QFileInfo(path).suffix().toLatin1().toLower();
   if (!QImageWriter::supportedImageFormats().contains(format)) {
-    return makeError({path.toStdString(), "", "a picture format that cannot be written", "png, jpg, bmp or tiff",
-                      "Give the file another ending."});
+    return makeError({.file = path.toStdString(),
+                      .found = "a picture format that cannot be written",
+                      .expected = "png, jpg, bmp or tiff",
+                      .fix = "Give the file another ending."});
   }
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   if (!picture.save(&buffer, format.constData(), quality))
-    return makeError({path.toStdString(), "", "there is no picture", "something that is drawn", ""});
+    return makeError(
+        {.file = path.toStdString(), .found = "there is no picture", .expected = "something that is drawn"});
   return writeBytes(path, buffer.data());
 }
 

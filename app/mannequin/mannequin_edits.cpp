@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "mannequin/body/body_request_text.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/shape/figure_model.h"
 #include "workcell/import/entity_source.h"
 
 namespace hapticell::app {
@@ -58,7 +58,7 @@ Expected<std::vector<workcell::Command>> resizeCommands(const workcell::Entity& 
                                                         const mannequin::BodyRequest& request) {
   Diagnostics diagnostics;
   auto fresh = workcell::EntityLoader({}).load(mannequin::bodyRequestText(request), 0.0, diagnostics);
-  if (!fresh) return makeError(fresh.error());
+  HAPTICELL_TRY(fresh);
   const Posture before = postureOf(entity);
   const double floor = before.X_WR.p.z - mannequin::onFloor(*entity.figure, before).X_WR.p.z;
   Posture after = before;

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace hapticell::app {
 namespace {
 
 using workcell::MechanismJoint;
 using workcell::MechanismJointType;
-
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kArcPoints = 33;
 
 bool has(const std::vector<std::string>& names, const std::string& name) {
@@ -24,7 +23,7 @@ dvec3 squareTo(const dvec3& axis) {
 }
 
 Error fault(const std::string& place, const std::string& found, const std::string& fix) {
-  return {"", place, found, "", fix};
+  return {.place = place, .found = found, .fix = fix};
 }
 
 std::string quoted(const std::string& name) {
@@ -108,9 +107,9 @@ void suitLimits(MechanismJoint& joint) {
   joint.pitch = joint.type == MechanismJointType::kScrew ? 0.010 : 0.0;
   joint.velocity = joint.type == MechanismJointType::kPrismatic ? 0.25 : 1.0;
   joint.lower = joint.upper = 0.0;
-  if (joint.type == MechanismJointType::kRevolute) joint.upper = 0.5 * kPi;
+  if (joint.type == MechanismJointType::kRevolute) joint.upper = 0.5 * std::numbers::pi;
   if (joint.type == MechanismJointType::kPrismatic) joint.upper = 0.1;
-  if (joint.type == MechanismJointType::kScrew) joint.upper = 20.0 * kPi;
+  if (joint.type == MechanismJointType::kScrew) joint.upper = 20.0 * std::numbers::pi;
 }
 
 MechanismJoint newJoint(const MechanismDraft& draft, MechanismJointType type) {
@@ -144,7 +143,7 @@ std::vector<SceneCurve> axisCurves(const MechanismJoint& joint, double length) {
   if (joint.type == MechanismJointType::kRevolute && std::isfinite(turn)) {
     SceneCurve arc{{}, SceneCurve::Role::kGuide, SceneCurve::Style::kSolid, 1.6};
     for (int i = 0; i < kArcPoints; ++i) {
-      const double angle = joint.lower + std::min(turn, 2.0 * kPi) * i / (kArcPoints - 1);
+      const double angle = joint.lower + std::min(turn, 2.0 * std::numbers::pi) * i / (kArcPoints - 1);
       arc.points_W.push_back(joint.p_MJ + 0.25 * length * (std::cos(angle) * x + std::sin(angle) * y));
     }
     curves.push_back(std::move(arc));

@@ -15,8 +15,8 @@
 #include <cmath>
 
 #include "app/host/host.h"
-#include "app/kit/system_open.h"
 #include "app/kit/form.h"
+#include "app/kit/system_open.h"
 #include "app/settings/configuration_fields.h"
 #include "app/settings/settings_pages.h"
 #include "app/settings/toml_edit.h"
@@ -213,7 +213,9 @@ Expected<void> writeSetting(const QString& file, const QString& key, const QStri
   QByteArray before;
   if (old.exists()) {
     if (!old.open(QIODevice::ReadOnly))
-      return makeError({file.toStdString(), "", old.errorString().toStdString(), "a file that can be read", ""});
+      return makeError({.file = file.toStdString(),
+                        .found = old.errorString().toStdString(),
+                        .expected = "a file that can be read"});
     before = old.readAll();
   }
   const std::string after =

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
+#include <numbers>
 #include <vector>
 
 #include "app/style/units.h"
@@ -112,7 +113,7 @@ QString shownOne(const QString& sentence) {
       const QString text = match.captured(i);
       const QChar kind = known.kinds[i - 1];
       values << (kind == 'm'   ? lengthText(0.001 * text.toDouble())
-                 : kind == 'd' ? angleText(text.toDouble() * 3.14159265358979323846 / 180.0)
+                 : kind == 'd' ? angleText(text.toDouble() * std::numbers::pi / 180.0)
                                : text);
     }
     return filled(QCoreApplication::translate("LibraryText", known.shown), values);

@@ -6,6 +6,7 @@
 #include <QVariant>
 #include <QWidget>
 #include <cmath>
+#include <numbers>
 
 #include "app/style/value_field.h"
 
@@ -13,7 +14,6 @@ namespace hapticell::app {
 namespace {
 
 constexpr const char* kProperty = "hapticellUnits";
-constexpr double kPi = 3.14159265358979323846;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ double Units::perMetre() const {
 }
 
 double Units::perRadian() const {
-  return angle == Angle::kDegree ? 180.0 / kPi : 1.0;
+  return angle == Angle::kDegree ? 180.0 / std::numbers::pi : 1.0;
 }
 
 QString Units::lengthUnit() const {

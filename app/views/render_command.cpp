@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <numbers>
 
 #include "app/kit/video_writer.h"
 #include "app/kit/written_file.h"
@@ -46,11 +47,11 @@ Expected<workcell::Document> readScene(const QString& input, Diagnostics& diagno
   }
   workcell::EntityLoader loader(".");
   auto read = loader.loadTree(input.toStdString(), {}, diagnostics);
-  if (!read) return makeError(read.error());
+  HAPTICELL_TRY(read);
   workcell::Document document;
   for (workcell::Entity& entity : read->entities) {
     auto added = document.execute(workcell::AddEntity{std::move(entity)});
-    if (!added) return makeError(added.error());
+    HAPTICELL_TRY(added);
   }
   return document;
 }
@@ -64,7 +65,8 @@ Expected<Camera> cameraFor(const RenderCommand& command, const workcell::Documen
   }
   const auto view = viewNamed(command.view);
   if (!view) {
-    return makeError({"", "--view", "'" + command.view.toStdString() + "'", knownViews().toStdString(), ""});
+    return makeError(
+        {.place = "--view", .found = "'" + command.view.toStdString() + "'", .expected = knownViews().toStdString()});
   }
   return camera.turnedTo(*view).fitted(scene.corners_W(), size);
 }
@@ -85,10 +87,10 @@ TurnVideo::~TurnVideo() = default;
 Expected<std::unique_ptr<TurnVideo>> TurnVideo::begin(const RenderCommand& command, const SceneModel& scene,
                                                       const Camera& camera) {
   auto renderer = PictureRenderer::make();
-  if (!renderer) return makeError(renderer.error());
+  HAPTICELL_TRY(renderer);
   std::unique_ptr<TurnVideo> video(new TurnVideo(command, scene, camera, std::move(*renderer)));
   auto writer = VideoWriter::open(command.output, video->size_, kFramesASecond);
-  if (!writer) return makeError(writer.error());
+  HAPTICELL_TRY(writer);
   video->writer_ = std::move(*writer);
   return video;
 }
@@ -96,7 +98,7 @@ Expected<std::unique_ptr<TurnVideo>> TurnVideo::begin(const RenderCommand& comma
 Expected<void> TurnVideo::step() {
   if (isDone()) return {};
   Camera turned = camera_;
-  turned.azimuth += 2.0 * glm::pi<double>() * done_ / count_;
+  turned.azimuth += 2.0 * std::numbers::pi * done_ / count_;
   PictureRenderer::Look look;
   look.floor = command_.floor;
   look.samples = kVideoSamples;
@@ -109,13 +111,13 @@ Expected<void> TurnVideo::step() {
 Expected<void> renderScene(const RenderCommand& command, const SceneModel& scene, const Camera& camera) {
   if (VideoWriter::isVideo(command.output)) {
     auto video = TurnVideo::begin(command, scene, camera);
-    if (!video) return makeError(video.error());
+    HAPTICELL_TRY(video);
     while (!(*video)->isDone())
       if (auto stepped = (*video)->step(); !stepped) return stepped;
     return {};
   }
   auto renderer = PictureRenderer::make();
-  if (!renderer) return makeError(renderer.error());
+  HAPTICELL_TRY(renderer);
   PictureRenderer::Look look;
   look.floor = command.floor;
   return writePicture(renderer->draw(scene, camera, command.size, command.light ? lightTheme() : darkTheme(), look),
@@ -130,7 +132,7 @@ std::optional<StandardView> viewNamed(const QString& name) {
 
 Expected<void> render(const RenderCommand& command, Diagnostics& diagnostics) {
   const auto document = readScene(command.input, diagnostics);
-  if (!document) return makeError(document.error());
+  HAPTICELL_TRY(document);
   SceneModel scene;
   scene.setEntities(document->snapshotEntities());
   for (const workcell::Entity& entity : scene.entities()) {
@@ -138,7 +140,7 @@ Expected<void> render(const RenderCommand& command, Diagnostics& diagnostics) {
     scene.setSkin(entity, figureSkin(*entity.figure));
   }
   const auto camera = cameraFor(command, *document, scene);
-  if (!camera) return makeError(camera.error());
+  HAPTICELL_TRY(camera);
   return renderScene(command, scene, *camera);
 }
 

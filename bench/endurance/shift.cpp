@@ -8,11 +8,11 @@
 #include "bench/endurance/kept_session.h"
 #include "bench/endurance/random_hand.h"
 #include "trajectory/files/trajectory_io.h"
+#include "workcell/files/scene_export.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
-#include "workcell/text/file_content.h"
 #include "workcell/import/imported_entities.h"
-#include "workcell/files/scene_export.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::endurance {
 
@@ -45,12 +45,12 @@ Expected<Day> Day::begin(std::uint64_t seed, const std::filesystem::path& folder
   day.folder_ = folder;
   day.server_port_ = server_port;
   const auto configuration = config::loadConfiguration();
-  if (!configuration) return tl::unexpected(configuration.error());
+  HAPTICELL_TRY(configuration);
   day.configuration_ = *configuration;
   const auto profile_file = config::findShippedFile("devices/touch.toml");
-  if (!profile_file) return tl::unexpected(profile_file.error());
+  HAPTICELL_TRY(profile_file);
   const auto profile = config::readDeviceProfile(*profile_file);
-  if (!profile) return tl::unexpected(profile.error());
+  HAPTICELL_TRY(profile);
   day.device_ = *profile;
 
   const std::vector<std::pair<const char*, std::vector<std::string>>> cells = {
@@ -59,10 +59,10 @@ Expected<Day> Day::begin(std::uint64_t seed, const std::filesystem::path& folder
       {"car_door", {"door"}}};
   for (const auto& [name, movable] : cells) {
     const auto file = config::findShippedFile(std::string("workcells/") + name + ".hcell");
-    if (!file) return tl::unexpected(file.error());
+    HAPTICELL_TRY(file);
     Diagnostics diagnostics;
     auto document = workcell::loadDocument(*file, diagnostics);
-    if (!document) return tl::unexpected(document.error());
+    HAPTICELL_TRY(document);
     day.cells_.push_back({name, std::move(*document), movable});
   }
   return day;

@@ -5,11 +5,11 @@
 #include <thread>
 
 #include "cli/device/device_commands.h"
-#include "cli/kit/server_address.h"
 #include "cli/device/typed_code.h"
+#include "cli/kit/server_address.h"
 #include "geometry/system/plain_text.h"
-#include "haptic/transport/pairing_key.h"
 #include "haptic/client/tcp_link.h"
+#include "haptic/transport/pairing_key.h"
 
 namespace hapticell::cli {
 
@@ -38,8 +38,9 @@ Expected<std::string> tryKey(const ServerAddress& server, const haptic::PairingK
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   if (const auto device = link.device()) return device->name;
-  return makeError({server.host + ":" + std::to_string(server.port), "", link.problem(), "",
-                    "Nothing was kept; --unchecked keeps the code without a connection."});
+  return makeError({.file = server.host + ":" + std::to_string(server.port),
+                    .found = link.problem(),
+                    .fix = "Nothing was kept; --unchecked keeps the code without a connection."});
 }
 
 ExitStatus failed(const Error& error) {

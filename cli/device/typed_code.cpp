@@ -55,11 +55,13 @@ Expected<std::string> readLine() {
     if (sign == '\n' || sign == '\r') return line;
     line += sign;
     if (line.size() > kLongestLine)
-      return makeError({"", "standard input", "a line of over 200 signs", "a pairing code", ""});
+      return makeError({.place = "standard input", .found = "a line of over 200 signs", .expected = "a pairing code"});
   }
   if (!line.empty() && sign != kInterrupt) return line;
-  return makeError({"", "standard input", "it ended without a pairing code", "the code in one line",
-                    "Type what hapticell-haptic-server --pair shows."});
+  return makeError({.place = "standard input",
+                    .found = "it ended without a pairing code",
+                    .expected = "the code in one line",
+                    .fix = "Type what hapticell-haptic-server --pair shows."});
 }
 
 }  // namespace

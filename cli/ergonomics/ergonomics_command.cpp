@@ -7,11 +7,11 @@
 #include "cli/ergonomics/ergonomics_input.h"
 #include "cli/ergonomics/ergonomics_report.h"
 #include "cli/kit/motion_options.h"
+#include "mannequin/body/figure.h"
 #include "mannequin/ergonomics/advice/motion_scores.h"
 #include "mannequin/ergonomics/methods/owas.h"
 #include "mannequin/ergonomics/methods/reba.h"
 #include "mannequin/ergonomics/methods/rula.h"
-#include "mannequin/body/figure.h"
 #include "mannequin/motion/recorded_motion.h"
 
 namespace hapticell::cli {
@@ -29,20 +29,20 @@ struct ErgonomicsOptions {
 };
 
 Expected<ordered_json> scored(const ergonomics::ScoredMethod& method, Expected<ScoredInput> input) {
-  if (!input) return tl::unexpected(input.error());
+  HAPTICELL_TRY(input);
   return scoredReport(method, *input);
 }
 
 Expected<ordered_json> lifting(const json& given) {
   const auto input = liftingInput(given);
-  if (!input) return tl::unexpected(input.error());
+  HAPTICELL_TRY(input);
   if (input->is_composite) {
     const auto result = ergonomics::compositeLift(input->tasks, input->conditions);
-    if (!result) return tl::unexpected(result.error());
+    HAPTICELL_TRY(result);
     return compositeReport(*input, *result);
   }
   const auto result = ergonomics::lift(input->tasks.front(), input->conditions);
-  if (!result) return tl::unexpected(result.error());
+  HAPTICELL_TRY(result);
   return liftingReport(input->tasks.front(), *result);
 }
 
@@ -55,11 +55,11 @@ Expected<ordered_json> judge(const std::string& method, const json& input) {
 
 Expected<ordered_json> judgeMotion(const std::string& method, const ErgonomicsOptions& options) {
   const auto reading = motionReading(options.up, options.markers);
-  if (!reading) return tl::unexpected(reading.error());
+  HAPTICELL_TRY(reading);
   const auto recorded = mannequin::readRecordedMotion(options.motion, *reading);
-  if (!recorded) return tl::unexpected(recorded.error());
+  HAPTICELL_TRY(recorded);
   const auto figure = mannequin::makeFigure({});
-  if (!figure) return tl::unexpected(figure.error());
+  HAPTICELL_TRY(figure);
   const auto kind = method == "rula"   ? ergonomics::MotionMethod::kRula
                     : method == "reba" ? ergonomics::MotionMethod::kReba
                                        : ergonomics::MotionMethod::kOwas;
@@ -80,9 +80,11 @@ Expected<ordered_json> result(const std::string& method, const ErgonomicsOptions
   }
   if (!options.motion.empty()) return judgeMotion(method, options);
   if (!options.up.empty() || !options.markers.empty())
-    return makeError({"", "--up, --markers", "given without --motion", "a recorded motion to read by them", ""});
+    return makeError({.place = "--up, --markers",
+                      .found = "given without --motion",
+                      .expected = "a recorded motion to read by them"});
   const auto input = readErgonomicsInput(options.input);
-  if (!input) return tl::unexpected(input.error());
+  HAPTICELL_TRY(input);
   auto judged = judge(method, *input);
   const bool is_file = options.input.find('{') == std::string::npos;
   if (!judged && judged.error().file.empty() && is_file) judged.error().file = options.input;

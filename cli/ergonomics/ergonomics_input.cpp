@@ -10,8 +10,8 @@
 
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/regular_file.h"
-#include "mannequin/ergonomics/methods/owas.h"
 #include "mannequin/ergonomics/advice/posture_advice.h"
+#include "mannequin/ergonomics/methods/owas.h"
 #include "mannequin/ergonomics/methods/reba.h"
 #include "mannequin/ergonomics/methods/rula.h"
 
@@ -36,7 +36,7 @@ std::string listed(const std::vector<std::string_view>& names) {
 }
 
 tl::unexpected<Error> refused(const std::string& field, const std::string& found, const std::string& expected) {
-  return makeError({"", field, found, expected, ""});
+  return makeError({.place = field, .found = found, .expected = expected});
 }
 
 /// Refuses fields that are not among `known`: a misspelt field would else be a missing one.
@@ -66,7 +66,7 @@ Expected<void> readSubScores(const json& object, const ScoredMethod& method, Sco
     const auto field = object.find(sub_score.name);
     if (field == object.end()) continue;
     const auto value = wholeNumber(*field, sub_score);
-    if (!value) return tl::unexpected(value.error());
+    HAPTICELL_TRY(value);
     result.values[i] = *value;
   }
   return {};
@@ -85,14 +85,14 @@ Expected<bool> flagOf(const PostureField& field, const json& value) {
 Expected<PostureAngles> readAngles(const json& object) {
   std::vector<std::string_view> known;
   for (const PostureField& field : postureFields()) known.push_back(field.name);
-  if (auto checked = checkNames(object, "angles", known); !checked) return tl::unexpected(checked.error());
+  HAPTICELL_TRY(checkNames(object, "angles", known));
   PostureAngles angles;
   for (const PostureField& field : postureFields()) {
     const auto value = object.find(field.name);
     if (value == object.end()) continue;
     if (field.flag != nullptr) {
       const auto flag = flagOf(field, *value);
-      if (!flag) return tl::unexpected(flag.error());
+      HAPTICELL_TRY(flag);
       angles.*field.flag = *flag;
       continue;
     }
@@ -114,7 +114,7 @@ Expected<ScoredInput> scoredInput(const json& input, const ScoredMethod& method,
                                   const ValuesOf& values_of) {
   std::vector<std::string_view> known{"scores", "angles"};
   known.insert(known.end(), at_top.begin(), at_top.end());
-  if (auto checked = checkNames(input, "", known); !checked) return tl::unexpected(checked.error());
+  HAPTICELL_TRY(checkNames(input, "", known));
   if (input.contains("scores") == input.contains("angles")) {
     return refused("scores, angles", input.contains("scores") ? "both are given" : "neither is given",
                    "one of the two");
@@ -123,7 +123,7 @@ Expected<ScoredInput> scoredInput(const json& input, const ScoredMethod& method,
   result.values.resize(method.subScores().size());
   if (input.contains("angles")) {
     auto angles = readAngles(input["angles"]);
-    if (!angles) return tl::unexpected(angles.error());
+    HAPTICELL_TRY(angles);
     std::vector<std::string_view> missing;
     result.values = values_of(*angles, missing);
     result.missing.assign(missing.begin(), missing.end());
@@ -131,10 +131,10 @@ Expected<ScoredInput> scoredInput(const json& input, const ScoredMethod& method,
   } else {
     std::vector<std::string_view> names;
     for (const SubScore& sub_score : method.subScores()) names.push_back(sub_score.name);
-    if (auto checked = checkNames(input["scores"], "scores", names); !checked) return tl::unexpected(checked.error());
-    if (auto read = readSubScores(input["scores"], method, result); !read) return tl::unexpected(read.error());
+    HAPTICELL_TRY(checkNames(input["scores"], "scores", names));
+    HAPTICELL_TRY(readSubScores(input["scores"], method, result));
   }
-  if (auto read = readSubScores(input, method, result); !read) return tl::unexpected(read.error());
+  HAPTICELL_TRY(readSubScores(input, method, result));
   return result;
 }
 
@@ -145,7 +145,7 @@ Expected<void> spreadOverBoth(const json& input, const Rula& method, ScoredInput
     SubScore named = method.subScores()[arm];
     named.name = name;
     const auto value = wholeNumber(input[name], named);
-    if (!value) return tl::unexpected(value.error());
+    HAPTICELL_TRY(value);
     for (const std::size_t i : {arm, body}) result.values[i] = result.values[i].value_or(*value);
     result.assumptions.push_back(std::string(name) + " counts for the arm and for the body.");
     return {};
@@ -210,7 +210,7 @@ Expected<LiftingTask> liftingTask(const json& object) {
     task.*field.member = value->get<double>();
   }
   // What is there and wrong is told before what is not there.
-  if (auto checked = checkLiftingRanges(task); !checked) return tl::unexpected(checked.error());
+  HAPTICELL_TRY(checkLiftingRanges(task));
   if (missing) return refused(missing, "it is not given", "a number; the equation needs every field");
   const json coupling = object.value("coupling", json());
   if (coupling == "good") {
@@ -235,15 +235,16 @@ Expected<json> readErgonomicsInput(const std::string& input) {
     text.assign(std::istreambuf_iterator<char>(std::cin), {});
   } else if (!is_in_place) {
     auto content = geometry::readRegularFile(input);
-    if (!content) return makeError({input, "", content.error().found, "a JSON file, or JSON in place", ""});
+    if (!content)
+      return makeError({.file = input, .found = content.error().found, .expected = "a JSON file, or JSON in place"});
     text = std::move(*content);
   }
   const std::string name = is_in_place || input == "-" ? "--input" : input;
   auto flat = geometry::checkNesting(text, geometry::NestedText::kJson, name);
-  if (!flat) return makeError(flat.error());
+  HAPTICELL_TRY(flat);
   json parsed = json::parse(text, nullptr, false);
   if (parsed.is_discarded()) {
-    return makeError({name, "", "it is not JSON", "an object in braces", ""});
+    return makeError({.file = name, .found = "it is not JSON", .expected = "an object in braces"});
   }
   return parsed;
 }
@@ -262,7 +263,7 @@ Expected<ScoredInput> rulaInput(const json& input) {
                             {"muscle_use", "force", "muscle_use_arm", "force_arm", "muscle_use_body", "force_body"},
                             rulaValuesOf);
   if (!result) return result;
-  if (auto spread = spreadOverBoth(input, method, *result); !spread) return tl::unexpected(spread.error());
+  HAPTICELL_TRY(spreadOverBoth(input, method, *result));
   if (result->angles) {
     result->assumptions.push_back(
         std::string(
@@ -282,7 +283,7 @@ Expected<ScoredInput> rebaInput(const json& input) {
 
 Expected<ScoredInput> owasInput(const json& input) {
   const Owas method;
-  if (auto checked = checkNames(input, "", {"code"}); !checked) return tl::unexpected(checked.error());
+  HAPTICELL_TRY(checkNames(input, "", {"code"}));
   const json code = input.value("code", json());
   const std::string digits = code.is_string() ? code.get<std::string>() : code.is_number_integer() ? code.dump() : "";
   if (digits.size() != 4) {
@@ -306,7 +307,7 @@ Expected<LiftingInput> liftingInput(const json& input) {
   std::vector<std::string_view> known{"coupling", "tasks"};
   for (const NumberField& field : kLiftingFields) known.emplace_back(field.name);
   for (const ConditionField& field : kConditionFields) known.emplace_back(field.name);
-  if (auto checked = checkNames(input, "", known); !checked) return tl::unexpected(checked.error());
+  HAPTICELL_TRY(checkNames(input, "", known));
   LiftingInput result;
   for (const ConditionField& field : kConditionFields) {
     const auto value = input.find(field.name);
@@ -323,7 +324,7 @@ Expected<LiftingInput> liftingInput(const json& input) {
     if (!read && result.is_composite) {
       read.error().place = "task " + std::to_string(result.tasks.size() + 1) + ", " + read.error().place;
     }
-    if (!read) return tl::unexpected(read.error());
+    HAPTICELL_TRY(read);
     result.tasks.push_back(*read);
   }
   return result;

@@ -15,10 +15,10 @@
 #include "cli/kit/kept_result.h"
 #include "manipulation/checks/mannequin_workplace.h"
 #include "manipulation/checks/workplace_check.h"
-#include "mannequin/ergonomics/scores/hand_force.h"
 #include "mannequin/ergonomics/report/posture_report.h"
-#include "mannequin/shape/figure_model.h"
+#include "mannequin/ergonomics/scores/hand_force.h"
 #include "mannequin/posture/posture_file.h"
+#include "mannequin/shape/figure_model.h"
 #include "workcell/format/document_io.h"
 
 namespace hapticell::cli {
@@ -61,7 +61,7 @@ std::string today() {
 Expected<Subject> subjectOfCell(const PostureOptions& options) {
   Diagnostics notes;
   const auto document = workcell::loadDocument(options.cell, notes);
-  if (!document) return tl::unexpected(document.error());
+  HAPTICELL_TRY(document);
   const workcell::DocumentState& state = document->state();
   const workcell::Entity* found = nullptr;
   for (const auto& entity : state.entities) {
@@ -69,9 +69,10 @@ Expected<Subject> subjectOfCell(const PostureOptions& options) {
     if (entity->figure && wanted) found = entity.get();
   }
   if (!found)
-    return makeError({options.cell, "--mannequin",
-                      options.mannequin.empty() ? "no mannequin in the cell" : "'" + options.mannequin + "'",
-                      "the name of a mannequin of the cell", ""});
+    return makeError({.file = options.cell,
+                      .place = "--mannequin",
+                      .found = options.mannequin.empty() ? "no mannequin in the cell" : "'" + options.mannequin + "'",
+                      .expected = "the name of a mannequin of the cell"});
   Subject subject;
   subject.state = std::make_shared<workcell::DocumentState>(state);
   subject.id = found->id;
@@ -87,18 +88,18 @@ Expected<Subject> subjectOfCell(const PostureOptions& options) {
 Expected<Subject> subjectOfFigure(const PostureOptions& options) {
   mannequin::BodyRequest request;
   if (options.sex != "male" && options.sex != "female")
-    return makeError({"", "--sex", "'" + options.sex + "'", "male or female", ""});
+    return makeError({.place = "--sex", .found = "'" + options.sex + "'", .expected = "male or female"});
   request.sex = options.sex == "male" ? mannequin::Sex::kMale : mannequin::Sex::kFemale;
   if (options.percentile.has_value() == options.stature.has_value())
-    return makeError({"", "", options.stature ? "both --percentile and --stature" : "no size",
-                      "--cell, or one of --percentile and --stature", ""});
+    return makeError({.found = options.stature ? "both --percentile and --stature" : "no size",
+                      .expected = "--cell, or one of --percentile and --stature"});
   const auto stature = options.stature ? Expected<double>(*options.stature)
                                        : mannequin::statureOfPercentile(request.sex, *options.percentile);
-  if (!stature) return tl::unexpected(stature.error());
+  HAPTICELL_TRY(stature);
   request.stature = *stature;
   request.mass = options.mass;
   const auto figure = mannequin::makeFigure(request);
-  if (!figure) return tl::unexpected(figure.error());
+  HAPTICELL_TRY(figure);
   Subject subject;
   subject.input.figure = *figure;
   if (const auto known = mannequin::libraryPosture(*figure, options.posture)) {
@@ -106,7 +107,7 @@ Expected<Subject> subjectOfFigure(const PostureOptions& options) {
   } else {
     bool has_root = false;
     const auto read = mannequin::readPosture(options.posture, &has_root);
-    if (!read) return tl::unexpected(read.error());
+    HAPTICELL_TRY(read);
     subject.input.posture = has_root ? *read : mannequin::onFloor(*figure, *read);
   }
   subject.input.subtitle = options.posture;
@@ -119,24 +120,24 @@ Expected<Subject> subjectOf(const PostureOptions& options) {
   if (!subject) return subject;
   if (!options.task.empty()) {
     const auto given = readErgonomicsInput(options.task);
-    if (!given) return tl::unexpected(given.error());
+    HAPTICELL_TRY(given);
     const auto task = workTaskInput(*given);
-    if (!task) return tl::unexpected(task.error());
+    HAPTICELL_TRY(task);
     subject->input.task = *task;
   }
   if (!options.force_limits.empty()) {
     auto limits = readForceTable(options.force_limits);
-    if (!limits) return tl::unexpected(limits.error());
+    HAPTICELL_TRY(limits);
     subject->input.own_limits = std::move(*limits);
   }
   if (!options.picture.empty()) {
     auto picture = readPng(options.picture);
-    if (!picture) return tl::unexpected(picture.error());
+    HAPTICELL_TRY(picture);
     subject->input.scene = std::move(*picture);
   }
   if (!options.logo.empty()) {
     auto logo = readPng(options.logo);
-    if (!logo) return tl::unexpected(logo.error());
+    HAPTICELL_TRY(logo);
     subject->input.logo = std::move(*logo);
   }
   subject->input.company = options.company;
@@ -197,7 +198,11 @@ Expected<manipulation::WorkplaceQuestion> questionOf(const PostureOptions& optio
   question.mannequin = subject.id;
   for (const std::string& name : options.station) {
     const workcell::Entity* entity = subject.state->findByName(name);
-    if (!entity) return makeError({options.cell, "--station", "'" + name + "'", "names of entities of the cell", ""});
+    if (!entity)
+      return makeError({.file = options.cell,
+                        .place = "--station",
+                        .found = "'" + name + "'",
+                        .expected = "names of entities of the cell"});
     question.station.push_back(entity->id);
   }
   question.task = subject.input.task;
@@ -225,7 +230,7 @@ ExitStatus runWorkplace(const PostureOptions& options, const ResultWriter& write
   if (map->best >= 0) {
     const auto measure = [&](const std::filesystem::path& file) -> Expected<Promises> {
       const auto place = bestPlaceIn(file);
-      if (!place) return tl::unexpected(place.error());
+      HAPTICELL_TRY(place);
       return manipulation::workplacePromises(*question, *place, manipulation::movedCell(*question, *place));
     };
     const auto kept = writeKept("", result.dump(), ".json", options.allow_miss, measure, result);

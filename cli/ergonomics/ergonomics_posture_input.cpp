@@ -12,11 +12,11 @@
 #include "geometry/system/nesting_limit.h"
 #include "mannequin/ergonomics/advice/better_place.h"
 #include "mannequin/ergonomics/advice/method_advice.h"
-#include "mannequin/ergonomics/methods/owas.h"
 #include "mannequin/ergonomics/advice/posture_advice.h"
+#include "mannequin/ergonomics/methods/owas.h"
 #include "mannequin/posture/posture_file.h"
-#include "workcell/text/file_content.h"
 #include "workcell/format/work_task_format.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::cli {
 
@@ -92,7 +92,7 @@ class Fields {
     return text;
   }
   void fail(const std::string& field, const std::string& found, const std::string& expected) {
-    if (!error_) error_ = Error{"", field, found, expected, ""};
+    if (!error_) error_ = Error{.place = field, .found = found, .expected = expected};
   }
 
   const json& input_;
@@ -243,8 +243,9 @@ Expected<WorkTask> workTaskInput(const json& input) {
   WorkTask task = workcell::workTaskFromJson(named, 0, error, diagnostics);
   if (error) return makeError(*error);
   if (!diagnostics.warnings.empty())
-    return makeError({"", "task", diagnostics.warnings.front(), "the fields of docs/formats.md", ""});
-  if (auto good = checkWorkTask(task); !good) return makeError(good.error());
+    return makeError(
+        {.place = "task", .found = diagnostics.warnings.front(), .expected = "the fields of docs/formats.md"});
+  HAPTICELL_TRY(checkWorkTask(task));
   return task;
 }
 
@@ -361,9 +362,9 @@ ordered_json workplaceReport(const manipulation::WorkplaceMap& map) {
 
 Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& file) {
   const auto text = workcell::readFileContent(file);
-  if (!text) return tl::unexpected(text.error());
+  HAPTICELL_TRY(text);
   auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
-  if (!flat) return tl::unexpected(flat.error());
+  HAPTICELL_TRY(flat);
   const json report = json::parse(*text, nullptr, false);
   manipulation::WorkplaceCell place;
   try {
@@ -375,11 +376,14 @@ Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& f
     place.rula = best.at("rula");
     for (const json& posture : best.at("postures")) {
       auto read = mannequin::parsePosture(posture.dump(), "posture");
-      if (!read) return tl::unexpected(read.error());
+      HAPTICELL_TRY(read);
       place.postures.push_back(std::move(*read));
     }
   } catch (const json::exception&) {
-    return makeError({file.string(), "best", "something else, or nothing", "the place and its four postures", ""});
+    return makeError({.file = file.string(),
+                      .place = "best",
+                      .found = "something else, or nothing",
+                      .expected = "the place and its four postures"});
   }
   return place;
 }

@@ -9,14 +9,14 @@
 #include "cli/files/import_arguments.h"
 #include "cli/kit/kept_result.h"
 #include "cli/kit/progress_line.h"
+#include "geometry/shapes/surface_distance.h"
 #include "geometry/system/promise.h"
 #include "geometry/system/scratch_folder.h"
-#include "geometry/shapes/surface_distance.h"
+#include "workcell/files/scene_export.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
 #include "workcell/meshes/length_unit.h"
 #include "workcell/meshes/mesh_care.h"
-#include "workcell/files/scene_export.h"
 
 namespace hapticell::cli {
 
@@ -45,16 +45,16 @@ Expected<nlohmann::ordered_json> convertToUrdf(const ConvertOptions& options, Di
   workcell::DocumentState state;
   if (extensionOf(options.file) == ".hcell") {
     const auto document = workcell::loadDocument(options.file, notes);
-    if (!document) return tl::unexpected(document.error());
+    HAPTICELL_TRY(document);
     state = document->state();
   } else {
     auto entity = workcell::EntityLoader(std::filesystem::current_path()).load(options.file, 0.0, notes);
-    if (!entity) return tl::unexpected(entity.error());
+    HAPTICELL_TRY(entity);
     entity->id = 1;
     state.entities.push_back(std::make_shared<const workcell::Entity>(std::move(*entity)));
   }
   const auto written = workcell::exportState(state, options.output, {}, notes);
-  if (!written) return tl::unexpected(written.error());
+  HAPTICELL_TRY(written);
   return nlohmann::ordered_json{{"output", options.output}, {"warnings", notes.warnings}};
 }
 
@@ -83,12 +83,12 @@ Expected<workcell::ImportOptions> importOptions(const ConvertOptions& options) {
   reading.warn_about_unit = false;
   if (!options.unit.empty()) {
     const auto unit = workcell::parseLengthUnit(options.unit);
-    if (!unit) return makeError(unit.error());
+    HAPTICELL_TRY(unit);
     reading.metres_per_unit = workcell::metresPer(*unit);
   }
   if (!options.up.empty()) {
     const auto axis = workcell::parseAxis(options.up);
-    if (!axis) return makeError(axis.error());
+    HAPTICELL_TRY(axis);
     reading.up_axis = *axis;
   }
   return reading;
@@ -145,7 +145,7 @@ Expected<Promises> simplifyPromises(const geometry::TriangleMesh& given, const w
                                     const ConvertOptions& options, const workcell::ExportOptions& writing) {
   constexpr double kFloats = 1e-6;  // Of the size: files of meshes have numbers of seven digits.
   const auto folder = ScratchFolder::make();
-  if (!folder) return makeError(folder.error());
+  HAPTICELL_TRY(folder);
   const std::filesystem::path file = folder->path() / std::filesystem::path(options.output).filename();
   Diagnostics unheard;
   if (auto written = workcell::exportScene(scene, file, writing, unheard); !written)
@@ -155,7 +155,7 @@ Expected<Promises> simplifyPromises(const geometry::TriangleMesh& given, const w
   reading.warn_about_unit = false;
   reading.metres_per_unit = writing.metres_per_unit;
   auto again = workcell::sceneOfFile(file, reading, unheard);
-  if (!again) return tl::unexpected(again.error());
+  HAPTICELL_TRY(again);
   const auto most = geometry::surfaceDistance(given, wholeOf(*again));
   geometry::Bounds bounds = given.bounds();
   const std::string place =
@@ -179,7 +179,7 @@ Expected<double> simplifyKept(const geometry::TriangleMesh& given, workcell::Imp
     const auto deviation = careFor(trial, options, allowed);
     if (!deviation) return deviation;
     const auto promises = simplifyPromises(given, trial, options, writing);
-    if (!promises) return tl::unexpected(promises.error());
+    HAPTICELL_TRY(promises);
     if (!promises->areKept() && round < kTries) continue;
     if (auto told = tellPromises(*promises, options.output, options.allow_miss, kept); !told)
       return tl::unexpected(told.error());
@@ -191,16 +191,16 @@ Expected<double> simplifyKept(const geometry::TriangleMesh& given, workcell::Imp
 Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnostics& notes) {
   if (extensionOf(options.output) == ".urdf") return convertToUrdf(options, notes);
   const auto reading = importOptions(options);
-  if (!reading) return tl::unexpected(reading.error());
+  HAPTICELL_TRY(reading);
   workcell::ExportOptions writing;
   if (!options.output_unit.empty()) {
     const auto unit = workcell::parseLengthUnit(options.output_unit);
-    if (!unit) return tl::unexpected(unit.error());
+    HAPTICELL_TRY(unit);
     writing.metres_per_unit = workcell::metresPer(*unit);
   }
   ProgressLine progress;
   auto scene = workcell::sceneOfFile(options.file, *reading, notes, &progress.monitor());
-  if (!scene) return tl::unexpected(scene.error());
+  HAPTICELL_TRY(scene);
   if (options.unit.empty() && namesNoUnit(*scene)) {
     const double likely = takeLikelyUnit(*scene, notes);
     if (options.output_unit.empty()) writing.metres_per_unit = likely;
@@ -213,9 +213,9 @@ Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnost
   nlohmann::ordered_json kept = nlohmann::ordered_json::object();
   auto deviation = options.hull ? careFor(*scene, options, 0.0) : Expected<double>(0.0);
   if (options.simplify > 0.0) deviation = simplifyKept(given, *scene, options, writing, kept);
-  if (!deviation) return tl::unexpected(deviation.error());
+  HAPTICELL_TRY(deviation);
   const auto written = workcell::exportScene(*scene, options.output, writing, notes);
-  if (!written) return tl::unexpected(written.error());
+  HAPTICELL_TRY(written);
   std::size_t parts = 0, triangles = 0;
   for (const workcell::SceneNode& node : scene->nodes) {
     if (node.mesh < 0) continue;

@@ -47,7 +47,7 @@ Expected<std::shared_ptr<const MeshCollider>> readCollider(const std::string& fi
   Diagnostics diagnostics;
   const auto mesh = workcell::readWholeMesh(file, options, diagnostics);
   for (const std::string& sentence : diagnostics.warnings) warn(sentence);
-  if (!mesh) return tl::unexpected(mesh.error());
+  HAPTICELL_TRY(mesh);
   const auto begin = Timing::Clock::now();
   auto collider = MeshCollider::build(*mesh);
   build_ms += std::chrono::duration<double, std::milli>(Timing::Clock::now() - begin).count();
@@ -56,18 +56,19 @@ Expected<std::shared_ptr<const MeshCollider>> readCollider(const std::string& fi
 
 Expected<std::unique_ptr<Prepared>> prepare(const DistanceOptions& options) {
   const auto unit = workcell::parseLengthUnit(options.unit.empty() ? "m" : options.unit);
-  if (!unit) return tl::unexpected(unit.error());
+  HAPTICELL_TRY(unit);
   if (options.safety_zone && !(*options.safety_zone >= 0.0 && std::isfinite(*options.safety_zone))) {
-    return makeError({"", "--safety-zone", std::to_string(*options.safety_zone), "metres, 0 or more", ""});
+    return makeError(
+        {.place = "--safety-zone", .found = std::to_string(*options.safety_zone), .expected = "metres, 0 or more"});
   }
   auto prepared = std::make_unique<Prepared>();
   const std::optional<double> scale = options.unit.empty() ? std::nullopt : std::optional(workcell::metresPer(*unit));
   const auto moving = readCollider(options.moving, scale, prepared->build_ms);
-  if (!moving) return tl::unexpected(moving.error());
+  HAPTICELL_TRY(moving);
   prepared->moving = prepared->scene.addPart({0, 0}, *moving);
   for (std::size_t i = 0; i < options.environment.size(); ++i) {
     const auto part = readCollider(options.environment[i], scale, prepared->build_ms);
-    if (!part) return tl::unexpected(part.error());
+    HAPTICELL_TRY(part);
     prepared->environment.push_back(prepared->scene.addPart({i + 1, 0}, *part));
     prepared->scene.addPair(prepared->moving, prepared->environment.back(), static_cast<std::uint32_t>(i));
   }

@@ -17,12 +17,12 @@
 #include "workcell/document/carried_load.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
-#include "workcell/scenes/import_scene.h"
 #include "workcell/meshes/length_unit.h"
 #include "workcell/meshes/mesh_care.h"
 #include "workcell/meshes/mesh_reader.h"
 #include "workcell/robots/robot_library.h"
 #include "workcell/robots/robot_reader.h"
+#include "workcell/scenes/import_scene.h"
 #include "workcell/scenes/whole_mesh.h"
 
 namespace hapticell::cli {
@@ -87,7 +87,7 @@ void warnAboutTriangles(const std::vector<workcell::MeshPart>& parts, Diagnostic
 Expected<double> unitOf(const InspectOptions& options, const workcell::MeshFileParts& file, Diagnostics& notes) {
   if (!options.unit.empty()) {
     const auto said = workcell::parseLengthUnit(options.unit);
-    if (!said) return tl::unexpected(said.error());
+    HAPTICELL_TRY(said);
     return workcell::metresPer(*said);
   }
   if (file.unit_is_stated) return file.metres_per_unit;
@@ -118,9 +118,9 @@ Expected<ordered_json> inspectMesh(const InspectOptions& options, Diagnostics& n
   reading.weld = false;
   reading.warn_about_unit = false;
   Expected<workcell::MeshFileParts> file = workcell::readMeshParts(options.file, reading, true, notes);
-  if (!file) return tl::unexpected(file.error());
+  HAPTICELL_TRY(file);
   const auto unit = unitOf(options, *file, notes);
-  if (!unit) return tl::unexpected(unit.error());
+  HAPTICELL_TRY(unit);
   for (workcell::MeshPart& part : file->parts) {
     for (dvec3& vertex : part.mesh.vertices) vertex *= *unit / file->metres_per_unit;
   }
@@ -138,12 +138,12 @@ Expected<ordered_json> inspectCad(const InspectOptions& options, Diagnostics& no
   reading.tessellation = options.tessellation;
   if (!options.unit.empty()) {
     const auto said = workcell::parseLengthUnit(options.unit);
-    if (!said) return tl::unexpected(said.error());
+    HAPTICELL_TRY(said);
     reading.metres_per_unit = workcell::metresPer(*said);
   }
   ProgressLine progress;
   const auto scene = workcell::readScene(options.file, reading, &progress.monitor());
-  if (!scene) return tl::unexpected(scene.error());
+  HAPTICELL_TRY(scene);
   notes.warnings = scene->warnings;
   if (!scene->unit_is_stated) notes.warn("the file names no unit; it is taken as " + unitWord(scene->metres_per_unit));
   if (scene->up_axis != workcell::UpAxis::kZ) {
@@ -162,14 +162,17 @@ bool isRobot(const std::string& file) {
 
 Expected<ordered_json> inspectRobot(const InspectOptions& options, Diagnostics& notes) {
   if (!options.unit.empty() && options.unit != "m") {
-    return makeError({options.file, "--unit", "'" + options.unit + "'", "none: robot files are in metres", ""});
+    return makeError({.file = options.file,
+                      .place = "--unit",
+                      .found = "'" + options.unit + "'",
+                      .expected = "none: robot files are in metres"});
   }
   const auto arguments = parseXacroArguments(options.arguments);
-  if (!arguments) return tl::unexpected(arguments.error());
+  HAPTICELL_TRY(arguments);
   workcell::SourceFile source{options.file, 1.0};
   source.arguments = *arguments;
   const auto robot = workcell::EntityLoader(fs::current_path()).loadSource(source, notes);
-  if (!robot) return tl::unexpected(robot.error());
+  HAPTICELL_TRY(robot);
   const auto format = workcell::robotFormatOf(options.file);
   ordered_json result = inspection(format ? workcell::formatName(*format) : "library", "m",
                                    ordered_json::array({entityReport(*robot)}), notes);
@@ -216,7 +219,7 @@ ordered_json loadsReport(const workcell::DocumentState& state) {
 
 Expected<ordered_json> inspectDocument(const InspectOptions& options, Diagnostics& notes) {
   const auto document = workcell::loadDocument(options.file, notes);
-  if (!document) return tl::unexpected(document.error());
+  HAPTICELL_TRY(document);
   ordered_json result = inspection("hcell", "m", treeReport(document->snapshotEntities()), notes);
   result["loads"] = loadsReport(document->state());
   result["pair_sets"] = ordered_json::array();

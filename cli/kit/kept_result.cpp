@@ -33,7 +33,7 @@ Expected<void> writeKept(const std::string& path, const std::string& content, co
   };
   if (!path.empty()) return workcell::writeFileChecked(path, content, check);
   const auto folder = ScratchFolder::make();
-  if (!folder) return makeError(folder.error());
+  HAPTICELL_TRY(folder);
   return workcell::writeFileChecked(folder->path() / ("trial" + extension), content, check);
 }
 

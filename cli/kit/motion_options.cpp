@@ -13,7 +13,7 @@ Expected<mannequin::MotionReading> motionReading(const std::string& up, const st
   reading.markers = markers;
   if (up.empty()) return reading;
   const auto axis = mannequin::parseUpAxis(up);
-  if (!axis) return tl::unexpected(axis.error());
+  HAPTICELL_TRY(axis);
   reading.up = *axis;
   return reading;
 }

@@ -22,7 +22,8 @@ Expected<void> ResultWriter::put(const nlohmann::ordered_json& result, int inden
   if (!json_file_.empty()) return writeFileAtomically(json_file_, text);
   std::cout << text << std::flush;
   if (!std::cout)
-    return makeError({"standard output", "", "it could not be written", "", "Check the pipe or the disk."});
+    return makeError(
+        {.file = "standard output", .found = "it could not be written", .fix = "Check the pipe or the disk."});
   return {};
 }
 

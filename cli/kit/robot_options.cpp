@@ -7,8 +7,8 @@
 #include "kinematics/model/jacobian.h"
 #include "kinematics/model/mounted_robot.h"
 #include "workcell/import/entity_source.h"
-#include "workcell/scenes/import_scene.h"
 #include "workcell/robots/robot_reader.h"
+#include "workcell/scenes/import_scene.h"
 
 namespace hapticell::cli {
 
@@ -28,15 +28,16 @@ Expected<kinematics::RobotModel> readModel(const std::string& text, workcell::Ro
   const auto [file, arguments] = splitXacroArguments(text);
   if (content == workcell::RobotContent::kKinematics && workcell::looksLikeRobot(file) && !workcell::holdsScene(file)) {
     auto robot = workcell::readRobot(file, diagnostics, nullptr, content, arguments);
-    if (!robot) return makeError(robot.error());
+    HAPTICELL_TRY(robot);
     return std::move(robot->model);
   }
   workcell::EntityLoader loader(".");
   workcell::SourceFile source{file, 1.0};
   source.arguments = arguments;
   const auto entity = loader.loadSource(source, diagnostics);
-  if (!entity) return makeError(entity.error());
-  if (!entity->robot) return makeError({file, "", "it is no robot", "a robot file, or library:NAME", ""});
+  HAPTICELL_TRY(entity);
+  if (!entity->robot)
+    return makeError({.file = file, .found = "it is no robot", .expected = "a robot file, or library:NAME"});
   return *entity->robot;
 }
 
@@ -47,13 +48,16 @@ Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::stri
   Diagnostics diagnostics;
   auto model = readModel(file, content, diagnostics);
   for (const std::string& sentence : diagnostics.warnings) warn(sentence);
-  if (!model) return makeError(model.error());
+  HAPTICELL_TRY(model);
   RobotWithTip robot{std::move(*model), -1, {}};
   robot.tip = tip_name.empty() ? robot.model.defaultTip() : robot.model.findLink(tip_name);
   if (robot.tip < 0) {
     std::string links;
     for (const kinematics::Link& link : robot.model.links) links += (links.empty() ? "" : ", ") + link.name;
-    return makeError({file, "--tip", "there is no link '" + tip_name + "'", "one of " + links, ""});
+    return makeError({.file = file,
+                      .place = "--tip",
+                      .found = "there is no link '" + tip_name + "'",
+                      .expected = "one of " + links});
   }
   robot.variables = kinematics::variablesOfChain(robot.model, robot.tip);
   return robot;
@@ -69,12 +73,15 @@ struct Carrier {
 
 Expected<Carrier> readCarrier(const std::string& option, const std::string& text) {
   const auto mounting = parseMounting(option, text);
-  if (!mounting) return makeError(mounting.error());
+  HAPTICELL_TRY(mounting);
   auto carrier = readRobotWithTip(mounting->what, mounting->link, workcell::RobotContent::kKinematics);
-  if (!carrier) return makeError(carrier.error());
+  HAPTICELL_TRY(carrier);
   if (!kinematics::isMoved(carrier->model, carrier->tip)) {
     const std::string& link = carrier->model.links[static_cast<std::size_t>(carrier->tip)].name;
-    return makeError({mounting->what, option, "link '" + link + "' does not move", "a link behind a joint", ""});
+    return makeError({.file = mounting->what,
+                      .place = option,
+                      .found = "link '" + link + "' does not move",
+                      .expected = "a link behind a joint"});
   }
   return Carrier{std::move(carrier->model), carrier->tip, mounting->X_LE};
 }
@@ -85,19 +92,19 @@ Expected<void> addExternalAxes(const AxisOptions& options, RobotWithTip& robot) 
   const std::string tip = robot.model.links[static_cast<std::size_t>(robot.tip)].name;
   if (!options.on.empty()) {
     const auto carrier = readCarrier("--on", options.on);
-    if (!carrier) return makeError(carrier.error());
+    HAPTICELL_TRY(carrier);
     auto mounted = kinematics::mountRobot(carrier->model, carrier->link, carrier->X_LE, robot.model);
-    if (!mounted) return makeError(mounted.error());
+    HAPTICELL_TRY(mounted);
     robot.model = std::move(*mounted);
   }
   if (!options.part_on.empty()) {
     const auto positioner = readCarrier("--part-on", options.part_on);
-    if (!positioner) return makeError(positioner.error());
+    HAPTICELL_TRY(positioner);
     const std::string root = positioner->model.links[0].name;
     const auto seen = kinematics::seenFrom(positioner->model, positioner->link);
-    if (!seen) return makeError(seen.error());
+    HAPTICELL_TRY(seen);
     auto mounted = kinematics::mountRobot(*seen, seen->findLink(root), positioner->X_LE.inverse(), robot.model);
-    if (!mounted) return makeError(mounted.error());
+    HAPTICELL_TRY(mounted);
     robot.model = std::move(*mounted);
   }
   robot.tip = robot.model.findLink(tip);

@@ -15,7 +15,8 @@ Expected<ServerAddress> parseServerAddress(const std::string& text, std::string_
     if (failed != std::errc() || rest != end) port = 0;
   }
   if (colon == 0 || port == 0) {
-    return makeError({"", std::string(option), "'" + text + "'", "HOST:PORT with a port from 1 to 65535", ""});
+    return makeError(
+        {.place = std::string(option), .found = "'" + text + "'", .expected = "HOST:PORT with a port from 1 to 65535"});
   }
   return ServerAddress{text.substr(0, colon), port};
 }

@@ -80,7 +80,7 @@ std::string saidTwice(const Arguments& arguments) {
 }
 
 Error wrong(const std::string& option, const std::string& text, const std::string& expected) {
-  return {"", option, "'" + text + "'", expected, ""};
+  return {.place = option, .found = "'" + text + "'", .expected = expected};
 }
 
 Expected<Pose> parsePose(const std::string& option, const std::string& text) {
@@ -125,7 +125,7 @@ Expected<void> readOption(const std::string& key, const std::string& value, Addi
     addition.on = value;
   } else if (key == "pose") {
     const auto pose = parsePose("--add", value);
-    if (!pose) return makeError(pose.error());
+    HAPTICELL_TRY(pose);
     addition.X_WE = *pose;
   } else {
     const bool chord = key == "chord";
@@ -154,7 +154,7 @@ Expected<Mounting> parseMounting(const std::string& option, const std::string& t
       continue;
     }
     const auto pose = parsePose(option, value);
-    if (!pose) return makeError(pose.error());
+    HAPTICELL_TRY(pose);
     mounting.X_LE = *pose;
   }
   return mounting;
@@ -169,13 +169,15 @@ Expected<Addition> parseAddition(const std::string& text) {
   addition.options.arguments = std::move(source.arguments);
   if (addition.what.empty()) return makeError(wrong("--add", text, "a file, or library:NAME, first"));
   if (const std::string unknown = unknownKey(addition.what); !unknown.empty()) {
-    return makeError({"", "--add " + text, "there is no option '" + unknown + "'", "one of " + listed(kKeys), ""});
+    return makeError({.place = "--add " + text,
+                      .found = "there is no option '" + unknown + "'",
+                      .expected = "one of " + listed(kKeys)});
   }
   if (const std::string twice = saidTwice(arguments); !twice.empty()) {
     return makeError(wrong("--add, " + twice, text, "each option once"));
   }
   for (const auto& [key, value] : arguments.options) {
-    if (auto read = readOption(key, value, addition); !read) return makeError(read.error());
+    HAPTICELL_TRY(readOption(key, value, addition));
   }
   return addition;
 }

@@ -29,7 +29,7 @@ Expected<std::map<std::string, std::string>> parseXacroArguments(const std::vect
   for (const std::string& word : words) {
     const std::size_t sign = word.find(":=");
     if (sign == std::string::npos || sign == 0)
-      return makeError({"", "arguments", "'" + word + "'", "NAME:=VALUE", ""});
+      return makeError({.place = "arguments", .found = "'" + word + "'", .expected = "NAME:=VALUE"});
     arguments[word.substr(0, sign)] = word.substr(sign + 2);
   }
   return arguments;

@@ -39,13 +39,13 @@ class TargetReader {
 
   Expected<std::vector<HandTargets>> read() {
     geometry::RegularFileStream stream(file_);
-    if (!stream) return makeError(stream.error());
+    HAPTICELL_TRY(stream);
     for (std::string line; std::getline(stream, line);) {
       ++line_;
       const std::string text = trimmed(line);
       if (text.empty() || text.front() == '#') continue;
       const auto done = header_.empty() ? readHeader(text) : readRow(fieldsOf(text));
-      if (!done) return makeError(done.error());
+      HAPTICELL_TRY(done);
     }
     if (header_.empty()) return fail("", "an empty file", "a header line hand,x,y,z,qw,qx,qy,qz");
     if (targets_.empty()) return fail("", "no row behind the header", "at least one target");
@@ -56,7 +56,8 @@ class TargetReader {
   tl::unexpected<Error> fail(const std::string& column, std::string found, std::string expected) const {
     std::string place = line_ > 0 ? "line " + std::to_string(line_) : "";
     if (!column.empty()) place += ", column '" + column + "'";
-    return makeError({file_.string(), place, std::move(found), std::move(expected), ""});
+    return makeError(
+        {.file = file_.string(), .place = place, .found = std::move(found), .expected = std::move(expected)});
   }
 
   std::size_t columnOf(const std::string& name) const {
@@ -86,7 +87,7 @@ class TargetReader {
     std::array<double, 7> values{};
     for (std::size_t i = 0; i < 7; ++i) {
       const Expected<double> value = number(fields, kNumbers[i]);
-      if (!value) return makeError(value.error());
+      HAPTICELL_TRY(value);
       values[i] = *value;
     }
     const dquat q(values[3], values[4], values[5], values[6]);
@@ -97,7 +98,7 @@ class TargetReader {
     const bool stepped = columnOf("step") < header_.size();
     if (stepped) {
       const Expected<double> value = number(fields, "step");
-      if (!value) return makeError(value.error());
+      HAPTICELL_TRY(value);
       step = *value;
     }
     auto found = std::find_if(targets_.begin(), targets_.end(), [&](const HandTargets& t) { return t.step == step; });

@@ -7,18 +7,18 @@
 #include <optional>
 #include <string>
 
-#include "cli/mannequin/hand_targets.h"
 #include "cli/kit/motion_options.h"
 #include "cli/kit/timing.h"
-#include "mannequin/shape/body_skin.h"
+#include "cli/mannequin/hand_targets.h"
 #include "mannequin/body/figure.h"
-#include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/body/joint_limits.h"
 #include "mannequin/motion/motion_writer.h"
+#include "mannequin/motion/retarget.h"
+#include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/posture/posture_file.h"
 #include "mannequin/posture/posture_solver.h"
-#include "mannequin/motion/retarget.h"
 #include "mannequin/posture/support_polygon.h"
+#include "mannequin/shape/body_skin.h"
 
 namespace hapticell::cli {
 
@@ -56,17 +56,17 @@ ordered_json toJson(const Posture& posture) {
 Expected<Figure> figureFor(const MannequinOptions& options) {
   BodyRequest request;
   if (options.sex != "male" && options.sex != "female") {
-    return makeError({"", "--sex", "'" + options.sex + "'", "male or female", ""});
+    return makeError({.place = "--sex", .found = "'" + options.sex + "'", .expected = "male or female"});
   }
   request.sex = options.sex == "male" ? Sex::kMale : Sex::kFemale;
   if (options.percentile.has_value() == options.stature.has_value()) {
-    return makeError({"", "", options.stature ? "both --percentile and --stature" : "no size",
-                      "one of --percentile and --stature", ""});
+    return makeError({.found = options.stature ? "both --percentile and --stature" : "no size",
+                      .expected = "one of --percentile and --stature"});
   }
   if (options.stature) request.stature = *options.stature;
   if (options.percentile) {
     const Expected<double> stature = statureOfPercentile(request.sex, *options.percentile);
-    if (!stature) return makeError(stature.error());
+    HAPTICELL_TRY(stature);
     request.stature = *stature;
   }
   request.mass = options.mass;
@@ -78,7 +78,7 @@ Expected<Posture> postureFor(const Figure& figure, const std::string& what) {
   if (const std::optional<Posture> known = libraryPosture(figure, what)) return *known;
   bool has_root = false;
   const Expected<Posture> posture = readPosture(what, &has_root);
-  if (!posture) return makeError(posture.error());
+  HAPTICELL_TRY(posture);
   return has_root ? *posture : onFloor(figure, *posture);
 }
 
@@ -155,7 +155,7 @@ Expected<PostureTask> lockedTask(const MannequinOptions& options) {
     } else if (lock == "pelvis") {
       task.pelvis_locked = true;
     } else if (lock != "feet") {
-      return makeError({"", "--lock", "'" + lock + "'", "trunk, feet or pelvis", ""});
+      return makeError({.place = "--lock", .found = "'" + lock + "'", .expected = "trunk, feet or pelvis"});
     }
     // Who holds trunk or pelvis in place does not walk away either.
     task.may_step = false;
@@ -182,9 +182,9 @@ ordered_json toJson(const PostureResult& result, const HandTargets& targets) {
 /// What can be wrong whether there are targets or not, before anything is computed.
 Expected<void> checkWords(const MannequinOptions& options) {
   if (options.hands != "left" && options.hands != "right" && options.hands != "both") {
-    return makeError({"", "--hands", "'" + options.hands + "'", "left, right or both", ""});
+    return makeError({.place = "--hands", .found = "'" + options.hands + "'", .expected = "left, right or both"});
   }
-  if (const auto task = lockedTask(options); !task) return makeError(task.error());
+  HAPTICELL_TRY(lockedTask(options));
   if (options.output.empty()) return {};
   std::error_code ignored;
   const std::filesystem::path file(options.output);
@@ -192,16 +192,18 @@ Expected<void> checkWords(const MannequinOptions& options) {
   const std::string ending = file.extension().string();
   const bool known = ending == ".json" || ending == ".obj" || ending == ".x3d" || ending == ".bvh";
   if (known || pipe) return {};
-  return makeError({options.output, "--output", ending.empty() ? "no ending" : "the ending '" + ending + "'",
-                    ".json (the posture), .obj (the body), .x3d (H-Anim) or .bvh (the motion)", ""});
+  return makeError({.file = options.output,
+                    .place = "--output",
+                    .found = ending.empty() ? "no ending" : "the ending '" + ending + "'",
+                    .expected = ".json (the posture), .obj (the body), .x3d (H-Anim) or .bvh (the motion)"});
 }
 
 Expected<void> solveTargets(const MannequinOptions& options, const Figure& figure, const Posture& start,
                             Outcome& outcome) {
   Expected<std::vector<HandTargets>> targets = readHandTargets(options.targets);
-  if (!targets) return makeError(targets.error());
+  HAPTICELL_TRY(targets);
   Expected<PostureTask> task = lockedTask(options);
-  if (!task) return makeError(task.error());
+  HAPTICELL_TRY(task);
   const PostureSolver solver(figure);
   ordered_json results = ordered_json::array();
   Timing timing;
@@ -248,9 +250,9 @@ std::string textFor(const std::string& file, const Figure& figure, const Posture
 
 Expected<RetargetedMotion> motionFor(const MannequinOptions& options, const Figure& figure, Outcome& outcome) {
   const Expected<MotionReading> reading = motionReading(options.up, options.markers);
-  if (!reading) return makeError(reading.error());
+  HAPTICELL_TRY(reading);
   const Expected<RecordedMotion> recorded = readRecordedMotion(options.motion, *reading);
-  if (!recorded) return makeError(recorded.error());
+  HAPTICELL_TRY(recorded);
   Expected<RetargetedMotion> motion = retarget(figure, *recorded);
   if (!motion) {
     Error error = motion.error();
@@ -268,27 +270,27 @@ Expected<RetargetedMotion> motionFor(const MannequinOptions& options, const Figu
 }
 
 Expected<Outcome> solve(const MannequinOptions& options) {
-  if (const auto sound = checkWords(options); !sound) return makeError(sound.error());
+  HAPTICELL_TRY(checkWords(options));
   const Expected<Figure> figure = figureFor(options);
-  if (!figure) return makeError(figure.error());
+  HAPTICELL_TRY(figure);
   const Expected<Posture> posture = postureFor(*figure, options.posture);
-  if (!posture) return makeError(posture.error());
+  HAPTICELL_TRY(posture);
   Outcome outcome;
   describe(*figure, *posture, options.measure, outcome.document);
   outcome.found = !outcome.document["limits_exceeded"].empty();
   if (!options.targets.empty()) {
     const auto solved = solveTargets(options, *figure, *posture, outcome);
-    if (!solved) return makeError(solved.error());
+    HAPTICELL_TRY(solved);
   }
   RetargetedMotion motion{{*posture}, 1.0, {}};
   if (!options.motion.empty()) {
     Expected<RetargetedMotion> read = motionFor(options, *figure, outcome);
-    if (!read) return makeError(read.error());
+    HAPTICELL_TRY(read);
     motion = std::move(*read);
   }
   if (!options.output.empty()) {
     const auto written = writeFileAtomically(options.output, textFor(options.output, *figure, *posture, motion));
-    if (!written) return makeError(written.error());
+    HAPTICELL_TRY(written);
   }
   return outcome;
 }

@@ -2,8 +2,8 @@
 #include <memory>
 #include <string>
 
-#include "cli/robot/robot_commands.h"
 #include "cli/kit/robot_options.h"
+#include "cli/robot/robot_commands.h"
 #include "trajectory/files/pose_csv.h"
 
 namespace hapticell::cli {
@@ -25,10 +25,10 @@ ordered_json poseToJson(const Pose& X) {
 
 Expected<ordered_json> solve(const ForwardOptions& options) {
   auto robot = readRobotWithTip(options.robot, options.tip, workcell::RobotContent::kKinematics);
-  if (!robot) return makeError(robot.error());
-  if (auto added = addExternalAxes(options.axes, *robot); !added) return makeError(added.error());
+  HAPTICELL_TRY(robot);
+  HAPTICELL_TRY(addExternalAxes(options.axes, *robot));
   const auto rows = trajectory::readJointCsv(options.joints, robot->jointNames());
-  if (!rows) return makeError(rows.error());
+  HAPTICELL_TRY(rows);
   ordered_json poses = ordered_json::array();
   std::vector<double> q(robot->model.dof(), 0.0);  // joints that do not move the tip stay at zero
   std::vector<Pose> X_BL;

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/robot/robot_commands.h"
 #include "cli/kit/robot_options.h"
 #include "cli/kit/timing.h"
+#include "cli/robot/robot_commands.h"
 #include "kinematics/closed_form/inverse_factory.h"
 #include "kinematics/model/solution_list.h"
-#include "trajectory/motion/csv_table.h"
 #include "trajectory/files/pose_csv.h"
+#include "trajectory/motion/csv_table.h"
 
 namespace hapticell::cli {
 
@@ -38,14 +38,17 @@ Expected<std::vector<double>> readStart(const InverseOptions& options, const Rob
   for (std::size_t begin = 0; begin <= options.start.size();) {
     const std::size_t end = std::min(options.start.find(',', begin), options.start.size());
     const auto number = trajectory::parseNumber(std::string_view(options.start).substr(begin, end - begin));
-    if (!number) return makeError({"", "--start", "'" + options.start + "'", "finite numbers between commas", ""});
+    if (!number)
+      return makeError(
+          {.place = "--start", .found = "'" + options.start + "'", .expected = "finite numbers between commas"});
     numbers.push_back(*number);
     begin = end + 1;
   }
   if (numbers.size() != robot.variables.size()) {
-    return makeError({"", "--start", std::to_string(numbers.size()) + " numbers",
-                      std::to_string(robot.variables.size()) + ", one for each joint that moves the tip, base first",
-                      ""});
+    return makeError(
+        {.place = "--start",
+         .found = std::to_string(numbers.size()) + " numbers",
+         .expected = std::to_string(robot.variables.size()) + ", one for each joint that moves the tip, base first"});
   }
   for (std::size_t i = 0; i < numbers.size(); ++i) q[static_cast<std::size_t>(robot.variables[i])] = numbers[i];
   return q;
@@ -106,17 +109,17 @@ struct Answer {
 
 Expected<Answer> solve(const InverseOptions& options) {
   auto robot = readRobotWithTip(options.robot, options.tip, workcell::RobotContent::kKinematics);
-  if (!robot) return makeError(robot.error());
-  if (auto added = addExternalAxes(options.axes, *robot); !added) return makeError(added.error());
+  HAPTICELL_TRY(robot);
+  HAPTICELL_TRY(addExternalAxes(options.axes, *robot));
   const auto poses = trajectory::readPoseCsv(options.poses);
-  if (!poses) return makeError(poses.error());
+  HAPTICELL_TRY(poses);
   const auto start = readStart(options, *robot);
-  if (!start) return makeError(start.error());
+  HAPTICELL_TRY(start);
   const std::vector<std::string> warnings =
       options.start.empty() ? std::vector<std::string>{} : beyondLimits(*robot, *start);
   for (const std::string& warning : warnings) warn(warning);
   const auto inverse = kinematics::createInverse(robot->model, robot->tip);
-  if (!inverse) return makeError(inverse.error());
+  HAPTICELL_TRY(inverse);
 
   Answer answer;
   ordered_json results = ordered_json::array();

@@ -41,7 +41,7 @@ Expected<void> readParts(const std::vector<std::string>& files, feel::BenchmarkO
     workcell::MeshReadOptions how;
     how.scale = kMillimetre;
     auto mesh = workcell::readMesh(file, how, diagnostics);
-    if (!mesh) return makeError(mesh.error());
+    HAPTICELL_TRY(mesh);
     options.parts.push_back({std::filesystem::path(file).filename().string(), std::move(*mesh)});
   }
   return {};

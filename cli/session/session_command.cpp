@@ -49,7 +49,7 @@ Expected<void> readRates(const SessionWords& words, SessionOptions& options) {
     char range[64], found[32];
     std::snprintf(range, sizeof range, "%g to %g", low, high);
     std::snprintf(found, sizeof found, "%g", value);
-    return makeError({"", name, found, range, ""});
+    return makeError({.place = name, .found = found, .expected = range});
   };
   options.rate_gui_hz = words.rate_gui.value_or(options.configuration.gui.rate_hz);
   options.latency_s = 1e-3 * words.latency_ms;
@@ -63,11 +63,12 @@ Expected<void> readRates(const SessionWords& words, SessionOptions& options) {
 Expected<void> readDevice(const std::string& name, SessionOptions& options) {
   const auto file = config::findShippedFile("devices/" + name + ".toml");
   if (!file) {
-    return makeError({"", "--device", "there is no simulated device '" + name + "'",
-                      "phantom_desktop, touch, touch_x, premium or premium_6dof", ""});
+    return makeError({.place = "--device",
+                      .found = "there is no simulated device '" + name + "'",
+                      .expected = "phantom_desktop, touch, touch_x, premium or premium_6dof"});
   }
   const auto profile = config::readDeviceProfile(*file);
-  if (!profile) return tl::unexpected(profile.error());
+  HAPTICELL_TRY(profile);
   options.device = *profile;
   return {};
 }
@@ -76,10 +77,13 @@ Expected<void> readDevice(const std::string& name, SessionOptions& options) {
 Expected<void> readRecording(const SessionWords& words, SessionOptions& options) {
   if (words.record.empty()) {
     if (!words.record_interval && !words.record_distance) return {};
-    return makeError({"", "--record-interval, --record-distance", "nothing is recorded", "--record with it", ""});
+    return makeError({.place = "--record-interval, --record-distance",
+                      .found = "nothing is recorded",
+                      .expected = "--record with it"});
   }
   if (words.record_interval && words.record_distance) {
-    return makeError({"", "--record-interval, --record-distance", "both are given", "one of the two", ""});
+    return makeError(
+        {.place = "--record-interval, --record-distance", .found = "both are given", .expected = "one of the two"});
   }
   trajectory::RecordingOptions recording;
   if (words.record_all) recording.mode = trajectory::RecordingMode::kEveryStep;
@@ -135,13 +139,13 @@ void tellOfHand(const SessionWords& words, const SessionOptions& options) {
 Expected<SessionOptions> readOptions(const SessionWords& words) {
   SessionOptions options;
   const auto configuration = config::loadConfiguration(words.configuration);
-  if (!configuration) return tl::unexpected(configuration.error());
+  HAPTICELL_TRY(configuration);
   options.configuration = *configuration;
 
   Diagnostics diagnostics;
   const auto document = workcell::loadDocument(words.workcell, diagnostics);
   for (const std::string& sentence : diagnostics.warnings) warn(sentence);
-  if (!document) return tl::unexpected(document.error());
+  HAPTICELL_TRY(document);
   const workcell::Document held(workcell::withAssemblyAsSolid(document->state(), words.entity));
   options.entities = held.snapshotEntities();
   options.pairs = held.state().pairPolicy();
@@ -149,18 +153,19 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   options.entity = words.entity;
 
   const auto hand = haptic::readHandPath(words.hand);
-  if (!hand) return tl::unexpected(hand.error());
+  HAPTICELL_TRY(hand);
   options.hand = *hand;
   std::set<std::string> seen;
   for (const std::string& setting : words.set) {
     const std::string key = setting.substr(0, setting.find('='));
-    if (!seen.insert(key).second) return makeError({"", "--set", "'" + key + "' twice", "each key once", ""});
-    if (const auto done = applySessionSetting(setting, options); !done) return tl::unexpected(done.error());
+    if (!seen.insert(key).second)
+      return makeError({.place = "--set", .found = "'" + key + "' twice", .expected = "each key once"});
+    HAPTICELL_TRY(applySessionSetting(setting, options));
   }
-  if (const auto done = readRates(words, options); !done) return tl::unexpected(done.error());
-  if (const auto done = readRecording(words, options); !done) return tl::unexpected(done.error());
+  HAPTICELL_TRY(readRates(words, options));
+  HAPTICELL_TRY(readRecording(words, options));
   const std::string device = words.device.value_or(options.configuration.haptic.device);
-  if (const auto done = readDevice(device, options); !done) return tl::unexpected(done.error());
+  HAPTICELL_TRY(readDevice(device, options));
   tellOfHand(words, options);
   return options;
 }
@@ -276,11 +281,11 @@ Expected<SessionReport> runAsAsked(const SessionWords& words, const SessionOptio
   if (!words.realtime) return manipulation::runSession(options, trace);
   if (words.server.empty()) {
     const auto own = manipulation::LocalServer::start(options.device, options.configuration);
-    if (!own) return tl::unexpected(own.error());
+    HAPTICELL_TRY(own);
     return manipulation::runSessionOnServer(options, "127.0.0.1", (*own)->port(), trace);
   }
   const auto address = parseServerAddress(words.server, "--server");
-  if (!address) return tl::unexpected(address.error());
+  HAPTICELL_TRY(address);
   return manipulation::runSessionOnServer(options, address->host, address->port, trace);
 }
 

@@ -13,13 +13,14 @@ using manipulation::SessionOptions;
 /// Takes over a parsed value, or hands the error on.
 template <typename Parsed, typename Target>
 Expected<void> take(Parsed&& parsed, Target& target) {
-  if (!parsed) return tl::unexpected(parsed.error());
+  HAPTICELL_TRY(parsed);
   target = *parsed;
   return {};
 }
 
 Expected<void> setForces(const std::string& value, SessionOptions& options) {
-  if (value != "on" && value != "off") return makeError({"", "--set forces", "'" + value + "'", "on or off", ""});
+  if (value != "on" && value != "off")
+    return makeError({.place = "--set forces", .found = "'" + value + "'", .expected = "on or off"});
   options.forces = value == "on";
   return {};
 }
@@ -29,7 +30,7 @@ Expected<void> setSafetyDistance(const std::string& value, SessionOptions& optio
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), metres);
   const bool number = error == std::errc() && end == value.data() + value.size();
   if (!number || !std::isfinite(metres) || metres < 0.0 || metres > 1.0) {
-    return makeError({"", "--set safety_distance", "'" + value + "'", "metres from 0 to 1", ""});
+    return makeError({.place = "--set safety_distance", .found = "'" + value + "'", .expected = "metres from 0 to 1"});
   }
   options.configuration.manipulation.safety_distance = metres;
   for (workcell::PairSet& set : options.pairs.sets) set.safety_distance = metres;
@@ -54,7 +55,7 @@ bool isConfigurationKey(const std::string& key, const SessionOptions& options) {
 Expected<void> applySessionSetting(const std::string& setting, SessionOptions& options) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos || equals == 0) {
-    return makeError({"", "--set", "'" + setting + "'", "KEY=VALUE", ""});
+    return makeError({.place = "--set", .found = "'" + setting + "'", .expected = "KEY=VALUE"});
   }
   const std::string key = setting.substr(0, equals), value = setting.substr(equals + 1);
   if (key == "moved_by") {
@@ -77,7 +78,8 @@ Expected<void> applySessionSetting(const std::string& setting, SessionOptions& o
   }
   if (key == "lock") return manipulation::parseLock(value, options.moved_by);
   if (!isConfigurationKey(key, options)) {
-    return makeError({"", "--set", "there is no key '" + key + "'", "one of " + knownKeys(options), ""});
+    return makeError(
+        {.place = "--set", .found = "there is no key '" + key + "'", .expected = "one of " + knownKeys(options)});
   }
   return config::setValue(options.configuration, key, value);
 }

@@ -13,9 +13,12 @@ Expected<trajectory::ProgramReadOptions> programReadOptions(const std::string& r
   trajectory::ProgramReadOptions options;
   if (robot.empty()) return options;
   auto read = readRobotWithTip(robot, "", workcell::RobotContent::kKinematics);
-  if (!read) return tl::unexpected(read.error());
+  HAPTICELL_TRY(read);
   if (read->variables.size() != 6) {
-    return makeError({robot, "joints", std::to_string(read->variables.size()), "a robot of six joints", ""});
+    return makeError({.file = robot,
+                      .place = "joints",
+                      .found = std::to_string(read->variables.size()),
+                      .expected = "a robot of six joints"});
   }
   options.joint_names = read->jointNames();
   options.forward_kinematics = [shared = std::make_shared<const RobotWithTip>(std::move(*read))](
@@ -37,9 +40,9 @@ Expected<trajectory::Trajectory> readMotionFile(const std::string& file, const s
   Expected<trajectory::Trajectory> motion = trajectory::Trajectory{};
   if (!robot.empty() && trajectory::isProgramFile(file)) {
     const auto options = programReadOptions(robot);
-    if (!options) return tl::unexpected(options.error());
+    HAPTICELL_TRY(options);
     auto program = trajectory::readProgram(file, *options);
-    if (!program) return tl::unexpected(program.error());
+    HAPTICELL_TRY(program);
     into.insert(into.end(), program->notes.begin(), program->notes.end());
     motion = std::move(program->trajectory);
   } else {

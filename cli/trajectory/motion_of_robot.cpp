@@ -20,8 +20,11 @@ Expected<std::string> trajectoryText(const Trajectory& trajectory, const std::st
   if (path.empty()) extension = ".htraj";
   if (extension == ".csv") return toCsvText(trajectory);
   if (extension == ".htraj" || extension == ".json") return toJsonText(trajectory);
-  return makeError({path, "--output", "the extension '" + extension + "'", ".htraj, .json or .csv",
-                    "Use trajectory export for other formats."});
+  return makeError({.file = path,
+                    .place = "--output",
+                    .found = "the extension '" + extension + "'",
+                    .expected = ".htraj, .json or .csv",
+                    .fix = "Use trajectory export for other formats."});
 }
 
 }  // namespace
@@ -31,7 +34,7 @@ Expected<MotionOfRobot> withRobot(const Trajectory& given, const TrajectoryOptio
   MotionOfRobot result{given, {}};
   if (options.limits.robot.empty() || !given.hasJoints()) return result;
   auto tool = ToolPoses::create(options.limits.robot, given);
-  if (!tool) return tl::unexpected(tool.error());
+  HAPTICELL_TRY(tool);
   if (!given.has_poses) {
     result.motion = tool->posesOf(given);
     assumptions.push_back("The file has no poses; they are those of the robot's tip in its root link.");
@@ -54,7 +57,7 @@ Expected<Promises> withPosesByJoints(Expected<Promises> promises, const std::opt
   constexpr double kSamePose = 1e-6;  // m, rad
   if (!promises || !tool) return promises;
   const auto motion = trajectory::readTrajectory(written);
-  if (!motion) return tl::unexpected(motion.error());
+  HAPTICELL_TRY(motion);
   const auto off = tool->largestError(*motion);
   promises->list.push_back({"pose_by_joints", kSamePose, std::max(off.position, off.angle), "m or rad"});
   return promises;
@@ -64,7 +67,7 @@ Expected<void> saveKept(const Trajectory& trajectory, const TrajectoryOptions& o
                         ordered_json& result) {
   std::string extension;
   const auto text = trajectoryText(trajectory, options.output, extension);
-  if (!text) return tl::unexpected(text.error());
+  HAPTICELL_TRY(text);
   return writeKept(options.output, *text, extension, options.allow_miss, measure, result);
 }
 

@@ -18,7 +18,7 @@ constexpr std::size_t kMostLooks = 200;  ///< Frames that are looked at to find 
 
 Expected<ToolPoses> ToolPoses::create(const std::string& name, const Trajectory& given) {
   auto robot = readRobotWithTip(name, "", workcell::RobotContent::kKinematics);
-  if (!robot) return tl::unexpected(robot.error());
+  HAPTICELL_TRY(robot);
   ToolPoses tool;
   const auto names = robot->jointNames();
   for (std::size_t j = 0; j < given.joint_names.size(); ++j) {
@@ -28,7 +28,8 @@ Expected<ToolPoses> ToolPoses::create(const std::string& name, const Trajectory&
     if (at == names.end() && joint == "q" + std::to_string(j + 1) && j < names.size())
       at = names.begin() + static_cast<std::ptrdiff_t>(j);
     if (at == names.end())
-      return makeError({"", "joint '" + joint + "'", "the robot has no such joint", "its joints' names", ""});
+      return makeError(
+          {.place = "joint '" + joint + "'", .found = "the robot has no such joint", .expected = "its joints' names"});
     tool.columns_.push_back(static_cast<std::size_t>(robot->variables[static_cast<std::size_t>(at - names.begin())]));
   }
   tool.robot_ = std::make_shared<const RobotWithTip>(std::move(*robot));

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <memory>
 
-#include "cli/trajectory/motion_file.h"
 #include "cli/kit/result_writer.h"
+#include "cli/trajectory/motion_file.h"
 #include "manipulation/checks/kept_free.h"
 #include "manipulation/checks/motion_replay.h"
 #include "manipulation/checks/path_check.h"
@@ -48,7 +48,7 @@ Expected<manipulation::PathCheckOptions> pathOptions(const TrajectoryCheckOption
   const std::string& moved_by = options.moved_by.empty() ? trajectory.moved : options.moved_by;
   if (moved_by.empty()) return path;
   auto parsed = manipulation::parseMovedBy(moved_by);
-  if (!parsed) return tl::unexpected(parsed.error());
+  HAPTICELL_TRY(parsed);
   path.hold.moved_by = std::move(*parsed);
   return path;
 }
@@ -68,7 +68,7 @@ Expected<std::vector<std::shared_ptr<const trajectory::Trajectory>>> motionsToge
   std::vector<std::shared_ptr<const trajectory::Trajectory>> motions;
   for (const std::string& file : options.together) {
     auto motion = readMotionFile(file);
-    if (!motion) return tl::unexpected(motion.error());
+    HAPTICELL_TRY(motion);
     motions.push_back(std::make_shared<const trajectory::Trajectory>(std::move(*motion)));
   }
   if (trajectory.take.empty()) return motions;
@@ -87,14 +87,15 @@ Expected<Cell> cellFor(const trajectory::Trajectory& trajectory, const Trajector
   Diagnostics notes;
   auto document = workcell::loadDocument(options.workcell, notes);
   for (const std::string& note : notes.warnings) warn(note);
-  if (!document) return tl::unexpected(document.error());
+  HAPTICELL_TRY(document);
   auto path = pathOptions(options, trajectory);
-  if (!path) return tl::unexpected(path.error());
+  HAPTICELL_TRY(path);
   const std::string& name = options.entity.empty() ? trajectory.entity : options.entity;
   if (name.empty())
-    return makeError({"", "--entity", "the trajectory does not say what moves", "the name of an entity", ""});
+    return makeError(
+        {.place = "--entity", .found = "the trajectory does not say what moves", .expected = "the name of an entity"});
   auto axes = motionsTogether(trajectory, *document, options);
-  if (!axes) return tl::unexpected(axes.error());
+  HAPTICELL_TRY(axes);
   path->axes = std::move(*axes);
   auto scene = manipulation::PreparedScene::prepare(document->snapshotEntities(), document->state().pairPolicy(), {});
   return Cell{std::move(*document), std::move(scene), std::move(*path), name};
@@ -113,21 +114,21 @@ KeptFreeResult resultOf(manipulation::KeptFree kept) {
 Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& given, trajectory::Trajectory processed,
                                   const TrajectoryCheckOptions& options) {
   const auto cell = cellFor(given, options);
-  if (!cell) return tl::unexpected(cell.error());
+  HAPTICELL_TRY(cell);
   trajectory::Trajectory recording = given;
   recording.entity = processed.entity = cell->entity;
   if (const workcell::Entity* entity = cell->document.findByName(cell->entity)) {
     auto consistent = manipulation::jointsFromPoses(*entity, processed);
-    if (!consistent) return tl::unexpected(consistent.error());
+    HAPTICELL_TRY(consistent);
     if (!recording.has_poses) {
       auto posed = manipulation::posesFromJoints(*entity, recording);
-      if (!posed) return tl::unexpected(posed.error());
+      HAPTICELL_TRY(posed);
       recording = std::move(*posed);
     }
     processed = std::move(*consistent);
   }
   auto kept = manipulation::keptFree(cell->scene, recording, processed, cell->path, {});
-  if (!kept) return tl::unexpected(kept.error());
+  HAPTICELL_TRY(kept);
   KeptFreeResult result = resultOf(std::move(*kept));
   if (const workcell::Entity* entity = cell->document.findByName(cell->entity); entity && entity->robot) {
     result.poses_by_joints = [robot = std::make_shared<const workcell::Entity>(*entity)](const auto& motion) {
@@ -140,11 +141,11 @@ Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& given, trajector
 Expected<KeptFreeResult> retimeFree(const trajectory::Trajectory& given, const trajectory::RetimingOptions& retiming,
                                     const TrajectoryCheckOptions& options, trajectory::RetimingReport& report) {
   const auto cell = cellFor(given, options);
-  if (!cell) return tl::unexpected(cell.error());
+  HAPTICELL_TRY(cell);
   trajectory::Trajectory named = given;
   named.entity = cell->entity;
   auto made = manipulation::retimedFree(cell->scene, named, retiming, cell->path, {});
-  if (!made) return tl::unexpected(made.error());
+  HAPTICELL_TRY(made);
   report = made->report;
   return resultOf(std::move(made->kept));
 }
@@ -163,12 +164,12 @@ void addCheckOptions(Subcommand command, TrajectoryCheckOptions& options) {
 Expected<ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,
                                        const TrajectoryCheckOptions& options) {
   const auto cell = cellFor(trajectory, options);
-  if (!cell) return tl::unexpected(cell.error());
+  HAPTICELL_TRY(cell);
 
   const auto begin = std::chrono::steady_clock::now();
   const auto result = manipulation::checkPath(cell->scene, cell->entity, trajectory, cell->path, {});
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-  if (!result) return tl::unexpected(result.error());
+  HAPTICELL_TRY(result);
 
   bool has_contact = false, has_limit = false;
   for (const PathFinding& finding : result->findings) {

@@ -40,7 +40,7 @@ using Made = Expected<std::vector<Trajectory>>;
 using Edit = Made (*)(const Trajectory&, const EditOptions&);
 
 Made one(Expected<Trajectory> made) {
-  if (!made) return tl::unexpected(made.error());
+  HAPTICELL_TRY(made);
   return std::vector<Trajectory>{std::move(*made)};
 }
 
@@ -58,14 +58,14 @@ Made trim(const Trajectory& given, const EditOptions& o) {
 }
 Made split(const Trajectory& given, const EditOptions& o) {
   auto parts = trajectory::splitAt(given, o.at);
-  if (!parts) return tl::unexpected(parts.error());
+  HAPTICELL_TRY(parts);
   return std::vector<Trajectory>{std::move(parts->first), std::move(parts->second)};
 }
 Made join(const Trajectory& given, const EditOptions& o) {
   std::vector<Trajectory> parts{given};
   for (const std::string& file : o.with) {
     auto part = readMotionFile(file);
-    if (!part) return tl::unexpected(part.error());
+    HAPTICELL_TRY(part);
     parts.push_back(std::move(*part));
   }
   return one(trajectory::joined(parts, o.speed));
@@ -76,14 +76,14 @@ Made reverse(const Trajectory& given, const EditOptions&) {
 Made mirror(const Trajectory& given, const EditOptions& o) {
   const auto axis = std::string("xyz").find(o.plane);
   if (o.plane.size() != 1 || axis == std::string::npos) {
-    return makeError({"", "--plane", "'" + o.plane + "'", "x, y or z: the plane's normal", ""});
+    return makeError({.place = "--plane", .found = "'" + o.plane + "'", .expected = "x, y or z: the plane's normal"});
   }
   dvec3 normal(0.0);
   normal[static_cast<int>(axis)] = 1.0;
   return std::vector<Trajectory>{trajectory::mirrored(given, o.offset * normal, normal)};
 }
 Made insert(const Trajectory& given, const EditOptions& o) {
-  if (given.empty()) return makeError({"", "frames", "none", "a motion", ""});
+  if (given.empty()) return makeError({.place = "frames", .found = "none", .expected = "a motion"});
   auto pose = o.pose.empty() ? Expected<Pose>(given.poseAt(o.at)) : poseOf(o.pose);
   return pose ? one(trajectory::withFrame(given, o.at, *pose)) : Made(tl::unexpected(pose.error()));
 }
@@ -105,7 +105,8 @@ Made reorderPoints(const Trajectory& given, const EditOptions& o) {
 }
 Expected<trajectory::StraightWay> wayOf(const EditOptions& o) {
   if (o.direction.size() != 3)
-    return makeError({"", "--direction", std::to_string(o.direction.size()) + " numbers", "x,y,z", ""});
+    return makeError(
+        {.place = "--direction", .found = std::to_string(o.direction.size()) + " numbers", .expected = "x,y,z"});
   return trajectory::StraightWay{o.length, {o.direction[0], o.direction[1], o.direction[2]}, o.speed};
 }
 Made approach(const Trajectory& given, const EditOptions& o) {
@@ -129,18 +130,18 @@ Expected<void> findJoints(const Trajectory& given, const EditOptions& options, T
   }
   Diagnostics notes;
   const auto document = workcell::loadDocument(options.workcell, notes);
-  if (!document) return tl::unexpected(document.error());
+  HAPTICELL_TRY(document);
   const workcell::Entity* entity = document->findByName(given.entity);
   std::vector<double> start;
   if (entity != nullptr) {
     const auto columns = manipulation::jointColumns(*entity, given);
-    if (!columns) return tl::unexpected(columns.error());
+    HAPTICELL_TRY(columns);
     start = entity->joints;
     for (std::size_t j = 0; j < columns->size(); ++j) start[(*columns)[j]] = given.joints(0)[j];
   }
   const auto replay = manipulation::MotionReplay::create(document->state().entities, given.entity,
                                                          std::make_shared<const Trajectory>(made), start);
-  if (!replay) return tl::unexpected(replay.error());
+  HAPTICELL_TRY(replay);
   made = replay->withJoints();
   result["off_pose"] = {{"position", replay->offPose().position}, {"angle", replay->offPose().angle}};
   return {};
@@ -154,7 +155,7 @@ Expected<void> poseByJoints(const Trajectory& given, const EditOptions& options,
   if (apart == 0 || !made.hasJoints() || !made.has_poses) return {};
   if (!options.robot.empty()) {
     const auto tool = ToolPoses::create(options.robot, given);
-    if (!tool) return tl::unexpected(tool.error());
+    HAPTICELL_TRY(tool);
     if (tool->match()) {
       made = tool->posesOf(made);
       return {};
@@ -180,20 +181,23 @@ Expected<void> save(const Trajectory& given, const Trajectory& made, const EditO
 
 Expected<ordered_json> run(const EditOptions& options, Edit edit) {
   const auto given = readMotionFile(options.file);
-  if (!given) return tl::unexpected(given.error());
+  HAPTICELL_TRY(given);
   auto made = edit(*given, options);
-  if (!made) return tl::unexpected(made.error());
+  HAPTICELL_TRY(made);
   ordered_json result{{"frames_before", given->size()}, {"duration_before", given->duration()}};
   for (std::size_t i = 0; i < made->size(); ++i) {
     Trajectory& motion = (*made)[i];
     if (!given->has_poses && !motion.hasJoints()) {
-      return makeError({options.file, "poses", "joints alone", "poses, for an edit of them",
-                        "Export it with its poses first: trajectory export --to csv --robot."});
+      return makeError({.file = options.file,
+                        .place = "poses",
+                        .found = "joints alone",
+                        .expected = "poses, for an edit of them",
+                        .fix = "Export it with its poses first: trajectory export --to csv --robot."});
     }
-    if (auto found = findJoints(*given, options, motion, result); !found) return tl::unexpected(found.error());
+    HAPTICELL_TRY(findJoints(*given, options, motion, result));
     const std::string& path = i == 0 ? options.output : options.rest;
-    if (auto posed = poseByJoints(*given, options, motion, result); !posed) return tl::unexpected(posed.error());
-    if (auto saved = save(*given, motion, options, path, result); !saved) return tl::unexpected(saved.error());
+    HAPTICELL_TRY(poseByJoints(*given, options, motion, result));
+    HAPTICELL_TRY(save(*given, motion, options, path, result));
     result["motions"].push_back({{"file", path},
                                  {"frames", motion.size()},
                                  {"duration", motion.duration()},
@@ -209,8 +213,11 @@ Expected<void> saveTrajectory(const Trajectory& trajectory, const std::string& p
   const std::string extension = fs::path(path).extension().string();
   if (extension == ".csv") return writeFileAtomically(path, toCsvText(trajectory));
   if (extension == ".htraj" || extension == ".json") return writeFileAtomically(path, toJsonText(trajectory));
-  return makeError({path, "--output", "the extension '" + extension + "'", ".htraj, .json or .csv",
-                    "Use trajectory export for other formats."});
+  return makeError({.file = path,
+                    .place = "--output",
+                    .found = "the extension '" + extension + "'",
+                    .expected = ".htraj, .json or .csv",
+                    .fix = "Use trajectory export for other formats."});
 }
 
 ExitStatus finishTrajectory(const ResultWriter& writer, const Expected<ordered_json>& result) {

@@ -51,16 +51,19 @@ Expected<std::vector<trajectory::ProgramFile>> readBack(const std::vector<trajec
   const fs::path beside = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
   fs::create_directories(beside, problem);
   if (problem)
-    return makeError({beside.string(), "", "the folder cannot be made", problem.message(), "Write it somewhere else."});
+    return makeError({.file = beside.string(),
+                      .found = "the folder cannot be made",
+                      .expected = problem.message(),
+                      .fix = "Write it somewhere else."});
   const auto folder = ScratchFolder::make(beside);
-  if (!folder) return tl::unexpected(folder.error());
+  HAPTICELL_TRY(folder);
   std::vector<trajectory::ProgramFile> read;
   for (const auto& file : files) {
     const fs::path path = folder->path() / fs::path(file.name).filename();
     if (auto written = writeFileAtomically(path, file.content, {.durable = false}); !written)
       return tl::unexpected(written.error());
     auto content = workcell::readFileContent(path);
-    if (!content) return tl::unexpected(content.error());
+    HAPTICELL_TRY(content);
     read.push_back({file.name, std::move(*content)});
   }
   return read;
@@ -76,11 +79,12 @@ Expected<std::vector<std::string>> saveProgram(const std::vector<trajectory::Pro
     std::error_code problem;
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), problem);
     if (problem)
-      return makeError({path.parent_path().string(), "", "the folder cannot be made", problem.message(), ""});
+      return makeError(
+          {.file = path.parent_path().string(), .found = "the folder cannot be made", .expected = problem.message()});
     contents.push_back({path, file.content});
     names.push_back(path.string());
   }
-  if (auto written = workcell::writeFilesAtomically(contents); !written) return tl::unexpected(written.error());
+  HAPTICELL_TRY(workcell::writeFilesAtomically(contents));
   return names;
 }
 
@@ -88,7 +92,7 @@ Expected<std::vector<std::string>> saveProgram(const std::vector<trajectory::Pro
 Expected<void> exportText(const Trajectory& given, const TrajectoryOptions& options, ordered_json& result) {
   Expected<std::string> text = options.to == "csv" ? toCsvText(given) : toJsonText(given);
   if (options.to == "ros") text = toRosText(given);
-  if (!text) return tl::unexpected(text.error());
+  HAPTICELL_TRY(text);
   const bool ros = options.to == "ros";
   const std::string extension = ros ? ".yaml" : options.to == "csv" ? ".csv" : ".htraj";
   const auto measure = [&](const fs::path& written) {
@@ -114,16 +118,16 @@ Expected<void> exportAsProgram(const Trajectory& given, const TrajectoryOptions&
   program.must_read_back = !options.allow_miss;
   if (auto found = addConfigurations(given, options.limits.robot, format->second, program, notes); !found) return found;
   const auto files = exportProgram(given, format->second, program, &notes);
-  if (!files) return tl::unexpected(files.error());
+  HAPTICELL_TRY(files);
   const auto read = readBack(*files, options.output);
-  if (!read) return tl::unexpected(read.error());
+  HAPTICELL_TRY(read);
   const auto promises = trajectory_checks::programPromises(given, *read, format->second, program);
-  if (!promises) return tl::unexpected(promises.error());
+  HAPTICELL_TRY(promises);
   if (auto told = tellPromises(*promises, options.output, options.allow_miss, result); !told) return told;
   const std::string stem = fs::path(options.output).stem().string();
   noteFileName(fs::path(files->front().name).stem().string(), stem, format->second, notes);
   auto saved = saveProgram(*read, format->second, options.output);
-  if (!saved) return tl::unexpected(saved.error());
+  HAPTICELL_TRY(saved);
   result["files"] = std::move(*saved);
   return {};
 }
@@ -133,13 +137,13 @@ Expected<void> exportAsProgram(const Trajectory& given, const TrajectoryOptions&
 Expected<ordered_json> exportTrajectory(const Trajectory& file, const TrajectoryOptions& options) {
   std::vector<std::string> notes = options.notes;
   const auto with = withRobot(file, options, notes);
-  if (!with) return tl::unexpected(with.error());
+  HAPTICELL_TRY(with);
   const Trajectory& given = with->motion;
   ordered_json result{
       {"format", options.to}, {"files", {options.output}}, {"frames", given.size()}, {"notes", nullptr}};
   const bool is_text = options.to == "csv" || options.to == "json" || options.to == "ros";
   const auto written = is_text ? exportText(given, options, result) : exportAsProgram(given, options, notes, result);
-  if (!written) return tl::unexpected(written.error());
+  HAPTICELL_TRY(written);
   result["notes"] = notes;
   return result;
 }

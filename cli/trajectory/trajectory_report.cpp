@@ -65,7 +65,7 @@ Expected<ordered_json> trajectoryInfo(const Trajectory& given, const TrajectoryO
   result["poses_apart"] = posesApart(given);
   if (!options.limits.robot.empty() && given.hasJoints() && given.has_poses) {
     const auto tool = ToolPoses::create(options.limits.robot, given);
-    if (!tool) return tl::unexpected(tool.error());
+    HAPTICELL_TRY(tool);
     result["pose_off_joints"] = distanceJson(tool->largestError(given));
   }
   const auto tremor = estimateTremor(given);

@@ -25,19 +25,23 @@ Expected<trajectory::RetimingOptions> retimingOf(const Trajectory& given, const 
   trajectory::RetimingOptions retiming;
   retiming.sample_s = options.sample;
   retiming.speed = options.speed;
-  if (!(options.sample > 0.0)) return makeError({"", "--sample", "a value that is not positive", "seconds", ""});
+  if (!(options.sample > 0.0))
+    return makeError({.place = "--sample", .found = "a value that is not positive", .expected = "seconds"});
   if (!(options.passing > 0.0) || !(options.angle_passing > 0.0))
-    return makeError({"", "--tolerance, --angle-tolerance", "a value that is not positive", "metres and radians", ""});
+    return makeError({.place = "--tolerance, --angle-tolerance",
+                      .found = "a value that is not positive",
+                      .expected = "metres and radians"});
   retiming.tolerance = {options.passing, options.angle_passing, options.angle_passing};
   if (options.mode == "constant-speed") {
     retiming.mode = trajectory::TimingMode::kConstantSpeed;
     if (!options.limits.acceleration.empty()) retiming.acceleration = options.limits.acceleration.front();
   } else if (options.mode == "time-optimal") {
     auto limits = limitsFor(given, options.limits, assumptions);
-    if (!limits) return tl::unexpected(limits.error());
+    HAPTICELL_TRY(limits);
     retiming.limits = std::move(*limits);
   } else {
-    return makeError({"", "--mode", "'" + options.mode + "'", "time-optimal or constant-speed", ""});
+    return makeError(
+        {.place = "--mode", .found = "'" + options.mode + "'", .expected = "time-optimal or constant-speed"});
   }
   return retiming;
 }
@@ -61,19 +65,19 @@ ordered_json retimingJson(const trajectory::Retimed& made) {
 Expected<ordered_json> retimeTrajectory(const Trajectory& file, const TrajectoryOptions& options) {
   std::vector<std::string> assumptions;
   const auto with = withRobot(file, options, assumptions);
-  if (!with) return tl::unexpected(with.error());
+  HAPTICELL_TRY(with);
   const Trajectory& given = with->motion;
   const auto asked = retimingOf(given, options, assumptions);
-  if (!asked) return tl::unexpected(asked.error());
+  HAPTICELL_TRY(asked);
   ordered_json kept = nullptr;
   trajectory_checks::PosesByJoints by_tool;
   if (with->tool) by_tool = [&](const Trajectory& motion) { return Expected<Trajectory>(with->tool->posesOf(motion)); };
   auto result = manipulation::retimedByJoints(given, *asked, by_tool);
-  if (!result) return tl::unexpected(result.error());
+  HAPTICELL_TRY(result);
   trajectory::Retimed made = std::move(*result);
   if (!options.check.workcell.empty()) {
     auto free = retimeFree(given, *asked, options.check, made.report);
-    if (!free) return tl::unexpected(free.error());
+    HAPTICELL_TRY(free);
     made.trajectory = std::move(free->trajectory);
     kept = std::move(free->report);
   }
@@ -93,7 +97,7 @@ Expected<ordered_json> retimeTrajectory(const Trajectory& file, const Trajectory
     return withPosesByJoints(trajectory_checks::retimePromises(given, *asked, {!drawn, tool.has_value()}, written),
                              tool, written);
   };
-  if (auto saved = saveKept(made.trajectory, options, measure, json); !saved) return tl::unexpected(saved.error());
+  HAPTICELL_TRY(saveKept(made.trajectory, options, measure, json));
   return json;
 }
 

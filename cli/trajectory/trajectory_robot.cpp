@@ -22,7 +22,9 @@ constexpr std::array<double, 2> kSolidSpeed{0.5, 2.0};  ///< m/s, rad/s, assumed
 Expected<std::vector<double>> spread(const std::vector<double>& given, std::size_t count, const char* option) {
   if (given.size() == 1) return std::vector<double>(count, given.front());
   if (given.size() != count) {
-    return makeError({"", option, std::to_string(given.size()) + " numbers", "one, or " + std::to_string(count), ""});
+    return makeError({.place = option,
+                      .found = std::to_string(given.size()) + " numbers",
+                      .expected = "one, or " + std::to_string(count)});
   }
   return given;
 }
@@ -36,10 +38,12 @@ Expected<std::vector<double>> speedsOf(const RobotWithTip& robot, const Trajecto
     int index = robot.model.findJoint(name);
     if (index < 0 && name == "q" + std::to_string(j + 1) && j < names.size()) index = robot.model.findJoint(names[j]);
     if (index < 0)
-      return makeError({"", "joint '" + name + "'", "the robot has no such joint", "its joints' names", ""});
+      return makeError(
+          {.place = "joint '" + name + "'", .found = "the robot has no such joint", .expected = "its joints' names"});
     const double speed = robot.model.joints[static_cast<std::size_t>(index)].velocity;
     if (!(speed > 0.0)) {
-      return makeError({"", "joint '" + name + "'", "the robot's file gives no speed", "--velocity", ""});
+      return makeError(
+          {.place = "joint '" + name + "'", .found = "the robot's file gives no speed", .expected = "--velocity"});
     }
     speeds.push_back(speed);
   }
@@ -56,10 +60,10 @@ Expected<std::vector<double>> velocitiesFor(const Trajectory& trajectory, const 
     return std::vector<double>{linear, linear, linear, angular, angular, angular};
   }
   if (options.robot.empty()) {
-    return makeError({"", "--velocity", "no limits for the joints", "--robot or --velocity", ""});
+    return makeError({.place = "--velocity", .found = "no limits for the joints", .expected = "--robot or --velocity"});
   }
   const auto robot = readRobotWithTip(options.robot, "");
-  if (!robot) return tl::unexpected(robot.error());
+  HAPTICELL_TRY(robot);
   return speedsOf(*robot, trajectory);
 }
 
@@ -69,19 +73,19 @@ Expected<trajectory::MotionLimits> limitsFor(const Trajectory& trajectory, const
                                              std::vector<std::string>& assumptions) {
   trajectory::MotionLimits limits;
   auto velocity = velocitiesFor(trajectory, options, assumptions);
-  if (!velocity) return tl::unexpected(velocity.error());
+  HAPTICELL_TRY(velocity);
   limits.velocity = std::move(*velocity);
   if (options.acceleration.empty()) {
     for (const double speed : limits.velocity) limits.acceleration.push_back(speed / kTimeToSpeed);
     assumptions.push_back("Each axis reaches its speed in 0.25 s, as no accelerations were given.");
   } else {
     auto acceleration = spread(options.acceleration, limits.velocity.size(), "--acceleration");
-    if (!acceleration) return tl::unexpected(acceleration.error());
+    HAPTICELL_TRY(acceleration);
     limits.acceleration = std::move(*acceleration);
   }
   if (!options.jerk.empty()) {
     auto jerk = spread(options.jerk, limits.velocity.size(), "--jerk");
-    if (!jerk) return tl::unexpected(jerk.error());
+    HAPTICELL_TRY(jerk);
     limits.jerk = std::move(*jerk);
   }
   return limits;
@@ -99,9 +103,9 @@ Expected<void> addConfigurations(const Trajectory& trajectory, const std::string
     return {};
   }
   const auto robot = readRobotWithTip(robot_name, "");
-  if (!robot) return tl::unexpected(robot.error());
+  HAPTICELL_TRY(robot);
   const auto chain = kinematics::Chain::create(robot->model, robot->tip, Pose::identity());
-  if (!chain) return tl::unexpected(chain.error());
+  HAPTICELL_TRY(chain);
   if (chain->size() != 6) {
     notes.push_back("The robot has no six-axis configuration; configuration data are the format's defaults.");
     return {};

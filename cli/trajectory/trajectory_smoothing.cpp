@@ -24,7 +24,9 @@ using trajectory::Trajectory;
 
 Expected<trajectory::PathTolerance> toleranceOf(const TrajectoryOptions& options) {
   if (!(options.tolerance > 0.0) || !(options.angle_tolerance > 0.0) || !(options.joint_tolerance >= 0.0)) {
-    return makeError({"", "--tolerance, --angle-tolerance", "a value that is not positive", "metres and radians", ""});
+    return makeError({.place = "--tolerance, --angle-tolerance",
+                      .found = "a value that is not positive",
+                      .expected = "metres and radians"});
   }
   const double joint = options.joint_tolerance > 0.0 ? options.joint_tolerance : options.tolerance;
   return trajectory::PathTolerance{options.tolerance, options.angle_tolerance, joint};
@@ -50,7 +52,7 @@ trajectory::Smoothed smoothWith(const Trajectory& given, trajectory::PathToleran
 
 Expected<ordered_json> simplifyTrajectory(const Trajectory& given, const TrajectoryOptions& options) {
   const auto tolerance = toleranceOf(options);
-  if (!tolerance) return tl::unexpected(tolerance.error());
+  HAPTICELL_TRY(tolerance);
   const Trajectory few = simplified(given, *tolerance);
   const auto deviation = largestDeviation(given, few);
   ordered_json result{
@@ -59,16 +61,16 @@ Expected<ordered_json> simplifyTrajectory(const Trajectory& given, const Traject
   const auto measure = [&](const fs::path& file) {
     return trajectory_checks::simplifyPromises(given, *tolerance, file);
   };
-  if (auto saved = saveKept(few, options, measure, result); !saved) return tl::unexpected(saved.error());
+  HAPTICELL_TRY(saveKept(few, options, measure, result));
   return result;
 }
 
 Expected<ordered_json> smoothTrajectory(const Trajectory& file, const TrajectoryOptions& options) {
   const auto tolerance = toleranceOf(options);
-  if (!tolerance) return tl::unexpected(tolerance.error());
+  HAPTICELL_TRY(tolerance);
   std::vector<std::string> assumptions;
   const auto with = withRobot(file, options, assumptions);
-  if (!with) return tl::unexpected(with.error());
+  HAPTICELL_TRY(with);
   const Trajectory& given = with->motion;
   trajectory::PathTolerance asked = *tolerance;
   // In the cell the joints are found for the poses, by the inverse model.
@@ -78,7 +80,7 @@ Expected<ordered_json> smoothTrajectory(const Trajectory& file, const Trajectory
   trajectory_checks::PosesByJoints placed;
   if (!options.check.workcell.empty()) {
     auto free = keepFree(given, std::move(result.trajectory), options.check);
-    if (!free) return tl::unexpected(free.error());
+    HAPTICELL_TRY(free);
     result.trajectory = std::move(free->trajectory);
     kept = std::move(free->report);
     placed = std::move(free->poses_by_joints);
@@ -108,7 +110,7 @@ Expected<ordered_json> smoothTrajectory(const Trajectory& file, const Trajectory
     return withPosesByJoints(trajectory_checks::smoothPromises(given, asked, written, placed),
                              options.check.workcell.empty() ? with->tool : std::nullopt, written);
   };
-  if (auto saved = saveKept(result.trajectory, options, measure, json); !saved) return tl::unexpected(saved.error());
+  HAPTICELL_TRY(saveKept(result.trajectory, options, measure, json));
   return json;
 }
 

@@ -7,12 +7,12 @@
 #include "config/configuration.h"
 #include "haptic/devices/hand_path.h"
 #include "manipulation/session/session.h"
+#include "trajectory/files/trajectory_io.h"
 #include "trajectory/motion/motion_curves.h"
 #include "trajectory/motion/number_text.h"
 #include "trajectory/training/training.h"
-#include "trajectory/files/trajectory_io.h"
-#include "workcell/format/document_io.h"
 #include "workcell/files/document_lock.h"
+#include "workcell/format/document_io.h"
 #include "workcell/text/file_content.h"
 
 namespace hapticell::cli {
@@ -65,9 +65,11 @@ std::string curvesText(const trajectory::MotionCurves& curves) {
 
 Expected<ordered_json> curves(const TrainingOptions& options) {
   const auto given = readMotionFile(options.file);
-  if (!given) return tl::unexpected(given.error());
+  HAPTICELL_TRY(given);
   const auto curves = trajectory::motionCurves(*given, options.samples);
-  if (curves.samples == 0) return makeError({options.file, "frames", std::to_string(given->size()), "two or more", ""});
+  if (curves.samples == 0)
+    return makeError(
+        {.file = options.file, .place = "frames", .found = std::to_string(given->size()), .expected = "two or more"});
   if (!options.output.empty())
     if (auto written = writeFileAtomically(options.output, curvesText(curves)); !written)
       return tl::unexpected(written.error());
@@ -84,10 +86,11 @@ Expected<ordered_json> curves(const TrainingOptions& options) {
 
 Expected<ordered_json> score(const TrainingOptions& options) {
   const auto expert = readMotionFile(options.file);
-  if (!expert) return tl::unexpected(expert.error());
+  HAPTICELL_TRY(expert);
   const auto run = readMotionFile(options.run);
-  if (!run) return tl::unexpected(run.error());
-  if (expert->empty()) return makeError({options.file, "frames", "none", "an expert's motion", ""});
+  HAPTICELL_TRY(run);
+  if (expert->empty())
+    return makeError({.file = options.file, .place = "frames", .found = "none", .expected = "an expert's motion"});
   return toJson(trajectory::scoreRun(*expert, *run));
 }
 
@@ -95,22 +98,22 @@ Expected<manipulation::SessionOptions> sessionOf(const TrainingOptions& options,
                                                  Trajectory expert, double help) {
   manipulation::SessionOptions session;
   const auto configuration = config::loadConfiguration({});
-  if (!configuration) return tl::unexpected(configuration.error());
+  HAPTICELL_TRY(configuration);
   session.configuration = *configuration;
   Diagnostics notes;
   const auto document = workcell::loadDocument(exercise.workcell, notes);
-  if (!document) return tl::unexpected(document.error());
+  HAPTICELL_TRY(document);
   session.entities = document->snapshotEntities();
   session.pairs = document->state().pairPolicy();
   session.guides = document->state().guides;
   session.entity = expert.entity;
   if (!expert.moved.empty()) {
     const auto moved_by = manipulation::parseMovedBy(expert.moved);
-    if (!moved_by) return tl::unexpected(moved_by.error());
+    HAPTICELL_TRY(moved_by);
     session.moved_by = *moved_by;
   }
   auto hand = haptic::readHandPath(options.hand);
-  if (!hand) return tl::unexpected(hand.error());
+  HAPTICELL_TRY(hand);
   for (const std::string& sentence : hand->assumptions()) warn(options.hand + ": " + sentence + ".");
   session.hand = std::move(*hand);
   session.axes.mode = manipulation::AxesMode::kCell;
@@ -122,25 +125,28 @@ Expected<manipulation::SessionOptions> sessionOf(const TrainingOptions& options,
 
 Expected<ordered_json> train(const TrainingOptions& options) {
   const auto exercise = manipulation::readExercise(options.file);
-  if (!exercise) return tl::unexpected(exercise.error());
+  HAPTICELL_TRY(exercise);
   auto expert = trajectory::readTrajectory(exercise->recording);
-  if (!expert) return tl::unexpected(expert.error());
-  if (expert->empty()) return makeError({exercise->recording.string(), "frames", "none", "an expert's motion", ""});
+  HAPTICELL_TRY(expert);
+  if (expert->empty())
+    return makeError(
+        {.file = exercise->recording.string(), .place = "frames", .found = "none", .expected = "an expert's motion"});
   // From reading to writing: two runs at once would lose one.
   workcell::DocumentLock lock;
   if (!options.results.empty()) {
     auto taken = workcell::DocumentLock::takeForWriting(options.results);
-    if (!taken) return tl::unexpected(taken.error());
+    HAPTICELL_TRY(taken);
     lock = std::move(*taken);
   }
   trajectory::TrainingSession book{options.trainee, exercise->name, {}};
   if (!options.results.empty() && fs::exists(options.results)) {
     auto kept = trajectory::readTraining(options.results);
-    if (!kept) return tl::unexpected(kept.error());
+    HAPTICELL_TRY(kept);
     book = std::move(*kept);
   }
   const auto kind = trajectory::parseRunKind(options.kind);
-  if (!kind) return makeError({"", "--kind", options.kind, "practice, retention or transfer", ""});
+  if (!kind)
+    return makeError({.place = "--kind", .found = options.kind, .expected = "practice, retention or transfer"});
   const bool led = *kind == trajectory::RunKind::kPractice;
   const bool practised = book.count(trajectory::RunKind::kPractice) > 0;
   if (!led && practised != (*kind == trajectory::RunKind::kRetention))
@@ -150,16 +156,16 @@ Expected<ordered_json> train(const TrainingOptions& options) {
   const double help = !led ? 0.0 : options.help >= 0.0 ? std::min(1.0, options.help) : book.nextHelp();
   const manipulation::TrainingRun scorer(*exercise, *expert, help);
   auto session = sessionOf(options, *exercise, std::move(*expert), help);
-  if (!session) return tl::unexpected(session.error());
+  HAPTICELL_TRY(session);
   const auto report = manipulation::runSession(*session);
-  if (!report) return tl::unexpected(report.error());
+  HAPTICELL_TRY(report);
   book.attempts.push_back(scorer.finish(report->recording, options.date));
   book.attempts.back().kind = *kind;
   std::vector<workcell::FileToWrite> files;
   if (!options.csv.empty()) files.push_back({options.csv, toCsvText(book)});
   if (!options.results.empty()) files.push_back({options.results, toJsonText(book)});
-  if (auto written = workcell::writeFilesAtomically(files); !written) return tl::unexpected(written.error());
-  if (auto saved = saveTrajectory(report->recording, options.output); !saved) return tl::unexpected(saved.error());
+  HAPTICELL_TRY(workcell::writeFilesAtomically(files));
+  HAPTICELL_TRY(saveTrajectory(report->recording, options.output));
   const auto& attempt = book.attempts.back();
   return ordered_json{{"exercise", exercise->name},      {"attempt", book.attempts.size()},
                       {"kind", wordOf(*kind)},           {"help", help},
@@ -172,7 +178,7 @@ Expected<ordered_json> exercises(const TrainingOptions& options) {
   ordered_json list = ordered_json::array();
   for (const fs::path& file : manipulation::exercisesIn(options.folder)) {
     const auto exercise = manipulation::readExercise(file);
-    if (!exercise) return tl::unexpected(exercise.error());
+    HAPTICELL_TRY(exercise);
     list.push_back({{"file", file.string()}, {"name", exercise->name}, {"text", exercise->text}});
   }
   return ordered_json{{"exercises", std::move(list)}};

@@ -7,8 +7,8 @@
 
 #include "cli/kit/workcell_arguments.h"
 #include "cli/workcell/workcell_commands.h"
-#include "workcell/format/document_io.h"
 #include "workcell/files/document_lock.h"
+#include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
 #include "workcell/import/imported_entities.h"
 
@@ -49,46 +49,51 @@ Expected<void> hang(workcell::EntityId id, const Addition& addition, workcell::D
   const bool whole = colon == std::string::npos || document.findByName(addition.on) != nullptr;
   const workcell::Entity* carrier = document.findByName(whole ? addition.on : addition.on.substr(0, colon));
   if (carrier == nullptr) {
-    return makeError({"--add " + addition.what, "on", "there is no entity '" + addition.on + "'",
-                      "NAME or NAME:LINK of an entity that was added before", ""});
+    return makeError({.file = "--add " + addition.what,
+                      .place = "on",
+                      .found = "there is no entity '" + addition.on + "'",
+                      .expected = "NAME or NAME:LINK of an entity that was added before"});
   }
   const std::string link = whole ? "" : addition.on.substr(colon + 1);
   const auto hung = document.execute(workcell::Attach{id, carrier->id, link});
-  if (!hung) return makeError({"--add " + addition.what, "on", hung.error().message(), "", ""});
+  if (!hung) return makeError({.file = "--add " + addition.what, .place = "on", .found = hung.error().message()});
   return {};
 }
 
 Expected<void> addEntity(const std::string& text, workcell::EntityLoader& loader, workcell::Document& document,
                          Diagnostics& notes) {
   const auto addition = parseAddition(text);
-  if (!addition) return tl::unexpected(addition.error());
+  HAPTICELL_TRY(addition);
   auto imported = loader.loadTree(addition->what, addition->options, notes);
-  if (!imported) return tl::unexpected(imported.error());
+  HAPTICELL_TRY(imported);
   if (!addition->name.empty()) {
     if (document.findByName(addition->name)) {
-      return makeError({"--add " + text, "", "the name '" + addition->name + "' is taken", "a name of its own", ""});
+      return makeError({.file = "--add " + text,
+                        .found = "the name '" + addition->name + "' is taken",
+                        .expected = "a name of its own"});
     }
     nameImported(addition->name, imported->entities);
   }
   const auto added = workcell::addImported(document, std::move(imported->entities), addition->X_WE);
-  if (!added) return makeError({"--add " + text, "", added.error().message(), "", ""});
+  if (!added) return makeError({.file = "--add " + text, .found = added.error().message()});
   return addition->on.empty() ? Expected<void>{} : hang(added->front(), *addition, document);
 }
 
 Expected<void> addCheck(const std::string& text, workcell::Document& document) {
   auto set = parseCheck(text);
-  if (!set) return tl::unexpected(set.error());
+  HAPTICELL_TRY(set);
   for (const auto* side : {&set->first, &set->second}) {
     for (const std::string& name : *side) {
       if (document.findByName(name) != nullptr) continue;
       std::string known;
       for (const auto& entity : document.state().entities) known += (known.empty() ? "" : ", ") + entity->name;
-      return makeError({"", "--check " + text, "there is no entity '" + name + "'", "one of " + known, ""});
+      return makeError(
+          {.place = "--check " + text, .found = "there is no entity '" + name + "'", .expected = "one of " + known});
     }
   }
   set->name = "Set " + std::to_string(document.state().pair_sets.size() + 1);
   const auto added = document.execute(workcell::AddPairSet{std::move(*set)});
-  if (!added) return tl::unexpected(added.error());
+  HAPTICELL_TRY(added);
   return {};
 }
 
@@ -97,10 +102,10 @@ Expected<workcell::Document> makeDocument(const NewOptions& options, Diagnostics
   workcell::Document document;
   workcell::EntityLoader loader(fs::current_path());
   for (const std::string& text : options.additions) {
-    if (auto added = addEntity(text, loader, document, notes); !added) return tl::unexpected(added.error());
+    HAPTICELL_TRY(addEntity(text, loader, document, notes));
   }
   for (const std::string& text : options.checks) {
-    if (auto added = addCheck(text, document); !added) return tl::unexpected(added.error());
+    HAPTICELL_TRY(addCheck(text, document));
   }
   return document;
 }

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "cli/workcell/workcell_commands.h"
-#include "workcell/import/change_report.h"
-#include "workcell/format/document_io.h"
 #include "workcell/files/pack.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/change_report.h"
 
 namespace hapticell::cli {
 
@@ -32,14 +32,14 @@ struct ChangesOptions {
 Expected<std::pair<workcell::DocumentState, workcell::DocumentState>> comparedStates(const ChangesOptions& options,
                                                                                      Diagnostics& notes) {
   const auto first = workcell::loadDocument(options.before, notes);
-  if (!first) return tl::unexpected(first.error());
+  HAPTICELL_TRY(first);
   if (options.since_import) {
     const auto imported = workcell::stateAtImport(first->state(), nullptr, notes);
-    if (!imported) return tl::unexpected(imported.error());
+    HAPTICELL_TRY(imported);
     return std::pair(*imported, first->state());
   }
   const auto second = workcell::loadDocument(options.after, notes);
-  if (!second) return tl::unexpected(second.error());
+  HAPTICELL_TRY(second);
   return std::pair(first->state(), second->state());
 }
 
@@ -53,20 +53,22 @@ ExitStatus finish(const Expected<ordered_json>& result, const Diagnostics& notes
 
 Expected<ordered_json> pack(const PackOptions& options, Diagnostics& notes) {
   const auto document = workcell::loadDocument(options.file, notes);
-  if (!document) return tl::unexpected(document.error());
+  HAPTICELL_TRY(document);
   const std::string name = fs::path(options.file).filename().string();
   std::error_code fault;
   const workcell::PackScope scope{fs::absolute(options.file, fault).parent_path(), options.allow_outside};
   const auto packed = workcell::pack(document->state(), options.folder, name, scope, notes);
-  if (!packed) return tl::unexpected(packed.error());
+  HAPTICELL_TRY(packed);
   ordered_json outside = ordered_json::array();
   for (const fs::path& file : packed->outside) outside.push_back(file.string());
   if (!packed->isWritten()) {
     for (const fs::path& file : packed->outside) notes.warn("outside: " + file.string());
-    return makeError({options.file, "", std::to_string(packed->outside.size()) + " files lie outside of its folder",
-                      "files in " + scope.folder.string(),
-                      "Nothing was written. A workcell of others may name any file of this machine: look at the list, "
-                      "then pack with --allow-outside, or bring the files below the folder."});
+    return makeError(
+        {.file = options.file,
+         .found = std::to_string(packed->outside.size()) + " files lie outside of its folder",
+         .expected = "files in " + scope.folder.string(),
+         .fix = "Nothing was written. A workcell of others may name any file of this machine: look at the list, "
+                "then pack with --allow-outside, or bring the files below the folder."});
   }
   return ordered_json{{"workcell", packed->document.string()},
                       {"files", packed->copied},
@@ -76,15 +78,16 @@ Expected<ordered_json> pack(const PackOptions& options, Diagnostics& notes) {
 
 Expected<ordered_json> changes(const ChangesOptions& options, Diagnostics& notes) {
   if (options.since_import != options.after.empty()) {
-    return makeError({"", "the command line", options.since_import ? "a second document" : "one document",
-                      "two documents, or one with --since-import", ""});
+    return makeError({.place = "the command line",
+                      .found = options.since_import ? "a second document" : "one document",
+                      .expected = "two documents, or one with --since-import"});
   }
   const auto states = comparedStates(options, notes);
-  if (!states) return tl::unexpected(states.error());
+  HAPTICELL_TRY(states);
   const auto list = workcell::compareStates(states->first, states->second);
   if (!options.output.empty()) {
     const auto written = writeFileAtomically(options.output, workcell::changesAsCsv(list, options.all));
-    if (!written) return tl::unexpected(written.error());
+    HAPTICELL_TRY(written);
   }
   ordered_json rows = ordered_json::array();
   for (const workcell::EntityChange& change : list) {

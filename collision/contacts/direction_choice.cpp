@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace hapticell::collision {
@@ -28,7 +29,7 @@ std::vector<dvec3> ballSamples(std::uint32_t count) {
   std::vector<dvec3> samples;
   for (std::uint32_t i = 1; i <= count; ++i) {
     const double z = 2.0 * halton(i, 2) - 1.0;
-    const double angle = 6.283185307179586 * halton(i, 3);
+    const double angle = 2.0 * std::numbers::pi * halton(i, 3);
     const double width = std::sqrt(std::max(0.0, 1.0 - z * z));
     samples.push_back(std::pow(10.0, -3.0 * halton(i, 5)) * dvec3(width * std::cos(angle), width * std::sin(angle), z));
   }

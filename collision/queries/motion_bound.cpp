@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hapticell::collision {
 
@@ -19,7 +20,7 @@ double pathBound(const Pose& X_WB0, const Pose& X_WB1, const dvec3& p_BS, double
   const dvec3 swing = glm::cross(whole.angular, X_WB0.rotate(p_BS));
   // S moves with `linear` plus a swing that only turns: bounded by their sum, and by the speed at the start plus how
   // far the swing can turn away from that. The second is the better one when a body turns about its own middle.
-  const double turned_away = glm::length(swing) * 2.0 * std::sin(0.5 * std::min(angle, 3.14159265358979));
+  const double turned_away = glm::length(swing) * 2.0 * std::sin(0.5 * std::min(angle, std::numbers::pi));
   const double speed_of_center =
       std::min(glm::length(whole.linear) + glm::length(swing), glm::length(whole.linear + swing) + turned_away);
   return speed_of_center + angle * radius;

@@ -8,11 +8,7 @@
 
 namespace hapticell::collision {
 
-namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 bool ModelBuilder::addRim(std::uint32_t name, const std::vector<const SharpEdge*>& edges) {
   const SurfaceShape& shape = surface_.regions[name].shape;
@@ -39,18 +35,18 @@ bool ModelBuilder::addRim(std::uint32_t name, const std::vector<const SharpEdge*
   }
   circle.center_M = shape.p_M + height * n;
   std::sort(turns.begin(), turns.end());
-  double widest = turns.front() + 2.0 * kPi - turns.back();
+  double widest = turns.front() + 2.0 * std::numbers::pi - turns.back();
   circle.from = turns.front();
   circle.to = turns.back();
   for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
     if (turns[i + 1] - turns[i] <= widest) continue;
     widest = turns[i + 1] - turns[i];
     circle.from = turns[i + 1];
-    circle.to = turns[i] + 2.0 * kPi;
+    circle.to = turns[i] + 2.0 * std::numbers::pi;
   }
   if (widest < 0.7) {
     circle.from = 0.0;
-    circle.to = 2.0 * kPi;
+    circle.to = 2.0 * std::numbers::pi;
   }
   model_.circles_.push_back(circle);
   return true;
@@ -128,16 +124,16 @@ void ModelBuilder::addRing(const SurfaceRegion& region) {
     }
   }
   std::sort(turns.begin(), turns.end());
-  double widest = turns.front() + 2.0 * kPi - turns.back();
+  double widest = turns.front() + 2.0 * std::numbers::pi - turns.back();
   circle.from = turns.front();
   circle.to = turns.back();
   for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
     if (turns[i + 1] - turns[i] <= widest) continue;
     widest = turns[i + 1] - turns[i];
     circle.from = turns[i + 1];
-    circle.to = turns[i] + 2.0 * kPi;
+    circle.to = turns[i] + 2.0 * std::numbers::pi;
   }
-  if (widest < 0.7) circle.from = 0.0, circle.to = 2.0 * kPi;
+  if (widest < 0.7) circle.from = 0.0, circle.to = 2.0 * std::numbers::pi;
   model_.circles_.push_back(circle);
 }
 

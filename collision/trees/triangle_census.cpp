@@ -6,6 +6,8 @@
 #include <bit>
 #include <cmath>
 
+#include "geometry/shapes/vector.h"
+
 namespace hapticell::collision {
 
 namespace {
@@ -48,10 +50,6 @@ class FirstOfEqual {
 /// Equal for what is the same bit for bit: -0 is not 0.
 Words bitsOf(const dvec3& p) {
   return {std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y), std::bit_cast<std::uint64_t>(p.z)};
-}
-
-bool isFinite(const dvec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 bool isDegenerate(const dvec3& a, const dvec3& b, const dvec3& c) {

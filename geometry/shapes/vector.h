@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
@@ -14,6 +15,11 @@ using glm::dvec3;
 using glm::fvec3;
 
 inline constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad.
+
+/// True where no coordinate is infinite or no number.
+inline bool isFinite(const dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 /// The vector shortened to `limit` where it is longer.
 inline dvec3 shortenedTo(const dvec3& v, double limit) {

@@ -46,7 +46,8 @@ Expected<void> writeInto(const fs::path& path, std::string_view content) {
   if (file >= 0 && fault == 0) fault = flushFile(file);
   if (file >= 0 && ::close(file) != 0 && fault == 0) fault = errno;
   if (fault == 0) return {};
-  return makeError({path.string(), "", std::strerror(fault), "something that takes what is written", ""});
+  return makeError(
+      {.file = path.string(), .found = std::strerror(fault), .expected = "something that takes what is written"});
 }
 
 /// What writeInto() takes.
@@ -110,7 +111,8 @@ Expected<fs::path> placeOfFile(const fs::path& path) {
   fs::path target = path;
   for (int links = 0; fs::is_symlink(target, fault); ++links) {
     if (links == kMostLinks)
-      return makeError({path.string(), "", "symbolic links in a circle", "the name of a file", ""});
+      return makeError(
+          {.file = path.string(), .found = "symbolic links in a circle", .expected = "the name of a file"});
     const fs::path named = fs::read_symlink(target, fault);
     if (fault) break;
     target = named.is_absolute() ? named : target.parent_path() / named;
@@ -123,17 +125,19 @@ Expected<fs::path> placeOfFile(const fs::path& path) {
 
 Expected<AtomicFile> AtomicFile::begin(const fs::path& path, const Options& options) {
   const auto place = placeOfFile(path);
-  if (!place) return makeError(place.error());
+  HAPTICELL_TRY(place);
   AtomicFile made;
   made.asked_ = path;
   made.options_ = options;
   std::error_code fault;
   made.target_ = fs::absolute(*place, fault);
-  if (fault) return makeError({path.string(), "", fault.message(), "a folder that is there", ""});
+  if (fault) return makeError({.file = path.string(), .found = fault.message(), .expected = "a folder that is there"});
   if (::faccessat(AT_FDCWD, made.target_.c_str(), W_OK, AT_EACCESS) != 0 && errno == EACCES &&
       fs::exists(made.target_, fault)) {
-    return makeError({path.string(), "", "a file that is write-protected", "one that may be written",
-                      "Allow writing to it, or choose another name."});
+    return makeError({.file = path.string(),
+                      .found = "a file that is write-protected",
+                      .expected = "one that may be written",
+                      .fix = "Allow writing to it, or choose another name."});
   }
   const fs::path folder = folderOf(made.target_);
   unfinished::tidyOnce(folder);
@@ -167,7 +171,10 @@ AtomicFile::~AtomicFile() {
 }
 
 Error AtomicFile::failure(int fault) const {
-  return {asked_.string(), "", std::strerror(fault), "room and permission to write the file", helpFor(fault)};
+  return {.file = asked_.string(),
+          .found = std::strerror(fault),
+          .expected = "room and permission to write the file",
+          .fix = helpFor(fault)};
 }
 
 Expected<void> AtomicFile::write(std::string_view content) {
@@ -200,7 +207,8 @@ Expected<void> AtomicFile::commitAll(std::span<AtomicFile> files) {
   }
   for (const fs::path& folder : folders) {
     if (const int fault = unfinished::flushFolder(folder); fault != 0)
-      return makeError({folder.string(), "", std::strerror(fault), "a disk that takes what is written", ""});
+      return makeError(
+          {.file = folder.string(), .found = std::strerror(fault), .expected = "a disk that takes what is written"});
   }
   return {};
 }
@@ -208,7 +216,7 @@ Expected<void> AtomicFile::commitAll(std::span<AtomicFile> files) {
 Expected<void> writeFileAtomically(const fs::path& path, std::string_view content, const AtomicFile::Options& options) {
   if (isPipe(path)) return writeInto(path, content);
   auto file = AtomicFile::begin(path, options);
-  if (!file) return makeError(file.error());
+  HAPTICELL_TRY(file);
   if (auto written = file->write(content); !written) return written;
   return file->commit();
 }
@@ -217,13 +225,13 @@ Expected<void> writeFileChecked(const fs::path& path, std::string_view content, 
   if (isPipe(path)) {
     // Nothing can be taken back from a pipe: a file of the same content is looked at before.
     const auto folder = ScratchFolder::make();
-    if (!folder) return makeError(folder.error());
+    HAPTICELL_TRY(folder);
     auto kept = writeFileChecked(folder->path() / ("trial" + path.extension().string()), content, check);
     if (!kept) return kept;
     return writeInto(path, content);
   }
   auto file = AtomicFile::begin(path);
-  if (!file) return makeError(file.error());
+  HAPTICELL_TRY(file);
   if (auto written = file->write(content); !written) return written;
   if (auto kept = check(file->aside()); !kept) return kept;
   return file->commit();
@@ -241,7 +249,7 @@ Expected<void> writeFilesAtomically(const std::vector<FileToWrite>& files) {
   for (const FileToWrite& each : files) {
     if (isPipe(each.path)) continue;
     auto file = AtomicFile::begin(each.path);
-    if (!file) return makeError(file.error());
+    HAPTICELL_TRY(file);
     if (auto written = file->write(each.content); !written) return written;
     begun.push_back(std::move(*file));
   }

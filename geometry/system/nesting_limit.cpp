@@ -64,7 +64,7 @@ std::size_t behind(std::string_view text, std::size_t i, std::string_view end) {
 }
 
 struct Tag {
-  std::size_t end;  ///< Behind it.
+  std::size_t end;      ///< Behind it.
   bool closed = false;  ///< It is an element by itself.
   std::size_t attributes = 0;
 };
@@ -187,7 +187,8 @@ Expected<void> checkNesting(std::string_view text, NestedText kind, const std::s
   if (!found) return {};
   const std::string_view before = text.substr(0, std::min(found->place, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  return makeError({file, "line " + std::to_string(line), found->found, found->expected, ""});
+  return makeError(
+      {.file = file, .place = "line " + std::to_string(line), .found = found->found, .expected = found->expected});
 }
 
 }  // namespace hapticell::geometry

@@ -53,8 +53,11 @@ Error Promises::missed(const std::string& file) const {
   const std::string bound = promise->is_at_least ? "at least " : "at most ";
   std::string fix = help;
   if (!fix.empty()) fix += ' ';
-  return {file, promise->place, promise->name + " " + withUnit(promise->measured, promise->unit),
-          bound + withUnit(promise->asked, promise->unit), fix + "Nothing is written without --allow-miss."};
+  return {.file = file,
+          .place = promise->place,
+          .found = promise->name + " " + withUnit(promise->measured, promise->unit),
+          .expected = bound + withUnit(promise->asked, promise->unit),
+          .fix = fix + "Nothing is written without --allow-miss."};
 }
 
 }  // namespace hapticell

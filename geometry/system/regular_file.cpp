@@ -28,19 +28,21 @@ const char* otherThanFile(mode_t mode) {
 }
 
 std::optional<Error> faultOf(const fs::path& path, const struct stat& state, std::uintmax_t most_bytes) {
-  if (const char* const other = otherThanFile(state.st_mode)) return Error{path.string(), "", other, "a file", ""};
+  if (const char* const other = otherThanFile(state.st_mode))
+    return Error{.file = path.string(), .found = other, .expected = "a file"};
   const auto size = static_cast<std::uintmax_t>(state.st_size);
   if (size <= most_bytes) return std::nullopt;
   constexpr std::uintmax_t kMega = 1'000'000;
-  const std::string most = most_bytes < kMega ? std::to_string(most_bytes) + " bytes"
-                                              : std::to_string(most_bytes / kMega) + " MB";
-  return Error{path.string(), "", std::to_string(size) + " bytes", "at most " + most, ""};
+  const std::string most =
+      most_bytes < kMega ? std::to_string(most_bytes) + " bytes" : std::to_string(most_bytes / kMega) + " MB";
+  return Error{.file = path.string(), .found = std::to_string(size) + " bytes", .expected = "at most " + most};
 }
 
 Error unreadable(const fs::path& path, int fault) {
-  if (fault == ENOENT || fault == ENOTDIR) return {path.string(), "", "there is no such file", "", ""};
-  return {path.string(), "", std::string("it cannot be read (") + std::strerror(fault) + ")", "",
-          fault == EACCES ? "Look at its permissions." : ""};
+  if (fault == ENOENT || fault == ENOTDIR) return {.file = path.string(), .found = "there is no such file"};
+  return {.file = path.string(),
+          .found = std::string("it cannot be read (") + std::strerror(fault) + ")",
+          .fix = fault == EACCES ? "Look at its permissions." : ""};
 }
 
 struct OpenFile {
@@ -51,7 +53,7 @@ struct OpenFile {
 /// Looked at before it is opened, for opening alone may set a device going; and again after, for it may have been
 /// exchanged in between. Not blocking: a pipe would wait for somebody who writes.
 Expected<OpenFile> openFile(const fs::path& path, std::uintmax_t most_bytes) {
-  if (auto checked = checkRegularFile(path, most_bytes); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkRegularFile(path, most_bytes));
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (file < 0) return makeError(unreadable(path, errno));
   struct stat state {};
@@ -84,12 +86,13 @@ Expected<void> checkRegularFile(const fs::path& path, std::uintmax_t most_bytes)
 
 Expected<std::string> readRegularFile(const fs::path& path, std::uintmax_t most_bytes) {
   const auto file = openFile(path, most_bytes);
-  if (!file) return makeError(file.error());
+  HAPTICELL_TRY(file);
   std::string content(file->size, '\0');
   const std::size_t have = readUpTo(file->descriptor, content.data(), content.size());
   ::close(file->descriptor);
   if (have == content.size()) return content;
-  return makeError({path.string(), "", "the file could not be read", "", "Check that you may read it."});
+  return makeError(
+      {.file = path.string(), .found = "the file could not be read", .fix = "Check that you may read it."});
 }
 
 std::string headOfFile(const fs::path& path, std::size_t most) {

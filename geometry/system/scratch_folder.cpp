@@ -39,7 +39,8 @@ int flushBelow(const fs::path& folder) {
 Expected<ScratchFolder> ScratchFolder::make(const fs::path& parent) {
   std::error_code fault;
   const fs::path folder = parent.empty() ? fs::temp_directory_path(fault) : fs::absolute(parent, fault);
-  if (fault) return makeError({parent.string(), "", fault.message(), "a folder for temporary files", ""});
+  if (fault)
+    return makeError({.file = parent.string(), .found = fault.message(), .expected = "a folder for temporary files"});
   unfinished::tidyOnce(folder);
   ScratchFolder made;
   constexpr int kMostTries = 100;
@@ -52,7 +53,8 @@ Expected<ScratchFolder> ScratchFolder::make(const fs::path& parent) {
     if (unfinished::take(made.lock_, made.path_)) return made;
     ::close(std::exchange(made.lock_, -1));
   }
-  return makeError({folder.string(), "", std::strerror(errno), "a folder that exists and may be written", ""});
+  return makeError(
+      {.file = folder.string(), .found = std::strerror(errno), .expected = "a folder that exists and may be written"});
 }
 
 ScratchFolder::ScratchFolder(ScratchFolder&& other) noexcept
@@ -76,7 +78,8 @@ Expected<void> ScratchFolder::moveContentTo(const fs::path& folder, const fs::pa
     if (fault == 0 && ::rename((path_ / name).c_str(), (folder / name).c_str()) != 0) fault = errno;
   if (fault == 0) fault = unfinished::flushFolder(folder);
   if (fault == 0) return {};
-  return makeError({folder.string(), "", std::strerror(fault), "room and permission to write", ""});
+  return makeError(
+      {.file = folder.string(), .found = std::strerror(fault), .expected = "room and permission to write"});
 }
 
 Expected<void> ScratchFolder::moveTo(const fs::path& place, bool is_private) {
@@ -91,7 +94,9 @@ Expected<void> ScratchFolder::moveTo(const fs::path& place, bool is_private) {
     fault = unfinished::flushFolder(place.has_parent_path() ? place.parent_path() : fs::path("."));
   }
   if (fault == 0) return {};
-  return makeError({place.string(), "", std::strerror(fault), "room, and the name of a new or empty folder", ""});
+  return makeError({.file = place.string(),
+                    .found = std::strerror(fault),
+                    .expected = "room, and the name of a new or empty folder"});
 }
 
 }  // namespace hapticell

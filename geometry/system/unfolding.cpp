@@ -29,7 +29,10 @@ Expected<void> checkUnfolding(const std::vector<std::vector<std::uint32_t>>& bel
                               const std::function<std::string(std::uint32_t)>& place_of) {
   const std::uint64_t most = std::max<std::uint64_t>(limits.most, 20 * below.size());
   const auto refuse = [&](std::uint32_t node, std::string found, std::string expected) {
-    return makeError({"", place_of(node), std::move(found), std::move(expected), "Export it again."});
+    return makeError({.place = place_of(node),
+                      .found = std::move(found),
+                      .expected = std::move(expected),
+                      .fix = "Export it again."});
   };
   std::vector<Node> nodes(below.size());
   std::vector<Step> way;
@@ -50,7 +53,8 @@ Expected<void> checkUnfolding(const std::vector<std::vector<std::uint32_t>>& bel
           node.depth = std::max(node.depth, nodes[child].depth);
         }
         if (++node.depth > limits.deepest)
-          return refuse(step.node, "more than " + std::to_string(limits.deepest) + " levels below each other", "a tree");
+          return refuse(step.node, "more than " + std::to_string(limits.deepest) + " levels below each other",
+                        "a tree");
         way.pop_back();
         continue;
       }

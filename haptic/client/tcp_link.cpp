@@ -15,11 +15,11 @@
 #include <thread>
 #include <utility>
 
+#include "haptic/protocol/heartbeat.h"
+#include "haptic/rendering/triple_buffer.h"
 #include "haptic/transport/message_stream.h"
 #include "haptic/transport/press_latch.h"
 #include "haptic/transport/secure_stream.h"
-#include "haptic/protocol/heartbeat.h"
-#include "haptic/rendering/triple_buffer.h"
 
 namespace hapticell::haptic {
 
@@ -333,7 +333,7 @@ Expected<TcpLinkOptions> linkOptionsFor(const std::string& host, std::uint16_t p
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return options;
   const auto key = loadKey(file);
-  if (!key) return tl::unexpected(key.error());
+  HAPTICELL_TRY(key);
   options.key = *key;
   return options;
 }

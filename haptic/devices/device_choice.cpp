@@ -72,18 +72,18 @@ Expected<std::unique_ptr<Device>> makeDevice(const std::string& name, const conf
   const DeviceName wanted = parseDeviceName(name);
   if (wanted.driver.empty()) {
     const auto file = config::findShippedFile("devices/" + wanted.id + ".toml");
-    if (!file) return tl::unexpected(file.error());
+    HAPTICELL_TRY(file);
     const auto profile = config::readDeviceProfile(*file);
-    if (!profile) return tl::unexpected(profile.error());
+    HAPTICELL_TRY(profile);
     return std::make_unique<SimulatedDevice>(*profile);
   }
   if (wanted.driver == "replay") {
     auto recording = readDeviceRecording(wanted.id);
-    if (!recording) return tl::unexpected(recording.error());
+    HAPTICELL_TRY(recording);
     return std::make_unique<ReplayDevice>(std::move(*recording));
   }
   const auto driver = findDriver(wanted.driver, configuration.drivers);
-  if (!driver) return tl::unexpected(driver.error());
+  HAPTICELL_TRY(driver);
   DriverDeviceOptions options;
   options.session.report = std::move(report);
   return std::make_unique<DriverDevice>(**driver, wanted.id, std::move(options));

@@ -115,10 +115,11 @@ std::uint32_t statusOf(const RecordedTick& tick) {
 
 Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file) {
   const auto refuse = [&](std::string place, std::string found, std::string expected) {
-    return makeError({file.string(), std::move(place), std::move(found), std::move(expected), ""});
+    return makeError(
+        {.file = file.string(), .place = std::move(place), .found = std::move(found), .expected = std::move(expected)});
   };
   geometry::RegularFileStream stream(file);
-  if (!stream) return makeError(stream.error());
+  HAPTICELL_TRY(stream);
   char magic[kMagicSize] = {};
   std::uint32_t length = 0;
   stream.read(magic, sizeof magic);
@@ -277,7 +278,8 @@ std::uint64_t RecordingDevice::lost() const {
 ReplayDevice::ReplayDevice(DeviceRecording recording) : recording_(std::move(recording)) {}
 
 Expected<void> ReplayDevice::open() {
-  if (recording_.ticks.empty()) return makeError({"", "recording", "not one tick", "a session that was recorded", ""});
+  if (recording_.ticks.empty())
+    return makeError({.place = "recording", .found = "not one tick", .expected = "a session that was recorded"});
   next_ = 0;
   open_ = true;
   return {};

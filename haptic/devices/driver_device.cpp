@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "geometry/shapes/vector.h"
 #include "geometry/system/plain_text.h"
 #include "haptic/devices/driver_library.h"
 #include "haptic/devices/driver_support.h"
@@ -34,10 +35,6 @@ constexpr double kPlainStiffness = 1000.0;  // N/m for the proxy of a device wit
 
 dvec3 toVector(const double (&from)[3]) {
   return {from[0], from[1], from[2]};
-}
-
-bool isFinite(const dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 /// The clock that nobody can set, ns: sem_clockwait() waits by it.

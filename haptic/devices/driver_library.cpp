@@ -35,7 +35,7 @@ tl::unexpected<Error> notADriver(const fs::path& file, std::string found, std::s
 
 Expected<driver::Driver*> loadDriver(const fs::path& file) {
   if (!file.is_absolute()) return notADriver(file, "no absolute path", "Name it by its whole path.");
-  if (const auto trusted = config::checkPlugIn(file); !trusted) return makeError(trusted.error());
+  HAPTICELL_TRY(config::checkPlugIn(file));
   // RTLD_NOW: a function that is missing is told now, not in the middle of a force.
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {

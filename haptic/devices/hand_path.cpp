@@ -58,18 +58,19 @@ class Parser {
       begin = end + 1;
       if (line.empty() || line.starts_with('#')) continue;
       const auto done = has_header_ ? readRow(cells(line)) : readHeader(cells(line));
-      if (!done) return makeError(done.error());
+      HAPTICELL_TRY(done);
     }
-    if (samples_.empty()) return makeError({name_, "", "there is no row", "a header line and at least one row", ""});
+    if (samples_.empty())
+      return makeError({.file = name_, .found = "there is no row", .expected = "a header line and at least one row"});
     auto assumed = recogniseHandUnits(samples_, name_);
-    if (!assumed) return makeError(assumed.error());
+    HAPTICELL_TRY(assumed);
     return HandPath(std::move(samples_), std::move(*assumed));
   }
 
  private:
   Error error(const std::string& what, std::string found, std::string expected) const {
     const std::string place = "line " + std::to_string(line_) + (what.empty() ? "" : ", column '" + what + "'");
-    return {name_, place, std::move(found), std::move(expected), ""};
+    return {.file = name_, .place = place, .found = std::move(found), .expected = std::move(expected)};
   }
 
   Expected<void> readHeader(const std::vector<std::string_view>& names) {
@@ -147,7 +148,7 @@ Expected<HandPath> parseHandPath(std::string_view text, const std::string& name)
 
 Expected<HandPath> readHandPath(const std::filesystem::path& file) {
   const auto text = geometry::readRegularFile(file);
-  if (!text) return makeError(text.error());
+  HAPTICELL_TRY(text);
   return parseHandPath(*text, file.string());
 }
 

@@ -86,9 +86,11 @@ Expected<std::vector<std::string>> recogniseHandUnits(std::vector<HandSample>& s
   const double farthest = farthestOf(samples);
   if (farthest <= kFarthestStylus) return assumed;
   if (farthest * kMillimetre > kFarthestStylus) {
-    return makeError({name, "columns x, y, z", sentence("a position %.6g from the middle of the workspace", farthest),
-                      sentence("metres in the device frame, within %.1f (or millimetres)", kFarthestStylus),
-                      "write the path in metres from the middle of the device's workspace"});
+    return makeError({.file = name,
+                      .place = "columns x, y, z",
+                      .found = sentence("a position %.6g from the middle of the workspace", farthest),
+                      .expected = sentence("metres in the device frame, within %.1f (or millimetres)", kFarthestStylus),
+                      .fix = "write the path in metres from the middle of the device's workspace"});
   }
   for (HandSample& sample : samples) sample.X_DH.p *= kMillimetre;
   assumed.push_back(sentence("its positions reach %.6g: taken as millimetres", farthest));

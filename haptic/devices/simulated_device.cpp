@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "geometry/shapes/vector.h"
+
 namespace hapticell::haptic {
 
 namespace {
@@ -12,10 +14,6 @@ namespace {
 constexpr double kStep = 1e-4;           // s of integration.
 constexpr double kReachUsed = 0.97;      // Part of the linkage's stretch that the stop leaves.
 constexpr double kGimbalDamping = 2e-3;  // N m s/rad, of a stylus that nobody holds.
-
-bool isFinite(const dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 double roundTo(double value, double step) {
   return step > 0.0 ? std::round(value / step) * step : value;

@@ -49,15 +49,15 @@ bool copy(const T* from, auto& to) {
 Expected<void> read(const wire::Hello& from, Hello& to) {
   const auto kind = clientKind(from.kind(), "Hello.kind");
   const auto program = text(from.program(), "Hello.program");
-  if (!kind) return tl::unexpected(kind.error());
-  if (!program) return tl::unexpected(program.error());
+  HAPTICELL_TRY(kind);
+  HAPTICELL_TRY(program);
   to = {from.protocol_version(), *kind, from.accept_watching(), *program, from.wants_condition(), from.take_over()};
   return {};
 }
 
 Expected<void> read(const wire::Device& from, DeviceDescription& to) {
   auto name = text(from.name(), "Device.name");
-  if (!name) return tl::unexpected(name.error());
+  HAPTICELL_TRY(name);
   if (!copy(from.workspace_min(), to.workspace_min) || !copy(from.workspace_max(), to.workspace_max)) {
     return refuse("Device", "no workspace", "workspace_min and workspace_max");
   }
@@ -78,7 +78,7 @@ Expected<void> read(const wire::Device& from, DeviceDescription& to) {
 
 Expected<void> read(const wire::Welcome& from, Welcome& to) {
   const auto kind = clientKind(from.kind(), "Welcome.kind");
-  if (!kind) return tl::unexpected(kind.error());
+  HAPTICELL_TRY(kind);
   if (from.device() == nullptr) return refuse("Welcome", "no device", "a device");
   to.protocol_version = from.protocol_version();
   to.kind = *kind;
@@ -91,7 +91,7 @@ Expected<void> read(const wire::Welcome& from, Welcome& to) {
 
 Expected<void> read(const wire::Refusal& from, Refusal& to) {
   auto sentence = text(from.sentence(), "Refusal.sentence");
-  if (!sentence) return tl::unexpected(sentence.error());
+  HAPTICELL_TRY(sentence);
   to.sentence = std::move(*sentence);
   return {};
 }
@@ -210,11 +210,11 @@ Expected<void> read(const wire::DeviceCondition& from, DeviceCondition& to) {
   to = {from.answers(), from.calibrated(), from.docked(), {}, {}};
   for (std::size_t i = 0; i < steps; ++i) {
     auto step = text(from.calibration()->Get(static_cast<flatbuffers::uoffset_t>(i)), "DeviceCondition.calibration");
-    if (!step) return tl::unexpected(step.error());
+    HAPTICELL_TRY(step);
     to.calibration.push_back(std::move(*step));
   }
   auto sentence = text(from.sentence(), "DeviceCondition.sentence");
-  if (!sentence) return tl::unexpected(sentence.error());
+  HAPTICELL_TRY(sentence);
   to.sentence = std::move(*sentence);
   return {};
 }

@@ -23,11 +23,11 @@ Expected<std::optional<fs::path>> FaultFiles::write(const FaultRecord& record, s
     ++left_out_;
     return std::nullopt;
   }
-  if (!folder_) return makeError(folder_.error());
+  HAPTICELL_TRY(folder_);
   ++written_;
   written_ns_ = now_ns;
   auto file = writeFault(record, *folder_);
-  if (!file) return makeError(file.error());
+  HAPTICELL_TRY(file);
   removeOldest(*file);
   return *file;
 }
@@ -64,7 +64,7 @@ void FaultFiles::removeOldest(const fs::path& newest) const {
 
 Expected<fs::path> writeFault(const FaultRecord& record, const fs::path& folder) {
   std::error_code problem;
-  if (auto made = config::makeOwnFolder(fs::absolute(folder, problem)); !made) return makeError(made.error());
+  HAPTICELL_TRY(config::makeOwnFolder(fs::absolute(folder, problem)));
   const fs::path path = folder / ("fault-" + std::to_string(record.tick) + ".csv");
   std::ostringstream file;
   file << "# fault: " << toString(record.kind) << " at tick " << record.tick << "\n"
@@ -81,7 +81,7 @@ Expected<fs::path> writeFault(const FaultRecord& record, const fs::path& folder)
                   static_cast<unsigned long long>(s.adopted_set), s.skipped, s.buttons, s.forces_on ? 1 : 0);
     file << line;
   }
-  if (auto written = writeFileAtomically(path, file.str()); !written) return makeError(written.error());
+  HAPTICELL_TRY(writeFileAtomically(path, file.str()));
   return path;
 }
 

@@ -40,7 +40,7 @@ std::filesystem::path keyFile(const ServerOptions& asked) {
 Expected<void> pair(const ServerOptions& asked) {
   const auto file = asked.key.empty() ? serverKeyFile() : std::filesystem::path(asked.key);
   const auto key = PairingKey::make();
-  if (!key) return tl::unexpected(key.error());
+  HAPTICELL_TRY(key);
   if (const auto saved = saveKey(*key, file); !saved) return saved;
   std::printf("%s\n", key->code().c_str());
   std::fprintf(
@@ -57,7 +57,7 @@ Expected<NetworkOptions> networkOptions(const ServerOptions& asked, const config
   const auto file = keyFile(asked);
   if (!file.empty()) {
     const auto key = loadKey(file);
-    if (!key) return tl::unexpected(key.error());
+    HAPTICELL_TRY(key);
     options.key = *key;
   }
   options.state_rate_hz = asked.state_rate_hz;
@@ -117,12 +117,12 @@ sigset_t blockSignals() {
 
 Expected<void> serve(const ServerOptions& asked) {
   const auto configuration = config::loadConfiguration(asked.config);
-  if (!configuration) return tl::unexpected(configuration.error());
+  HAPTICELL_TRY(configuration);
   auto options = networkOptions(asked, *configuration);
-  if (!options) return tl::unexpected(options.error());
+  HAPTICELL_TRY(options);
   auto made = makeDevice(asked.device.value_or(configuration->haptic.device), *configuration,
                          [](const std::string& sentence) { spdlog::warn("{}", plainText(sentence, kLongestLine)); });
-  if (!made) return tl::unexpected(made.error());
+  HAPTICELL_TRY(made);
   RecordingDevice* recording = nullptr;
   if (!asked.record.empty()) {
     auto recorded = std::make_unique<RecordingDevice>(std::move(*made), asked.record);
@@ -133,7 +133,7 @@ Expected<void> serve(const ServerOptions& asked) {
   if (SimulatedDevice* const simulated = device.simulated()) {
     simulated->hand().setOptions(configuredHand(*configuration));
   }
-  if (const auto opened = device.open(); !opened) return tl::unexpected(opened.error());
+  HAPTICELL_TRY(device.open());
 
   const sigset_t signals = blockSignals();
   const RealClock clock;
@@ -141,7 +141,7 @@ Expected<void> serve(const ServerOptions& asked) {
   RealTimeRunner runner(loop, {.fifo = asked.real_time, .lock_memory = asked.real_time});
   options->care = device.care();
   auto network = NetworkServer::start(loop, clock, describe(device), *options);
-  if (!network) return tl::unexpected(network.error());
+  HAPTICELL_TRY(network);
   runner.start();
   for (const std::string& warning : runner.warnings()) spdlog::warn("{}", warning);
   std::printf("hapticell-haptic-server listens on %s:%u: %s at %g Hz.\n", (*network)->address().c_str(),

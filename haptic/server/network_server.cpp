@@ -12,10 +12,10 @@
 #include <thread>
 #include <utility>
 
-#include "haptic/transport/secure_stream.h"
 #include "haptic/server/client_table.h"
 #include "haptic/server/clock.h"
 #include "haptic/server/force_loop.h"
+#include "haptic/transport/secure_stream.h"
 
 namespace hapticell::haptic {
 
@@ -79,7 +79,7 @@ class NetworkServer::Implementation {
 
   Expected<void> start() {
     const auto endpoint = endpointOf(options_);
-    if (!endpoint) return tl::unexpected(endpoint.error());
+    HAPTICELL_TRY(endpoint);
     std::error_code failed;
     acceptor_.open(endpoint->protocol(), failed);
     if (!failed) acceptor_.set_option(asio::socket_base::reuse_address(true), failed);
@@ -177,7 +177,7 @@ Expected<std::unique_ptr<NetworkServer>> NetworkServer::start(ForceLoop& loop, c
                                                               const DeviceDescription& device,
                                                               const NetworkOptions& options) {
   auto implementation = std::make_unique<Implementation>(loop, clock, device, options);
-  if (const auto started = implementation->start(); !started) return tl::unexpected(started.error());
+  HAPTICELL_TRY(implementation->start());
   return std::unique_ptr<NetworkServer>(new NetworkServer(std::move(implementation)));
 }
 

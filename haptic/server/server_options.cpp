@@ -81,7 +81,7 @@ Expected<ServerOptions> parseServerOptions(std::span<const std::string_view> wor
     const bool joined = equals != std::string_view::npos;
     if (!joined && i + 1 == words.size()) return refuse(option, "nothing", "a value after it");
     const std::string_view value = joined ? words[i].substr(equals + 1) : words[++i];
-    if (const auto set = setValue(options, option, value); !set) return tl::unexpected(set.error());
+    HAPTICELL_TRY(setValue(options, option, value));
   }
   return options;
 }

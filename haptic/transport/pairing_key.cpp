@@ -72,7 +72,8 @@ fs::path inSettings(const fs::path& name) {
 /// Why inSettings() gave no path.
 tl::unexpected<Error> nowhere() {
   const auto folder = config::userSettingsFolder();
-  return folder ? makeError({"", "key file", "no name", "the name of a file", ""}) : makeError(folder.error());
+  return folder ? makeError({.place = "key file", .found = "no name", .expected = "the name of a file"})
+                : makeError(folder.error());
 }
 
 tl::unexpected<Error> fileError(const fs::path& file, std::string found, std::string fix) {
@@ -159,7 +160,7 @@ Expected<void> saveKey(const PairingKey& key, const fs::path& file) {
   std::error_code failed;
   if (auto made = config::makeOwnFolder(fs::absolute(file, failed).parent_path()); !made) return made;
   auto written = AtomicFile::begin(file, {.mode = 0600});
-  if (!written) return makeError(written.error());
+  HAPTICELL_TRY(written);
   if (auto put = written->write(key.code() + "\n"); !put) return put;
   return written->commit();
 }
@@ -173,7 +174,7 @@ Expected<PairingKey> loadKey(const fs::path& file) {
                      "Make a new one (hapticell-haptic-server --pair), or chmod 600 if nobody has read it.");
   }
   std::error_code ignored;
-  if (auto own = config::checkUserFile(fs::absolute(file, ignored)); !own) return makeError(own.error());
+  HAPTICELL_TRY(config::checkUserFile(fs::absolute(file, ignored)));
   std::ifstream stream(file);
   std::string text;
   std::getline(stream, text);

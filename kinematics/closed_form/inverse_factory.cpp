@@ -25,7 +25,7 @@ Expected<std::unique_ptr<InverseModel>> createInverse(const RobotModel& model, i
                                                       const InverseOptions& options) {
   if (model.closure) return model.closure->inverse(model, tip_link, X_LT);
   auto numeric = NumericInverse::create(model, tip_link, X_LT, options.lever_m);
-  if (!numeric) return makeError(numeric.error());
+  HAPTICELL_TRY(numeric);
   using Keep = NumericInverse::Hurried::Keep;
   const bool orientation = options.at_singularity == SingularityChoice::kKeepOrientation;
   const bool joint = options.at_singularity == SingularityChoice::kKeepJoint4;

@@ -71,9 +71,11 @@ Expected<std::unique_ptr<InverseModel>> ClosureInverse::create(const RobotModel&
                                                                const Pose& X_LT) {
   HAPTICELL_DEMAND(model.closure && tip_link >= 0 && static_cast<std::size_t>(tip_link) < model.links.size());
   if (tip_link == 0 || model.dof() == 0) {
-    return makeError({"",
-                      "robot '" + model.name + "', link '" + model.links[static_cast<std::size_t>(tip_link)].name + "'",
-                      "no moving joint carries it", "at least one", "Choose another tip link."});
+    return makeError(
+        {.place = "robot '" + model.name + "', link '" + model.links[static_cast<std::size_t>(tip_link)].name + "'",
+         .found = "no moving joint carries it",
+         .expected = "at least one",
+         .fix = "Choose another tip link."});
   }
   return std::unique_ptr<InverseModel>(new ClosureInverse(model, tip_link, X_LT));
 }

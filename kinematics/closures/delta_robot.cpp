@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "kinematics/closures/closure_inverse.h"
 
@@ -152,9 +153,9 @@ class DeltaInverse final : public ClosureInverse {
       if (q_start.size() > 3) {
         const dmat3 R = glm::mat3_cast(X_BT.q * glm::conjugate((closure_->toolInPlatform(0.0) * toolInTip()).q));
         const double angle = std::atan2(R[0][1] - R[1][0], R[0][0] + R[1][1]);
-        turn = angle + 2.0 * M_PI * std::round((turn - angle) / (2.0 * M_PI));
-        if (turn > limits().upper[3]) turn -= 2.0 * M_PI;
-        if (turn < limits().lower[3]) turn += 2.0 * M_PI;
+        turn = angle + 2.0 * std::numbers::pi * std::round((turn - angle) / (2.0 * std::numbers::pi));
+        if (turn > limits().upper[3]) turn -= 2.0 * std::numbers::pi;
+        if (turn < limits().lower[3]) turn += 2.0 * std::numbers::pi;
       }
       X_PT = closure_->toolInPlatform(turn) * toolInTip();
     }
@@ -200,7 +201,9 @@ Expected<RobotModel> buildDelta(const std::string& name, const DeltaGeometry& ge
           {"", place, "a length that is none", "base_radius, upper_arm, lower_arm and platform_radius above 0", ""});
   }
   if (joints.size() != 3 && joints.size() != 4)
-    return makeError({"", place, std::to_string(joints.size()) + " joints", "3, or 4 with the turn of the tool", ""});
+    return makeError({.place = place,
+                      .found = std::to_string(joints.size()) + " joints",
+                      .expected = "3, or 4 with the turn of the tool"});
   RobotModel model;
   model.name = name;
   const auto addLink = [&](const std::string& link, int parent, bool moving, const std::string& joint_name) {
@@ -238,7 +241,9 @@ Expected<RobotModel> buildDelta(const std::string& name, const DeltaGeometry& ge
   model.closure = closure;
   std::vector<Pose> X_BL;
   if (!closure->pose(restPositions(model), X_BL))
-    return makeError({"", place, "the rods do not meet at the home position", "lengths that can be assembled", ""});
+    return makeError({.place = place,
+                      .found = "the rods do not meet at the home position",
+                      .expected = "lengths that can be assembled"});
   for (int k = 1; k <= 9; ++k) model.disabled_pairs.push_back({0, k, "Adjacent"});
   // Every rod hangs on the platform, whichever of them carries it in the tree.
   const int platform = model.findLink("platform");

@@ -200,7 +200,8 @@ Expected<std::unique_ptr<InverseModel>> HexapodClosure::inverse(const RobotModel
 Expected<RobotModel> buildHexapod(const std::string& name, const HexapodGeometry& geometry,
                                   const HexapodOptions& options, const std::vector<JointData>& joints) {
   const std::string place = "hexapod '" + name + "'";
-  if (joints.size() != 6) return makeError({"", place, std::to_string(joints.size()) + " joints", "6 legs", ""});
+  if (joints.size() != 6)
+    return makeError({.place = place, .found = std::to_string(joints.size()) + " joints", .expected = "6 legs"});
   RobotModel model;
   model.name = name;
   model.links.push_back({"base_link", -1, {}, {}});
@@ -230,10 +231,13 @@ Expected<RobotModel> buildHexapod(const std::string& name, const HexapodGeometry
     addLink(leg + "_upper", static_cast<int>(model.links.size()) - 1, slide);
     std::string at = place;
     at.append(", ").append(leg);
-    if (!(home[i] > 1e-9)) return makeError({"", at, "hinges that fall together", "a leg with a length", ""});
+    if (!(home[i] > 1e-9))
+      return makeError({.place = at, .found = "hinges that fall together", .expected = "a leg with a length"});
     if (home[i] < slide.lower || home[i] > slide.upper) {
-      return makeError({"", at, "a length of " + std::to_string(home[i]) + " m at home",
-                        std::to_string(slide.lower) + " to " + std::to_string(slide.upper) + " m, its limits", ""});
+      return makeError(
+          {.place = at,
+           .found = "a length of " + std::to_string(home[i]) + " m at home",
+           .expected = std::to_string(slide.lower) + " to " + std::to_string(slide.upper) + " m, its limits"});
     }
   }
   Joint top, flange;
@@ -242,8 +246,10 @@ Expected<RobotModel> buildHexapod(const std::string& name, const HexapodGeometry
   addLink("platform", static_cast<int>(kLegs) + 1, top);
   addLink("tool0", static_cast<int>(kHexapodPlatform), flange);
   if (std::abs(closure->regularHome()) < 1e-6)
-    return makeError({"", place, "its home is singular", "a home where the six legs hold the platform",
-                      "Move the hinges apart, or turn the platform against the base."});
+    return makeError({.place = place,
+                      .found = "its home is singular",
+                      .expected = "a home where the six legs hold the platform",
+                      .fix = "Move the hinges apart, or turn the platform against the base."});
   model.tip = static_cast<int>(kHexapodTool);
   model.home.assign(home.begin(), home.end());
   model.closure = closure;

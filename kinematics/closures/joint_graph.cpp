@@ -46,10 +46,11 @@ class TreeMaker {
     }
     for (std::size_t k = 0; k < link_of_.size(); ++k) {
       if (link_of_[k] >= 0) continue;
-      return makeError({"", "link '" + graph_.links[k].link.name + "'",
-                        "no joint connects it to the root link '" +
-                            graph_.links[static_cast<std::size_t>(graph_.root)].link.name + "'",
-                        "a joint", "Join it, if only by a fixed joint."});
+      return makeError({.place = "link '" + graph_.links[k].link.name + "'",
+                        .found = "no joint connects it to the root link '" +
+                                 graph_.links[static_cast<std::size_t>(graph_.root)].link.name + "'",
+                        .expected = "a joint",
+                        .fix = "Join it, if only by a fixed joint."});
     }
     for (std::size_t j = 0; j < graph_.joints.size(); ++j) setMimic(j);
     if (!loops_.empty()) {

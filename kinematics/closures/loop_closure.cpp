@@ -19,7 +19,7 @@ constexpr double kLongestStride = 0.15;  // rad, or part of the size: of the set
 constexpr int kIterations = 60;
 
 Error refusal(const RobotModel& model, const std::string& found, const std::string& expected, const std::string& fix) {
-  return {"", "the loops of robot '" + model.name + "'", found, expected, fix};
+  return {.place = "the loops of robot '" + model.name + "'", .found = found, .expected = expected, .fix = fix};
 }
 
 int equationsOf(LoopConstraint::Kind kind) {
@@ -262,7 +262,7 @@ Expected<void> LoopClosure::close(RobotModel& tree, std::vector<LoopConstraint> 
   std::vector<int> held;
   for (const auto& [name, position] : options.start) {
     const auto variable = variableNamed(tree, name);
-    if (!variable) return makeError(variable.error());
+    HAPTICELL_TRY(variable);
     closure->home_[static_cast<std::size_t>(*variable)] = position;
     held.push_back(*variable);
   }
@@ -285,7 +285,7 @@ Expected<void> LoopClosure::close(RobotModel& tree, std::vector<LoopConstraint> 
   const Eigen::MatrixXd J = genericJacobian(solver, closure->home_);
   for (const std::string& name : options.actuated) {
     const auto variable = variableNamed(tree, name);
-    if (!variable) return makeError(variable.error());
+    HAPTICELL_TRY(variable);
     closure->actuated_.push_back(*variable);
   }
   if (options.actuated.empty()) closure->actuated_ = chooseActuated(tree, J);

@@ -22,7 +22,10 @@ dmat3 rotationAbout(const dvec3& axis, double angle) {
 
 Error refusal(const RobotModel& model, int tip_link, const std::string& found, const std::string& expected) {
   const std::string& tip = model.links[static_cast<std::size_t>(tip_link)].name;
-  return {"", "robot '" + model.name + "', link '" + tip + "'", found, expected, "Choose another tip link."};
+  return {.place = "robot '" + model.name + "', link '" + tip + "'",
+          .found = found,
+          .expected = expected,
+          .fix = "Choose another tip link."};
 }
 
 }  // namespace

@@ -118,8 +118,7 @@ Maker makerOf(const RobotModel& model) {
 }
 
 KukaFlags kukaFlags(const ArmShape& shape, const std::array<double, 6>& q) {
-  constexpr double kPi = std::numbers::pi;
-  const bool wrist = (q[4] < 0.0 && q[4] >= -kPi) || q[4] >= kPi;
+  const bool wrist = (q[4] < 0.0 && q[4] >= -std::numbers::pi) || q[4] >= std::numbers::pi;
   KukaFlags flags{(shape.front ? 0 : 1) + (shape.wrist_forward ? 2 : 0) + (wrist ? 4 : 0), 0};
   for (std::size_t i = 0; i < 6; ++i) flags.turn += q[i] < 0.0 ? 1 << i : 0;
   return flags;

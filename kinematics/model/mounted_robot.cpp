@@ -12,10 +12,13 @@ namespace {
 
 Expected<void> checkTree(const RobotModel& model, int link) {
   if (model.closure) {
-    return makeError({"", "'" + model.name + "'", "it has closed loops", "joints that follow one another", ""});
+    return makeError({.place = "'" + model.name + "'",
+                      .found = "it has closed loops",
+                      .expected = "joints that follow one another"});
   }
   if (link < 0 || static_cast<std::size_t>(link) >= model.links.size()) {
-    return makeError({"", "'" + model.name + "'", "there is no such link", "one of its links", ""});
+    return makeError(
+        {.place = "'" + model.name + "'", .found = "there is no such link", .expected = "one of its links"});
   }
   return {};
 }
@@ -141,8 +144,8 @@ class Rerooting {
 }  // namespace
 
 Expected<RobotModel> mountRobot(const RobotModel& carrier, int link, const Pose& X_LB, const RobotModel& robot) {
-  if (auto checked = checkTree(carrier, link); !checked) return makeError(checked.error());
-  if (auto checked = checkTree(robot, 0); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkTree(carrier, link));
+  HAPTICELL_TRY(checkTree(robot, 0));
   RobotModel model = carrier;
   keepApart(model.links, robot.links, carrier.name);
   keepApart(model.joints, robot.joints, carrier.name);
@@ -165,7 +168,7 @@ Expected<RobotModel> mountRobot(const RobotModel& carrier, int link, const Pose&
 }
 
 Expected<RobotModel> seenFrom(const RobotModel& model, int link) {
-  if (auto checked = checkTree(model, link); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkTree(model, link));
   return Rerooting(model, link).finish();
 }
 

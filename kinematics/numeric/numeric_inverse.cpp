@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "geometry/system/assertion.h"
-#include "kinematics/numeric/true_arm.h"
 #include "kinematics/model/turns.h"
+#include "kinematics/numeric/true_arm.h"
 
 namespace hapticell::kinematics {
 
@@ -47,9 +47,10 @@ const char* toString(InverseStatus status) {
 Expected<std::unique_ptr<NumericInverse>> NumericInverse::create(const RobotModel& model, int tip_link,
                                                                  const Pose& X_LT, double lever_m) {
   HAPTICELL_DEMAND(lever_m > 0.0);
-  if (!X_LT.isValid()) return makeError({"", "tool", "a pose that is none", "finite numbers, within 1e12 m", ""});
+  if (!X_LT.isValid())
+    return makeError({.place = "tool", .found = "a pose that is none", .expected = "finite numbers, within 1e12 m"});
   auto chain = Chain::create(model, tip_link, X_LT);
-  if (!chain) return makeError(chain.error());
+  HAPTICELL_TRY(chain);
   return std::unique_ptr<NumericInverse>(new NumericInverse(std::move(*chain), model.dof(), lever_m));
 }
 

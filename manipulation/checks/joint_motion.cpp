@@ -91,10 +91,10 @@ std::set<std::uint32_t> touching(HeldEntity& held) {
 Expected<JointMotion> checkJointMotion(std::shared_ptr<const PreparedScene> scene, workcell::EntityId id,
                                        const std::vector<double>& joints, const config::Configuration& configuration) {
   const auto entity = robotOf(*scene, id, joints);
-  if (!entity) return makeError(entity.error());
-  if (auto within = checkLimits(**entity, joints); !within) return makeError(within.error());
+  HAPTICELL_TRY(entity);
+  HAPTICELL_TRY(checkLimits(**entity, joints));
   auto held = takeAt(scene, **entity, (*entity)->joints, configuration);
-  if (!held) return makeError(held.error());
+  HAPTICELL_TRY(held);
   const HeldEntity::WayResult way = (*held)->goTo({(*entity)->X_WE, joints});
   JointMotion motion;
   motion.joints = (*held)->accepted().joints;
@@ -115,11 +115,11 @@ Expected<JointMotion> checkJointMotion(std::shared_ptr<const PreparedScene> scen
 Expected<std::string> collisionAt(std::shared_ptr<const PreparedScene> scene, workcell::EntityId id,
                                   const std::vector<double>& joints, const config::Configuration& configuration) {
   const auto entity = robotOf(*scene, id, joints);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   auto now = takeAt(scene, **entity, (*entity)->joints, configuration);
-  if (!now) return makeError(now.error());
+  HAPTICELL_TRY(now);
   auto then = takeAt(scene, **entity, joints, configuration);
-  if (!then) return makeError(then.error());
+  HAPTICELL_TRY(then);
   const std::set<std::uint32_t> already = touching(**now);
   for (const std::uint32_t pair : touching(**then)) {
     if (already.count(pair) == 0) return meeting(*scene, **entity, (*then)->pairs()[pair]);

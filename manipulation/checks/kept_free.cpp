@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "manipulation/checks/motion_replay.h"
@@ -17,12 +18,12 @@ using trajectory::Trajectory;
 
 constexpr std::array<double, 5> kShares{0.5, 0.75, 0.9, 1.0, 1.0};  ///< By round.
 constexpr std::array<double, 5> kReach{0.05, 0.05, 0.1, 0.1, 0.3};  ///< s beyond the collision that are drawn fully.
-constexpr double kEdge = 0.2;  ///< s from there to nothing.
+constexpr double kEdge = 0.2;                                       ///< s from there to nothing.
 
 /// 1 within `reach` of the interval, falling softly to 0 at `kEdge` beyond.
 double weight(double t, const PathFinding& finding, double reach) {
   const double away = std::max({finding.t_in - reach - t, t - finding.t_out - reach, 0.0}) / kEdge;
-  return away >= 1.0 ? 0.0 : 0.5 + 0.5 * std::cos(away * 3.14159265358979);
+  return away >= 1.0 ? 0.0 : 0.5 + 0.5 * std::cos(away * std::numbers::pi);
 }
 
 bool collides(const PathCheckResult& check) {
@@ -75,7 +76,8 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const Tr
                             const Trajectory& processed, const PathCheckOptions& options,
                             const config::Configuration& configuration) {
   if (recording.size() != processed.size()) {
-    return makeError({"", "frames", std::to_string(processed.size()), "as many as in the recording", ""});
+    return makeError(
+        {.place = "frames", .found = std::to_string(processed.size()), .expected = "as many as in the recording"});
   }
   const workcell::Entity* entity = scene->find(recording.entity);
   KeptFree kept;
@@ -84,14 +86,14 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const Tr
   std::optional<std::vector<PathFinding>> recorded;
   for (std::size_t round = 0;; ++round) {
     auto check = checkPath(scene, recording.entity, kept.trajectory, options, configuration);
-    if (!check) return makeError(check.error());
+    HAPTICELL_TRY(check);
     ++kept.checks;
     kept.check = std::move(*check);
     if (kept.check.cancelled || round == kShares.size()) break;
     if (!collides(kept.check)) break;
     if (!recorded) {
       const auto before = checkPath(scene, recording.entity, recording, options, configuration);
-      if (!before) return makeError(before.error());
+      HAPTICELL_TRY(before);
       ++kept.checks;
       recorded = before->findings;
     }
@@ -107,7 +109,7 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const Tr
     kept.trajectory = blended(recording, processed, share);
     if (entity != nullptr) {
       auto consistent = jointsFromPoses(*entity, kept.trajectory);
-      if (!consistent) return makeError(consistent.error());
+      HAPTICELL_TRY(consistent);
       kept.trajectory = std::move(*consistent);
     }
   }
@@ -136,7 +138,7 @@ Expected<trajectory::Retimed> retimedByJoints(const Trajectory& given, trajector
     auto made = trajectory::retimed(given, options);
     if (!made || !given.hasJoints() || !poses_by_joints) return made;
     auto placed = poses_by_joints(made->trajectory);
-    if (!placed) return makeError(placed.error());
+    HAPTICELL_TRY(placed);
     made->trajectory = std::move(*placed);
     if (!follow) return made;
     const auto off = trajectory_checks::passing(given, made->trajectory, {asked.position, asked.angle, asked.joint});
@@ -149,15 +151,16 @@ Expected<RetimedFree> retimedFree(std::shared_ptr<const PreparedScene> scene, co
                                   const trajectory::RetimingOptions& retiming, const PathCheckOptions& options,
                                   const config::Configuration& configuration) {
   const workcell::Entity* entity = scene->find(motion.entity);
-  if (entity == nullptr) return makeError({"", "entity", "'" + motion.entity + "'", "an entity of the cell", ""});
+  if (entity == nullptr)
+    return makeError({.place = "entity", .found = "'" + motion.entity + "'", .expected = "an entity of the cell"});
   auto with_poses = motion.has_poses ? Expected<Trajectory>(motion) : posesFromJoints(*entity, motion);
-  if (!with_poses) return makeError(with_poses.error());
+  HAPTICELL_TRY(with_poses);
   const Trajectory given = std::move(*with_poses);
-  auto timed = retimedByJoints(given, retiming,
-                               [entity](const Trajectory& made) { return posesFromJoints(*entity, made); });
-  if (!timed) return makeError(timed.error());
+  auto timed =
+      retimedByJoints(given, retiming, [entity](const Trajectory& made) { return posesFromJoints(*entity, made); });
+  HAPTICELL_TRY(timed);
   auto kept = keptFree(scene, timed->given, timed->trajectory, options, configuration);
-  if (!kept) return makeError(kept.error());
+  HAPTICELL_TRY(kept);
   return RetimedFree{std::move(*kept), timed->report};
 }
 

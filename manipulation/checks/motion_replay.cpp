@@ -16,7 +16,7 @@ using trajectory::Trajectory;
 using workcell::Entity;
 
 Error refusal(const std::string& place, std::string found, std::string expected) {
-  return {"", place, std::move(found), std::move(expected), ""};
+  return {.place = place, .found = std::move(found), .expected = std::move(expected)};
 }
 
 /// Where the moved frame is fixed in the entity; nothing where its joints move it.
@@ -64,7 +64,7 @@ Expected<std::unique_ptr<RobotManipulator>> armOf(const Entity& entity) {
   if (tip < 0) tip = entity.robot->defaultTip();
   if (tip < 0) return makeError(refusal("'" + entity.name + "'", "the robot has no tip", "one that moves"));
   auto inverse = kinematics::createInverse(*entity.robot, tip, entity.X_LT);
-  if (!inverse) return makeError(inverse.error());
+  HAPTICELL_TRY(inverse);
   return std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, entity.X_LT}, std::move(*inverse),
                                             std::vector<RobotManipulator::Part>{});
 }
@@ -82,9 +82,9 @@ template <class Change>
 Expected<Trajectory> reconciled(const Entity& entity, const Trajectory& trajectory, Change change) {
   if (!isByTool(entity, trajectory)) return trajectory;
   const auto columns = jointColumns(entity, trajectory);
-  if (!columns) return makeError(columns.error());
+  HAPTICELL_TRY(columns);
   const auto arm = armOf(entity);
-  if (!arm) return makeError(arm.error());
+  HAPTICELL_TRY(arm);
   Trajectory result = trajectory.emptyCopy();
   result.has_poses = true;
   result.reserve(trajectory.size());
@@ -147,15 +147,15 @@ Expected<MotionReplay> MotionReplay::create(const std::vector<std::shared_ptr<co
     return makeError(refusal("entity", "there is none called '" + name + "'", "one of the cell"));
   if (trajectory->empty()) return makeError(refusal("frames", "none", "a motion"));
   auto columns = jointColumns(**found, *trajectory);
-  if (!columns) return makeError(columns.error());
+  HAPTICELL_TRY(columns);
   MovedBy moved_by;
   if (!trajectory->moved.empty()) {
     auto parsed = parseMovedBy(trajectory->moved);
-    if (!parsed) return makeError(parsed.error());
+    HAPTICELL_TRY(parsed);
     moved_by = std::move(*parsed);
   }
   const auto X_EM = fixedFrame(entities, **found, moved_by);
-  if (!X_EM) return makeError(X_EM.error());
+  HAPTICELL_TRY(X_EM);
 
   MotionReplay replay;
   replay.entity_ = *found;
@@ -164,14 +164,14 @@ Expected<MotionReplay> MotionReplay::create(const std::vector<std::shared_ptr<co
   replay.moves_root_ = X_EM->has_value();
   if (replay.moves_root_) replay.X_EM_ = **X_EM;
   if (!replay.moves_root_ && replay.columns_.empty()) {
-    if (auto followed = replay.follow(start); !followed) return makeError(followed.error());
+    HAPTICELL_TRY(replay.follow(start));
   }
   return replay;
 }
 
 Expected<void> MotionReplay::follow(const std::vector<double>& start) {
   const auto arm = armOf(*entity_);
-  if (!arm) return makeError(arm.error());
+  HAPTICELL_TRY(arm);
   EntityConfiguration at{entity_->X_WE, start.size() == entity_->robot->dof() ? start : entity_->joints};
   followed_.reserve(trajectory_->size());
   for (const Trajectory::Frame& frame : trajectory_->frames()) {

@@ -10,8 +10,8 @@
 
 #include "kinematics/model/inverse_model.h"
 #include "kinematics/model/jacobian.h"
-#include "manipulation/manipulators/arm_configuration.h"
 #include "manipulation/checks/motion_replay.h"
+#include "manipulation/manipulators/arm_configuration.h"
 
 namespace hapticell::manipulation {
 
@@ -241,8 +241,9 @@ class JointTrack {
 };
 
 Expected<void> checkArguments(const Entity* entity, const std::string& name, const Trajectory& trajectory) {
-  if (entity == nullptr) return makeError({"", "", "there is no entity '" + name + "'", "one of the workcell", ""});
-  if (trajectory.empty()) return makeError({"", "frames", "none", "a motion", ""});
+  if (entity == nullptr)
+    return makeError({.found = "there is no entity '" + name + "'", .expected = "one of the workcell"});
+  if (trajectory.empty()) return makeError({.place = "frames", .found = "none", .expected = "a motion"});
   return {};
 }
 
@@ -263,7 +264,7 @@ Expected<std::vector<AxisTrack>> axisTracks(const PreparedScene& scene, const He
                                      [&, &name = axis.name](const auto& one) { return one->entity == name; });
     if (motion != options.axes.end() && !(*motion)->empty()) {
       auto columns = jointColumns(axis, **motion);
-      if (!columns) return makeError(columns.error());
+      HAPTICELL_TRY(columns);
       for (std::size_t& column : *columns) column += first;
       tracks.push_back({*motion, std::move(*columns)});
     }
@@ -366,16 +367,16 @@ Expected<PathCheckResult> checkPath(std::shared_ptr<const PreparedScene> scene, 
                                     const Trajectory& trajectory, const PathCheckOptions& options,
                                     const config::Configuration& configuration) {
   const Entity* entity = scene->find(name);
-  if (auto checked = checkArguments(entity, name, trajectory); !checked) return tl::unexpected(checked.error());
+  HAPTICELL_TRY(checkArguments(entity, name, trajectory));
   const auto columns = jointColumns(*entity, trajectory);
-  if (!columns) return tl::unexpected(columns.error());
+  HAPTICELL_TRY(columns);
   HoldOptions hold = options.hold;
   // A motion tells the robot's own joints; what it stands on moves only where a motion of that is there too.
   hold.moved_by.with_axes = !options.axes.empty() && !columns->empty();
   const auto held = HeldEntity::take(scene, entity->id, {}, hold, configuration);
-  if (!held) return tl::unexpected(held.error());
+  HAPTICELL_TRY(held);
   auto axes = axisTracks(*scene, **held, options);
-  if (!axes) return tl::unexpected(axes.error());
+  HAPTICELL_TRY(axes);
   return PathWalk(*entity, **held, std::move(*axes), options).run(trajectory, *columns);
 }
 

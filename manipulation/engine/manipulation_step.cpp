@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "geometry/system/assertion.h"
@@ -49,7 +50,7 @@ ManipulationEngine::ManipulationEngine(haptic::HapticLink& link, const config::C
   control_.stiffness = configuration.haptic.stiffness;
   control_.damping = configuration.haptic.damping;
   // A camera in front of the cell: screen axes are then the cell's own.
-  camera_.X_WCamera = {dvec3(0.0, -1.0, 0.0), quaternionFromRotationVector(dvec3(0.5 * M_PI, 0.0, 0.0))};
+  camera_.X_WCamera = {dvec3(0.0, -1.0, 0.0), quaternionFromRotationVector(dvec3(0.5 * std::numbers::pi, 0.0, 0.0))};
   updateMapping();
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "manipulation/manipulators/mannequin_manipulator.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::manipulation {
 namespace {
@@ -35,7 +35,7 @@ Expected<std::unique_ptr<FigureWay>> FigureWay::take(std::shared_ptr<const Prepa
                                                      workcell::EntityId entity, const HoldOptions& options, Turn turn,
                                                      const config::Configuration& configuration) {
   auto held = HeldEntity::take(scene, entity, {}, options, configuration);
-  if (!held) return makeError(held.error());
+  HAPTICELL_TRY(held);
   std::unique_ptr<FigureWay> way(new FigureWay);
   way->figure_ = scene->find(entity)->figure;
   way->scene_ = std::move(scene);

@@ -56,7 +56,7 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   const bool by_tcp = kind == MovedBy::Kind::kTcp || kind == MovedBy::Kind::kDefault;
   if (by_tcp && options.moved_by.with_axes) held->standOnAxes(placements);
   held->gatherMovedParts(placements);
-  if (auto made = held->makeManipulator(held->form_, options, configuration); !made) return makeError(made.error());
+  HAPTICELL_TRY(held->makeManipulator(held->form_, options, configuration));
   held->gatherPairs(held->form_, placements, options, configuration);
   held->startBoundaries();
   held->noteTurned();
@@ -142,7 +142,7 @@ Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptio
   for (const MovedPart& part : moved_parts_) parts.push_back({part.link, part.X_LP});
   const Taking taking{entity, accepted_, resolved(options.moved_by, entity), *scene_, configuration, parts};
   auto made = manipulation::makeManipulator(taking, manipulatorKinds());
-  if (!made) return makeError(made.error());
+  HAPTICELL_TRY(made);
   manipulator_ = std::move(*made);
   arm_ = dynamic_cast<const RobotManipulator*>(manipulator_.get());
   if (arm_ != nullptr) gatherFriction();

@@ -138,18 +138,18 @@ Expected<std::unique_ptr<kinematics::InverseModel>> inverseOf(const Taking& taki
 
 Made makeByBaseKeepingTool(const Taking& taking) {
   const auto tool = toolOf(taking);
-  if (!tool) return makeError(tool.error());
+  HAPTICELL_TRY(tool);
   auto inverse = inverseOf(taking, *tool);
-  if (!inverse) return makeError(inverse.error());
+  HAPTICELL_TRY(inverse);
   return std::make_unique<RobotBaseManipulator>(taking.entity.robot, *tool, std::move(*inverse), robotParts(taking),
                                                 taking.stands);
 }
 
 Made makeByTool(const Taking& taking) {
   const auto tool = toolOf(taking);
-  if (!tool) return makeError(tool.error());
+  HAPTICELL_TRY(tool);
   auto inverse = inverseOf(taking, *tool);
-  if (!inverse) return makeError(inverse.error());
+  HAPTICELL_TRY(inverse);
   auto made = std::make_unique<RobotManipulator>(taking.entity.robot, *tool, std::move(*inverse), robotParts(taking));
   if (atSingularity(taking) == "stop") made->stopAtSingularities();
   return made;

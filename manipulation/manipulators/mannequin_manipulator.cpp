@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "manipulation/manipulators/mannequin_steps.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/hand_differential.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::manipulation {
 
@@ -190,7 +191,7 @@ std::vector<EntityConfiguration> MannequinManipulator::solvedAnew(const EntityCo
   for (const double yaw : yaws) {
     for (int i = -kTurnsTried; i <= kTurnsTried; ++i) {
       if (interrupted && interrupted()) return {};
-      const dquat pitch = glm::angleAxis(i * M_PI / (kTurnsTried + 1), lateral);
+      const dquat pitch = glm::angleAxis(i * std::numbers::pi / (kTurnsTried + 1), lateral);
       const Pose X_WM{p_WM, glm::normalize(turnedLeft(yaw) * pitch * q_WM)};
       const mannequin::PostureResult result = solver_.solve(taskFor(X_WM, feet), start);
       if (result.status != mannequin::PostureStatus::kSolved) continue;

@@ -2,6 +2,7 @@
 // A mannequin's hand with free feet: when it steps, and what its legs bear meanwhile.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "manipulation/manipulators/mannequin_manipulator.h"
 #include "manipulation/manipulators/mannequin_steps.h"
@@ -49,7 +50,7 @@ double aheadOf(const std::array<Pose, 2>& feet) {
 
 /// rad of a turn that are about the vertical, -pi to pi.
 double aboutVertical(const dquat& turn) {
-  return std::remainder(2.0 * std::atan2(turn.z, turn.w), 2.0 * M_PI);
+  return std::remainder(2.0 * std::atan2(turn.z, turn.w), 2.0 * std::numbers::pi);
 }
 
 /// What an angle is beyond a range.
@@ -111,7 +112,7 @@ double MannequinManipulator::wishedTurn(const Pose& X_WM, const Posture& posture
 /// than a wrist and a shoulder make good.
 double MannequinManipulator::mindingTheHand(double turn, const Pose& X_WM, const Feet& X_WF) const {
   const double turned = aboutVertical(X_WM.q * glm::conjugate(q_WM_));
-  const double off = std::remainder(turned - turnedFeet(X_WF_, X_WF), 2.0 * M_PI);
+  const double off = std::remainder(turned - turnedFeet(X_WF_, X_WF), 2.0 * std::numbers::pi);
   const double most = isBoth() ? kBothTurn : kHandTurn;
   return std::clamp(turn, off - most, off + most);
 }
@@ -119,7 +120,7 @@ double MannequinManipulator::mindingTheHand(double turn, const Pose& X_WM, const
 /// What the hand works at is to be ahead.
 double MannequinManipulator::turnToFace(const Pose& X_WM, const Feet& X_WF) const {
   const dvec3 away = (isBoth() ? X_WM.p : wantedHand(X_WM)) - 0.5 * (X_WF[0].p + X_WF[1].p);
-  const double beside = std::remainder(std::atan2(away.y, away.x) - aheadOf(X_WF), 2.0 * M_PI);
+  const double beside = std::remainder(std::atan2(away.y, away.x) - aheadOf(X_WF), 2.0 * std::numbers::pi);
   const bool near = std::hypot(away.x, away.y) < kNear, left = driven() == Side::kLeft;
   const double facing = near       ? 0.0
                         : isBoth() ? beyond(beside, -kAcross, kAcross)
@@ -132,7 +133,7 @@ double MannequinManipulator::turnToFace(const Pose& X_WM, const Feet& X_WF) cons
 std::optional<Posture> MannequinManipulator::goTo(Feet stepped, const Feet& feet, const Posture& posture,
                                                   const Pose* X_WM) const {
   // A pelvis that is ahead of the feet waits for them.
-  const double turned = std::remainder(turnedFeet(X_WF_, stepped) - turnedFeet(X_WF_, feet), 2.0 * M_PI);
+  const double turned = std::remainder(turnedFeet(X_WF_, stepped) - turnedFeet(X_WF_, feet), 2.0 * std::numbers::pi);
   const double pelvis_turn = turned * headingBeside(posture.X_WR, feet) > 0.0 ? 0.0 : turned;
   const std::optional<Posture> gone = goneWith(figure(), posture, feet, stepped, pelvis_turn);
   if (!gone) return std::nullopt;

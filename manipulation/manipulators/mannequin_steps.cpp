@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mannequin/body/joint_limits.h"
 #include "mannequin/posture/limb_inverse.h"
@@ -40,7 +41,7 @@ double headingOf(const dquat& q) {
   return std::atan2(ahead.y, ahead.x);
 }
 double wrapped(double angle) {
-  return std::remainder(angle, 2.0 * M_PI);
+  return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 struct Gait {
   Gait(const FootPlaces& feet_taken, const FootPlaces& feet, const StepWish& wish) : taken(feet_taken), now(feet) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "geometry/system/assertion.h"
 #include "kinematics/model/jog.h"
@@ -58,7 +59,7 @@ std::string marginText(const kinematics::ClosureMargin& margin) {
   switch (margin.kind) {
     case kinematics::ClosureMargin::Kind::kAngle:
       std::snprintf(text, sizeof text, "%.80s is %.1f deg from its limit", margin.what.c_str(),
-                    std::max(0.0, margin.value * 180.0 / M_PI));
+                    std::max(0.0, margin.value * 180.0 / std::numbers::pi));
       break;
     case kinematics::ClosureMargin::Kind::kLength:
       std::snprintf(text, sizeof text, "%.80s is %.1f mm from its limit", margin.what.c_str(),

@@ -40,12 +40,15 @@ std::vector<NumberField> numbersOf(Exercise& exercise) {
 
 Expected<Exercise> readExercise(const fs::path& file) {
   const auto text = workcell::readFileContent(file);
-  if (!text) return makeError(text.error());
+  HAPTICELL_TRY(text);
   auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
-  if (!flat) return makeError(flat.error());
+  HAPTICELL_TRY(flat);
   const json document = json::parse(*text, nullptr, false);
   const auto wrong = [&](const std::string& field, std::string found, std::string expected) {
-    return makeError({file.string(), "field '" + field + "'", std::move(found), std::move(expected), ""});
+    return makeError({.file = file.string(),
+                      .place = "field '" + field + "'",
+                      .found = std::move(found),
+                      .expected = std::move(expected)});
   };
   if (!document.is_object() || document.value("format", json()) != kFormat) {
     return wrong("format", "no exercise", std::string("\"") + kFormat + "\"");
@@ -101,10 +104,12 @@ std::string exerciseText(const Exercise& exercise, const fs::path& folder) {
 
 Expected<void> checkExercise(const Exercise& wanted, const fs::path& written) {
   const auto read = readExercise(written);
-  if (!read) return makeError(read.error());
+  HAPTICELL_TRY(read);
   const auto differs = [&](const std::string& field, std::string found, std::string expected) {
-    return makeError({written.string(), "field '" + field + "'", "'" + std::move(found) + "' read back",
-                      "'" + std::move(expected) + "'", ""});
+    return makeError({.file = written.string(),
+                      .place = "field '" + field + "'",
+                      .found = "'" + std::move(found) + "' read back",
+                      .expected = "'" + std::move(expected) + "'"});
   };
   const auto text = [](const fs::path& file) { return file.lexically_normal().string(); };
   const std::tuple<const char*, std::string, std::string> texts[] = {

@@ -38,11 +38,11 @@ struct LocalServer::Parts {
 Expected<std::unique_ptr<LocalServer>> LocalServer::start(const config::DeviceProfile& profile,
                                                           const config::Configuration& configuration) {
   auto parts = std::make_unique<Parts>(profile, configuration);
-  if (const auto opened = parts->device.open(); !opened) return makeError(opened.error());
+  HAPTICELL_TRY(parts->device.open());
   haptic::NetworkOptions options;
   options.port = 0;
   auto network = haptic::NetworkServer::start(parts->loop, parts->clock, haptic::describe(parts->device), options);
-  if (!network) return makeError(network.error());
+  HAPTICELL_TRY(network);
   parts->network = std::move(*network);
   parts->runner.start();
   return std::unique_ptr<LocalServer>(new LocalServer(std::move(parts)));

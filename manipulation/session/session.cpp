@@ -9,6 +9,7 @@
 #include <memory>
 #include <thread>
 
+#include "geometry/system/percentile.h"
 #include "haptic/client/tcp_link.h"
 #include "haptic/devices/simulated_device.h"
 #include "haptic/server/configured_loop.h"
@@ -52,7 +53,7 @@ class WatchedEngine {
   /// Sets all choices; errors are told before the session begins.
   Expected<void> prepare() {
     const auto entity = findEntity(options_);
-    if (!entity) return makeError(entity.error());
+    HAPTICELL_TRY(entity);
     entity_ = *entity;
     engine_.apply(command::SetDocument{options_.entities, options_.pairs});
     engine_.apply(command::SetGuides{options_.guides});
@@ -64,7 +65,7 @@ class WatchedEngine {
     engine_.apply(options_.filter);
     if (options_.force_class) engine_.apply(command::SetForceClass{*options_.force_class});
     const auto tried = tryHold();
-    if (!tried) return makeError(tried.error());
+    HAPTICELL_TRY(tried);
     start_ = *tried;
     if (options_.recording) {
       engine_.apply(command::StartRecording{*options_.recording, {}, options_.mark_by_button});
@@ -165,7 +166,7 @@ class WatchedEngine {
                                   {options_.moved_by, options_.on_contact.value_or(entity->on_contact),
                                    options_.force_class.value_or(entity->force_class)},
                                   options_.configuration);
-    if (!taken) return makeError(taken.error());
+    HAPTICELL_TRY(taken);
     if (options_.moved_by.with_axes && (*taken)->axes().empty()) {
       const auto& notes = (*taken)->notes();
       return makeError({.file = {},
@@ -223,13 +224,6 @@ class WatchedEngine {
   double measured_ = -1.0;
 };
 
-double percentile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const auto last = static_cast<double>(values.size() - 1);
-  return values[static_cast<std::size_t>(std::lround(share * last))];
-}
-
 }  // namespace
 
 Expected<SessionReport> runSession(const SessionOptions& options, const TraceSink& trace) {
@@ -237,12 +231,12 @@ Expected<SessionReport> runSession(const SessionOptions& options, const TraceSin
   haptic::VirtualClock clock;
   haptic::SimulatedDevice device(options.device);
   device.hand().setOptions(haptic::configuredHand(options.configuration));
-  if (const auto opened = device.open(); !opened) return makeError(opened.error());
+  HAPTICELL_TRY(device.open());
   device.place(options.hand.at(0.0).X_DH);
   haptic::ForceLoop loop(device, clock, haptic::configuredLoop(device, options.configuration));
   haptic::InMemoryLink link(loop, clock, haptic::describe(device), {.latency = options.latency_s});
   WatchedEngine engine(link, options);
-  if (const auto ready = engine.prepare(); !ready) return makeError(ready.error());
+  HAPTICELL_TRY(engine.prepare());
 
   const double period = loop.period();
   const double step_period = 1.0 / std::clamp(options.configuration.manipulation.rate_hz, 10.0, 1000.0);
@@ -352,9 +346,10 @@ class WatchedLink {
   Expected<void> lost(double t, const std::string& why) const {
     std::array<char, 64> when{};
     std::snprintf(when.data(), when.size(), "the haptic server was lost after %.2f s", t);
-    return makeError({address_, "", std::string(when.data()) + (why.empty() ? "" : ": " + why),
-                      "a server that answers until the hand path ends",
-                      "Nothing was written. Look at what the server says, and run the session again."});
+    return makeError({.file = address_,
+                      .found = std::string(when.data()) + (why.empty() ? "" : ": " + why),
+                      .expected = "a server that answers until the hand path ends",
+                      .fix = "Nothing was written. Look at what the server says, and run the session again."});
   }
 
   haptic::TcpLink& link_;
@@ -367,15 +362,15 @@ class WatchedLink {
 Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const std::string& host, int port,
                                            const TraceSink& trace) {
   auto link_options = haptic::linkOptionsFor(host, static_cast<std::uint16_t>(port));
-  if (!link_options) return makeError(link_options.error());
+  HAPTICELL_TRY(link_options);
   link_options->program = "hapticell-cli session";
   haptic::TcpLink link(*link_options);
   const auto device = awaitServer(link, host + ":" + std::to_string(port));
-  if (!device) return makeError(device.error());
+  HAPTICELL_TRY(device);
   WatchedLink watched(link, host + ":" + std::to_string(port));
   WatchedEngine engine(link, options);
   engine.searchInThread();
-  if (const auto ready = engine.prepare(); !ready) return makeError(ready.error());
+  HAPTICELL_TRY(engine.prepare());
 
   const double stiffness = device->stiffness > 0.0 ? device->stiffness : 1000.0;
   const double step_period = 1.0 / std::clamp(options.configuration.manipulation.rate_hz, 10.0, 1000.0);
@@ -385,7 +380,7 @@ Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const 
   double next_picture = 0.0;
   for (double t = 0.0; t < options.hand.duration(); t = secondsSince(begin)) {
     const haptic::HandSample sample = options.hand.at(t);
-    if (auto there = watched.check(t); !there) return makeError(there.error());
+    HAPTICELL_TRY(watched.check(t));
     link.sendHandTarget({true, sample.X_DH, sample.buttons});
     const auto now = std::chrono::duration_cast<std::chrono::nanoseconds>(SteadyClock::now().time_since_epoch());
     engine.step(t, now.count());
@@ -406,7 +401,7 @@ Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const 
     std::this_thread::sleep_until(
         begin + std::chrono::duration_cast<SteadyClock::duration>(std::chrono::duration<double>(t + step_period)));
   }
-  if (auto there = watched.checkEnd(options.hand.duration()); !there) return makeError(there.error());
+  HAPTICELL_TRY(watched.checkEnd(options.hand.duration()));
   SessionReport report = engine.finish(options.hand.duration());
   const haptic::ServerStatistics& server = engine.serverStatistics();
   report.ticks = first && last ? last->tick - first->tick + 1 : 0;

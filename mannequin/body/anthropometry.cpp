@@ -149,7 +149,10 @@ double likelyMass(Sex sex, double stature) {
 
 Expected<double> statureOfPercentile(Sex sex, double percentile) {
   if (!(percentile >= 0.1 && percentile <= 99.9)) {
-    return makeError({"", "percentile", inWords("%g", percentile), "0.1 to 99.9", "Ask for a stature instead."});
+    return makeError({.place = "percentile",
+                      .found = inWords("%g", percentile),
+                      .expected = "0.1 to 99.9",
+                      .fix = "Ask for a stature instead."});
   }
   const StatureCurve curve = statureCurve(sex);
   const double z = normalQuantile(0.01 * percentile);
@@ -166,8 +169,10 @@ double percentileOfStature(Sex sex, double stature) {
 
 Expected<BodyDimensions> bodyDimensions(const BodyRequest& request) {
   if (!(request.stature >= kLeastStature && request.stature <= kMostStature)) {
-    return makeError({"", "stature", inWords("%g m", request.stature), "1.2 to 2.3 m",
-                      "The measures are of grown persons; beyond that the regressions mean nothing."});
+    return makeError({.place = "stature",
+                      .found = inWords("%g m", request.stature),
+                      .expected = "1.2 to 2.3 m",
+                      .fix = "The measures are of grown persons; beyond that the regressions mean nothing."});
   }
   const auto& measured = kMeasured[indexOf(request.sex)];
   const double known = std::clamp(request.stature, measured[0], measured[1]), grown = request.stature / known;
@@ -180,9 +185,10 @@ Expected<BodyDimensions> bodyDimensions(const BodyRequest& request) {
   if (request.mass) {
     const double likely = body[Dimension::kMass];
     if (!(*request.mass >= 0.4 * likely && *request.mass <= 3.0 * likely)) {
-      return makeError({"", "mass", inWords("%g kg", *request.mass),
-                        inWords("%.0f", std::ceil(0.4 * likely)) + inWords(" to %.0f kg at this stature", 3.0 * likely),
-                        ""});
+      return makeError({.place = "mass",
+                        .found = inWords("%g kg", *request.mass),
+                        .expected = inWords("%.0f", std::ceil(0.4 * likely)) +
+                                    inWords(" to %.0f kg at this stature", 3.0 * likely)});
     }
     body[Dimension::kMass] = *request.mass;
     for (const MassRow& row : kMassRows) {
@@ -193,7 +199,7 @@ Expected<BodyDimensions> bodyDimensions(const BodyRequest& request) {
   for (std::size_t i = 1; i < kDimensionCount; ++i) {
     if (!request.own[i]) continue;
     const auto checked = checkOwn(static_cast<Dimension>(i), *request.own[i], body.values[i]);
-    if (!checked) return makeError(checked.error());
+    HAPTICELL_TRY(checked);
     body.values[i] = *request.own[i];
   }
   return body;

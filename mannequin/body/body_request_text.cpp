@@ -30,8 +30,10 @@ std::optional<double> numberBefore(std::string_view word, std::string_view unit)
 }
 
 Error refusal(const std::string& text, const std::string& place) {
-  return {text, place, "no mannequin",
-          "mannequin:SEX:PERCENTILE or mannequin:SEX:STATUREmm, such as mannequin:female:5", ""};
+  return {.file = text,
+          .place = place,
+          .found = "no mannequin",
+          .expected = "mannequin:SEX:PERCENTILE or mannequin:SEX:STATUREmm, such as mannequin:female:5"};
 }
 
 bool takeOwnMeasure(const std::string& word, BodyRequest& request) {
@@ -62,7 +64,7 @@ Expected<BodyRequest> parseBodyRequest(const std::string& text) {
     request.stature = *millimetres / 1000.0;
   } else if (const auto percentile = numberBefore(words[2], "")) {
     const Expected<double> stature = statureOfPercentile(request.sex, *percentile);
-    if (!stature) return makeError(stature.error());
+    HAPTICELL_TRY(stature);
     request.stature = *stature;
   } else {
     return makeError(refusal(text, words[2]));

@@ -2,6 +2,7 @@
 #include "mannequin/body/figure.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "geometry/system/assertion.h"
 
@@ -212,8 +213,10 @@ Expected<void> checkOrder(const std::array<dvec3, kSegmentCount>& p, double stat
   }};
   for (std::size_t i = 1; i < heights.size(); ++i) {
     if (heights[i].second - heights[i - 1].second > 0.01) continue;
-    return makeError({"", "own measures", std::string(heights[i].first) + " is not above " + heights[i - 1].first,
-                      "measures of one body", "Change the own measures together, or leave some to the regressions."});
+    return makeError({.place = "own measures",
+                      .found = std::string(heights[i].first) + " is not above " + heights[i - 1].first,
+                      .expected = "measures of one body",
+                      .fix = "Change the own measures together, or leave some to the regressions."});
   }
   return {};
 }
@@ -247,9 +250,9 @@ void placeLandmarks(const BodyDimensions& b, const std::array<dvec3, kSegmentCou
 
 Expected<Figure> makeFigure(const BodyRequest& request) {
   const Expected<BodyDimensions> body = bodyDimensions(request);
-  if (!body) return makeError(body.error());
+  HAPTICELL_TRY(body);
   const auto joints = jointCentres(*body);
-  if (const auto ordered = checkOrder(joints, request.stature); !ordered) return makeError(ordered.error());
+  HAPTICELL_TRY(checkOrder(joints, request.stature));
   Figure figure;
   figure.sex = request.sex;
   figure.body = *body;
@@ -291,7 +294,7 @@ std::map<std::string, double> measuresOf(const Figure& figure) {
   const double hand = figure.body[D::kHandLength];
   // Arms sideways: the girdle drawn back by 15 deg about the sternoclavicular joint (raising it hardly matters).
   const dvec3 girdle = figure.p_PS[indexOf(S::kLeftUpperArm)];
-  const double back = 15.0 * M_PI / 180.0;
+  const double back = 15.0 * std::numbers::pi / 180.0;
   const double shoulder_y = at(S::kLeftClavicle).y + girdle.y * std::cos(back) + girdle.x * std::sin(back);
   const double knee = at(S::kLeftShank).z, stature = (at(S::kHead) + figure.p_HeadVertex).z;
   return {{"stature", stature},

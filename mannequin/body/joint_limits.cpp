@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 #include <vector>
 
@@ -11,10 +12,8 @@
 namespace hapticell::mannequin {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 constexpr double radians(double degrees) {
-  return degrees * kPi / 180.0;
+  return degrees * std::numbers::pi / 180.0;
 }
 
 /// Direction of a bone from its azimuth (0 forward, 90 deg outward) and elevation (0 hanging), the left side's.
@@ -48,8 +47,8 @@ double Cone::boundary(double psi, double& slope) const {
   auto after = std::upper_bound(knots.begin(), knots.end(), psi, [](double p, const Knot& k) { return p < k.psi; });
   Knot left = after == knots.begin() ? knots.back() : *(after - 1);
   Knot right = after == knots.end() ? knots.front() : *after;
-  if (after == knots.begin()) left.psi -= 2.0 * kPi;
-  if (after == knots.end()) right.psi += 2.0 * kPi;
+  if (after == knots.begin()) left.psi -= 2.0 * std::numbers::pi;
+  if (after == knots.end()) right.psi += 2.0 * std::numbers::pi;
   slope = (right.rho - left.rho) / (right.psi - left.psi);
   return left.rho + slope * (psi - left.psi);
 }
@@ -63,7 +62,7 @@ Cone makeShoulder() {
   Cone cone;
   const double azimuth = radians(45.0), elevation = radians(75.0);
   cone.c = direction(azimuth, elevation);
-  cone.towards_zero = direction(azimuth, elevation + 0.5 * kPi);
+  cone.towards_zero = direction(azimuth, elevation + 0.5 * std::numbers::pi);
   cone.towards_quarter = {-std::sin(azimuth), std::cos(azimuth), 0.0};
   cone.R_middle = leastTurn({0.0, 0.0, -1.0}, cone.c);
   constexpr double kBoundary[][2] = {{0, 130},  {45, 140}, {90, 130}, {112, 110}, {125, 90}, {150, 70},
@@ -71,7 +70,7 @@ Cone makeShoulder() {
   for (const auto& point : kBoundary)
     cone.knots.push_back(knotAt(cone, direction(radians(point[0]), radians(point[1]))));
   std::sort(cone.knots.begin(), cone.knots.end(), [](const Knot& a, const Knot& b) { return a.psi < b.psi; });
-  double narrowest = kPi;
+  double narrowest = std::numbers::pi;
   for (const Knot& knot : cone.knots) narrowest = std::min(narrowest, knot.rho);
   cone.cos_narrowest = std::cos(narrowest) + 1e-9;
   return cone;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <numbers>
+
 #include "mannequin/body/skeleton.h"
 
 namespace hapticell::mannequin {
@@ -28,7 +30,7 @@ struct BallState {
   double excess() const { return rho - rho_max; }
 };
 
-inline constexpr double kShoulderTwistLower = -1.5707963267948966, kShoulderTwistUpper = 1.2217304763960306;
+inline constexpr double kShoulderTwistLower = -0.5 * std::numbers::pi, kShoulderTwistUpper = 1.2217304763960306;
 inline constexpr double kHipTwistLower = -0.7853981633974483, kHipTwistUpper = 0.7853981633974483;
 double twistLower(BallJoint joint);
 double twistUpper(BallJoint joint);

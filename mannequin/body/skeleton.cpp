@@ -2,13 +2,14 @@
 #include "mannequin/body/skeleton.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace hapticell::mannequin {
 
 namespace {
 
 constexpr double rad(double degrees) {
-  return degrees * 3.14159265358979323846 / 180.0;
+  return degrees * std::numbers::pi / 180.0;
 }
 
 constexpr DofInfo dof(const char* name, const char* joint, Segment segment, int axis, double sign,

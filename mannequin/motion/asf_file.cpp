@@ -2,6 +2,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 
@@ -16,7 +17,7 @@ constexpr std::size_t kMostBones = 1000;
 
 dquat about(int axis, double degrees) {
   dvec3 turn(0.0);
-  turn[axis] = degrees * M_PI / 180.0;
+  turn[axis] = degrees * std::numbers::pi / 180.0;
   return quaternionFromRotationVector(turn);
 }
 
@@ -36,7 +37,8 @@ class AsfReader {
 
   Expected<void> read() {
     if (const std::string why = whyNoText(text_); !why.empty())
-      return makeError({name_, "", why, "a skeleton in ASF", "Save it as plain text (UTF-8)."});
+      return makeError(
+          {.file = name_, .found = why, .expected = "a skeleton in ASF", .fix = "Save it as plain text (UTF-8)."});
     while (!words_.atEnd()) {
       const std::string_view word = words_.next();
       Expected<void> done;
@@ -58,7 +60,8 @@ class AsfReader {
 
  private:
   tl::unexpected<Error> fail(std::string found, std::string expected) const {
-    return makeError({name_, words_.place(), std::move(found), std::move(expected), ""});
+    return makeError(
+        {.file = name_, .place = words_.place(), .found = std::move(found), .expected = std::move(expected)});
   }
 
   Expected<void> readUnits() {
@@ -72,7 +75,7 @@ class AsfReader {
         const std::string_view unit = words_.next();
         if (!unit.starts_with("deg") && !unit.starts_with("rad"))
           return fail("the angle's unit '" + std::string(unit.substr(0, 40)) + "'", "deg or rad");
-        degrees_per_unit = unit.starts_with("rad") ? 180.0 / M_PI : 1.0;
+        degrees_per_unit = unit.starts_with("rad") ? 180.0 / std::numbers::pi : 1.0;
       }
     }
     return {};
@@ -108,7 +111,7 @@ class AsfReader {
       const std::string_view key = words_.next();
       if (key == "orientation") {
         const Expected<dvec3> values = three();
-        if (!values) return makeError(values.error());
+        HAPTICELL_TRY(values);
         orientation = *values;
       }
       if (key == "axis") order = std::string(words_.next());
@@ -123,7 +126,7 @@ class AsfReader {
       }
     }
     const Expected<dquat> axes = axesOf(degrees_per_unit * orientation, order);
-    if (!axes) return makeError(axes.error());
+    HAPTICELL_TRY(axes);
     root.axes = *axes;
     bones["root"] = root;
     return {};
@@ -151,11 +154,11 @@ class AsfReader {
       }
       if (word == "direction" || word == "axis") {
         const Expected<dvec3> values = three();
-        if (!values) return makeError(values.error());
+        HAPTICELL_TRY(values);
         if (word == "direction") bone.direction = *values;
         if (word == "axis") {
           const Expected<dquat> axes = axesOf(degrees_per_unit * *values, words_.next());
-          if (!axes) return makeError(axes.error());
+          HAPTICELL_TRY(axes);
           bone.axes = *axes;
         }
       }
@@ -207,7 +210,8 @@ class ClipBuilder {
 
   Expected<void> build(const std::string& name) {
     clip.metres_per_unit = skeleton_.metres_per_unit;
-    if (!skeleton_.bones.contains("root")) return makeError({name, "", "no :root", "a skeleton with its root", ""});
+    if (!skeleton_.bones.contains("root"))
+      return makeError({.file = name, .found = "no :root", .expected = "a skeleton with its root"});
     for (const std::string& bone_name : skeleton_.order_) {
       const Bone& bone = skeleton_.bones.at(bone_name);
       ClipJoint joint;
@@ -215,7 +219,10 @@ class ClipBuilder {
       if (bone_name != "root") {
         const auto parent = index.find(bone.parent);
         if (parent == index.end())
-          return makeError({name, ":hierarchy", "'" + bone.parent + "' before its parent", "parents first", ""});
+          return makeError({.file = name,
+                            .place = ":hierarchy",
+                            .found = "'" + bone.parent + "' before its parent",
+                            .expected = "parents first"});
         joint.parent = static_cast<int>(parent->second);
         joint.p_Parent = endOf(skeleton_.bones.at(bone.parent));
       }
@@ -249,7 +256,8 @@ class AmcReader {
 
   Expected<void> read() {
     if (const std::string why = whyNoText(text_); !why.empty())
-      return makeError({name_, "", why, "a motion in AMC", "Save it as plain text (UTF-8)."});
+      return makeError(
+          {.file = name_, .found = why, .expected = "a motion in AMC", .fix = "Save it as plain text (UTF-8)."});
     if (auto done = readHead(); !done) return done;
     std::optional<double> last;
     while (!words_.atEnd()) {
@@ -274,7 +282,11 @@ class AmcReader {
 
  private:
   tl::unexpected<Error> fail(std::string found, std::string expected, std::string fix = {}) const {
-    return makeError({name_, words_.place(), std::move(found), std::move(expected), std::move(fix)});
+    return makeError({.file = name_,
+                      .place = words_.place(),
+                      .found = std::move(found),
+                      .expected = std::move(expected),
+                      .fix = std::move(fix)});
   }
 
   /// Comments and keywords; those of the angles' unit count, others ("FULLY-SPECIFIED") say nothing that is needed.
@@ -285,7 +297,7 @@ class AmcReader {
       words_.restOfLine();
       for (char& c : word) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
       if (word != ":RADIANS" && word != ":DEGREES") continue;
-      const double said = word == ":RADIANS" ? 180.0 / M_PI : 1.0;
+      const double said = word == ":RADIANS" ? 180.0 / std::numbers::pi : 1.0;
       if (degrees && *degrees != said) return fail(":RADIANS and :DEGREES", "one of the two");
       degrees = said;
     }
@@ -361,10 +373,10 @@ class AmcReader {
 Expected<MotionClip> readAsfAmc(std::string_view asf, const std::string& asf_name, std::string_view amc,
                                 const std::string& amc_name) {
   AsfReader skeleton(asf, asf_name);
-  if (auto read = skeleton.read(); !read) return makeError(read.error());
+  HAPTICELL_TRY(skeleton.read());
   ClipBuilder builder(skeleton);
-  if (auto built = builder.build(asf_name); !built) return makeError(built.error());
-  if (auto read = AmcReader(skeleton, builder, amc, amc_name).read(); !read) return makeError(read.error());
+  HAPTICELL_TRY(builder.build(asf_name));
+  HAPTICELL_TRY(AmcReader(skeleton, builder, amc, amc_name).read());
   return std::move(builder.clip);
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 
 #include "mannequin/motion/clip_map.h"
 #include "mannequin/motion/motion_clip.h"
@@ -32,12 +33,13 @@ class BvhReader {
 
   Expected<MotionClip> read(double metres_per_unit) {
     if (const std::string why = whyNoText(text_); !why.empty())
-      return makeError({name_, "", why, "a BVH file in UTF-8", "Save it as plain text (UTF-8)."});
+      return makeError(
+          {.file = name_, .found = why, .expected = "a BVH file in UTF-8", .fix = "Save it as plain text (UTF-8)."});
     if (!sameWord(words_.next(), "HIERARCHY")) return fail("no HIERARCHY", "a BVH file");
     if (!sameWord(words_.next(), "ROOT")) return fail("no ROOT", "ROOT and a name");
-    if (auto done = readTree(); !done) return makeError(done.error());
+    HAPTICELL_TRY(readTree());
     clip_.metres_per_unit = metres_per_unit > 0.0 ? metres_per_unit : guessedUnit();
-    if (auto done = readMotion(); !done) return makeError(done.error());
+    HAPTICELL_TRY(readMotion());
     settlePlaces();
     if (metres_per_unit <= 0.0) guessAgain();
     scale();
@@ -46,7 +48,11 @@ class BvhReader {
 
  private:
   tl::unexpected<Error> fail(std::string found, std::string expected, std::string fix = {}) const {
-    return makeError({name_, words_.place(), std::move(found), std::move(expected), std::move(fix)});
+    return makeError({.file = name_,
+                      .place = words_.place(),
+                      .found = std::move(found),
+                      .expected = std::move(expected),
+                      .fix = std::move(fix)});
   }
   static std::string quoted(std::string_view word) { return "'" + std::string(word.substr(0, 40)) + "'"; }
   /// A number with a comma is one of a program that writes by the rules of its country.
@@ -207,7 +213,7 @@ class BvhReader {
       return;
     }
     dvec3 turn(0.0);
-    turn[channel.axis] = value * M_PI / 180.0;
+    turn[channel.axis] = value * std::numbers::pi / 180.0;
     frame.turns[channel.joint] = glm::normalize(frame.turns[channel.joint] * quaternionFromRotationVector(turn));
   }
 

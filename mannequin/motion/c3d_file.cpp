@@ -50,8 +50,8 @@ class C3dReader {
   }
 
   Expected<MarkerClip> read(std::optional<UpAxis> up) {
-    if (auto done = readRate(); !done) return makeError(done.error());
-    if (auto done = readUnit(); !done) return makeError(done.error());
+    HAPTICELL_TRY(readRate());
+    HAPTICELL_TRY(readUnit());
     readNames();
     readPlaces();
     const std::vector<std::string> screen = parameters_.texts("POINT:Y_SCREEN");
@@ -61,7 +61,10 @@ class C3dReader {
 
  private:
   tl::unexpected<Error> fail(std::size_t at, std::string found, std::string expected) const {
-    return makeError({name_, "byte " + std::to_string(at), std::move(found), std::move(expected), ""});
+    return makeError({.file = name_,
+                      .place = "byte " + std::to_string(at),
+                      .found = std::move(found),
+                      .expected = std::move(expected)});
   }
 
   Expected<void> readRate() {
@@ -155,15 +158,15 @@ double MarkerClip::seenShare(std::size_t marker) const {
 
 Expected<MarkerClip> parseC3d(std::string_view bytes, const std::string& name, std::optional<UpAxis> up) {
   const Expected<C3dParameters> parameters = C3dParameters::read(bytes, name);
-  if (!parameters) return makeError(parameters.error());
+  HAPTICELL_TRY(parameters);
   const Expected<C3dLayout> layout = c3dLayout(*parameters, name);
-  if (!layout) return makeError(layout.error());
+  HAPTICELL_TRY(layout);
   return C3dReader(*parameters, *layout, name).read(up);
 }
 
 Expected<MarkerClip> readC3d(const std::filesystem::path& file, std::optional<UpAxis> up) {
   const auto bytes = geometry::readRegularFile(file, kMostC3dBytes);
-  if (!bytes) return makeError(bytes.error());
+  HAPTICELL_TRY(bytes);
   return parseC3d(*bytes, file.string(), up);
 }
 

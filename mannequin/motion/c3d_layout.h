@@ -51,7 +51,7 @@ class LayoutFinder {
       : p_(parameters), b_(parameters.bytes()), name_(name) {}
 
   Expected<C3dLayout> find() {
-    if (auto done = collect(); !done) return makeError(done.error());
+    HAPTICELL_TRY(collect());
     const C3dLayout first = layout(0, 0, 0, 0, 0);
     if (fills(first) || (fits(first) && restIsEmpty(first))) return finished(first, first);
     if (const auto other = best(true)) return finished(*other, first);
@@ -63,7 +63,10 @@ class LayoutFinder {
 
  private:
   tl::unexpected<Error> fail(std::size_t at, std::string found, std::string expected) const {
-    return makeError({name_, "byte " + std::to_string(at), std::move(found), std::move(expected), ""});
+    return makeError({.file = name_,
+                      .place = "byte " + std::to_string(at),
+                      .found = std::move(found),
+                      .expected = std::move(expected)});
   }
 
   Expected<void> collect() {

@@ -75,7 +75,10 @@ inline std::string printable(std::string_view text) {
 
 inline Expected<C3dParameters> C3dParameters::read(std::string_view bytes, const std::string& name) {
   const auto fail = [&](std::size_t at, std::string found, std::string expected) {
-    return makeError({name, "byte " + std::to_string(at), std::move(found), std::move(expected), ""});
+    return makeError({.file = name,
+                      .place = "byte " + std::to_string(at),
+                      .found = std::move(found),
+                      .expected = std::move(expected)});
   };
   constexpr std::uint8_t kMark = 0x50;
   const C3dBytes raw(bytes, C3dProcessor::kIntel);

@@ -30,13 +30,16 @@ bool take(const json& document, const char* key, GloveReadings& values) {
 
 Expected<GloveCalibration> readGloveCalibration(const std::filesystem::path& file) {
   const auto refuse = [&](std::string found) {
-    return makeError({file.string(), "", std::move(found), "a glove's calibration", "Calibrate the glove anew."});
+    return makeError({.file = file.string(),
+                      .found = std::move(found),
+                      .expected = "a glove's calibration",
+                      .fix = "Calibrate the glove anew."});
   };
   constexpr std::uintmax_t kMostGloveBytes = 1'000'000;
   const auto text = geometry::readRegularFile(file, kMostGloveBytes);
   if (!text) return refuse(text.error().found);
   auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
-  if (!flat) return makeError(flat.error());
+  HAPTICELL_TRY(flat);
   const json document = json::parse(*text, nullptr, false);
   if (!document.is_object() || document.value("format", json()) != "hapticell-glove") return refuse("something else");
   if (document.value("version", json()) != 1) return refuse("another version");

@@ -58,14 +58,14 @@ class MarkerBody {
                                   "; joints are found from them with our own offsets");
     findBlind();
     for (const auto& [landmark, markers] : set_.markers) {
-      if (auto done = addWay(landmark, markers); !done) return makeError(done.error());
+      HAPTICELL_TRY(addWay(landmark, markers));
     }
     findTilts();
     tell();
     for (std::size_t f = 0; f < clip_.frames(); ++f) {
       frame_ = f;
       motion_.bodies.push_back(body());
-      if (auto sound = check(motion_.bodies.back()); !sound) return makeError(sound.error());
+      HAPTICELL_TRY(check(motion_.bodies.back()));
     }
     return std::move(motion_);
   }
@@ -120,7 +120,9 @@ class MarkerBody {
       MarkerSet rest = set_;
       rest.markers.erase(landmark);
       if (!missingLandmarks(rest).empty())
-        return makeError({"", "markers", "the marker on " + landmark + " is never seen", "a marker that is seen", ""});
+        return makeError({.place = "markers",
+                          .found = "the marker on " + landmark + " is never seen",
+                          .expected = "a marker that is seen"});
       motion_.assumptions.push_back("the marker on " + landmark + " is never seen; it is left out");
       return {};
     }
@@ -407,8 +409,9 @@ class MarkerBody {
                                      glm::length(body.elbow[i] - body.shoulder[i]),
                                      glm::length(body.hand[i] - body.elbow[i]), glm::length(body.neck - body.p_root)});
       if (!(least > 0.01))
-        return makeError({"", "frame " + std::to_string(frame_ + 1), "markers that lie on each other",
-                          "arms, legs and a trunk that have lengths", ""});
+        return makeError({.place = "frame " + std::to_string(frame_ + 1),
+                          .found = "markers that lie on each other",
+                          .expected = "arms, legs and a trunk that have lengths"});
     }
     return {};
   }

@@ -196,20 +196,23 @@ Expected<MarkerSet> recogniseMarkers(const MarkerClip& clip) {
 }
 
 Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& name, const MarkerClip& clip) {
-  if (auto flat = geometry::checkNesting(text, geometry::NestedText::kToml, name); !flat) return makeError(flat.error());
+  HAPTICELL_TRY(geometry::checkNesting(text, geometry::NestedText::kToml, name));
   toml::table table;
   try {
     table = toml::parse(text, name);
   } catch (const toml::parse_error& problem) {
-    return makeError({name, "line " + std::to_string(problem.source().begin.line), std::string(problem.description()),
-                      "a table in TOML", ""});
+    return makeError({.file = name,
+                      .place = "line " + std::to_string(problem.source().begin.line),
+                      .found = std::string(problem.description()),
+                      .expected = "a table in TOML"});
   }
   const auto fail = [&](const toml::node& node, std::string seen, std::string expected) {
     return makeError(
         {name, "line " + std::to_string(node.source().begin.line), std::move(seen), std::move(expected), ""});
   };
   const toml::table* markers = table["markers"].as_table();
-  if (!markers) return makeError({name, "", "no [markers]", "[markers] with landmarks and their markers", ""});
+  if (!markers)
+    return makeError({.file = name, .found = "no [markers]", .expected = "[markers] with landmarks and their markers"});
   const bool alone = table["base"].value_or(std::string("known")) == "none";
   MarkerSet set = alone ? MarkerSet{} : likeliest(clip);
   set.name = table["name"].value_or(std::filesystem::path(name).stem().string());
@@ -237,13 +240,20 @@ Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& n
   }
   const std::vector<std::string> missing = missingLandmarks(set);
   if (missing.empty()) return set;
-  return makeError({name, "markers", "nothing for " + listed(missing), "a marker for each of them", ""});
+  return makeError({.file = name,
+                    .place = "markers",
+                    .found = "nothing for " + listed(missing),
+                    .expected = "a marker for each of them"});
 }
 
 Expected<MarkerSet> readMarkerTable(const std::filesystem::path& file, const MarkerClip& clip) {
   constexpr std::uintmax_t kMostTable = 1u << 20;
   const auto text = geometry::readRegularFile(file, kMostTable);
-  if (!text) return makeError({file.string(), "--markers", text.error().found, "a table in TOML of at most 1 MB", ""});
+  if (!text)
+    return makeError({.file = file.string(),
+                      .place = "--markers",
+                      .found = text.error().found,
+                      .expected = "a table in TOML of at most 1 MB"});
   return parseMarkerTable(*text, file.string(), clip);
 }
 

@@ -52,10 +52,11 @@ Expected<MotionClip> readMotionFile(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const Expected<std::string> text = contentOf(file);
-  if (!text) return makeError(text.error());
+  HAPTICELL_TRY(text);
   if (ending == ".bvh") return readBvh(*text, file.string());
   if (ending != ".amc")
-    return makeError({file.string(), "", "'" + ending + "'", ".bvh, .amc beside its .asf, or .c3d", ""});
+    return makeError(
+        {.file = file.string(), .found = "'" + ending + "'", .expected = ".bvh, .amc beside its .asf, or .c3d"});
   std::filesystem::path skeleton = file;
   skeleton.replace_extension(".asf");
   std::error_code ignored;
@@ -64,7 +65,7 @@ Expected<MotionClip> readMotionFile(const std::filesystem::path& file) {
     skeleton.replace_filename(stem.substr(0, stem.find('_')) + ".asf");
   }
   const Expected<std::string> asf = contentOf(skeleton);
-  if (!asf) return makeError(asf.error());
+  HAPTICELL_TRY(asf);
   return readAsfAmc(*asf, skeleton.string(), *text, file.string());
 }
 

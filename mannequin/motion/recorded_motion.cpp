@@ -50,7 +50,7 @@ UpAxis upOf(const MotionClip& clip, const ClipMap& map, const MotionReading& rea
 
 Expected<RecordedMotion> recordedMotion(const MotionClip& clip, const MotionReading& reading) {
   const Expected<ClipMap> map = mapJoints(clip);
-  if (!map) return makeError(map.error());
+  HAPTICELL_TRY(map);
   RecordedMotion motion;
   motion.frame_time = clip.frame_time;
   motion.metres_per_unit = clip.metres_per_unit;
@@ -71,8 +71,9 @@ Expected<RecordedMotion> recordedMotion(const MotionClip& clip, const MotionRead
                                      glm::length(body.elbow[i] - body.shoulder[i]),
                                      glm::length(body.hand[i] - body.elbow[i]), glm::length(body.neck - body.p_root)});
       if (least > 1e-4) continue;
-      return makeError({"", "frame " + std::to_string(motion.bodies.size()), "bones without length",
-                        "arms, legs and a trunk that have lengths", ""});
+      return makeError({.place = "frame " + std::to_string(motion.bodies.size()),
+                        .found = "bones without length",
+                        .expected = "arms, legs and a trunk that have lengths"});
     }
   }
   return motion;
@@ -82,18 +83,21 @@ namespace {
 
 Expected<RecordedMotion> recordedMarkers(const std::filesystem::path& file, const MotionReading& reading) {
   const Expected<MarkerClip> clip = readC3d(file, reading.up);
-  if (!clip) return makeError(clip.error());
+  HAPTICELL_TRY(clip);
   const Expected<MarkerSet> set =
       reading.markers.empty() ? recogniseMarkers(*clip) : readMarkerTable(reading.markers, *clip);
-  if (!set) return makeError(set.error());
+  HAPTICELL_TRY(set);
   return recordedMotion(*clip, *set);
 }
 
 Expected<RecordedMotion> recordedSkeleton(const std::filesystem::path& file, const MotionReading& reading) {
   if (!reading.markers.empty())
-    return makeError({file.string(), "--markers", "a table of markers for a skeleton", "a recording in C3D", ""});
+    return makeError({.file = file.string(),
+                      .place = "--markers",
+                      .found = "a table of markers for a skeleton",
+                      .expected = "a recording in C3D"});
   const Expected<MotionClip> clip = readMotionFile(file);
-  if (!clip) return makeError(clip.error());
+  HAPTICELL_TRY(clip);
   return recordedMotion(*clip, reading);
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/body/rotations.h"
+#include "mannequin/posture/forward_kinematics.h"
 
 namespace hapticell::mannequin {
 
@@ -103,7 +103,7 @@ Expected<RetargetedMotion> retarget(const Figure& figure, const RecordedMotion& 
   if (recorded.bodies.empty()) return motion;
   const RecordedBody& first = recorded.bodies.front();
   const double leg = glm::length(first.knee[0] - first.hip[0]) + glm::length(first.ankle[0] - first.knee[0]);
-  if (!(leg > 1e-3)) return makeError({"", "", "legs without length", "a skeleton", ""});
+  if (!(leg > 1e-3)) return makeError({.found = "legs without length", .expected = "a skeleton"});
   const double scale = (figure.thighLength() + figure.shankLength()) / leg;
   double lowest = 1e9;
   motion.postures.reserve(recorded.bodies.size());
@@ -122,7 +122,7 @@ Expected<RetargetedMotion> retarget(const Figure& figure, const RecordedMotion& 
 
 Expected<RetargetedMotion> retarget(const Figure& figure, const MotionClip& clip) {
   const Expected<RecordedMotion> recorded = recordedMotion(clip);
-  if (!recorded) return makeError(recorded.error());
+  HAPTICELL_TRY(recorded);
   return retarget(figure, *recorded);
 }
 

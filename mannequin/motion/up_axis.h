@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/vector.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::mannequin {
 
@@ -45,7 +45,7 @@ inline Expected<UpAxis> parseUpAxis(std::string_view text) {
   for (std::size_t i = 0; i < up_axis::kUpNames.size(); ++i) {
     if (word == up_axis::kUpNames[i]) return static_cast<UpAxis>(i);
   }
-  return makeError({"", "--up", "'" + std::string(text) + "'", "x, y, z, -x, -y or -z", ""});
+  return makeError({.place = "--up", .found = "'" + std::string(text) + "'", .expected = "x, y, z, -x, -y or -z"});
 }
 
 inline const char* nameOf(UpAxis axis) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "mannequin/posture/body_solver.h"
 #include "mannequin/body/rotations.h"
+#include "mannequin/posture/body_solver.h"
 
 namespace hapticell::mannequin {
 
@@ -30,14 +31,14 @@ void wishArm(const Figure& figure, Side side, const BodyState& state, const Figu
                            pose[armSegment(side, S::kLeftHand)]);
   if (problem.stretch() > 0.999) return;
   const double swivel = problem.swivelOf(pose[armSegment(side, S::kLeftForearm)].p_WS);
-  const double change = std::remainder(problem.preferredSwivelNear(swivel, 0.35) - swivel, 2.0 * M_PI);
+  const double change = std::remainder(problem.preferredSwivelNear(swivel, 0.35) - swivel, 2.0 * std::numbers::pi);
   const ArmAngles now = problem.at(swivel), then = problem.at(swivel + share * change);
   const std::size_t v = static_cast<std::size_t>(armVariable(side));
   const dmat3& R = state.balls[side == Side::kLeft ? 0 : 1];
   const dvec3 turn = rotationVector(glm::quat_cast(then.R_ClavicleUpperArm * glm::transpose(now.R_ClavicleUpperArm)));
   const dvec3 parts = alongAxes(axes.balls[side == Side::kLeft ? 0 : 1], -R[2], turn);
   for (int k = 0; k < 3; ++k) wish[v + 2 + static_cast<std::size_t>(k)] = parts[k];
-  wish[v + 6] = std::remainder(then.pronation - now.pronation, 2.0 * M_PI);
+  wish[v + 6] = std::remainder(then.pronation - now.pronation, 2.0 * std::numbers::pi);
   wish[v + 7] = then.wrist_flexion - now.wrist_flexion;
   wish[v + 8] = then.wrist_ulnar - now.wrist_ulnar;
 }

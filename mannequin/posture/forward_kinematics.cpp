@@ -2,6 +2,7 @@
 #include "mannequin/posture/forward_kinematics.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "mannequin/posture/segment_places.h"
 
@@ -126,10 +127,10 @@ dvec3 anglesYXZ(const dmat3& R) {
   // Columns first: R[column][row]. R(1,2) = -sin x.
   const double sine = std::fmin(1.0, std::fmax(-1.0, -R[2][1]));
   const double cosine = std::hypot(R[0][1], R[1][1]);
-  if (cosine < 1e-9) return {std::copysign(0.5 * M_PI, sine), std::atan2(-R[0][2], R[0][0]), 0.0};
+  if (cosine < 1e-9) return {std::copysign(0.5 * std::numbers::pi, sine), std::atan2(-R[0][2], R[0][0]), 0.0};
   const dvec3 near(std::atan2(sine, cosine), std::atan2(R[2][0], R[2][2]), std::atan2(R[0][1], R[1][1]));
-  const auto wrapped = [](double a) { return a > 0.0 ? a - M_PI : a + M_PI; };
-  const dvec3 far((near.x > 0.0 ? M_PI : -M_PI) - near.x, wrapped(near.y), wrapped(near.z));
+  const auto wrapped = [](double a) { return a > 0.0 ? a - std::numbers::pi : a + std::numbers::pi; };
+  const dvec3 far((near.x > 0.0 ? std::numbers::pi : -std::numbers::pi) - near.x, wrapped(near.y), wrapped(near.z));
   const auto size = [](const dvec3& a) { return std::abs(a.x) + std::abs(a.y) + std::abs(a.z); };
   return size(far) < size(near) ? far : near;
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/regular_file.h"
@@ -29,17 +30,27 @@ std::optional<std::vector<double>> numbers(const ordered_json& json, std::size_t
 
 Expected<void> readRoot(const ordered_json& json, const std::string& name, Posture& posture) {
   if (!json.is_object())
-    return makeError({name, "\"root\"", "no object", "{\"position\":[..],\"orientation\":[..]}", ""});
+    return makeError({.file = name,
+                      .place = "\"root\"",
+                      .found = "no object",
+                      .expected = "{\"position\":[..],\"orientation\":[..]}"});
   if (json.contains("position")) {
     const auto p = numbers(json["position"], 3);
-    if (!p) return makeError({name, "\"root\".\"position\"", "no position", "three numbers, metres", ""});
+    if (!p)
+      return makeError({.file = name,
+                        .place = "\"root\".\"position\"",
+                        .found = "no position",
+                        .expected = "three numbers, metres"});
     posture.X_WR.p = {(*p)[0], (*p)[1], (*p)[2]};
   }
   if (json.contains("orientation")) {
     const auto q = numbers(json["orientation"], 4);
     const dquat raw = q ? dquat((*q)[0], (*q)[1], (*q)[2], (*q)[3]) : dquat(0.0, 0.0, 0.0, 0.0);
     if (!(std::abs(glm::length(raw) - 1.0) < 0.01)) {
-      return makeError({name, "\"root\".\"orientation\"", "no unit quaternion", "w, x, y, z of length 1", ""});
+      return makeError({.file = name,
+                        .place = "\"root\".\"orientation\"",
+                        .found = "no unit quaternion",
+                        .expected = "w, x, y, z of length 1"});
     }
     posture.X_WR.q = glm::normalize(raw);
   }
@@ -47,32 +58,44 @@ Expected<void> readRoot(const ordered_json& json, const std::string& name, Postu
 }
 
 Expected<void> readJoints(const ordered_json& json, double unit, const std::string& name, Posture& posture) {
-  if (!json.is_object()) return makeError({name, "\"joints\"", "no object", "joint names with angles", ""});
+  if (!json.is_object())
+    return makeError(
+        {.file = name, .place = "\"joints\"", .found = "no object", .expected = "joint names with angles"});
   for (const auto& [key, value] : json.items()) {
     const std::optional<Dof> dof = findDof(key);
     const std::string place = "joint '" + key.substr(0, 60) + "'";
     if (!dof) {
-      return makeError({name, place, "a joint that the mannequin has not", "a name such as l_elbow_flexion",
-                        "hapticell-cli mannequin lists all 56."});
+      return makeError({.file = name,
+                        .place = place,
+                        .found = "a joint that the mannequin has not",
+                        .expected = "a name such as l_elbow_flexion",
+                        .fix = "hapticell-cli mannequin lists all 56."});
     }
     const double angle = value.is_number() ? value.get<double>() * unit : NAN;
-    if (!(std::abs(angle) <= kMostAngle)) return makeError({name, place, "no angle", "a number within +-7 rad", ""});
+    if (!(std::abs(angle) <= kMostAngle))
+      return makeError({.file = name, .place = place, .found = "no angle", .expected = "a number within +-7 rad"});
     posture[*dof] = angle;
   }
   return {};
 }
 
 Expected<void> checkHead(const ordered_json& json, const std::string& name) {
-  if (!json.is_object()) return makeError({name, "", "no JSON object", "a posture", ""});
+  if (!json.is_object()) return makeError({.file = name, .found = "no JSON object", .expected = "a posture"});
   const std::string format =
       json.contains("format") && json["format"].is_string() ? json["format"].get<std::string>() : "";
   if (format != "hapticell-posture") {
-    return makeError({name, "\"format\"", format.empty() ? "nothing" : "\"" + format.substr(0, 60) + "\"",
-                      "\"hapticell-posture\"", ""});
+    return makeError({.file = name,
+                      .place = "\"format\"",
+                      .found = format.empty() ? "nothing" : "\"" + format.substr(0, 60) + "\"",
+                      .expected = "\"hapticell-posture\""});
   }
   const bool known = !json.contains("version") || (json["version"].is_number_integer() && json["version"] == kVersion);
   if (!known)
-    return makeError({name, "\"version\"", json["version"].dump().substr(0, 40), "1", "Use a newer HaptiCell."});
+    return makeError({.file = name,
+                      .place = "\"version\"",
+                      .found = json["version"].dump().substr(0, 40),
+                      .expected = "1",
+                      .fix = "Use a newer HaptiCell."});
   return {};
 }
 
@@ -95,27 +118,29 @@ std::string postureText(const Posture& posture) {
 
 Expected<Posture> parsePosture(std::string_view text, const std::string& name, bool* has_root) {
   auto flat = geometry::checkNesting(text, geometry::NestedText::kOrderedJson, name);
-  if (!flat) return makeError(flat.error());
+  HAPTICELL_TRY(flat);
   const ordered_json json = ordered_json::parse(text.begin(), text.end(), nullptr, false);
-  if (json.is_discarded()) return makeError({name, "", "text that is not JSON", "a posture", ""});
-  if (const auto head = checkHead(json, name); !head) return makeError(head.error());
+  if (json.is_discarded()) return makeError({.file = name, .found = "text that is not JSON", .expected = "a posture"});
+  HAPTICELL_TRY(checkHead(json, name));
   double unit = 1.0;
   if (json.contains("unit")) {
     if (json["unit"] != "deg" && json["unit"] != "rad")
-      return makeError({name, "\"unit\"", json["unit"].dump().substr(0, 40), "rad or deg", ""});
-    if (json["unit"] == "deg") unit = M_PI / 180.0;
+      return makeError(
+          {.file = name, .place = "\"unit\"", .found = json["unit"].dump().substr(0, 40), .expected = "rad or deg"});
+    if (json["unit"] == "deg") unit = std::numbers::pi / 180.0;
   }
   Posture posture;
   if (has_root) *has_root = json.contains("root");
   if (json.contains("root")) {
-    if (const auto root = readRoot(json["root"], name, posture); !root) return makeError(root.error());
+    HAPTICELL_TRY(readRoot(json["root"], name, posture));
   }
   if (json.contains("joints")) {
-    if (const auto joints = readJoints(json["joints"], unit, name, posture); !joints) return makeError(joints.error());
+    HAPTICELL_TRY(readJoints(json["joints"], unit, name, posture));
   }
   if (json.contains("gaze")) {
     const auto gaze = numbers(json["gaze"], 2);
-    if (!gaze) return makeError({name, "\"gaze\"", "no two numbers", "[yaw, pitch]", ""});
+    if (!gaze)
+      return makeError({.file = name, .place = "\"gaze\"", .found = "no two numbers", .expected = "[yaw, pitch]"});
     posture.gaze = {(*gaze)[0] * unit, (*gaze)[1] * unit};
   }
   return posture;
@@ -124,7 +149,7 @@ Expected<Posture> parsePosture(std::string_view text, const std::string& name, b
 Expected<Posture> readPosture(const std::filesystem::path& file, bool* has_root) {
   constexpr std::uintmax_t kMostPostureBytes = 1'000'000;
   const auto text = geometry::readRegularFile(file, kMostPostureBytes);
-  if (!text) return makeError(text.error());
+  HAPTICELL_TRY(text);
   return parsePosture(*text, file.string(), has_root);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <numbers>
 
 #include "geometry/system/assertion.h"
 #include "mannequin/posture/posture.h"
@@ -17,7 +18,7 @@ struct Angle {
 void set(Posture& posture, const std::string& name, double degrees) {
   const std::optional<Dof> dof = findDof(name);
   HAPTICELL_DEMAND(dof.has_value());
-  posture[*dof] = degrees * M_PI / 180.0;
+  posture[*dof] = degrees * std::numbers::pi / 180.0;
 }
 
 LibraryPosture make(const char* name, std::initializer_list<Angle> angles, double root_pitch_degrees = 0.0) {
@@ -30,7 +31,7 @@ LibraryPosture make(const char* name, std::initializer_list<Angle> angles, doubl
     }
     for (const char* side : {"l_", "r_"}) set(entry.posture, side + text.substr(5), angle.degrees);
   }
-  entry.posture.X_WR.q = quaternionFromRotationVector({0.0, root_pitch_degrees * M_PI / 180.0, 0.0});
+  entry.posture.X_WR.q = quaternionFromRotationVector({0.0, root_pitch_degrees * std::numbers::pi / 180.0, 0.0});
   return entry;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "mannequin/body/rotations.h"
@@ -14,7 +15,7 @@ namespace {
 using S = Segment;
 
 double armCost(const ArmProblem& problem, const ArmAngles& arm) {
-  const double away = std::remainder(arm.swivel - 45.0 * kDegree, 2.0 * M_PI);
+  const double away = std::remainder(arm.swivel - 45.0 * kDegree, 2.0 * std::numbers::pi);
   return 10.0 * (arm.violation + 4.0 * arm.missing) + 0.1 * away * away + (problem.stretch() > 1.0 ? 1.0 : 0.0);
 }
 

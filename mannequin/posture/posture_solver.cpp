@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
+#include "mannequin/body/rotations.h"
 #include "mannequin/posture/body_solver.h"
 #include "mannequin/posture/posture_seeds.h"
-#include "mannequin/body/rotations.h"
 
 namespace hapticell::mannequin {
 
@@ -166,7 +167,7 @@ std::optional<ArmAngles> armTo(const Figure& figure, Side side, const FigurePose
   if (problem.stretch() > longest) return std::nullopt;
   double swivel = problem.swivelOf(pose[armSegment(side, S::kLeftForearm)].p_WS);
   if (swing > 0.0) {
-    const double wish = std::remainder(problem.preferredSwivelNear(swivel, 0.35) - swivel, 2.0 * M_PI);
+    const double wish = std::remainder(problem.preferredSwivelNear(swivel, 0.35) - swivel, 2.0 * std::numbers::pi);
     swivel += std::clamp(wish, -swing, swing);
   }
   const ArmAngles arm = problem.at(swivel);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/system/assertion.h"
 
@@ -55,11 +56,12 @@ geometry::TriangleMesh reachEnvelope(const Figure& figure, const Posture& postur
     const double wrist = reachAlong(figure, locks, side, shoulder, d, start);
     mesh.vertices.push_back(shoulder + (wrist > 0.0 ? wrist + grip : 0.02) * d);
   };
-  add(0.0, -0.5 * M_PI);
+  add(0.0, -0.5 * std::numbers::pi);
   for (int b = 1; b < bands; ++b) {
-    for (int m = 0; m < n; ++m) add(2.0 * M_PI * m / n, -0.5 * M_PI + M_PI * b / bands);
+    for (int m = 0; m < n; ++m)
+      add(2.0 * std::numbers::pi * m / n, -0.5 * std::numbers::pi + std::numbers::pi * b / bands);
   }
-  add(0.0, 0.5 * M_PI);
+  add(0.0, 0.5 * std::numbers::pi);
   const auto at = [&](int band, int meridian) { return static_cast<std::uint32_t>(1 + (band - 1) * n + meridian % n); };
   const std::uint32_t top = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
   for (int m = 0; m < n; ++m) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace hapticell::mannequin {
 namespace {
@@ -76,7 +77,7 @@ geometry::TriangleMesh visionVolume(const Figure& figure, const FigurePose& pose
   geometry::TriangleMesh mesh;
   mesh.vertices.push_back(eyes.p);
   for (int i = 0; i < kSteps; ++i) {
-    const double turn = 2.0 * M_PI * i / kSteps, x = std::cos(turn), y = std::sin(turn);
+    const double turn = 2.0 * std::numbers::pi * i / kSteps, x = std::cos(turn), y = std::sin(turn);
     const double yaw = side * x, pitch = (y > 0.0 ? up : down) * y;
     const dvec3 d(std::cos(pitch) * std::sin(yaw), std::sin(pitch), -std::cos(pitch) * std::cos(yaw));
     mesh.vertices.push_back(eyes * (length * d));

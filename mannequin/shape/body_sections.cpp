@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mannequin/body/girths.h"
 
@@ -42,8 +43,8 @@ std::vector<TubeSection> trunkSections(const Figure& figure) {
   const double bust = size.female() ? 0.86 : 1.0;  // The rest of a woman's chest depth are breasts.
   // The tops of the legs are the outside of the seat, the trunk lies a little within.
   constexpr double kWithin = 0.010;  // m
-  TubeSection at_seat = withGirth({z_seat, 0.0, 0.0, 0.985 * hip, 0.45 * seat, 0.55 * seat, 2.2},
-                                  size.girth(Girth::kButtock));
+  TubeSection at_seat =
+      withGirth({z_seat, 0.0, 0.0, 0.985 * hip, 0.45 * seat, 0.55 * seat, 2.2}, size.girth(Girth::kButtock));
   at_seat.half_breadth -= kWithin * k;
   at_seat.front -= kWithin * k;
   at_seat.back -= kWithin * k;
@@ -70,15 +71,20 @@ std::vector<TubeSection> trunkSections(const Figure& figure) {
   ribs.half_breadth *= size.female() ? 0.97 : 0.985;
   const double c = at_chest.half_breadth;
   const TubeSection crotch{z_crotch + 0.004 * k, 0.0, -0.006 * k, 0.40 * hip, 0.36 * seat, 0.45 * seat, 2.0};
-  const TubeSection axilla{z_axilla + 0.012 * k, 0.0,  0.008 * k, 0.97 * c, 0.98 * at_chest.front,
+  const TubeSection axilla{z_axilla + 0.012 * k,  0.0, 0.008 * k, 0.97 * c, 0.98 * at_chest.front,
                            0.985 * at_chest.back, 2.55};
   const double z_top = z_acromion;
-  const TubeSection upper{z_axilla + 0.55 * (z_top - z_axilla), 0.0, 0.006 * k, std::min(0.90 * c, 0.86 * shoulder),
-                          0.84 * at_chest.front,                0.92 * at_chest.back, 2.35};
-  const TubeSection top{z_top - 0.006 * k, 0.0, 0.000, 0.70 * shoulder, 0.49 * at_chest.front,
+  const TubeSection upper{z_axilla + 0.55 * (z_top - z_axilla),
+                          0.0,
+                          0.006 * k,
+                          std::min(0.90 * c, 0.86 * shoulder),
+                          0.84 * at_chest.front,
+                          0.92 * at_chest.back,
+                          2.35};
+  const TubeSection top{z_top - 0.006 * k,    0.0, 0.000, 0.70 * shoulder, 0.49 * at_chest.front,
                         0.78 * at_chest.back, 2.2};
-  const TubeSection nape{z_neck - 0.018 * k, 0.0, 0.000, 0.27 * shoulder, 0.30 * at_chest.front, 0.46 * at_chest.back,
-                         2.1};
+  const TubeSection nape{z_neck - 0.018 * k,   0.0, 0.000, 0.27 * shoulder, 0.30 * at_chest.front,
+                         0.46 * at_chest.back, 2.1};
   return {crotch, at_seat, hips, at_waist, ribs, at_chest, axilla, upper, top, nape};
 }
 
@@ -90,7 +96,7 @@ std::vector<TubeSection> armSections(const Figure& figure, double out) {
   const double wrist = size.girth(Girth::kWrist), low = std::min(biceps, 1.02 * forearm);
   // `out`: which way of v is outwards.
   const auto section = [&](double t, double girth, double flat, double u, double outwards) {
-    const double r = girth / (2.0 * M_PI);
+    const double r = girth / (2.0 * std::numbers::pi);
     return TubeSection{t, u, out * outwards, r * std::sqrt(flat), r / std::sqrt(flat), r / std::sqrt(flat), 2.0};
   };
   return {section(-0.050 * k, 0.86 * biceps, 1.00, 0.000, -0.004 * k),
@@ -117,12 +123,12 @@ std::vector<TubeSection> legSections(const Figure& figure, double out) {
   const double hip = figure.p_PS[0].z, crotch = hip - size.of(D::kCrotchHeight);
   // v is ahead; u is to the left.
   const auto section = [&](double t, double girth, double flat, double outwards, double v) {
-    const double r = girth / (2.0 * M_PI);
+    const double r = girth / (2.0 * std::numbers::pi);
     return TubeSection{t, out * outwards, v, r * std::sqrt(flat), r / std::sqrt(flat), r / std::sqrt(flat), 2.0};
   };
   const double t0 = crotch + 0.010 * k;
   // Where the thighs touch they are deeper than broad: both are as broad as the hips.
-  const double r_top = top / (2.0 * M_PI), hips = 0.5 * size.of(D::kHipBreadth);
+  const double r_top = top / (2.0 * std::numbers::pi), hips = 0.5 * size.of(D::kHipBreadth);
   const double flat_top = std::pow(std::clamp(0.480 * hips / r_top, 0.84, 0.97), 2.0);
   const double out_top = 0.985 * hips - r_top * std::sqrt(flat_top) - figure.p_PS[indexOf(S::kLeftThigh)].y;
   const auto along = [&](double s) { return t0 + s * (thigh - t0); };
@@ -147,23 +153,24 @@ std::vector<TubeSection> trouserSections(const Figure& figure) {
   const double k = size.k, thigh = figure.thighLength(), shank = figure.shankLength();
   const double calf = size.girth(Girth::kCalf), low = size.girth(Girth::kLowerThigh);
   const auto section = [&](double t, double girth, double v) {
-    const double r = girth / (2.0 * M_PI);
+    const double r = girth / (2.0 * std::numbers::pi);
     return TubeSection{t, 0.0, v, 0.97 * r, 1.03 * r, 1.03 * r, 2.0};
   };
   return {section(0.80 * thigh, 0.93 * low, 0.003 * k), section(thigh, 0.97 * low, 0.000),
-          section(thigh + 0.30 * shank, 1.02 * calf, -0.012 * k), section(thigh + 0.65 * shank, 0.93 * calf, -0.011 * k),
+          section(thigh + 0.30 * shank, 1.02 * calf, -0.012 * k),
+          section(thigh + 0.65 * shank, 0.93 * calf, -0.011 * k),
           section(thigh + 1.04 * shank, 0.90 * calf, -0.008 * k)};
 }
 
 std::vector<TubeSection> neckSections(const Figure& figure, double length) {
   const SkinSizes size(figure);
-  const double k = size.k, girth = size.girth(Girth::kNeck), r = girth / (2.0 * M_PI);
+  const double k = size.k, girth = size.girth(Girth::kNeck), r = girth / (2.0 * std::numbers::pi);
   const auto section = [&](double t, double share, double flat, double u) {
     return TubeSection{t, u, 0.0, share * r * flat, share * r / flat, share * r / flat, 2.0};
   };
   // u is to the left, v ahead.
-  return {section(-0.060 * k, 1.16, 0.96, 0.0), section(0.000, 1.10, 0.97, 0.0), section(0.45 * length, 1.00, 0.97, 0.0),
-          section(length, 0.98, 0.96, 0.0)};
+  return {section(-0.060 * k, 1.16, 0.96, 0.0), section(0.000, 1.10, 0.97, 0.0),
+          section(0.45 * length, 1.00, 0.97, 0.0), section(length, 0.98, 0.96, 0.0)};
 }
 
 }  // namespace hapticell::mannequin

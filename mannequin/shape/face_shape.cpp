@@ -2,10 +2,11 @@
 #include "mannequin/shape/face_shape.h"
 
 #include <cmath>
+#include <numbers>
 
+#include "mannequin/body/rotations.h"
 #include "mannequin/shape/hair_shape.h"
 #include "mannequin/shape/head_flesh.h"
-#include "mannequin/body/rotations.h"
 
 namespace hapticell::mannequin {
 
@@ -49,7 +50,7 @@ geometry::TriangleMesh cap(double radius, double angle) {
   for (std::uint32_t ring = 1; ring <= kRings; ++ring) {
     const double off = angle * ring / kRings;
     for (std::uint32_t i = 0; i < kAround; ++i) {
-      const double turn = 2.0 * M_PI * i / kAround;
+      const double turn = 2.0 * std::numbers::pi * i / kAround;
       mesh.vertices.push_back(radius *
                               dvec3(std::cos(off), std::sin(off) * std::cos(turn), std::sin(off) * std::sin(turn)));
     }
@@ -121,7 +122,7 @@ geometry::TriangleMesh lips(const HeadMeasures& m, const Flesh& head) {
   const auto bulge = [&](double most) {
     return [=](double across, double up) {
       const double ends = 1.0 - std::pow(std::abs(2.0 * across - 1.0), 3.0);
-      return kUnder + full * most * ends * std::sqrt(std::sin(M_PI * up));
+      return kUnder + full * most * ends * std::sqrt(std::sin(std::numbers::pi * up));
     };
   };
   geometry::TriangleMesh mesh = strip(m, head, -kHalf, kHalf, fold, bow, bulge(0.0030));
@@ -141,7 +142,7 @@ geometry::TriangleMesh brow(const HeadMeasures& m, const Flesh& head, double out
     const double s = along(y);
     return 0.5 * wide * std::min(1.0, 8.0 * s + 0.35) * (1.0 - 0.85 * s * s);
   };
-  const auto hairs = [](double, double up) { return -0.0004 + 0.0014 * std::sqrt(std::sin(M_PI * up)); };
+  const auto hairs = [](double, double up) { return -0.0004 + 0.0014 * std::sqrt(std::sin(std::numbers::pi * up)); };
   const double inner = out * 0.0130, outer = out * 0.0495;
   return strip(
       m, head, std::min(inner, outer), std::max(inner, outer), [&](double y) { return middle(y) - half(y); },

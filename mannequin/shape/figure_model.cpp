@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "geometry/system/assertion.h"
+#include "mannequin/body/joint_limits.h"
 #include "mannequin/shape/body_shape.h"
 #include "mannequin/shape/face_shape.h"
 #include "mannequin/shape/hair_shape.h"
-#include "mannequin/body/joint_limits.h"
 
 namespace hapticell::mannequin {
 
@@ -78,8 +79,8 @@ class ModelBuilder {
     joint.axis_J = dvec3(0.0);
     joint.axis_J[info.axis] = info.sign;
     // Any orientation of a ball joint must have its three angles within the model's bounds.
-    joint.lower = isCoupled(dof) ? -M_PI : info.lower;
-    joint.upper = isCoupled(dof) ? M_PI : info.upper;
+    joint.lower = isCoupled(dof) ? -std::numbers::pi : info.lower;
+    joint.upper = isCoupled(dof) ? std::numbers::pi : info.upper;
     joint.variable = static_cast<int>(indexOf(dof));
     model_.moving[indexOf(dof)] = static_cast<int>(model_.joints.size()) - 1;
     return link;

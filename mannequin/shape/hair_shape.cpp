@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "mannequin/shape/head_flesh.h"
@@ -87,7 +88,7 @@ geometry::TriangleMesh hairMesh(const Figure& figure, double cell) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const dvec3 p = (points[i] - m.origin) / m.scale;
       const double up = std::clamp(p.z / 0.07, 0.0, 1.0);
-      const double above = p.z - lineAt(line, std::atan2(std::abs(p.y), p.x) * 180.0 / M_PI);
+      const double above = p.z - lineAt(line, std::atan2(std::abs(p.y), p.x) * 180.0 / std::numbers::pi);
       // It grows out of the skin: a rim would make it a helmet. Locks fall from the parting to both sides.
       const double begins = std::clamp(above / kRoots, 0.0, 1.0);
       const double locks = 0.0011 * std::sin(95.0 * p.y + 60.0 * p.x) * std::sin(140.0 * p.x - 30.0 * p.z) * up;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/system/assertion.h"
 
@@ -39,7 +40,7 @@ double perimeterOf(const TubeSection& section) {
   double length = 0.0;
   glm::dvec2 last(0.0);
   for (int i = 0; i <= kPieces; ++i) {
-    const double angle = 2.0 * M_PI * i / kPieces, c = std::cos(angle), s = std::sin(angle);
+    const double angle = 2.0 * std::numbers::pi * i / kPieces, c = std::cos(angle), s = std::sin(angle);
     const glm::dvec2 here = reachOf(section, c, s) * glm::dvec2(c, s);
     if (i > 0) length += glm::length(here - last);
     last = here;
@@ -69,8 +70,7 @@ TubeSection asBroadAs(TubeSection section, double girth) {
   return section;
 }
 
-SectionTube::SectionTube(const dvec3& origin, const dvec3& axis, const dvec3& across,
-                         std::vector<TubeSection> sections)
+SectionTube::SectionTube(const dvec3& origin, const dvec3& axis, const dvec3& across, std::vector<TubeSection> sections)
     : origin_(origin), axis_(axis), u_(across), v_(glm::cross(axis, across)), sections_(std::move(sections)) {
   HAPTICELL_DEMAND(sections_.size() >= 2);
   for (const TubeSection& s : sections_)

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "mannequin/body/girths.h"
+#include "mannequin/body/rotations.h"
+#include "mannequin/posture/posture.h"
 #include "mannequin/shape/blob_distance.h"
 #include "mannequin/shape/body_sections.h"
-#include "mannequin/body/girths.h"
-#include "mannequin/posture/posture.h"
-#include "mannequin/body/rotations.h"
 
 namespace hapticell::mannequin {
 
@@ -17,9 +18,9 @@ namespace {
 using S = Segment;
 using D = Dimension;
 
-constexpr double kArmsApart = 46.0 * M_PI / 180.0, kLegsApart = 9.0 * M_PI / 180.0;
+constexpr double kArmsApart = 46.0 * std::numbers::pi / 180.0, kLegsApart = 9.0 * std::numbers::pi / 180.0;
 constexpr double kCloth = 0.0030, kTrouserCloth = 0.0040, kBeltCloth = 0.0075;  // m over the bare surface.
-constexpr double kBeltHalf = 0.017;                                              // m
+constexpr double kBeltHalf = 0.017;                                             // m
 constexpr double kReachesUnder = 0.035;  ///< m that hands and head go on under cuff and collar.
 
 /// Which way a limb points in the bind posture.
@@ -108,7 +109,8 @@ SkinShape::SkinShape(const Figure& figure)
     if (figure.sex == Sex::kFemale) {
       const double depth = figure.body[D::kChestDepth], r = 0.26 * depth;
       const dvec3 middle(front + 0.140 * depth - 0.78 * r, side * 0.43 * chest.half_breadth, chest_z - 0.002 * k_);
-      muscles_.push_back({middle + dvec3(-0.010 * k_, 0.0, 0.024 * k_), middle, 0.92 * r, r, {0.78, 1.0, 0.96}, 0.042 * k_});
+      muscles_.push_back(
+          {middle + dvec3(-0.010 * k_, 0.0, 0.024 * k_), middle, 0.92 * r, r, {0.78, 1.0, 0.96}, 0.042 * k_});
     } else {
       muscles_.push_back({{front - 0.057 * k_, side * 0.36 * chest.half_breadth, chest_z + 0.030 * k_},
                           {front - 0.070 * k_, side * 0.66 * chest.half_breadth, chest_z + 0.056 * k_},

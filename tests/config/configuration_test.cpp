@@ -25,7 +25,7 @@ Expected<Configuration> read(const std::string& content) {
   return readConfiguration(folder.write("hapticell.toml", content).string());
 }
 
-TEST(Configuration, shippedFileEqualsTheBuiltInValues) {
+TEST(Configuration, ShippedFileEqualsTheBuiltInValues) {
   const auto shipped = readConfiguration(test::sourceFile("config/hapticell.toml").string());
   ASSERT_TRUE(shipped) << shipped.error().message();
   const auto from_file = settings(*shipped), built_in = settings(Configuration{});
@@ -36,7 +36,7 @@ TEST(Configuration, shippedFileEqualsTheBuiltInValues) {
   }
 }
 
-TEST(Configuration, everyKeyStandsInTheShippedFile) {
+TEST(Configuration, EveryKeyStandsInTheShippedFile) {
   const std::string text = textOf(test::sourceFile("config/hapticell.toml"));
   for (const Setting& setting : settings(Configuration{})) {
     const std::string last = setting.key.substr(setting.key.rfind('.') + 1);
@@ -44,7 +44,7 @@ TEST(Configuration, everyKeyStandsInTheShippedFile) {
   }
 }
 
-TEST(Configuration, classicPresetIsThePapersTenHertz) {
+TEST(Configuration, ClassicPresetIsThePapersTenHertz) {
   const auto classic = read("preset = \"classic\"\n[gui]\ntheme = \"light\"\n");
   ASSERT_TRUE(classic);
   EXPECT_EQ(classic->manipulation.rate_hz, 10.0);
@@ -52,7 +52,7 @@ TEST(Configuration, classicPresetIsThePapersTenHertz) {
   EXPECT_EQ(classic->gui.theme, "light");
 }
 
-TEST(Configuration, badValueNamesLineKeyAndRange) {
+TEST(Configuration, BadValueNamesLineKeyAndRange) {
   const auto bad = read("[scale]\nrough = 2.0\nfine = -1.0\n");
   ASSERT_FALSE(bad);
   EXPECT_THAT(bad.error().message(), HasSubstr("line 3"));
@@ -60,7 +60,7 @@ TEST(Configuration, badValueNamesLineKeyAndRange) {
   EXPECT_THAT(bad.error().message(), HasSubstr("0.001 .. 1000"));
 }
 
-TEST(Configuration, wrongTypesUnknownKeysAndBrokenFilesAreSentences) {
+TEST(Configuration, WrongTypesUnknownKeysAndBrokenFilesAreSentences) {
   EXPECT_THAT(read("[gui]\nrate_hz = \"fast\"\n").error().message(), HasSubstr("10 .. 240"));
   EXPECT_THAT(read("[gui]\ntheme = \"pink\"\n").error().message(), HasSubstr("dark, light"));
   EXPECT_THAT(read("[gui]\nsound = 3\n").error().message(), HasSubstr("true or false"));
@@ -70,7 +70,7 @@ TEST(Configuration, wrongTypesUnknownKeysAndBrokenFilesAreSentences) {
   EXPECT_FALSE(readConfiguration("/nowhere/hapticell.toml"));
 }
 
-TEST(Configuration, materialsMayBeAdded) {
+TEST(Configuration, MaterialsMayBeAdded) {
   const auto with_wood = read("[materials.wood]\nfriction = 0.5\n");
   ASSERT_TRUE(with_wood) << with_wood.error().message();
   EXPECT_EQ(with_wood->materials.at("wood").friction, 0.5);
@@ -78,7 +78,7 @@ TEST(Configuration, materialsMayBeAdded) {
   EXPECT_EQ(with_wood->materials.size(), 6u);
 }
 
-TEST(Configuration, setValueTakesWhatSettingsGives) {
+TEST(Configuration, SetValueTakesWhatSettingsGives) {
   Configuration changed;
   changed.scale.fine = 0.125;
   changed.server.port = 5000;
@@ -94,7 +94,7 @@ TEST(Configuration, setValueTakesWhatSettingsGives) {
   EXPECT_FALSE(rebuilt.gui.sound);
 }
 
-TEST(Configuration, setValueRefusesAndChangesNothing) {
+TEST(Configuration, SetValueRefusesAndChangesNothing) {
   Configuration configuration;
   EXPECT_FALSE(setValue(configuration, "server.port", "80.5"));
   EXPECT_FALSE(setValue(configuration, "server.port", "0"));

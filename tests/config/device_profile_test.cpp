@@ -16,13 +16,13 @@ std::string problem(std::string_view text) {
   return profile ? "no problem" : profile.error().message();
 }
 
-TEST(DeviceProfile, theShippedDefaultIsTheBuiltInOne) {
+TEST(DeviceProfile, TheShippedDefaultIsTheBuiltInOne) {
   const auto profile = readDeviceProfile(test::sourceFile("config/devices/phantom_desktop.toml"));
   ASSERT_TRUE(profile.has_value()) << profile.error().message();
   EXPECT_EQ(*profile, DeviceProfile{});
 }
 
-TEST(DeviceProfile, theDefaultIsThePapersDevice) {
+TEST(DeviceProfile, TheDefaultIsThePapersDevice) {
   const DeviceProfile profile;
   EXPECT_EQ(profile.workspace, dvec3(0.160, 0.130, 0.130));
   EXPECT_EQ(profile.resolution, 0.02e-3);
@@ -32,7 +32,7 @@ TEST(DeviceProfile, theDefaultIsThePapersDevice) {
   EXPECT_EQ(profile.continuous_force, 1.4);
 }
 
-TEST(DeviceProfile, everyShippedProfileIsGoodAndNamesItself) {
+TEST(DeviceProfile, EveryShippedProfileIsGoodAndNamesItself) {
   for (const char* name : {"phantom_desktop", "touch", "touch_x", "premium", "premium_6dof"}) {
     const auto profile = readDeviceProfile(test::sourceFile(std::string("config/devices/") + name + ".toml"));
     ASSERT_TRUE(profile.has_value()) << profile.error().message();
@@ -41,13 +41,13 @@ TEST(DeviceProfile, everyShippedProfileIsGoodAndNamesItself) {
   }
 }
 
-TEST(DeviceProfile, drivesTurningOnlyWithATorque) {
+TEST(DeviceProfile, DrivesTurningOnlyWithATorque) {
   EXPECT_THAT(problem("[capabilities]\ndriven_axes = 6\n"), HasSubstr("above 0 with driven_axes = 6"));
   EXPECT_THAT(problem("[capabilities]\npeak_torque = 0.2\n"), HasSubstr("above 0 with driven_axes = 6"));
   EXPECT_THAT(problem("[capabilities]\ndriven_axes = 5\n"), HasSubstr("3 (force) or 6"));
 }
 
-TEST(DeviceProfile, keepsDefaultsOfKeysThatAreMissing) {
+TEST(DeviceProfile, KeepsDefaultsOfKeysThatAreMissing) {
   const auto profile = parseDeviceProfile("[mechanics]\nweight = 0.2\n", "mine.toml");
   ASSERT_TRUE(profile.has_value());
   EXPECT_EQ(profile->weight, 0.2);
@@ -55,7 +55,7 @@ TEST(DeviceProfile, keepsDefaultsOfKeysThatAreMissing) {
   EXPECT_EQ(*parseDeviceProfile("", "mine.toml"), DeviceProfile{});
 }
 
-TEST(DeviceProfile, namesLineKeyAndRangeOfABadValue) {
+TEST(DeviceProfile, NamesLineKeyAndRangeOfABadValue) {
   EXPECT_EQ(problem("[capabilities]\n\npeak_force = 900.0\n"),
             "mine.toml, line 3, key 'capabilities.peak_force': 900; expected 0.1 .. 100");
   EXPECT_THAT(problem("[mechanics]\nweight = nan\n"), HasSubstr("key 'mechanics.weight': nan"));
@@ -68,24 +68,24 @@ TEST(DeviceProfile, namesLineKeyAndRangeOfABadValue) {
   EXPECT_THAT(problem("[capabilities]\nworkspace = [0.1, 0.1, -0.1]\n"), HasSubstr("0.01 .. 2"));
 }
 
-TEST(DeviceProfile, refusesWhatItDoesNotKnow) {
+TEST(DeviceProfile, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(problem("[mechanics]\nwieght = 0.2\n"),
               HasSubstr("line 2, key 'mechanics.wieght': there is no such key"));
   EXPECT_THAT(problem("[motors]\n"), HasSubstr("key 'motors': there is no such key"));
   EXPECT_THAT(problem("mechanics = 3\n"), HasSubstr("no table"));
 }
 
-TEST(DeviceProfile, refusesForcesThatContradictEachOther) {
+TEST(DeviceProfile, RefusesForcesThatContradictEachOther) {
   EXPECT_THAT(problem("[capabilities]\npeak_force = 2.0\ncontinuous_force = 3.0\n"),
               HasSubstr("no more than peak_force"));
 }
 
-TEST(DeviceProfile, namesThePlaceOfASyntaxError) {
+TEST(DeviceProfile, NamesThePlaceOfASyntaxError) {
   EXPECT_THAT(problem("[capabilities]\npeak_force = \n"), HasSubstr("mine.toml, line 2"));
   EXPECT_THAT(problem(std::string_view("\0\xFF\xFE", 3)), HasSubstr("mine.toml, line 1"));
 }
 
-TEST(DeviceProfile, saysWhichFileCannotBeRead) {
+TEST(DeviceProfile, SaysWhichFileCannotBeRead) {
   const auto profile = readDeviceProfile("no/such/profile.toml");
   ASSERT_FALSE(profile.has_value());
   EXPECT_THAT(profile.error().message(), HasSubstr("no/such/profile.toml: there is no such file"));

@@ -55,7 +55,7 @@ class CurrentFolder {
 
 const std::optional<std::string> kNotSet;
 
-TEST(UserFolders, are_where_the_variables_say) {
+TEST(UserFolders, AreWhereTheVariablesSay) {
   const Environment environment(
       Variables{{"HOME", "/home/u"}, {"XDG_CONFIG_HOME", kNotSet}, {"XDG_STATE_HOME", "/var/u"}});
   EXPECT_EQ(userSettingsFolder(), fs::path("/home/u/.config/hapticell"));
@@ -63,7 +63,7 @@ TEST(UserFolders, are_where_the_variables_say) {
   EXPECT_EQ(userLibraryFolder(), fs::path("/home/u/.local/lib/hapticell"));
 }
 
-TEST(UserFolders, are_never_below_the_current_folder) {
+TEST(UserFolders, AreNeverBelowTheCurrentFolder) {
   for (const auto& home : {kNotSet, std::optional<std::string>(""), std::optional<std::string>("home"),
                            std::optional<std::string>("./x")}) {
     for (const auto& xdg : {kNotSet, std::optional<std::string>(""), std::optional<std::string>("cfg")}) {
@@ -76,7 +76,7 @@ TEST(UserFolders, are_never_below_the_current_folder) {
   }
 }
 
-TEST(UserFolders, settings_in_the_current_folder_are_not_read) {
+TEST(UserFolders, SettingsInTheCurrentFolderAreNotRead) {
   const test::TemporaryFolder folder;
   folder.write(".config/hapticell/hapticell.toml", "[server]\nport = 4999\n");
   folder.write("hapticell/hapticell.toml", "[server]\nport = 4999\n");
@@ -91,7 +91,7 @@ TEST(UserFolders, settings_in_the_current_folder_are_not_read) {
   EXPECT_NE(loadConfiguration().value().server.port, 4999);
 }
 
-TEST(UserFolders, settings_that_others_may_write_are_refused) {
+TEST(UserFolders, SettingsThatOthersMayWriteAreRefused) {
   const test::TemporaryFolder folder;
   const fs::path file = folder.write("cfg/hapticell/hapticell.toml", "[server]\nport = 4999\n");
   const Environment environment(Variables{{"XDG_CONFIG_HOME", (folder.path() / "cfg").string()}});
@@ -113,7 +113,7 @@ TEST(UserFolders, settings_that_others_may_write_are_refused) {
   EXPECT_THAT(read.error().message(), HasSubstr("it belongs to user 12345"));
 }
 
-TEST(UserFolders, a_folder_of_all_with_the_sticky_bit_is_as_good_as_tmp) {
+TEST(UserFolders, AFolderOfAllWithTheStickyBitIsAsGoodAsTmp) {
   const test::TemporaryFolder folder;
   const fs::path file = folder.write("own/file", "x");
   ::chmod(folder.path().c_str(), 01777);
@@ -124,7 +124,7 @@ TEST(UserFolders, a_folder_of_all_with_the_sticky_bit_is_as_good_as_tmp) {
   EXPECT_TRUE(checkOwn(folder.path() / "none/file", 1)) << "what is not there is passed over";
 }
 
-TEST(UserFolders, are_made_for_this_user_only) {
+TEST(UserFolders, AreMadeForThisUserOnly) {
   const test::TemporaryFolder folder;
   const fs::path made = folder.path() / "a/b";
   ASSERT_TRUE(makeOwnFolder(made));
@@ -135,7 +135,7 @@ TEST(UserFolders, are_made_for_this_user_only) {
   EXPECT_FALSE(makeOwnFolder("/proc/none/x"));
 }
 
-TEST(SystemProgram, is_found_by_whole_paths_only) {
+TEST(SystemProgram, IsFoundByWholePathsOnly) {
   const test::TemporaryFolder folder;
   const fs::path tool = folder.write("bin/tool", "#!/bin/sh\n");
   ::chmod(tool.c_str(), 0755);
@@ -151,7 +151,7 @@ TEST(SystemProgram, is_found_by_whole_paths_only) {
   EXPECT_EQ(systemProgram("tool"), fs::path()) << "others may have written it";
 }
 
-TEST(Environment, loses_what_means_the_current_folder) {
+TEST(Environment, LosesWhatMeansTheCurrentFolder) {
   const test::TemporaryFolder folder;
   ::chmod(folder.path().c_str(), 0777);
   const Environment environment(Variables{{"PATH", "/usr/bin:.::/bin:x"},

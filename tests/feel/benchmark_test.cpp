@@ -16,7 +16,7 @@ BenchmarkOptions only(const std::string& what) {
   return options;
 }
 
-TEST(Figure, judgesByItsLimit) {
+TEST(Figure, JudgesByItsLimit) {
   Figure most{"M1", "s", "r", "N", 0.1, 0.1};
   EXPECT_TRUE(most.pass());
   most.value = 0.1001;
@@ -29,7 +29,7 @@ TEST(Figure, judgesByItsLimit) {
   EXPECT_FALSE(least.pass()) << "what was not measured does not pass";
 }
 
-TEST(Benchmark, givesTheSameTwiceAndPassesAtTheHinge) {
+TEST(Benchmark, GivesTheSameTwiceAndPassesAtTheHinge) {
   const auto first = runBenchmark(only("hinge with stop"));
   const auto second = runBenchmark(only("Hinge with stop"));
   ASSERT_TRUE(first.has_value()) << first.error().message();
@@ -42,7 +42,7 @@ TEST(Benchmark, givesTheSameTwiceAndPassesAtTheHinge) {
   }
 }
 
-TEST(Benchmark, showsWhatTheClassicWayLoses) {
+TEST(Benchmark, ShowsWhatTheClassicWayLoses) {
   const auto figures = runBenchmark(only("corner of three planes"));
   ASSERT_TRUE(figures.has_value());
   bool seen = false;
@@ -57,7 +57,7 @@ TEST(Benchmark, showsWhatTheClassicWayLoses) {
 }
 
 /// Teeth whose ridges are equally high: the roof over one ridge must not be taken for the free room over another.
-TEST(Benchmark, entersNoToothOfARack) {
+TEST(Benchmark, EntersNoToothOfARack) {
   const auto figures = runBenchmark(only("toothed rack"));
   ASSERT_TRUE(figures.has_value());
   int seen = 0;
@@ -69,20 +69,20 @@ TEST(Benchmark, entersNoToothOfARack) {
   EXPECT_EQ(seen, 4);
 }
 
-TEST(Benchmark, choosesOneFigure) {
+TEST(Benchmark, ChoosesOneFigure) {
   const auto figures = runBenchmark(only("m10.released"));
   ASSERT_TRUE(figures.has_value());
   ASSERT_EQ(figures->size(), 1U);
   EXPECT_EQ(figures->front().id, "M10.released");
 }
 
-TEST(Benchmark, refusesAnUnknownName) {
+TEST(Benchmark, RefusesAnUnknownName) {
   const auto figures = runBenchmark(only("no such scene"));
   ASSERT_FALSE(figures.has_value());
   EXPECT_NE(figures.error().message().find("flat wall"), std::string::npos);
 }
 
-TEST(FeelScenes, theRobotsJointLimitIsFelt) {
+TEST(FeelScenes, TheRobotsJointLimitIsFelt) {
   const auto scene = jointLimitScene();
   ASSERT_TRUE(scene.has_value()) << scene.error().message();
   FeelSession session(**scene, {kRates[0]});
@@ -91,7 +91,7 @@ TEST(FeelScenes, theRobotsJointLimitIsFelt) {
   EXPECT_LT(session.figures().penetration, 0.05e-3);
 }
 
-TEST(FeelScenes, aConveyorIsForeseenOverTheLatency) {
+TEST(FeelScenes, AConveyorIsForeseenOverTheLatency) {
   const auto scene = driftingScene(cylinderScene(0.05), {0.2, 0.0, 0.0}, 0.5);
   FeelSession slow(*scene, {kRates[0]}), quick(*scene, {kRates[2]});
   touchAndSlide(slow, *scene, 0.5);
@@ -101,7 +101,7 @@ TEST(FeelScenes, aConveyorIsForeseenOverTheLatency) {
   EXPECT_NEAR(slow.figures().force_max, quick.figures().force_max, 0.02);
 }
 
-TEST(FeelScenes, aScaleOfTheCellIsNotFelt) {
+TEST(FeelScenes, AScaleOfTheCellIsNotFelt) {
   const auto scaled = scaledScene(cylinderScene(0.5), cylinderScene(0.05), 10.0);
   const auto plain = cylinderScene(0.05);
   FeelSession through(*scaled, {kRates[1]}), direct(*plain, {kRates[1]});

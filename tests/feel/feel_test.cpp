@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 #include <random>
 
 #include "feel/feel_session.h"
@@ -49,7 +50,7 @@ void report(const std::string& name, ClientRate rate, const FeelFigures& f) {
 
 class FeelOf : public ::testing::TestWithParam<Case> {};
 
-TEST_P(FeelOf, slidesAlikeAtEveryRate) {
+TEST_P(FeelOf, SlidesAlikeAtEveryRate) {
   for (const ClientRate rate : kRates) {
     const auto scene = GetParam().make();
     FeelSession session(*scene, {rate});
@@ -72,7 +73,7 @@ TEST_P(FeelOf, slidesAlikeAtEveryRate) {
   }
 }
 
-TEST_P(FeelOf, comesToRestUnderFirmAndLooseHands) {
+TEST_P(FeelOf, ComesToRestUnderFirmAndLooseHands) {
   for (const ClientRate rate : kRates) {
     for (const haptic::HandOptions& hand : {haptic::HandOptions::firm(), haptic::HandOptions::loose()}) {
       const auto scene = GetParam().make();
@@ -84,7 +85,7 @@ TEST_P(FeelOf, comesToRestUnderFirmAndLooseHands) {
   }
 }
 
-TEST_P(FeelOf, comesToRestWhenLetGo) {
+TEST_P(FeelOf, ComesToRestWhenLetGo) {
   for (const ClientRate rate : kRates) {
     const auto scene = GetParam().make();
     config::DeviceProfile profile;
@@ -96,7 +97,7 @@ TEST_P(FeelOf, comesToRestWhenLetGo) {
   }
 }
 
-TEST_P(FeelOf, ridesOutAStallOfTheClient) {
+TEST_P(FeelOf, RidesOutAStallOfTheClient) {
   for (const ClientRate rate : kRates) {
     const auto scene = GetParam().make();
     FeelSession session(*scene, {rate});
@@ -113,7 +114,7 @@ TEST_P(FeelOf, ridesOutAStallOfTheClient) {
 INSTANTIATE_TEST_SUITE_P(Scenes, FeelOf, ::testing::ValuesIn(kCases),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST(Feel, facetsOfTenDegreesAreNoSteps) {
+TEST(Feel, FacetsOfTenDegreesAreNoSteps) {
   for (const ClientRate rate : kRates) {
     const auto scene = facetScene(0.01, 10.0);
     FeelSession session(*scene, {rate});
@@ -126,7 +127,7 @@ TEST(Feel, facetsOfTenDegreesAreNoSteps) {
   }
 }
 
-TEST(Feel, longerDelaysStayStableWithTheirStiffness) {
+TEST(Feel, LongerDelaysStayStableWithTheirStiffness) {
   for (const int delay : {1, 2, 3}) {
     for (const bool released : {false, true}) {
       config::DeviceProfile profile;
@@ -145,7 +146,7 @@ TEST(Feel, longerDelaysStayStableWithTheirStiffness) {
   }
 }
 
-TEST(Feel, sixDrivenAxesComeToRestToo) {
+TEST(Feel, SixDrivenAxesComeToRestToo) {
   config::DeviceProfile profile;
   profile.driven_axes = 6;
   profile.peak_torque = 0.188;
@@ -160,7 +161,7 @@ TEST(Feel, sixDrivenAxesComeToRestToo) {
   }
 }
 
-TEST(Feel, theMeasureSeesALimitCycle) {
+TEST(Feel, TheMeasureSeesALimitCycle) {
   // A stiffness for one millisecond of delay on a device that has four.
   config::DeviceProfile profile;
   profile.delay_ticks = 4;
@@ -174,7 +175,7 @@ TEST(Feel, theMeasureSeesALimitCycle) {
   EXPECT_GT(session.wobble(0.5), 5.0 * kCount);
 }
 
-TEST(Feel, everyShippedProfileComesToRest) {
+TEST(Feel, EveryShippedProfileComesToRest) {
   for (const char* name : {"phantom_desktop", "touch", "touch_x", "premium"}) {
     const auto file = hapticell::test::sourceFile(std::string("config/devices/") + name + ".toml");
     const auto profile = config::readDeviceProfile(file);
@@ -195,7 +196,7 @@ TEST(Feel, everyShippedProfileComesToRest) {
   }
 }
 
-TEST(Feel, freeMotionCostsExactlyNothing) {
+TEST(Feel, FreeMotionCostsExactlyNothing) {
   int ticks = 0;
   for (const ClientRate rate : kRates) {
     for (const Case& c : {kCases[2], kCases[5]}) {
@@ -226,7 +227,7 @@ TEST(Feel, freeMotionCostsExactlyNothing) {
   EXPECT_EQ(ticks, 60000);
 }
 
-TEST(Feel, offsetIsGoneSoonAfterRelease) {
+TEST(Feel, OffsetIsGoneSoonAfterRelease) {
   const auto scene = cylinderScene(0.01);
   FeelSession session(*scene, {kRates[0]});
   touchAndSlide(session, *scene, 1.0);
@@ -237,19 +238,19 @@ TEST(Feel, offsetIsGoneSoonAfterRelease) {
   EXPECT_EQ(glm::length(session.last().offset_D), 0.0);
 }
 
-TEST(Feel, tapsMakeNoEnergy) {
+TEST(Feel, TapsMakeNoEnergy) {
   // 3 Hz taps of up to 0.25 m/s with a loose hand.
   for (const ClientRate rate : kRates) {
     const auto scene = planeScene();
     FeelSession session(*scene, {rate, haptic::HandOptions::loose()});
     session.begin(dvec3(0, 0, 0.01));
-    session.follow([&](double t) { return dvec3(0, 0, 0.008 * std::cos(6.0 * M_PI * t) + 0.002); }, 3.0);
+    session.follow([&](double t) { return dvec3(0, 0, 0.008 * std::cos(6.0 * std::numbers::pi * t) + 0.002); }, 3.0);
     EXPECT_GE(session.figures().energy_min, -1e-3) << rate.rate_hz;
     EXPECT_GT(session.figures().force_max, 0.5);
   }
 }
 
-TEST(Feel, frictionSlidesAtItsCoefficient) {
+TEST(Feel, FrictionSlidesAtItsCoefficient) {
   for (const ClientRate rate : kRates) {
     const auto scene = planeScene();
     scene->friction = 0.4;
@@ -288,7 +289,7 @@ class NoisyPlane final : public FeelScene {
   mutable std::mt19937 random_{7};
 };
 
-TEST(Feel, frictionSticksWithoutDrift) {
+TEST(Feel, FrictionSticksWithoutDrift) {
   for (const ClientRate rate : kRates) {
     NoisyPlane scene;
     scene.friction = 0.3;
@@ -304,7 +305,7 @@ TEST(Feel, frictionSticksWithoutDrift) {
   }
 }
 
-TEST(Feel, noisyNormalsAreNotFeltAsSteps) {
+TEST(Feel, NoisyNormalsAreNotFeltAsSteps) {
   for (const ClientRate rate : kRates) {
     NoisyPlane scene;
     FeelSession session(scene, {rate});

@@ -10,7 +10,7 @@ namespace {
 
 class PopThrough : public ::testing::TestWithParam<int> {};
 
-TEST_P(PopThrough, neverHappens) {
+TEST_P(PopThrough, NeverHappens) {
   SweepSetup setup;
   setup.rate = kRates[GetParam()];
   setup.sweeps = 1500;
@@ -20,7 +20,7 @@ TEST_P(PopThrough, neverHappens) {
   EXPECT_LE(outcome.penetration, 0.05e-3);
 }
 
-TEST_P(PopThrough, neverHappensWithStallsAndNarrowZones) {
+TEST_P(PopThrough, NeverHappensWithStallsAndNarrowZones) {
   SweepSetup setup;
   setup.rate = kRates[GetParam()];
   setup.sweeps = 400;
@@ -33,7 +33,7 @@ TEST_P(PopThrough, neverHappensWithStallsAndNarrowZones) {
 
 INSTANTIATE_TEST_SUITE_P(Rates, PopThrough, ::testing::Values(0, 1, 2));
 
-TEST(PopThroughCheck, findsTheClassicPlanesPops) {
+TEST(PopThroughCheck, FindsTheClassicPlanesPops) {
   SweepSetup setup;
   setup.rate = kRates[0];
   setup.sweeps = 50;
@@ -41,7 +41,7 @@ TEST(PopThroughCheck, findsTheClassicPlanesPops) {
   EXPECT_GT(sweepThroughPlate(setup).pops, 5);
 }
 
-TEST(PopThroughCheck, findsARealPop) {
+TEST(PopThroughCheck, FindsARealPop) {
   EXPECT_TRUE(crossesPlate({0, 0, 0.001}, {0, 0, -0.001}));
   EXPECT_FALSE(crossesPlate({0.049, 0, 0.001}, {0.051, 0, -0.001}));
   EXPECT_FALSE(crossesPlate({0, 0, 0.002}, {0, 0, 0.001}));

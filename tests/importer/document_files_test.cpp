@@ -7,12 +7,12 @@
 #include "tests/support/test_data.h"
 #include "workcell/document/assembly_solid.h"
 #include "workcell/files/autosave.h"
-#include "workcell/import/change_report.h"
-#include "workcell/format/document_io.h"
-#include "workcell/import/entity_source.h"
-#include "workcell/text/file_content.h"
 #include "workcell/files/named_files.h"
 #include "workcell/files/pack.h"
+#include "workcell/format/document_io.h"
+#include "workcell/import/change_report.h"
+#include "workcell/import/entity_source.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -51,7 +51,7 @@ class DocumentFiles : public ::testing::Test {
   Diagnostics notes_;
 };
 
-TEST_F(DocumentFiles, whatCannotBeReadIsKeptAndSavedAsItWas) {
+TEST_F(DocumentFiles, WhatCannotBeReadIsKeptAndSavedAsItWas) {
   const std::string text = *readFileContent(file());
   fs::remove(folder_.path() / "parts/a.obj");
   EXPECT_FALSE(loadDocument(file(), notes_));
@@ -63,7 +63,7 @@ TEST_F(DocumentFiles, whatCannotBeReadIsKeptAndSavedAsItWas) {
   EXPECT_EQ(documentText(document->state(), folder_.path()), text);
 }
 
-TEST_F(DocumentFiles, aMovedFolderIsAskedForOnce) {
+TEST_F(DocumentFiles, AMovedFolderIsAskedForOnce) {
   fs::rename(folder_.path() / "parts", folder_.path() / "elsewhere");
   int asked = 0;
   LoadOptions options;
@@ -84,7 +84,7 @@ class StateFolder {
   ~StateFolder() { ::unsetenv("XDG_STATE_HOME"); }
 };
 
-TEST_F(DocumentFiles, whatADeadRunLeftIsFoundUntilItIsDiscarded) {
+TEST_F(DocumentFiles, WhatADeadRunLeftIsFoundUntilItIsDiscarded) {
   const StateFolder state(folder_.path() / "state");
   auto document = loadDocument(file(), notes_);
   ASSERT_TRUE(document);
@@ -108,7 +108,7 @@ TEST_F(DocumentFiles, whatADeadRunLeftIsFoundUntilItIsDiscarded) {
   EXPECT_TRUE(findLeftWork().empty());
 }
 
-TEST_F(DocumentFiles, runsDoNotTouchEachOthersCopies) {
+TEST_F(DocumentFiles, RunsDoNotTouchEachOthersCopies) {
   const StateFolder state(folder_.path() / "state");
   auto document = loadDocument(file(), notes_);
   ASSERT_TRUE(document);
@@ -135,7 +135,7 @@ TEST_F(DocumentFiles, runsDoNotTouchEachOthersCopies) {
   EXPECT_EQ(std::distance(fs::directory_iterator(runsFolder()), fs::directory_iterator()), 1);
 }
 
-TEST_F(DocumentFiles, whatBrokeIsFoundToo) {
+TEST_F(DocumentFiles, WhatBrokeIsFoundToo) {
   const StateFolder state(folder_.path() / "state");
   {
     RunFolder run;
@@ -149,7 +149,7 @@ TEST_F(DocumentFiles, whatBrokeIsFoundToo) {
   EXPECT_TRUE(left[0].document.empty());
 }
 
-TEST_F(DocumentFiles, thePackStandsOnItsOwn) {
+TEST_F(DocumentFiles, ThePackStandsOnItsOwn) {
   folder_.write("other/a.obj", kObj);
   auto document = loadDocument(file(), notes_);
   ASSERT_TRUE(document);
@@ -169,7 +169,7 @@ TEST_F(DocumentFiles, thePackStandsOnItsOwn) {
   EXPECT_EQ(again->state().entities.size(), 4u);
 }
 
-TEST_F(DocumentFiles, aPackHasWhatItsFilesName) {
+TEST_F(DocumentFiles, APackHasWhatItsFilesName) {
   // Two files of one name, each with a library of one name and another content.
   for (const char* color : {"1 0 0", "0 1 0"}) {
     const std::string sub = *color == '1' ? "red" : "green";
@@ -196,7 +196,7 @@ TEST_F(DocumentFiles, aPackHasWhatItsFilesName) {
   EXPECT_EQ(tree->entities.at(0).color, (std::array<float, 3>{0, 1, 0}));
 }
 
-TEST_F(DocumentFiles, filesThatAreNamedAreFoundAndNoOthers) {
+TEST_F(DocumentFiles, FilesThatAreNamedAreFoundAndNoOthers) {
   const auto named = [&](const char* name, const std::string& text) {
     std::vector<std::string> found;
     for (const fs::path& file : filesNamedIn(folder_.write(name, text)))
@@ -217,14 +217,14 @@ TEST_F(DocumentFiles, filesThatAreNamedAreFoundAndNoOthers) {
   EXPECT_TRUE(named("m.stl", "solid data.bin").empty());
 }
 
-TEST_F(DocumentFiles, aPackThatFailsLeavesNothing) {
+TEST_F(DocumentFiles, APackThatFailsLeavesNothing) {
   auto document = loadDocument(file(), notes_);
   fs::remove(folder_.path() / "parts/b.obj");
   EXPECT_FALSE(packDocument(document->state(), folder_.path() / "pack", "cell.hcell", {folder_.path()}, notes_));
   EXPECT_FALSE(fs::exists(folder_.path() / "pack"));
 }
 
-TEST_F(DocumentFiles, aPackThatIsNotWhatWasPackedIsNotKept) {
+TEST_F(DocumentFiles, APackThatIsNotWhatWasPackedIsNotKept) {
   const auto document = loadDocument(file(), notes_);
   ASSERT_TRUE(document);
   folder_.write("parts/b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");  // Since it was opened.
@@ -236,7 +236,7 @@ TEST_F(DocumentFiles, aPackThatIsNotWhatWasPackedIsNotKept) {
   EXPECT_FALSE(fs::exists(folder_.path() / "pack.zip"));
 }
 
-TEST_F(DocumentFiles, whatWasOpenedWithoutItsFileIsPackedWithout) {
+TEST_F(DocumentFiles, WhatWasOpenedWithoutItsFileIsPackedWithout) {
   fs::remove(folder_.path() / "parts/a.obj");
   const auto document = loadDocument(file(), notes_, {.keep_unloaded = true});
   ASSERT_TRUE(document);
@@ -247,7 +247,7 @@ TEST_F(DocumentFiles, whatWasOpenedWithoutItsFileIsPackedWithout) {
   EXPECT_THAT(notes_.warnings.at(0), HasSubstr("entity 'a' is packed without its file"));
 }
 
-TEST_F(DocumentFiles, changesTellWhatMovedAndHowFar) {
+TEST_F(DocumentFiles, ChangesTellWhatMovedAndHowFar) {
   const auto before = loadDocument(file(), notes_);
   auto after = loadDocument(file(), notes_);
   ASSERT_TRUE(before && after);
@@ -268,7 +268,7 @@ TEST_F(DocumentFiles, changesTellWhatMovedAndHowFar) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
 }
 
-TEST_F(DocumentFiles, anAssemblyCanBeHeldAsOneSolid) {
+TEST_F(DocumentFiles, AnAssemblyCanBeHeldAsOneSolid) {
   const auto document = loadDocument(file(), notes_);
   ASSERT_TRUE(document);
   const DocumentState folded = withAssemblyAsSolid(document->state(), "group");
@@ -278,7 +278,7 @@ TEST_F(DocumentFiles, anAssemblyCanBeHeldAsOneSolid) {
   EXPECT_EQ(withAssemblyAsSolid(document->state(), "a").entities.size(), 3u);
 }
 
-TEST_F(DocumentFiles, assembliesCannotStandBelowThemselves) {
+TEST_F(DocumentFiles, AssembliesCannotStandBelowThemselves) {
   auto document = loadDocument(file(), notes_);
   ASSERT_TRUE(document);
   SetProperties change;

@@ -7,10 +7,10 @@
 #include "geometry/shapes/mass_properties.h"
 #include "geometry/shapes/shapes.h"
 #include "tests/support/test_data.h"
-#include "workcell/text/file_content.h"
-#include "workcell/scenes/gltf_writer.h"
-#include "workcell/meshes/mesh_reader.h"
 #include "workcell/files/scene_export.h"
+#include "workcell/meshes/mesh_reader.h"
+#include "workcell/scenes/gltf_writer.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -70,7 +70,7 @@ class Export : public ::testing::Test {
   Diagnostics notes_;
 };
 
-TEST_F(Export, stepComesBackAsItWent) {
+TEST_F(Export, StepComesBackAsItWent) {
   const ImportedScene scene = smallScene();
   const auto written = write(scene, "a.step");
   ASSERT_TRUE(written) << written.error().message();
@@ -81,7 +81,7 @@ TEST_F(Export, stepComesBackAsItWent) {
   EXPECT_EQ(again->meshes[0].triangles.size(), 12u);
 }
 
-TEST_F(Export, gltfComesBackAsItWent) {
+TEST_F(Export, GltfComesBackAsItWent) {
   const ImportedScene scene = smallScene();
   for (const char* name : {"a.glb", "a.gltf"}) {
     ASSERT_TRUE(write(scene, name));
@@ -92,7 +92,7 @@ TEST_F(Export, gltfComesBackAsItWent) {
   }
 }
 
-TEST_F(Export, gltfIsWhatTheStandardAsks) {
+TEST_F(Export, GltfIsWhatTheStandardAsks) {
   const std::string bytes = gltfBytes(smallScene(), true);
   std::uint32_t words[5];
   std::memcpy(words, bytes.data(), sizeof words);
@@ -110,7 +110,7 @@ TEST_F(Export, gltfIsWhatTheStandardAsks) {
   EXPECT_EQ(json["buffers"][0]["byteLength"], end);
 }
 
-TEST_F(Export, meshFilesHoldAllTrianglesInTheWorld) {
+TEST_F(Export, MeshFilesHoldAllTrianglesInTheWorld) {
   const ImportedScene scene = smallScene();
   const std::vector<Pose> X_W = nodePoses(scene);
   geometry::Bounds bounds;
@@ -129,7 +129,7 @@ TEST_F(Export, meshFilesHoldAllTrianglesInTheWorld) {
   EXPECT_THAT(*readFileContent(folder_.path() / "a.obj"), HasSubstr("o Bolzen_"));
 }
 
-TEST_F(Export, refusesWhatItCannotWriteAndLeavesTheOldFile) {
+TEST_F(Export, RefusesWhatItCannotWriteAndLeavesTheOldFile) {
   EXPECT_THAT(write(smallScene(), "a.dwg").error().message(), HasSubstr(".step"));
   EXPECT_FALSE(write({}, "a.stl"));
   folder_.write("old.step", "old");
@@ -140,7 +140,7 @@ TEST_F(Export, refusesWhatItCannotWriteAndLeavesTheOldFile) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
 }
 
-TEST_F(Export, movedPartsOfARealAssemblyKeepTheirExactShapes) {
+TEST_F(Export, MovedPartsOfARealAssemblyKeepTheirExactShapes) {
   HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/step/as1-oc-214.stp");
   auto scene = sceneOfFile(file, {}, notes_);
   ASSERT_TRUE(scene) << scene.error().message();

@@ -40,7 +40,7 @@ class FakeImporter : public ::testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(FakeImporter, aCrashIsOneSentenceOfWhatWasFoundAndWhatHelps) {
+TEST_F(FakeImporter, ACrashIsOneSentenceOfWhatWasFoundAndWhatHelps) {
   for (const char* const end : {"kill -SEGV $$", "kill -ABRT $$", "exit 3"}) {
     const auto scene = read(std::string("echo progress 0.7 meshing part 2 of 3, Flange >&4; ") + end);
     ASSERT_FALSE(scene);
@@ -51,7 +51,7 @@ TEST_F(FakeImporter, aCrashIsOneSentenceOfWhatWasFoundAndWhatHelps) {
   EXPECT_THAT(read("exit 3").error().message(), HasSubstr("part.step, at its beginning: "));
 }
 
-TEST_F(FakeImporter, aPartThatBreaksItDownIsLeftOut) {
+TEST_F(FakeImporter, APartThatBreaksItDownIsLeftOut) {
   const std::string counted = "echo \"$@\" >> " + (folder_.path() / "calls").string() + "\n";
   const auto calls = [this] {
     std::ifstream stream(folder_.path() / "calls");
@@ -74,7 +74,7 @@ esac)");
   EXPECT_EQ(calls().size(), 8u);
 }
 
-TEST_F(FakeImporter, whatKeepsTheProcessorBusyEndsByTheSizeOfTheFile) {
+TEST_F(FakeImporter, WhatKeepsTheProcessorBusyEndsByTheSizeOfTheFile) {
   const auto scene = read("while :; do :; done");
   ASSERT_FALSE(scene);
   EXPECT_THAT(scene.error().message(), HasSubstr("not done after"));
@@ -97,7 +97,7 @@ TEST(ImportLimits, FollowTheSizeOfTheFile) {
   EXPECT_GT(limited(10'000, true).processor_seconds, 600.0) << "finer triangles than usual were asked for";
 }
 
-TEST_F(FakeImporter, aHangEndsWithTheTimeAllowed) {
+TEST_F(FakeImporter, AHangEndsWithTheTimeAllowed) {
   ImportLimits limits;
   limits.seconds = 0.2;
   const auto scene = read("exec sleep 100", limits);
@@ -105,13 +105,13 @@ TEST_F(FakeImporter, aHangEndsWithTheTimeAllowed) {
   EXPECT_THAT(scene.error().message(), HasSubstr("not done after"));
 }
 
-TEST_F(FakeImporter, oneThatSpeaksAndThenHangsEndsToo) {
+TEST_F(FakeImporter, OneThatSpeaksAndThenHangsEndsToo) {
   ImportLimits limits;
   limits.seconds = 0.3;
   EXPECT_FALSE(read("echo progress 0.5 reading >&4; exec sleep 100", limits));
 }
 
-TEST_F(FakeImporter, cancellingKillsIt) {
+TEST_F(FakeImporter, CancellingKillsIt) {
   ImportMonitor monitor;
   std::thread user([&] {
     while (monitor.progress().stage != "meshing") std::this_thread::yield();
@@ -124,7 +124,7 @@ TEST_F(FakeImporter, cancellingKillsIt) {
   EXPECT_DOUBLE_EQ(monitor.progress().share, 0.7);
 }
 
-TEST_F(FakeImporter, itsOwnErrorIsPassedOn) {
+TEST_F(FakeImporter, ItsOwnErrorIsPassedOn) {
   const auto scene = read("printf 'error line 3\\ta thing\\tanother\\tMend it.\\n' >&4; exit 1");
   ASSERT_FALSE(scene);
   EXPECT_EQ(scene.error().place, "line 3");
@@ -133,7 +133,7 @@ TEST_F(FakeImporter, itsOwnErrorIsPassedOn) {
   EXPECT_EQ(scene.error().fix, "Mend it.");
 }
 
-TEST_F(FakeImporter, rubbishInPlaceOfASceneIsRefused) {
+TEST_F(FakeImporter, RubbishInPlaceOfASceneIsRefused) {
   const auto scene = read("head -c 100000 /dev/urandom >&3; echo done >&4");
   ASSERT_FALSE(scene);
   EXPECT_THAT(scene.error().message(), HasSubstr("not a scene"));
@@ -141,7 +141,7 @@ TEST_F(FakeImporter, rubbishInPlaceOfASceneIsRefused) {
   EXPECT_FALSE(read("head -c 300000 /dev/zero | tr '\\0' x >&4"));
 }
 
-TEST_F(FakeImporter, choicesThatAreNoNumbersAreRefusedBeforeItIsStarted) {
+TEST_F(FakeImporter, ChoicesThatAreNoNumbersAreRefusedBeforeItIsStarted) {
   const fs::path file = folder_.write("part.step", "ISO-10303-21;");
   const double bad = std::numeric_limits<double>::quiet_NaN();
   ImportOptions chord, angle, relative, unit;
@@ -157,7 +157,7 @@ TEST_F(FakeImporter, choicesThatAreNoNumbersAreRefusedBeforeItIsStarted) {
   }
 }
 
-TEST_F(FakeImporter, aMissingProgramIsTold) {
+TEST_F(FakeImporter, AMissingProgramIsTold) {
   ::setenv("HAPTICELL_IMPORTER", "/nowhere/hapticell-importer", 1);
   const auto scene = readScene(folder_.write("part.step", "ISO-10303-21;"), {}, nullptr);
   ASSERT_FALSE(scene);

@@ -39,7 +39,7 @@ class Ended {
   std::set<ImportId> ids_;
 };
 
-TEST(Importer, queuesSeveralAndHandsEachResultOutOnce) {
+TEST(Importer, QueuesSeveralAndHandsEachResultOutOnce) {
   test::TemporaryFolder folder;
   folder.write("a.obj", kTriangle);
   folder.write("b.obj", "rubbish");
@@ -63,7 +63,7 @@ TEST(Importer, queuesSeveralAndHandsEachResultOutOnce) {
   EXPECT_THAT(importer.take(none)->error().message(), HasSubstr("c.obj"));
 }
 
-TEST(Importer, cancelsWhatRunsAndWhatWaits) {
+TEST(Importer, CancelsWhatRunsAndWhatWaits) {
   test::TemporaryFolder folder;
   const auto program = folder.write("importer.sh", "#!/bin/sh\nexec sleep 100\n");
   std::filesystem::permissions(program, std::filesystem::perms::owner_all);
@@ -84,7 +84,7 @@ TEST(Importer, cancelsWhatRunsAndWhatWaits) {
   ::unsetenv("HAPTICELL_IMPORTER");
 }
 
-TEST(Importer, endsWithWorkLeft) {
+TEST(Importer, EndsWithWorkLeft) {
   test::TemporaryFolder folder;
   folder.write("a.obj", kTriangle);
   Importer importer;

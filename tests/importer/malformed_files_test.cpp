@@ -6,12 +6,12 @@
 
 #include <random>
 
-#include "geometry/system/sanitizers.h"
 #include "geometry/shapes/shapes.h"
+#include "geometry/system/sanitizers.h"
 #include "tests/support/test_data.h"
-#include "workcell/text/file_content.h"
-#include "workcell/scenes/gltf_writer.h"
 #include "workcell/files/scene_export.h"
+#include "workcell/scenes/gltf_writer.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -68,7 +68,7 @@ class Malformed : public ::testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(Malformed, aBinaryGltfThatIsNotWholeSaysHowLongItShouldBe) {
+TEST_F(Malformed, ABinaryGltfThatIsNotWholeSaysHowLongItShouldBe) {
   const std::string whole = gltfBytes(oneBox(), true);
   const auto cut = read("cut.glb", whole.substr(0, whole.size() / 2));
   ASSERT_FALSE(cut);
@@ -85,7 +85,7 @@ TEST_F(Malformed, aBinaryGltfThatIsNotWholeSaysHowLongItShouldBe) {
   EXPECT_THAT(text.error().message(), ::testing::HasSubstr("expected the content of an FBX file"));
 }
 
-TEST_F(Malformed, emptyFilesAndRubbish) {
+TEST_F(Malformed, EmptyFilesAndRubbish) {
   std::mt19937 random(3);
   std::string rubbish;
   for (int k = 0; k < 5000; ++k) rubbish += static_cast<char>(random());
@@ -95,7 +95,7 @@ TEST_F(Malformed, emptyFilesAndRubbish) {
   }
 }
 
-TEST_F(Malformed, stepThatIsNone) {
+TEST_F(Malformed, StepThatIsNone) {
   const std::string head = kStepHead;
   expectOneSentence("head.step", "ISO-10303-21;\n");
   expectOneSentence("nothing.step", head + "ENDSEC;\nEND-ISO-10303-21;\n");
@@ -107,7 +107,7 @@ TEST_F(Malformed, stepThatIsNone) {
                         "ENDSEC;\nEND-ISO-10303-21;\n");
 }
 
-TEST_F(Malformed, gltfThatLies) {
+TEST_F(Malformed, GltfThatLies) {
   expectOneSentence("a.gltf", "{\"asset\":{\"version\":\"2.0\"}}");
   expectOneSentence(
       "b.gltf", "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":7}]}");
@@ -120,7 +120,7 @@ TEST_F(Malformed, gltfThatLies) {
   expectOneSentence("d.gltf", deep);
 }
 
-TEST_F(Malformed, colladaWithAnIndexThatIsNotThere) {
+TEST_F(Malformed, ColladaWithAnIndexThatIsNotThere) {
   const auto good = read("good.dae", colladaWithIndex("2"));
   ASSERT_TRUE(good) << good.error().message();
   EXPECT_DOUBLE_EQ(good->metres_per_unit, 0.0254);
@@ -128,7 +128,7 @@ TEST_F(Malformed, colladaWithAnIndexThatIsNotThere) {
   expectOneSentence("far.dae", colladaWithIndex("9999999"));
 }
 
-TEST_F(Malformed, anySoundFileCutAnywhereEndsInASentenceOrAScene) {
+TEST_F(Malformed, AnySoundFileCutAnywhereEndsInASentenceOrAScene) {
   const ImportedScene scene = oneBox();
   Diagnostics notes;
   const fs::path step = folder_.path() / "box.step";
@@ -144,7 +144,7 @@ TEST_F(Malformed, anySoundFileCutAnywhereEndsInASentenceOrAScene) {
   }
 }
 
-TEST_F(Malformed, memoryIsLimited) {
+TEST_F(Malformed, MemoryIsLimited) {
   ImportOptions options;
   options.limits.bytes = std::uint64_t{64} << 20;  // Less than the libraries themselves need.
   const auto scene = readScene(folder_.write("a.dae", colladaWithIndex("2")), options, nullptr);

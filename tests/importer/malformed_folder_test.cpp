@@ -26,7 +26,7 @@ std::vector<fs::path> malformedFiles() {
 
 class MalformedFile : public ::testing::TestWithParam<fs::path> {};
 
-TEST_P(MalformedFile, isOneSentence) {
+TEST_P(MalformedFile, IsOneSentence) {
   const fs::path& file = GetParam();
   Diagnostics notes;
   std::string message;

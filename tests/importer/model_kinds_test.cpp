@@ -12,10 +12,10 @@
 #include "tests/importer/model_texts.h"
 #include "tests/support/test_data.h"
 #include "workcell/files/archive.h"
+#include "workcell/files/scene_export.h"
+#include "workcell/scenes/import_scene.h"
 #include "workcell/text/content_rules.h"
 #include "workcell/text/file_content.h"
-#include "workcell/scenes/import_scene.h"
-#include "workcell/files/scene_export.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -42,10 +42,11 @@ class ModelKinds : public ::testing::Test {
   Expected<ImportedScene> packageOf(const std::string& model, const std::string& other, const std::string& name) {
     const fs::path content = folder_.path() / "content";
     fs::remove_all(content);
-    folder_.write("content/_rels/.rels",
-                  "<Relationships xmlns='http://schemas.openxmlformats.org/package/2006/relationships'><Relationship "
-                  "Target='/3D/3dmodel.model' Id='r' Type='http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel'/>"
-                  "</Relationships>");
+    folder_.write(
+        "content/_rels/.rels",
+        "<Relationships xmlns='http://schemas.openxmlformats.org/package/2006/relationships'><Relationship "
+        "Target='/3D/3dmodel.model' Id='r' Type='http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel'/>"
+        "</Relationships>");
     folder_.write("content/3D/3dmodel.model", model);
     if (!other.empty()) folder_.write("content/" + name, other);
     const fs::path zip = folder_.path() / "part.zip", file = folder_.path() / "part.3mf";
@@ -74,10 +75,12 @@ class ModelKinds : public ::testing::Test {
     }
     return volumes;
   }
-  static void expectBounds(const ImportedScene& scene, const dvec3& least, const dvec3& greatest, double within = 1e-6) {
+  static void expectBounds(const ImportedScene& scene, const dvec3& least, const dvec3& greatest,
+                           double within = 1e-6) {
     const geometry::Bounds bounds = boundsOf(scene);
     EXPECT_LT(glm::distance(bounds.min, least), within) << bounds.min.x << " " << bounds.min.y << " " << bounds.min.z;
-    EXPECT_LT(glm::distance(bounds.max, greatest), within) << bounds.max.x << " " << bounds.max.y << " " << bounds.max.z;
+    EXPECT_LT(glm::distance(bounds.max, greatest), within)
+        << bounds.max.x << " " << bounds.max.y << " " << bounds.max.z;
   }
   static bool hasNode(const ImportedScene& scene, const std::string& name) {
     return std::any_of(scene.nodes.begin(), scene.nodes.end(), [&](const SceneNode& n) { return n.name == name; });
@@ -91,13 +94,13 @@ std::string gltfOf(const std::string& nodes, const std::string& accessors, const
                    std::string uri = "") {
   if (uri.empty()) uri = "data:application/octet-stream;base64," + test::base64(data);
   return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":)" + nodes + R"(,"meshes":[{"primitives":[)" +
-         primitive + R"(]}],"accessors":)" + accessors + R"(,"bufferViews":)" + views + R"(,"buffers":[{"byteLength":)" +
-         std::to_string(data.size()) + R"(,"uri":")" + uri + R"("}])" + more + "}";
+         primitive + R"(]}],"accessors":)" + accessors + R"(,"bufferViews":)" + views +
+         R"(,"buffers":[{"byteLength":)" + std::to_string(data.size()) + R"(,"uri":")" + uri + R"("}])" + more + "}";
 }
 
 constexpr const char* kPrimitive = R"({"attributes":{"POSITION":0},"indices":1})";
 
-TEST_F(ModelKinds, quantizedGltfIsMetres) {
+TEST_F(ModelKinds, QuantizedGltfIsMetres) {
   // Unsigned 16 bits, normalized, times 3; signed 16 bits times 0.01.
   std::vector<std::uint16_t> normalized;
   std::vector<std::int16_t> whole;
@@ -110,9 +113,11 @@ TEST_F(ModelKinds, quantizedGltfIsMetres) {
            R"(},{"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}])";
   };
   const std::string views = R"([{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":72}])";
-  const std::string required = R"(,"extensionsUsed":["KHR_mesh_quantization"],"extensionsRequired":["KHR_mesh_quantization"])";
-  const auto shares = read("n.gltf", gltfOf(R"([{"mesh":0,"scale":[3,3,3]}])", accessors(5123, R"(,"normalized":true)"), views,
-                                            test::bytesOf(normalized) + test::boxIndices(), kPrimitive, required));
+  const std::string required =
+      R"(,"extensionsUsed":["KHR_mesh_quantization"],"extensionsRequired":["KHR_mesh_quantization"])";
+  const auto shares =
+      read("n.gltf", gltfOf(R"([{"mesh":0,"scale":[3,3,3]}])", accessors(5123, R"(,"normalized":true)"), views,
+                            test::bytesOf(normalized) + test::boxIndices(), kPrimitive, required));
   expectBounds(shares, {0, -3, 0}, {1, 0, 2}, 1e-4);
   EXPECT_NEAR(volumesOf(shares).at(0), 6.0, 1e-3);
   const auto hundredths = read("i.gltf", gltfOf(R"([{"mesh":0,"scale":[0.01,0.01,0.01]}])", accessors(5122, ""), views,
@@ -120,7 +125,7 @@ TEST_F(ModelKinds, quantizedGltfIsMetres) {
   expectBounds(hundredths, {0, -3, 0}, {1, 0, 2}, 1e-6);
 }
 
-TEST_F(ModelKinds, instancesOfGltfAreAllThere) {
+TEST_F(ModelKinds, InstancesOfGltfAreAllThere) {
   const std::vector<float> places = {0, 0, 0, 5, 0, 0, 0, 0, 7};
   const std::string data = test::bytesOf(test::boxFloats(1, 2, 3)) + test::boxIndices() + test::bytesOf(places);
   const auto scene = read(
@@ -138,26 +143,28 @@ TEST_F(ModelKinds, instancesOfGltfAreAllThere) {
   EXPECT_TRUE(hasNode(scene, "bolt 2"));
 }
 
-TEST_F(ModelKinds, sparseAndStripedGltf) {
+TEST_F(ModelKinds, SparseAndStripedGltf) {
   // All zeros but for what the sparse part sets; a strip of four corners is two triangles.
   const std::vector<float> values = {1, 0, 0, 0, 1, 0, 1, 1, 0};
   const std::vector<std::uint16_t> places = {1, 2, 3};
   const std::string data = test::bytesOf(values) + test::bytesOf(places) + std::string(2, '\0');
-  const auto scene = read(
-      "s.gltf", gltfOf(R"([{"mesh":0}])",
-                       R"([{"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":3,"indices":{"bufferView":1,)"
-                       R"("componentType":5123},"values":{"bufferView":0}}}])",
-                       R"([{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}])", data,
-                       R"({"attributes":{"POSITION":0},"mode":5})"));
+  const auto scene =
+      read("s.gltf",
+           gltfOf(R"([{"mesh":0}])",
+                  R"([{"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":3,"indices":{"bufferView":1,)"
+                  R"("componentType":5123},"values":{"bufferView":0}}}])",
+                  R"([{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}])", data,
+                  R"({"attributes":{"POSITION":0},"mode":5})"));
   ASSERT_EQ(scene.meshes.size(), 1u);
   EXPECT_EQ(scene.meshes[0].triangles.size(), 2u);
   expectBounds(scene, {0, 0, 0}, {1, 0, 1});
 }
 
 /// A box of 1 x 2 x 3 m, packed by libdraco with 14 bits a coordinate.
-TEST_F(ModelKinds, dracoMeshesAreUnpacked) {
+TEST_F(ModelKinds, DracoMeshesAreUnpacked) {
   const std::string packed =
-      "RFJBQ08CAgEBAAAACAwACwAAA2+rFAEBEAH/AAABAAkDAAACAQEBAA8DASABECsBEAQAjBSEBABWVQAAVFVTVQAAAAEAAAAA/z8AAAAAAAAAAAAAAAAA"
+      "RFJBQ08CAgEBAAAACAwACwAAA2+rFAEBEAH/AAABAAkDAAACAQEBAA8DASABECsBEAQAjBSEBABWVQAAVFVTVQAAAAEAAAAA/"
+      "z8AAAAAAAAAAAAAAAAA"
       "AAAAQEAO";
   const auto text = [&](const std::string& data) {
     return R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"],"scenes":[{"nodes":[0]}],)"
@@ -175,47 +182,50 @@ TEST_F(ModelKinds, dracoMeshesAreUnpacked) {
   EXPECT_THAT(refusal("b.gltf", text(std::string(124, 'A'))), HasSubstr("KHR_draco"));
 }
 
-TEST_F(ModelKinds, buffersWithBlanksAndUmlautsInTheirNames) {
+TEST_F(ModelKinds, BuffersWithBlanksAndUmlautsInTheirNames) {
   const std::string data = test::bytesOf(test::boxFloats(1, 2, 3)) + test::boxIndices();
   folder_.write("my data.bin", data);
   folder_.write("geh\xC3\xA4use.bin", data);
   for (const char* uri : {"my%20data.bin", "geh%C3%A4use.bin", "my data.bin"}) {
-    const auto scene = read(
-        "a.gltf", gltfOf(R"([{"mesh":0}])",
-                         R"([{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3"},)"
-                         R"({"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}])",
-                         R"([{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":72}])", data,
-                         kPrimitive, "", uri));
+    const auto scene =
+        read("a.gltf", gltfOf(R"([{"mesh":0}])",
+                              R"([{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3"},)"
+                              R"({"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}])",
+                              R"([{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":72}])", data,
+                              kPrimitive, "", uri));
     EXPECT_NEAR(volumesOf(scene).at(0), 6.0, 1e-6) << uri;
   }
   EXPECT_THAT(refusal("b.gltf", gltfOf("[{}]", "[]", "[]", data, kPrimitive, "", "none.bin")), HasSubstr("none.bin"));
 }
 
-TEST_F(ModelKinds, camerasAndLightsOfOneNamePlayNoPart) {
+TEST_F(ModelKinds, CamerasAndLightsOfOneNamePlayNoPart) {
   const auto gltf = read("a.gltf", test::gltfBox(R"(,"cameras":[{"type":"perspective","name":"c","perspective":)"
                                                  R"({"yfov":1,"znear":0.1}},{"type":"perspective","name":"c",)"
                                                  R"("perspective":{"yfov":1,"znear":0.1}}])"));
   EXPECT_NEAR(volumesOf(gltf).at(0), 6.0, 1e-6);
   test::ColladaParts parts;
-  const std::string camera = "<optics><technique_common><perspective><yfov>1</yfov><znear>1</znear><zfar>9</zfar>"
-                             "</perspective></technique_common></optics>";
-  parts.libraries = "<library_cameras><camera id='c1' name='c'>" + camera + "</camera><camera id='c2' name='c'>" + camera +
-                    "</camera></library_cameras>";
-  parts.nodes += "<node id='k1' name='Camera'><instance_camera url='#c1'/></node><node id='k2' name='Camera'>"
-                 "<instance_camera url='#c2'/></node>";
+  const std::string camera =
+      "<optics><technique_common><perspective><yfov>1</yfov><znear>1</znear><zfar>9</zfar>"
+      "</perspective></technique_common></optics>";
+  parts.libraries = "<library_cameras><camera id='c1' name='c'>" + camera + "</camera><camera id='c2' name='c'>" +
+                    camera + "</camera></library_cameras>";
+  parts.nodes +=
+      "<node id='k1' name='Camera'><instance_camera url='#c1'/></node><node id='k2' name='Camera'>"
+      "<instance_camera url='#c2'/></node>";
   EXPECT_NEAR(volumesOf(read("a.dae", test::colladaOf(parts))).at(0), 6.0, 1e-6);
 }
 
-TEST_F(ModelKinds, colladaGivesNamesBeforeIds) {
+TEST_F(ModelKinds, ColladaGivesNamesBeforeIds) {
   test::ColladaParts parts;
-  parts.nodes = "<node id='ID3' name='Conveyor belt'><node id='ID4' name='Motor'><instance_geometry url='#g'/></node>"
-                "<node id='only_id'><instance_geometry url='#g'/></node></node>";
+  parts.nodes =
+      "<node id='ID3' name='Conveyor belt'><node id='ID4' name='Motor'><instance_geometry url='#g'/></node>"
+      "<node id='only_id'><instance_geometry url='#g'/></node></node>";
   const auto scene = read("a.dae", test::colladaOf(parts));
   for (const char* name : {"Conveyor belt", "Motor", "only_id"}) EXPECT_TRUE(hasNode(scene, name)) << name;
   EXPECT_FALSE(hasNode(scene, "ID3"));
 }
 
-TEST_F(ModelKinds, colladaInOtherWordsThanAssimpTakes) {
+TEST_F(ModelKinds, ColladaInOtherWordsThanAssimpTakes) {
   test::ColladaParts parts;
   parts.effect_color = "\n 1 0 0 1 ";
   EXPECT_NEAR(volumesOf(read("color.dae", test::colladaOf(parts))).at(0), 6.0, 1e-6);
@@ -225,10 +235,13 @@ TEST_F(ModelKinds, colladaInOtherWordsThanAssimpTakes) {
   // A square of 4 x 4 with a hole of 2 x 2: 12 m2.
   parts = {};
   parts.geometries =
-      "<geometry id='h' name='plate'><mesh><source id='hp'><float_array id='ha' count='24'>0 0 0 4 0 0 4 4 0 0 4 0 1 1 0 "
+      "<geometry id='h' name='plate'><mesh><source id='hp'><float_array id='ha' count='24'>0 0 0 4 0 0 4 4 0 0 4 0 1 1 "
+      "0 "
       "3 1 0 3 3 0 1 3 0</float_array><technique_common><accessor source='#ha' count='8' stride='3'><param name='X' "
-      "type='float'/><param name='Y' type='float'/><param name='Z' type='float'/></accessor></technique_common></source>"
-      "<vertices id='hv'><input semantic='POSITION' source='#hp'/></vertices><polygons count='1'><input semantic='VERTEX' "
+      "type='float'/><param name='Y' type='float'/><param name='Z' "
+      "type='float'/></accessor></technique_common></source>"
+      "<vertices id='hv'><input semantic='POSITION' source='#hp'/></vertices><polygons count='1'><input "
+      "semantic='VERTEX' "
       "source='#hv' offset='0'/><ph><p>0 1 2 3</p><h>4 5 6 7</h></ph></polygons></mesh></geometry>";
   parts.nodes = "<node id='n' name='plate'><instance_geometry url='#h'/></node>";
   const auto plate = read("hole.dae", test::colladaOf(parts));
@@ -241,7 +254,7 @@ TEST_F(ModelKinds, colladaInOtherWordsThanAssimpTakes) {
   EXPECT_NEAR(area, 12.0, 1e-5);
 }
 
-TEST_F(ModelKinds, theHeadOfColladaIsReadAsXml) {
+TEST_F(ModelKinds, TheHeadOfColladaIsReadAsXml) {
   ImportOptions millimetres;
   millimetres.metres_per_unit = 1e-3;
   for (const std::string& asset :
@@ -282,19 +295,22 @@ std::string object(int id, const std::string& more, double size) {
 }
 
 std::string model(const std::string& head, const std::string& resources, const std::string& build) {
-  return "<?xml version='1.0'?><model " + head + " " + kCore + "><resources>" + resources + "</resources><build>" + build +
-         "</build></model>";
+  return "<?xml version='1.0'?><model " + head + " " + kCore + "><resources>" + resources + "</resources><build>" +
+         build + "</build></model>";
 }
 
-TEST_F(ModelKinds, partsOfOtherModelsInA3mf) {
-  const std::string component = "<object id='8' name='assembly'><components><component p:path='/3D/Objects/o.model' "
-                                "objectid='1'/></components></object>";
+TEST_F(ModelKinds, PartsOfOtherModelsInA3mf) {
+  const std::string component =
+      "<object id='8' name='assembly'><components><component p:path='/3D/Objects/o.model' "
+      "objectid='1'/></components></object>";
   const std::string moved = "<item objectid='8' transform='1 0 0 0 1 0 0 0 1 128 128 0'/>";
-  const auto one = package(model(kProduction, component, moved), model("", object(1, "", 1.0), ""), "3D/Objects/o.model");
+  const auto one =
+      package(model(kProduction, component, moved), model("", object(1, "", 1.0), ""), "3D/Objects/o.model");
   expectBounds(one, {0.128, 0.128, 0}, {0.129, 0.130, 0.003}, 1e-7);
   // The same number in both parts: each is its own.
-  const auto clash = package(model(kProduction, object(1, "name='block'", 1.0) + component, "<item objectid='1'/>" + moved),
-                             model("", object(1, "", 10.0), ""), "3D/Objects/o.model");
+  const auto clash =
+      package(model(kProduction, object(1, "name='block'", 1.0) + component, "<item objectid='1'/>" + moved),
+              model("", object(1, "", 10.0), ""), "3D/Objects/o.model");
   std::vector<double> volumes = volumesOf(clash);
   ASSERT_EQ(volumes.size(), 2u);
   EXPECT_NEAR(volumes[0], 6e-9, 1e-13);
@@ -303,7 +319,7 @@ TEST_F(ModelKinds, partsOfOtherModelsInA3mf) {
   EXPECT_TRUE(hasNode(clash, "assembly"));
 }
 
-TEST_F(ModelKinds, theUnitOfA3mfHoweverItIsWritten) {
+TEST_F(ModelKinds, TheUnitOfA3mfHoweverItIsWritten) {
   const std::string build = "<item objectid='1'/>";
   for (const std::string& text :
        {model("unit='inch'", object(1, "", 1.0), build), model("unit = \"inch\"", object(1, "", 1.0), build),
@@ -316,18 +332,20 @@ TEST_F(ModelKinds, theUnitOfA3mfHoweverItIsWritten) {
   }
 }
 
-TEST_F(ModelKinds, colorsAndRequiredExtensionsOfA3mf) {
-  const std::string materials = "<basematerials id='5'><base name='a' displaycolor='#00FF00'/><base name='b' "
-                                "displaycolor='#FF0000FF'/></basematerials>";
+TEST_F(ModelKinds, ColorsAndRequiredExtensionsOfA3mf) {
+  const std::string materials =
+      "<basematerials id='5'><base name='a' displaycolor='#00FF00'/><base name='b' "
+      "displaycolor='#FF0000FF'/></basematerials>";
   const auto red = package(model("", materials + object(1, "pid='5' pindex='1'", 1.0), "<item objectid='1'/>"));
   for (const SceneNode& node : red.nodes) {
     if (node.mesh < 0) continue;
     EXPECT_EQ(node.color, (std::array<float, 3>{1.0f, 0.0f, 0.0f}));
   }
   const fs::path content = folder_.path() / "content";
-  folder_.write("content/3D/3dmodel.model",
-                model("xmlns:b='http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02' requiredextensions='b'",
-                      object(1, "", 1.0), "<item objectid='1'/>"));
+  folder_.write(
+      "content/3D/3dmodel.model",
+      model("xmlns:b='http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02' requiredextensions='b'",
+            object(1, "", 1.0), "<item objectid='1'/>"));
   ASSERT_TRUE(writeArchive(content, folder_.path() / "lattice.zip"));
   fs::rename(folder_.path() / "lattice.zip", folder_.path() / "lattice.3mf");
   const auto refused = readScene(folder_.path() / "lattice.3mf", {}, nullptr);
@@ -335,7 +353,7 @@ TEST_F(ModelKinds, colorsAndRequiredExtensionsOfA3mf) {
   EXPECT_THAT(refused.error().message(), HasSubstr("beamlattice"));
 }
 
-TEST_F(ModelKinds, everyElementOfA3mfIsTreatedAsListed) {
+TEST_F(ModelKinds, EveryElementOfA3mfIsTreatedAsListed) {
   std::string inside, in_mesh;
   std::vector<std::string> reported;
   for (const FormatRules& format : contentRules()) {
@@ -387,17 +405,21 @@ std::string stepOf(const std::string& name) {
   return text;
 }
 
-TEST_F(ModelKinds, rawBytesInStepNamesAreGuessedAndTold) {
+TEST_F(ModelKinds, RawBytesInStepNamesAreGuessedAndTold) {
   struct Written {
     const char *bytes, *name, *told;
   };
-  for (const Written& w : {Written{"Geh\xE4use", "Geh\xC3\xA4use", "Latin-1"},
-                           Written{"Gr\xF6\xDF" "e", "Gr\xC3\xB6\xC3\x9F" "e", "Latin-1"},
-                           Written{"\xCD\xE2\xBF\xC7", "\xE5\xA4\x96\xE5\xA3\xB3", "GB 18030"},
-                           Written{"\x95\x94\x95\x69", "\xE9\x83\xA8\xE5\x93\x81", "Shift-JIS"},
-                           Written{"\xE2\x9E\x91\xCC\x95\x94\x95\x69", "\xE7\xAD\x90\xE4\xBD\x93\xE9\x83\xA8\xE5\x93\x81",
-                                   "Shift-JIS"},
-                           Written{"Geh\xC3\xA4use", "Geh\xC3\xA4use", ""}}) {
+  for (const Written& w :
+       {Written{"Geh\xE4use", "Geh\xC3\xA4use", "Latin-1"},
+        Written{"Gr\xF6\xDF"
+                "e",
+                "Gr\xC3\xB6\xC3\x9F"
+                "e",
+                "Latin-1"},
+        Written{"\xCD\xE2\xBF\xC7", "\xE5\xA4\x96\xE5\xA3\xB3", "GB 18030"},
+        Written{"\x95\x94\x95\x69", "\xE9\x83\xA8\xE5\x93\x81", "Shift-JIS"},
+        Written{"\xE2\x9E\x91\xCC\x95\x94\x95\x69", "\xE7\xAD\x90\xE4\xBD\x93\xE9\x83\xA8\xE5\x93\x81", "Shift-JIS"},
+        Written{"Geh\xC3\xA4use", "Geh\xC3\xA4use", ""}}) {
     const auto scene = read("a.step", stepOf(w.bytes));
     const bool told = std::any_of(scene.warnings.begin(), scene.warnings.end(), [&](const std::string& warning) {
       return *w.told != '\0' && warning.find(w.told) != std::string::npos;
@@ -407,7 +429,7 @@ TEST_F(ModelKinds, rawBytesInStepNamesAreGuessedAndTold) {
   }
 }
 
-TEST_F(ModelKinds, whatAStepFileHoldsBesideItsShapesIsTreatedAsListed) {
+TEST_F(ModelKinds, WhatAStepFileHoldsBesideItsShapesIsTreatedAsListed) {
   const auto with = [](const std::string& entities, const std::string& name = "box") {
     std::string text = stepOf(name);
     return text.insert(text.rfind("ENDSEC;"), entities);
@@ -419,8 +441,8 @@ TEST_F(ModelKinds, whatAStepFileHoldsBesideItsShapesIsTreatedAsListed) {
                                           "#90002=DESCRIPTIVE_REPRESENTATION_ITEM('material','steel');\n"
                                           "#90003=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.),#1);\n"));
   EXPECT_TRUE(silent.warnings.empty()) << silent.warnings.front();
-  const auto told = read("a.step", with("#90004=TESSELLATED_SOLID('',(#1),$);\n#90005=KINEMATIC_JOINT('',#1,#1);\n",
-                                        "Geh\xE4use"));
+  const auto told =
+      read("a.step", with("#90004=TESSELLATED_SOLID('',(#1),$);\n#90005=KINEMATIC_JOINT('',#1,#1);\n", "Geh\xE4use"));
   for (const char* words : {"Latin-1", "tessellated", "joints"}) {
     const bool is_told = std::any_of(told.warnings.begin(), told.warnings.end(), [&](const std::string& warning) {
       return warning.find(words) != std::string::npos;
@@ -431,7 +453,7 @@ TEST_F(ModelKinds, whatAStepFileHoldsBesideItsShapesIsTreatedAsListed) {
   expectBounds(told, {0, 0, 0}, {0.01, 0.02, 0.03}, 1e-7);
 }
 
-TEST_F(ModelKinds, stepBehindAMarkACommentOrPacked) {
+TEST_F(ModelKinds, StepBehindAMarkACommentOrPacked) {
   const std::string step = stepOf("box");
   for (const std::string& text : {"\xEF\xBB\xBF" + step, "/*" + std::string(5000, '*') + " made by */\n" + step}) {
     expectBounds(read("a.step", text), {0, 0, 0}, {0.01, 0.02, 0.03}, 1e-7);
@@ -443,8 +465,9 @@ TEST_F(ModelKinds, stepBehindAMarkACommentOrPacked) {
   ASSERT_TRUE(packed) << packed.error().message();
   expectBounds(*packed, {0, 0, 0}, {0.01, 0.02, 0.03}, 1e-7);
   EXPECT_THAT(refusal("b.stpz", "nothing of the kind"), HasSubstr("b.stpz"));
-  EXPECT_THAT(refusal("t.step", "ISO-10303-21;HEADER;ENDSEC;DATA;#1=TESSELLATED_SOLID('',(#2),$);ENDSEC;"
-                                "END-ISO-10303-21;"),
+  EXPECT_THAT(refusal("t.step",
+                      "ISO-10303-21;HEADER;ENDSEC;DATA;#1=TESSELLATED_SOLID('',(#2),$);ENDSEC;"
+                      "END-ISO-10303-21;"),
               HasSubstr("tessellated"));
 }
 

@@ -48,7 +48,7 @@ class ModelPackageFile : public ::testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(ModelPackageFile, isReadInItsUnit) {
+TEST_F(ModelPackageFile, IsReadInItsUnit) {
   for (const auto& [unit, metres] : {std::pair{"", 1e-3}, std::pair{R"(unit="millimeter")", 1e-3},
                                      std::pair{R"(unit="inch")", 0.0254}, std::pair{R"(unit="meter")", 1.0}}) {
     const auto scene = read(modelText(unit));
@@ -59,7 +59,7 @@ TEST_F(ModelPackageFile, isReadInItsUnit) {
   }
 }
 
-TEST_F(ModelPackageFile, aBombIsNotUnpacked) {
+TEST_F(ModelPackageFile, ABombIsNotUnpacked) {
   const auto scene = read("<model>" + std::string(std::size_t{100} << 20, ' ') + "</model>");
   ASSERT_FALSE(scene);
   EXPECT_THAT(scene.error().message(), HasSubstr("part.3mf"));

@@ -39,7 +39,7 @@ int depthOf(const ImportedScene& scene, int node) {
   return parent < 0 ? 0 : 1 + depthOf(scene, parent);
 }
 
-TEST(RealCad, as1HasItsTreeNamesAndColours) {
+TEST(RealCad, As1HasItsTreeNamesAndColours) {
   HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/step/as1-oc-214.stp");
   const auto scene = readScene(file, {}, nullptr);
   ASSERT_TRUE(scene) << scene.error().message();
@@ -73,7 +73,7 @@ TEST(RealCad, as1HasItsTreeNamesAndColours) {
   EXPECT_NEAR(size.z, 0.084, 1e-4);
 }
 
-TEST(RealCad, singlePartsHaveTheirTriangles) {
+TEST(RealCad, SinglePartsHaveTheirTriangles) {
   for (const auto& [name, triangles] :
        {std::pair{"linkrods.step", 6736.0}, {"odri_transmission_pulley_at3_t10_motor.step", 1216.0}}) {
     HAPTICELL_SHARED_DATA_OR_SKIP(file, std::string("cad/step/") + name);
@@ -84,7 +84,7 @@ TEST(RealCad, singlePartsHaveTheirTriangles) {
   }
 }
 
-TEST(RealCad, theHeavyPartHasItsFacesAndSize) {
+TEST(RealCad, TheHeavyPartHasItsFacesAndSize) {
   HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/step/NIST_MBE_PMI_2.stp");
   const auto scene = readScene(file, {}, nullptr);
   ASSERT_TRUE(scene) << scene.error().message();
@@ -95,7 +95,7 @@ TEST(RealCad, theHeavyPartHasItsFacesAndSize) {
   EXPECT_NEAR(size.z, 0.400, 1e-3);
 }
 
-TEST(RealCad, aRelativeChordFollowsTheSizeAndIsTold) {
+TEST(RealCad, ARelativeChordFollowsTheSizeAndIsTold) {
   HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/step/linkrods.step");
   ImportOptions coarse, fine, larger;
   coarse.relative_chord = 1e-3;
@@ -112,7 +112,7 @@ TEST(RealCad, aRelativeChordFollowsTheSizeAndIsTold) {
   EXPECT_NEAR(b->chord, 1e-4 * glm::length(boundsOf(*b).size()), 0.1 * b->chord);
 }
 
-TEST(RealCad, meshesHaveTheTrianglesThatTheirFilesHold) {
+TEST(RealCad, MeshesHaveTheTrianglesThatTheirFilesHold) {
   const std::vector<std::pair<std::string, std::size_t>> files = {
       {"cad/stl/odri_transmission_pulley_at3_t30_output.stl", 19054},
       {"cad/stl/odri_hip_aa_module_shell_base.stl", 77286},
@@ -132,7 +132,7 @@ TEST(RealCad, meshesHaveTheTrianglesThatTheirFilesHold) {
   }
 }
 
-TEST(RealCad, anotherUnitRescalesAndTheChordStaysInMetres) {
+TEST(RealCad, AnotherUnitRescalesAndTheChordStaysInMetres) {
   HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/step/odri_transmission_pulley_at3_t10_motor.step");
   ImportOptions inches;
   inches.metres_per_unit = 0.0254;
@@ -142,7 +142,7 @@ TEST(RealCad, anotherUnitRescalesAndTheChordStaysInMetres) {
   EXPECT_GT(trianglesOf(*larger), trianglesOf(*plain));
 }
 
-TEST(RealCad, theEngineHasItsMeshesAndStandsUpright) {
+TEST(RealCad, TheEngineHasItsMeshesAndStandsUpright) {
   HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/gltf/2CylinderEngine.glb");
   const auto scene = readScene(file, {}, nullptr);
   ASSERT_TRUE(scene) << scene.error().message();
@@ -154,7 +154,7 @@ TEST(RealCad, theEngineHasItsMeshesAndStandsUpright) {
   for (const SceneNode& node : scene->nodes) EXPECT_TRUE(node.X_PN.isValid());
 }
 
-TEST(RealCad, aDocumentKeepsTheTreeAndMovesItAsOne) {
+TEST(RealCad, ADocumentKeepsTheTreeAndMovesItAsOne) {
   HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/step/as1-oc-214.stp");
   Diagnostics notes;
   auto tree = EntityLoader(fs::current_path()).loadTree(file.string(), {}, notes);

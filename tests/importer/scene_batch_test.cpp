@@ -12,8 +12,8 @@
 #include <sstream>
 
 #include "tests/support/test_data.h"
-#include "workcell/scenes/sdf_cell_reader.h"
 #include "workcell/robots/urdf_reader.h"
+#include "workcell/scenes/sdf_cell_reader.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -68,7 +68,7 @@ class Batch : public ::testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(Batch, givesWhatEachFileWouldGiveAlone) {
+TEST_F(Batch, GivesWhatEachFileWouldGiveAlone) {
   const std::vector<fs::path> files = {mesh("a.dae", 1.0), folder_.write("broken.dae", "<COLLADA nonsense"),
                                        mesh("b.dae", 2.0)};
   ImportOptions options;
@@ -91,7 +91,7 @@ TEST_F(Batch, givesWhatEachFileWouldGiveAlone) {
   }
 }
 
-TEST_F(Batch, aRobotIsOneStartOfTheImporter) {
+TEST_F(Batch, ARobotIsOneStartOfTheImporter) {
   const fs::path robot =
       folder_.write("robot.urdf", robotOf({mesh("a.dae", 1.0), mesh("b.dae", 2.0), mesh("c.dae", 3.0)}));
   countStarts();
@@ -106,7 +106,7 @@ TEST_F(Batch, aRobotIsOneStartOfTheImporter) {
   }
 }
 
-TEST_F(Batch, aCellIsOneStartOfTheImporter) {
+TEST_F(Batch, ACellIsOneStartOfTheImporter) {
   mesh("a.dae", 1.0);
   mesh("b.dae", 2.0);
   std::string models;
@@ -123,7 +123,7 @@ TEST_F(Batch, aCellIsOneStartOfTheImporter) {
   EXPECT_EQ(scene->meshes.size(), 2u);
 }
 
-TEST_F(Batch, whereTheProcessFailsOnOneFileTheOthersAreStillThere) {
+TEST_F(Batch, WhereTheProcessFailsOnOneFileTheOthersAreStillThere) {
   const fs::path robot =
       folder_.write("robot.urdf", robotOf({mesh("good.dae", 1.0), mesh("crash.dae", 2.0), mesh("fine.dae", 3.0)}));
   countStarts("case \"$1 $2\" in read-all*|*crash*) kill -SEGV $$;; esac");
@@ -137,7 +137,7 @@ TEST_F(Batch, whereTheProcessFailsOnOneFileTheOthersAreStillThere) {
   EXPECT_THAT(notes.warnings, ::testing::Contains(HasSubstr("crash.dae")));
 }
 
-TEST_F(Batch, cancellingEndsTheWholeRobot) {
+TEST_F(Batch, CancellingEndsTheWholeRobot) {
   const fs::path robot = folder_.write("robot.urdf", robotOf({mesh("a.dae", 1.0), mesh("b.dae", 2.0)}));
   countStarts("exec sleep 600");
   ImportMonitor monitor;
@@ -148,7 +148,7 @@ TEST_F(Batch, cancellingEndsTheWholeRobot) {
   EXPECT_THAT(model.error().message(), HasSubstr("cancelled"));
 }
 
-TEST(BatchBytes, comeBackAsTheyWent) {
+TEST(BatchBytes, ComeBackAsTheyWent) {
   const std::vector<BatchEntry> sent = {{true, "scene"}, {false, "line 3\tfound\texpected\tfix"}, {true, ""}};
   const auto back = batchFromBytes(batchBytes(sent), 3);
   ASSERT_TRUE(back);

@@ -33,7 +33,7 @@ ImportedScene twoParts() {
   return scene;
 }
 
-TEST(SceneExchange, bringsBackWhatWasSent) {
+TEST(SceneExchange, BringsBackWhatWasSent) {
   const ImportedScene sent = twoParts();
   const auto got = sceneFromBytes(sceneBytes(sent));
   ASSERT_TRUE(got) << got.error().message();
@@ -53,7 +53,7 @@ TEST(SceneExchange, bringsBackWhatWasSent) {
   EXPECT_FALSE(got->nodes[0].color);
 }
 
-TEST(SceneExchange, refusesEveryCutAndWhatIsBehindTheEnd) {
+TEST(SceneExchange, RefusesEveryCutAndWhatIsBehindTheEnd) {
   const std::string bytes = sceneBytes(twoParts());
   for (std::size_t length = 0; length < bytes.size(); length += 7) {
     EXPECT_FALSE(sceneFromBytes(std::string_view(bytes).substr(0, length))) << length;
@@ -61,7 +61,7 @@ TEST(SceneExchange, refusesEveryCutAndWhatIsBehindTheEnd) {
   EXPECT_FALSE(sceneFromBytes(bytes + "x"));
 }
 
-TEST(SceneExchange, refusesWhatIsNotAScene) {
+TEST(SceneExchange, RefusesWhatIsNotAScene) {
   ImportedScene bad = twoParts();
   bad.meshes[0].vertices[3].y = std::nan("");
   EXPECT_FALSE(sceneFromBytes(sceneBytes(bad)));
@@ -82,7 +82,7 @@ TEST(SceneExchange, refusesWhatIsNotAScene) {
   EXPECT_FALSE(sceneFromBytes(sceneBytes(bad)));
 }
 
-TEST(SceneExchange, survivesAnyChangedByte) {
+TEST(SceneExchange, SurvivesAnyChangedByte) {
   const std::string bytes = sceneBytes(twoParts());
   std::mt19937 random(7);
   for (int round = 0; round < 3000; ++round) {
@@ -94,7 +94,7 @@ TEST(SceneExchange, survivesAnyChangedByte) {
   }
 }
 
-TEST(PartPaths, tellEqualNamesApart) {
+TEST(PartPaths, TellEqualNamesApart) {
   ImportedScene scene;
   for (const auto& [name, parent] : {std::pair{"as/1", -1}, {"nut", 0}, {"nut", 0}, {"", 0}, {"nut", 2}}) {
     SceneNode node;
@@ -107,7 +107,7 @@ TEST(PartPaths, tellEqualNamesApart) {
   EXPECT_EQ(paths, expected);
 }
 
-TEST(UpAxis, turnsIntoZ) {
+TEST(UpAxis, TurnsIntoZ) {
   EXPECT_NEAR(glm::distance(turnedUp(UpAxis::kY) * dvec3(0, 1, 0), dvec3(0, 0, 1)), 0.0, 1e-12);
   EXPECT_NEAR(glm::distance(turnedUp(UpAxis::kX) * dvec3(1, 0, 0), dvec3(0, 0, 1)), 0.0, 1e-12);
   EXPECT_EQ(turnedUp(UpAxis::kZ).q, dquat(1, 0, 0, 0));

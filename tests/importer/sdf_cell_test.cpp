@@ -18,7 +18,7 @@ constexpr const char* kTable =
     "</pose><visual name='top'><pose>0 2 0 0 0 0</pose><geometry><box><size>1 2 3</size></box></geometry><material>"
     "<diffuse>1 0.5 0 1</diffuse></material></visual></link></model></sdf>";
 
-TEST(SdfCell, placesModelsLinksAndShapes) {
+TEST(SdfCell, PlacesModelsLinksAndShapes) {
   test::TemporaryFolder folder;
   folder.write("models/table/model.sdf", kTable);
   const auto file = folder.write("worlds/w.world",
@@ -41,7 +41,7 @@ TEST(SdfCell, placesModelsLinksAndShapes) {
   EXPECT_THAT(scene->warnings[0], HasSubstr("model://gone"));
 }
 
-TEST(SdfCell, tellsARobotFromACell) {
+TEST(SdfCell, TellsARobotFromACell) {
   test::TemporaryFolder folder;
   const std::string joint = "<joint name='j' type='revolute'/>", fixed = "<joint name='j' type='fixed'/>";
   EXPECT_FALSE(isSdfCell(folder.write("a.sdf", "<sdf><model name='m'>" + joint + "</model></sdf>")));
@@ -50,7 +50,7 @@ TEST(SdfCell, tellsARobotFromACell) {
   EXPECT_FALSE(isSdfCell(folder.path() / "none.sdf"));
 }
 
-TEST(SdfCell, aModelOfModelsIsACellThoughAJointLiesBetweenThem) {
+TEST(SdfCell, AModelOfModelsIsACellThoughAJointLiesBetweenThem) {
   test::TemporaryFolder folder;
   const std::string box =
       "<link name='l'><visual name='v'><geometry><box><size>1 1 1</size></box></geometry></visual></link>";
@@ -69,7 +69,7 @@ TEST(SdfCell, aModelOfModelsIsACellThoughAJointLiesBetweenThem) {
   EXPECT_TRUE(holdsScene(file));
 }
 
-TEST(SdfCell, livesWithWhatIsWrong) {
+TEST(SdfCell, LivesWithWhatIsWrong) {
   test::TemporaryFolder folder;
   const auto read = [&](const std::string& inside) {
     return readSdfCell(folder.write("w.world", "<sdf><world name='w'>" + inside + "</world></sdf>"), nullptr);
@@ -88,7 +88,7 @@ TEST(SdfCell, livesWithWhatIsWrong) {
   EXPECT_FALSE(readSdfCell(folder.write("x.world", "<sdf><world"), nullptr));
 }
 
-TEST(SdfCell, theAriacWorldStands) {
+TEST(SdfCell, TheAriacWorldStands) {
   HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/workcell_ariac/worlds/ariac.world");
   const auto scene = readScene(file, {}, nullptr);
   ASSERT_TRUE(scene) << scene.error().message();

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <map>
+#include <numbers>
 #include <random>
 
 #include "tests/support/test_data.h"
@@ -91,7 +92,7 @@ class DrawnCell {
     char text[400];
     const double kind = draw(0, 1);
     if (kind < 0.3) {
-      const double d = 180.0 / M_PI;
+      const double d = 180.0 / std::numbers::pi;
       attributes += " degrees='true'";
       std::snprintf(text, sizeof text, "%.17g %.17g %.17g %.17g %.17g %.17g", n[0], n[1], n[2], n[3] * d, n[4] * d,
                     n[5] * d);
@@ -139,7 +140,9 @@ class DrawnCell {
     std::string body = link(inside, shapes);
     for (int k = 0; k < 4; ++k) {
       const double kind = draw(0, 1);
-      body += kind < 0.35 ? frame(inside) : kind < 0.75 || depth > 1 ? link(inside, shapes) : model(inside, {}, depth + 1);
+      body += kind < 0.35                ? frame(inside)
+              : kind < 0.75 || depth > 1 ? link(inside, shapes)
+                                         : model(inside, {}, depth + 1);
     }
     Place placed;
     std::string placement;
@@ -181,7 +184,8 @@ TEST(SdfFrames, DrawnCellsStandWhereComposedPosesPutThem) {
       const dmat3 R = X_W[k].R();
       for (int i = 0; i < 3; ++i) {
         EXPECT_NEAR(X_W[k].p[i], expected->second.p[i], 1e-9) << seed << " " << expected->first;
-        for (int j = 0; j < 3; ++j) EXPECT_NEAR(R[j][i], expected->second.R[i][j], 1e-9) << seed << " " << expected->first;
+        for (int j = 0; j < 3; ++j)
+          EXPECT_NEAR(R[j][i], expected->second.R[i][j], 1e-9) << seed << " " << expected->first;
       }
     }
     EXPECT_EQ(found, cell.expected.size());

@@ -12,8 +12,8 @@
 
 #include "tests/support/test_data.h"
 #include "workcell/import/entity_source.h"
-#include "workcell/scenes/import_scene.h"
 #include "workcell/meshes/mesh_reader.h"
+#include "workcell/scenes/import_scene.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -49,7 +49,7 @@ constexpr Stated kStated[] = {
 
 class SharedFile : public ::testing::TestWithParam<Stated> {};
 
-TEST_P(SharedFile, isWhatItsSourceStates) {
+TEST_P(SharedFile, IsWhatItsSourceStates) {
   const Stated& stated = GetParam();
   HAPTICELL_SHARED_DATA_OR_SKIP(file, std::string("cad/") + stated.file);
   Diagnostics notes;
@@ -73,8 +73,7 @@ TEST_P(SharedFile, isWhatItsSourceStates) {
               cut ? 0.01 * static_cast<double>(stated.triangles) : 0.0);
   EXPECT_EQ(parts, stated.parts);
   EXPECT_EQ(colors.size(), stated.colors);
-  for (int i = 0; i < 3; ++i)
-    EXPECT_NEAR(bounds.size()[i] * 1e3, stated.size_mm[i], 6e-4 * stated.size_mm.x + 0.03);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(bounds.size()[i] * 1e3, stated.size_mm[i], 6e-4 * stated.size_mm.x + 0.03);
 }
 
 std::string stem(const ::testing::TestParamInfo<Stated>& tested) {
@@ -132,7 +131,7 @@ std::size_t counted(const fs::path& file) {
 
 class SharedFolder : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(SharedFolder, everyMeshHasTheTrianglesThatItsFileCounts) {
+TEST_P(SharedFolder, EveryMeshHasTheTrianglesThatItsFileCounts) {
   HAPTICELL_SHARED_DATA_OR_SKIP(folder, std::string(GetParam()));
   std::size_t files = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/test_data.h"
+#include "workcell/files/named_files.h"
+#include "workcell/files/pack.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
 #include "workcell/import/imported_entities.h"
-#include "workcell/files/named_files.h"
-#include "workcell/files/pack.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -30,7 +30,7 @@ class WorkingDirectory {
   fs::path before_;
 };
 
-TEST(StepReferences, areReadFromAnyWorkingDirectory) {
+TEST(StepReferences, AreReadFromAnyWorkingDirectory) {
   const test::TemporaryFolder elsewhere;
   for (const fs::path& from : {elsewhere.path(), references(), fs::path("/")}) {
     const WorkingDirectory there(from);
@@ -49,7 +49,7 @@ TEST(StepReferences, areReadFromAnyWorkingDirectory) {
   }
 }
 
-TEST(StepReferences, aPartThatIsNotThereIsToldAndTheRestComes) {
+TEST(StepReferences, APartThatIsNotThereIsToldAndTheRestComes) {
   const test::TemporaryFolder folder;
   for (const char* name : {"fixture.step", "part_plate.stp"}) fs::copy_file(references() / name, folder.path() / name);
   const auto scene = readScene(folder.path() / "fixture.step", {}, nullptr);
@@ -63,7 +63,7 @@ TEST(StepReferences, aPartThatIsNotThereIsToldAndTheRestComes) {
   EXPECT_THAT(none.error().message(), HasSubstr("fixture.step"));
 }
 
-TEST(StepReferences, goIntoThePack) {
+TEST(StepReferences, GoIntoThePack) {
   const test::TemporaryFolder folder;
   Diagnostics notes;
   auto tree = EntityLoader(folder.path()).loadTree((references() / "fixture.step").string(), {}, notes);

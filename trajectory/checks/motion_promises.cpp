@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "trajectory/checks/motion_measures.h"
-#include "trajectory/motion/number_text.h"
 #include "trajectory/files/trajectory_io.h"
+#include "trajectory/motion/number_text.h"
 
 namespace hapticell::trajectory_checks {
 
@@ -52,7 +52,7 @@ void addShare(Promises& promises, const char* name, const std::vector<double>& d
 Expected<Promises> simplifyPromises(const Trajectory& given, const PathTolerance& tolerance,
                                     const std::filesystem::path& written) {
   const auto motion = trajectory::readTrajectory(written);
-  if (!motion) return tl::unexpected(motion.error());
+  HAPTICELL_TRY(motion);
   Promises promises;
   promises.help = "Take a larger tolerance.";
   const auto off = passing(given, *motion, {tolerance.position, tolerance.angle, tolerance.joint});
@@ -63,13 +63,13 @@ Expected<Promises> simplifyPromises(const Trajectory& given, const PathTolerance
 Expected<Promises> smoothPromises(const Trajectory& given, const PathTolerance& tolerance,
                                   const std::filesystem::path& written, const PosesByJoints& poses_by_joints) {
   const auto motion = trajectory::readTrajectory(written);
-  if (!motion) return tl::unexpected(motion.error());
+  HAPTICELL_TRY(motion);
   Promises promises;
   promises.help = "Take a larger tolerance.";
   addDistances(promises, atSameTimes(given, *motion), tolerance, given, true);
   if (!poses_by_joints || !motion->hasJoints() || !given.has_poses) return promises;
   const auto placed = poses_by_joints(*motion);
-  if (!placed) return tl::unexpected(placed.error());
+  HAPTICELL_TRY(placed);
   const Distances off = atSameTimes(given, *placed);
   promises.help = "Take a larger tolerance, or move the motion to where the robot reaches.";
   promises.list.push_back({"tool_position", tolerance.position, off.position, "m", atTime(off.t_position), false,
@@ -82,7 +82,7 @@ Expected<Promises> smoothPromises(const Trajectory& given, const PathTolerance& 
 Expected<Promises> retimePromises(const Trajectory& given, const trajectory::RetimingOptions& options,
                                   const RetimeAsked& asked, const std::filesystem::path& written) {
   const auto motion = trajectory::readTrajectory(written);
-  if (!motion) return tl::unexpected(motion.error());
+  HAPTICELL_TRY(motion);
   Promises promises;
   promises.help = "Take a shorter --sample, a larger --tolerance or other limits.";
   const PathTolerance& near = options.tolerance;
@@ -111,7 +111,7 @@ Expected<Promises> retimePromises(const Trajectory& given, const trajectory::Ret
 
 Expected<Promises> resamplePromises(const Trajectory& given, const std::filesystem::path& written) {
   const auto motion = trajectory::readTrajectory(written);
-  if (!motion) return tl::unexpected(motion.error());
+  HAPTICELL_TRY(motion);
   Promises promises;
   // Times of a copy begin at nought.
   Trajectory moved = motion->emptyCopy();
@@ -128,7 +128,7 @@ Expected<Promises> resamplePromises(const Trajectory& given, const std::filesyst
 Expected<Promises> copyPromises(const Trajectory& given, bool with_poses, double time_tolerance,
                                 const std::filesystem::path& written) {
   const auto motion = trajectory::readTrajectory(written);
-  if (!motion) return tl::unexpected(motion.error());
+  HAPTICELL_TRY(motion);
   Promises promises;
   const double lost = std::abs(static_cast<double>(given.size()) - static_cast<double>(motion->size()));
   promises.list.push_back({"frames_lost", 0.0, lost, "frames"});

@@ -9,7 +9,7 @@ Expected<Promises> programPromises(const trajectory::Trajectory& given,
                                    const std::vector<trajectory::ProgramFile>& read, trajectory::ProgramFormat format,
                                    const trajectory::ProgramOptions& options) {
   const auto measured = trajectory::measureProgram(read, format, options, given);
-  if (!measured) return tl::unexpected(measured.error());
+  HAPTICELL_TRY(measured);
   const trajectory::PathTolerance& asked = trajectory::kProgramPromise;
   const auto at = [](std::size_t frame) { return "at frame " + std::to_string(frame); };
   Promises promises;

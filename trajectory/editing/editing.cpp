@@ -15,7 +15,7 @@ constexpr double kMetresPerRadian = 0.1;
 constexpr double kLeastTime = 1e-3;  // s
 
 Error wrong(std::string place, std::string found, std::string expected) {
-  return {"", std::move(place), std::move(found), std::move(expected), ""};
+  return {.place = std::move(place), .found = std::move(found), .expected = std::move(expected)};
 }
 
 /// Without joints and channels: what is left when frames are put elsewhere.
@@ -92,8 +92,8 @@ Expected<std::pair<Trajectory, Trajectory>> splitAt(const Trajectory& trajectory
     return makeError(wrong("time", shortestText(t) + " s", "one between the first and the last frame"));
   }
   auto before = trimmed(trajectory, trajectory[0].t, t), after = trimmed(trajectory, t, trajectory.frames().back().t);
-  if (!before) return makeError(before.error());
-  if (!after) return makeError(after.error());
+  HAPTICELL_TRY(before);
+  HAPTICELL_TRY(after);
   return std::pair{std::move(*before), std::move(*after)};
 }
 
@@ -207,7 +207,7 @@ Expected<Trajectory> withFrame(const Trajectory& trajectory, double t, const Pos
 }
 
 Expected<Trajectory> withFrameAt(const Trajectory& trajectory, std::size_t i, const Pose& X_WT, double reach) {
-  if (auto checked = checkFrame(trajectory, i); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkFrame(trajectory, i));
   const Twist way_W = difference(X_WT, trajectory[i].X_WT);
   Trajectory result = posesOnly(trajectory);
   result.reserve(trajectory.size());
@@ -224,7 +224,7 @@ Expected<Trajectory> withFrameAt(const Trajectory& trajectory, std::size_t i, co
 
 Expected<Trajectory> withoutFrames(const Trajectory& trajectory, std::size_t first, std::size_t last) {
   for (const std::size_t i : {first, last}) {
-    if (auto checked = checkFrame(trajectory, i); !checked) return makeError(checked.error());
+    HAPTICELL_TRY(checkFrame(trajectory, i));
   }
   if (first > last || last - first + 1 >= trajectory.size()) {
     return makeError(
@@ -239,7 +239,7 @@ Expected<Trajectory> withoutFrames(const Trajectory& trajectory, std::size_t fir
 }
 
 Expected<Trajectory> withDwell(const Trajectory& trajectory, std::size_t i, double seconds) {
-  if (auto checked = checkFrame(trajectory, i); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkFrame(trajectory, i));
   if (!(seconds >= 0.0) || !std::isfinite(seconds)) {
     return makeError(wrong("dwell", shortestText(seconds) + " s", "a time of 0 s or more"));
   }
@@ -257,7 +257,7 @@ Expected<Trajectory> withDwell(const Trajectory& trajectory, std::size_t i, doub
 }
 
 Expected<Trajectory> withName(const Trajectory& trajectory, std::size_t i, const std::string& name) {
-  if (auto checked = checkFrame(trajectory, i); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkFrame(trajectory, i));
   constexpr std::size_t kLongest = 200;
   const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
@@ -281,8 +281,7 @@ Expected<Trajectory> withName(const Trajectory& trajectory, std::size_t i, const
 }
 
 Expected<Trajectory> withFrameMoved(const Trajectory& trajectory, std::size_t from, std::size_t to) {
-  for (const std::size_t i : {from, to})
-    if (auto checked = checkFrame(trajectory, i); !checked) return makeError(checked.error());
+  for (const std::size_t i : {from, to}) HAPTICELL_TRY(checkFrame(trajectory, i));
   std::vector<std::size_t> order(trajectory.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   order.erase(order.begin() + static_cast<std::ptrdiff_t>(from));
@@ -311,7 +310,7 @@ Expected<Trajectory> withFrameMoved(const Trajectory& trajectory, std::size_t fr
 }
 
 Expected<Trajectory> withApproach(const Trajectory& trajectory, const StraightWay& way) {
-  if (auto checked = checkWay(trajectory, way); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkWay(trajectory, way));
   const double time = way.length / way.speed;
   Trajectory result = posesOnly(trajectory);
   result.addFrame({0.0, farEnd(trajectory[0].X_WT, way), true});
@@ -320,7 +319,7 @@ Expected<Trajectory> withApproach(const Trajectory& trajectory, const StraightWa
 }
 
 Expected<Trajectory> withRetract(const Trajectory& trajectory, const StraightWay& way) {
-  if (auto checked = checkWay(trajectory, way); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkWay(trajectory, way));
   Trajectory result = posesOnly(trajectory);
   for (std::size_t i = 0; i < trajectory.size(); ++i) append(result, trajectory, i, 0.0);
   const Trajectory::Frame& last = trajectory.frames().back();

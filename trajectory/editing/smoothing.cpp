@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "trajectory/motion/motion_spline.h"
 
@@ -30,7 +31,7 @@ double roughness(const std::vector<dvec3>& points, std::size_t half, double dt) 
   for (double i = -m; i <= m; ++i) {
     weights.push_back((3.0 * (3.0 * m * m + 3.0 * m - 1.0) - 15.0 * i * i) /
                       ((2.0 * m + 3.0) * (2.0 * m + 1.0) * (2.0 * m - 1.0)));
-    kept += weights.back() * std::cos(2.0 * 3.141592653589793 * kTremorHz * i * dt);
+    kept += weights.back() * std::cos(2.0 * std::numbers::pi * kTremorHz * i * dt);
   }
   double sum = 0.0;
   std::size_t count = 0;

@@ -43,7 +43,10 @@ std::vector<double> velocitiesAt(const Trajectory& trajectory, std::size_t i) {
 
 Expected<std::string> toRosText(const Trajectory& trajectory) {
   if (!trajectory.hasJoints()) {
-    return makeError({"", "joints", "none", "a robot's trajectory", "Export its poses as csv or json instead."});
+    return makeError({.place = "joints",
+                      .found = "none",
+                      .expected = "a robot's trajectory",
+                      .fix = "Export its poses as csv or json instead."});
   }
   std::string text =
       "# trajectory_msgs/msg/JointTrajectory; rad, m, s\nheader:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: ''\n";

@@ -61,17 +61,20 @@ class RosYamlReader {
 
   Expected<Trajectory> read() {
     const auto content = geometry::readRegularFile(name_, kLargestYaml);
-    if (!content) return makeError(content.error());
+    HAPTICELL_TRY(content);
     const std::string& text = *content;
     std::vector<YAML::Node> documents;
     try {
       if (const auto still = standstillOf(text))
-        return makeError({name_, "line " + std::to_string(still->line + 1), "no YAML", kMessage, ""});
+        return makeError({.file = name_,
+                          .place = "line " + std::to_string(still->line + 1),
+                          .found = "no YAML",
+                          .expected = kMessage});
       documents = YAML::LoadAll(text);
       return readDocuments(documents);
     } catch (const YAML::Exception& problem) {
       const std::string place = problem.mark.is_null() ? "" : "line " + std::to_string(problem.mark.line + 1);
-      return makeError({name_, place, problem.msg, kMessage, ""});
+      return makeError({.file = name_, .place = place, .found = problem.msg, .expected = kMessage});
     }
   }
 
@@ -79,13 +82,17 @@ class RosYamlReader {
   tl::unexpected<Error> fault(const YAML::Node& at, const std::string& found, const std::string& expected,
                               const std::string& fix = {}) const {
     const YAML::Mark mark = at.IsDefined() ? at.Mark() : YAML::Mark::null_mark();
-    return makeError({name_, mark.is_null() ? "" : "line " + std::to_string(mark.line + 1), found, expected, fix});
+    return makeError({.file = name_,
+                      .place = mark.is_null() ? "" : "line " + std::to_string(mark.line + 1),
+                      .found = found,
+                      .expected = expected,
+                      .fix = fix});
   }
 
   Expected<Trajectory> readDocuments(const std::vector<YAML::Node>& documents) {
     std::vector<YAML::Node> messages, states;
     for (const YAML::Node& document : documents) {
-      if (auto searched = search(document, messages, 0); !searched) return tl::unexpected(searched.error());
+      HAPTICELL_TRY(search(document, messages, 0));
       if (document.IsMap() && document["name"] && document["position"]) states.push_back(document);
     }
     if (messages.size() > 1) {
@@ -93,7 +100,7 @@ class RosYamlReader {
                    "Keep the one that is wanted in the file.");
     }
     auto taken = messages.size() == 1 ? takeMessage(messages.front()) : takeStates(states);
-    if (!taken) return tl::unexpected(taken.error());
+    HAPTICELL_TRY(taken);
     trajectory_.has_poses = false;
     return std::move(trajectory_);
   }
@@ -155,9 +162,9 @@ class RosYamlReader {
                      "positions and time_from_start", echoedShort(point) ? kFullLength : "");
       if (auto checked = checkKeys(point); !checked) return checked;
       const auto positions = numbersOf(point["positions"], point);
-      if (!positions) return tl::unexpected(positions.error());
+      HAPTICELL_TRY(positions);
       const auto time = timeOf(point["time_from_start"], point, "time_from_start");
-      if (!time) return tl::unexpected(time.error());
+      HAPTICELL_TRY(time);
       if (auto added = addPoint(point, *time, *positions); !added) return added;
     }
     return {};
@@ -165,7 +172,7 @@ class RosYamlReader {
 
   /// One frame a message, from the first one's stamp on.
   Expected<void> takeStates(const std::vector<YAML::Node>& states) {
-    if (states.empty()) return makeError({name_, "", "no such message", kMessage, ""});
+    if (states.empty()) return makeError({.file = name_, .found = "no such message", .expected = kMessage});
     if (auto taken = takeNames(states.front()["name"]); !taken) return taken;
     std::int64_t first = 0;
     for (const YAML::Node& state : states) {
@@ -173,10 +180,10 @@ class RosYamlReader {
       for (const YAML::Node& name : state["name"]) names.push_back(name.IsScalar() ? name.Scalar() : "");
       if (names != trajectory_.joint_names) return fault(state["name"], "other joints", "those of the first message");
       const auto positions = numbersOf(state["position"], state);
-      if (!positions) return tl::unexpected(positions.error());
+      HAPTICELL_TRY(positions);
       const YAML::Node header = state["header"];
       const auto time = timeOf(header ? header["stamp"] : YAML::Node(YAML::NodeType::Undefined), state, "stamp");
-      if (!time) return tl::unexpected(time.error());
+      HAPTICELL_TRY(time);
       if (trajectory_.empty()) first = *time;
       if (auto added = addPoint(state, *time - first, *positions); !added) return added;
     }
@@ -212,7 +219,7 @@ class RosYamlReader {
       return std::llround(*seconds * static_cast<double>(kSecond));
     }
     if (!time.IsMap()) return fault(time, std::string("a ") + what + " that is a list", kExpected);
-    if (auto checked = checkKeys(time); !checked) return tl::unexpected(checked.error());
+    HAPTICELL_TRY(checkKeys(time));
     std::int64_t sum = 0;
     bool any = false;
     for (const auto& entry : time) {

@@ -11,10 +11,10 @@
 
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/regular_file.h"
+#include "trajectory/files/ros_yaml_reader.h"
 #include "trajectory/motion/csv_table.h"
 #include "trajectory/motion/number_text.h"
 #include "trajectory/programs/reading/program_reader.h"
-#include "trajectory/files/ros_yaml_reader.h"
 
 namespace hapticell::trajectory {
 
@@ -38,7 +38,9 @@ Expected<Pose> poseOf(const double* v) {
   const dquat q(v[3], v[4], v[5], v[6]);
   const double norm = glm::length(q);
   if (!(std::abs(norm - 1.0) <= kUnitQuaternionTolerance)) {
-    return makeError({"", "qw,qx,qy,qz", "a quaternion of length " + shortestText(norm), "a unit quaternion", ""});
+    return makeError({.place = "qw,qx,qy,qz",
+                      .found = "a quaternion of length " + shortestText(norm),
+                      .expected = "a unit quaternion"});
   }
   return Pose{{v[0], v[1], v[2]}, std::abs(norm - 1.0) < 1e-9 ? q : q / norm};
 }
@@ -47,12 +49,13 @@ Expected<Pose> poseOf(const double* v) {
 Expected<void> append(Trajectory& trajectory, const std::vector<double>& numbers, bool by_hand, double dwell,
                       bool is_pose_apart, std::shared_ptr<const std::string> name = nullptr) {
   const auto pose = poseOf(numbers.data() + 1);
-  if (!pose) return tl::unexpected(pose.error());
+  HAPTICELL_TRY(pose);
   const std::span<const double> joints = std::span(numbers).subspan(8, trajectory.joint_names.size());
   const std::span<const double> channels = std::span(numbers).subspan(8 + joints.size());
   if (!trajectory.addFrame({numbers[0], *pose, by_hand, dwell, std::move(name), is_pose_apart}, joints, channels)) {
-    return makeError({"", "t", shortestText(numbers[0]) + " s",
-                      "a time after the one before, " + shortestText(trajectory.frames().back().t) + " s", ""});
+    return makeError({.place = "t",
+                      .found = shortestText(numbers[0]) + " s",
+                      .expected = "a time after the one before, " + shortestText(trajectory.frames().back().t) + " s"});
   }
   return {};
 }
@@ -109,7 +112,7 @@ Expected<Trajectory> readCsv(const fs::path& file) {
   std::vector<std::string> wanted = trajectory.has_poses ? poseColumns() : std::vector<std::string>{"t"};
   wanted.insert(wanted.end(), columns.joints.begin(), columns.joints.end());
   const auto table = readCsvTable(file, wanted, {"by_hand", "dwell", "pose_apart"});
-  if (!table) return tl::unexpected(table.error());
+  HAPTICELL_TRY(table);
   trajectory.reserve(table->rows.size());
   for (std::size_t i = 0; i < table->rows.size(); ++i) {
     std::vector<double> row = table->rows[i];
@@ -128,12 +131,13 @@ Expected<std::vector<double>> numbersOf(const json& list, std::size_t count) {
   const bool is_right = list.is_array() && list.size() == count &&
                         std::all_of(list.begin(), list.end(), [](const json& n) { return n.is_number(); });
   if (!is_right) {
-    return makeError({"", "", list.is_array() ? std::to_string(list.size()) + " entries" : "no list of numbers",
-                      std::to_string(count) + " numbers: t,x,y,z,qw,qx,qy,qz, the joints and the channels", ""});
+    return makeError(
+        {.found = list.is_array() ? std::to_string(list.size()) + " entries" : "no list of numbers",
+         .expected = std::to_string(count) + " numbers: t,x,y,z,qw,qx,qy,qz, the joints and the channels"});
   }
   auto numbers = list.get<std::vector<double>>();
   if (!std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); })) {
-    return makeError({"", "", "a number that is not finite", "finite numbers", ""});
+    return makeError({.found = "a number that is not finite", .expected = "finite numbers"});
   }
   return numbers;
 }
@@ -141,15 +145,22 @@ Expected<std::vector<double>> numbersOf(const json& list, std::size_t count) {
 Expected<void> checkHeader(const json& document, const fs::path& file) {
   const std::string name = file.string();
   if (!document.is_object() || document.value("format", json()) != kFormat) {
-    return makeError({name, "field 'format'", "no HaptiCell trajectory", std::string("\"") + kFormat + "\"", ""});
+    return makeError({.file = name,
+                      .place = "field 'format'",
+                      .found = "no HaptiCell trajectory",
+                      .expected = std::string("\"") + kFormat + "\""});
   }
   const json version = document.value("version", json());
   if (!version.is_number_integer() || version.get<std::int64_t>() < 1) {
-    return makeError({name, "field 'version'", version.dump(), "a whole number from 1", ""});
+    return makeError(
+        {.file = name, .place = "field 'version'", .found = version.dump(), .expected = "a whole number from 1"});
   }
   if (version.get<std::int64_t>() > kVersion) {
-    return makeError({name, "field 'version'", version.dump(), "at most " + std::to_string(kVersion),
-                      "The file was written by a newer HaptiCell: open it there and export it as CSV."});
+    return makeError({.file = name,
+                      .place = "field 'version'",
+                      .found = version.dump(),
+                      .expected = "at most " + std::to_string(kVersion),
+                      .fix = "The file was written by a newer HaptiCell: open it there and export it as CSV."});
   }
   return {};
 }
@@ -157,7 +168,8 @@ Expected<void> checkHeader(const json& document, const fs::path& file) {
 Expected<void> readText(const json& document, const char* field, std::string& text) {
   const auto value = document.find(field);
   if (value == document.end()) return {};
-  if (!value->is_string()) return makeError({"", std::string("field '") + field + "'", value->dump(), "a text", ""});
+  if (!value->is_string())
+    return makeError({.place = std::string("field '") + field + "'", .found = value->dump(), .expected = "a text"});
   text = value->get<std::string>();
   return {};
 }
@@ -174,24 +186,26 @@ Expected<Marks> readMarks(const json& document, std::size_t count) {
   Marks marks{std::vector<bool>(count, false), std::vector<bool>(count, false), std::vector<double>(count, 0.0), {}};
   const auto isIndex = [count](const json& i) { return i.is_number_unsigned() && i.get<std::size_t>() < count; };
   for (const json& index : document.value("by_hand", json::array())) {
-    if (!isIndex(index)) return makeError({"", "field 'by_hand'", index.dump(), "the number of a frame, from 0", ""});
+    if (!isIndex(index))
+      return makeError(
+          {.place = "field 'by_hand'", .found = index.dump(), .expected = "the number of a frame, from 0"});
     marks.by_hand[index.get<std::size_t>()] = true;
   }
   for (const json& dwell : document.value("dwells", json::array())) {
     if (!dwell.is_array() || dwell.size() != 2 || !isIndex(dwell[0]) || !dwell[1].is_number()) {
-      return makeError({"", "field 'dwells'", dwell.dump(), "[frame, seconds]", ""});
+      return makeError({.place = "field 'dwells'", .found = dwell.dump(), .expected = "[frame, seconds]"});
     }
     marks.dwell[dwell[0].get<std::size_t>()] = dwell[1].get<double>();
   }
   for (const json& name : document.value("names", json::array())) {
     if (!name.is_array() || name.size() != 2 || !isIndex(name[0]) || !name[1].is_string()) {
-      return makeError({"", "field 'names'", name.dump(), "[frame, \"name\"]", ""});
+      return makeError({.place = "field 'names'", .found = name.dump(), .expected = "[frame, \"name\"]"});
     }
     marks.names[name[0].get<std::size_t>()] = name[1].get<std::string>();
   }
   for (const json& run : document.value("pose_apart", json::array())) {
     if (!run.is_array() || run.size() != 2 || !isIndex(run[0]) || !isIndex(run[1])) {
-      return makeError({"", "field 'pose_apart'", run.dump(), "[first frame, last frame]", ""});
+      return makeError({.place = "field 'pose_apart'", .found = run.dump(), .expected = "[first frame, last frame]"});
     }
     for (auto i = run[0].get<std::size_t>(); i <= run[1].get<std::size_t>(); ++i) marks.pose_apart[i] = true;
   }
@@ -211,7 +225,8 @@ Expected<void> readRecorded(const json& document, Trajectory& trajectory) {
     const bool is_right = touch.is_array() && touch.size() == 5 && touch[0].is_number() && touch[1].is_number() &&
                           touch[2].is_string() && touch[3].is_string() && touch[4].is_number();
     if (!is_right)
-      return makeError({"", "field 'touches'", touch.dump(), "[in, out, \"first\", \"second\", force]", ""});
+      return makeError(
+          {.place = "field 'touches'", .found = touch.dump(), .expected = "[in, out, \"first\", \"second\", force]"});
     trajectory.touches.push_back({touch[0].get<double>(), touch[1].get<double>(), touch[2].get<std::string>(),
                                   touch[3].get<std::string>(), touch[4].get<double>()});
   }
@@ -222,22 +237,25 @@ Expected<Trajectory> fromJson(const json& document) {
   Trajectory trajectory;
   for (auto [field, text] : {std::pair("name", &trajectory.name), std::pair("entity", &trajectory.entity),
                              std::pair("moved", &trajectory.moved), std::pair("take", &trajectory.take)}) {
-    if (auto read = readText(document, field, *text); !read) return tl::unexpected(read.error());
+    HAPTICELL_TRY(readText(document, field, *text));
   }
   for (const json& joint : document.value("joints", json::array())) {
-    if (!joint.is_string()) return makeError({"", "field 'joints'", joint.dump(), "names of joints", ""});
+    if (!joint.is_string())
+      return makeError({.place = "field 'joints'", .found = joint.dump(), .expected = "names of joints"});
     trajectory.joint_names.push_back(joint.get<std::string>());
   }
-  if (auto read = readRecorded(document, trajectory); !read) return tl::unexpected(read.error());
+  HAPTICELL_TRY(readRecorded(document, trajectory));
   const json has_poses = document.value("has_poses", json(true));
   if (!has_poses.is_boolean() || (!has_poses.get<bool>() && !trajectory.hasJoints())) {
-    return makeError({"", "field 'has_poses'", has_poses.dump(), "true, or false for a motion of joints", ""});
+    return makeError(
+        {.place = "field 'has_poses'", .found = has_poses.dump(), .expected = "true, or false for a motion of joints"});
   }
   trajectory.has_poses = has_poses.get<bool>();
   const json frames = document.value("frames", json());
-  if (!frames.is_array()) return makeError({"", "field 'frames'", "none", "a list of frames", ""});
+  if (!frames.is_array())
+    return makeError({.place = "field 'frames'", .found = "none", .expected = "a list of frames"});
   const auto marks = readMarks(document, frames.size());
-  if (!marks) return tl::unexpected(marks.error());
+  HAPTICELL_TRY(marks);
   trajectory.reserve(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const std::string place = "frame " + std::to_string(i);
@@ -257,12 +275,13 @@ Expected<Trajectory> fromJson(const json& document) {
 
 Expected<Trajectory> readJson(const fs::path& file) {
   const auto text = geometry::readRegularFile(file);
-  if (!text) return makeError(text.error());
+  HAPTICELL_TRY(text);
   auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
-  if (!flat) return makeError(flat.error());
+  HAPTICELL_TRY(flat);
   const json document = json::parse(*text, nullptr, false);
-  if (document.is_discarded()) return makeError({file.string(), "", "it is not JSON", "a HaptiCell trajectory", ""});
-  if (auto header = checkHeader(document, file); !header) return tl::unexpected(header.error());
+  if (document.is_discarded())
+    return makeError({.file = file.string(), .found = "it is not JSON", .expected = "a HaptiCell trajectory"});
+  HAPTICELL_TRY(checkHeader(document, file));
   auto trajectory = fromJson(document);
   if (!trajectory) trajectory.error().file = file.string();
   return trajectory;
@@ -290,8 +309,10 @@ void appendFrame(std::string& text, const Trajectory& trajectory, std::size_t i,
 
 Expected<Trajectory> readTrajectory(const fs::path& file, std::vector<std::string>* notes) {
   std::error_code ignored;
-  if (fs::is_directory(file, ignored)) return makeError({file.string(), "", "a folder", "a trajectory file", ""});
-  if (!fs::exists(file, ignored)) return makeError({file.string(), "", "there is no such file", "a trajectory", ""});
+  if (fs::is_directory(file, ignored))
+    return makeError({.file = file.string(), .found = "a folder", .expected = "a trajectory file"});
+  if (!fs::exists(file, ignored))
+    return makeError({.file = file.string(), .found = "there is no such file", .expected = "a trajectory"});
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
@@ -300,12 +321,13 @@ Expected<Trajectory> readTrajectory(const fs::path& file, std::vector<std::strin
   if (extension == ".htraj" || extension == ".json") return readJson(file);
   if (isProgramFile(file)) {
     auto program = readProgram(file);
-    if (!program) return tl::unexpected(program.error());
+    HAPTICELL_TRY(program);
     if (notes) notes->insert(notes->end(), program->notes.begin(), program->notes.end());
     return std::move(program->trajectory);
   }
-  return makeError({file.string(), "", "the extension '" + extension + "'",
-                    ".htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi", ""});
+  return makeError({.file = file.string(),
+                    .found = "the extension '" + extension + "'",
+                    .expected = ".htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi"});
 }
 
 std::string toJsonText(const Trajectory& trajectory) {

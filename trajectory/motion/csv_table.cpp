@@ -51,13 +51,19 @@ class Reader {
       : name_(file.string()), stream_(file), wanted_(wanted), optional_(optional) {}
 
   Expected<CsvTable> read() {
-    if (!stream_) return makeError({name_, "", stream_.error().found, "a readable CSV file", ""});
-    if (auto header = readHeader(); !header) return tl::unexpected(header.error());
+    if (!stream_) return makeError({.file = name_, .found = stream_.error().found, .expected = "a readable CSV file"});
+    HAPTICELL_TRY(readHeader());
     while (nextLine()) {
-      if (auto row = readRow(); !row) return tl::unexpected(row.error());
+      HAPTICELL_TRY(readRow());
     }
-    if (too_long_) return makeError({name_, place(), "a line of more than 65 536 characters", "a CSV file", ""});
-    if (table_.rows.empty()) return makeError({name_, place(), "no row behind the header", "at least one", ""});
+    if (too_long_)
+      return makeError({.file = name_,
+                        .place = place(),
+                        .found = "a line of more than 65 536 characters",
+                        .expected = "a CSV file"});
+    if (table_.rows.empty())
+      return makeError(
+          {.file = name_, .place = place(), .found = "no row behind the header", .expected = "at least one"});
     return std::move(table_);
   }
 
@@ -81,7 +87,9 @@ class Reader {
 
   tl::expected<void, Error> readHeader() {
     const std::string columns = "a header line with the columns " + listed(wanted_);
-    if (!nextLine()) return makeError({name_, "", too_long_ ? "an endless first line" : "an empty file", columns, ""});
+    if (!nextLine())
+      return makeError(
+          {.file = name_, .found = too_long_ ? "an endless first line" : "an empty file", .expected = columns});
     separator_ = line_.find(';') != std::string::npos ? ';' : ',';
     splitInto(line_, separator_, fields_);
     field_count_ = fields_.size();
@@ -90,10 +98,13 @@ class Reader {
         const auto found = std::find(fields_.begin(), fields_.end(), name);
         const bool is_there = found != fields_.end();
         if (!is_there && names == &wanted_) {
-          return makeError({name_, place(), "no column '" + name + "' in " + excerpt(line_), columns, ""});
+          return makeError({.file = name_,
+                            .place = place(),
+                            .found = "no column '" + name + "' in " + excerpt(line_),
+                            .expected = columns});
         }
         if (is_there && std::find(found + 1, fields_.end(), name) != fields_.end()) {
-          return makeError({name_, place(), "two columns '" + name + "'", "one", ""});
+          return makeError({.file = name_, .place = place(), .found = "two columns '" + name + "'", .expected = "one"});
         }
         columns_.push_back(is_there ? found - fields_.begin() : -1);
         if (names == &optional_) table_.has_optional.push_back(is_there);
@@ -105,8 +116,10 @@ class Reader {
   tl::expected<void, Error> readRow() {
     splitInto(line_, separator_, fields_);
     if (fields_.size() != field_count_) {
-      return makeError({name_, place(), std::to_string(fields_.size()) + " fields",
-                        std::to_string(field_count_) + ", as in the header", ""});
+      return makeError({.file = name_,
+                        .place = place(),
+                        .found = std::to_string(fields_.size()) + " fields",
+                        .expected = std::to_string(field_count_) + ", as in the header"});
     }
     std::vector<double> row;
     row.reserve(columns_.size());
@@ -159,7 +172,7 @@ Expected<CsvTable> readCsvTable(const std::filesystem::path& file, const std::ve
                                 const std::vector<std::string>& optional) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
-    return makeError({file.string(), "", "a folder", "a CSV file", ""});
+    return makeError({.file = file.string(), .found = "a folder", .expected = "a CSV file"});
   }
   return Reader(file, wanted, optional).read();
 }

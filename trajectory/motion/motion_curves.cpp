@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace hapticell::trajectory {
 
@@ -74,7 +75,7 @@ void differentiate(MotionCurve& curve, double step) {
 dvec3 nearestTurn(const dvec3& turn, const dvec3& before) {
   const double angle = glm::length(turn);
   if (angle < 1e-9) return turn;
-  constexpr double kRound = 6.283185307179586;
+  constexpr double kRound = 2.0 * std::numbers::pi;
   const double rounds = std::round((glm::dot(before, turn) / angle - angle) / kRound);
   return turn * (1.0 + rounds * kRound / angle);
 }

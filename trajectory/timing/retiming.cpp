@@ -9,9 +9,9 @@
 #include <set>
 #include <utility>
 
-#include "trajectory/timing/frame_use.h"
-#include "trajectory/motion/number_text.h"
 #include "trajectory/editing/simplification.h"
+#include "trajectory/motion/number_text.h"
+#include "trajectory/timing/frame_use.h"
 #include "trajectory/timing/straight_timing.h"
 
 namespace hapticell::trajectory {
@@ -132,17 +132,17 @@ class Retimer {
         by_(options.mode == TimingMode::kTimeOptimal && original.hasJoints() ? LimitedBy::kJoints : LimitedBy::kPose) {}
 
   Expected<Retimed> run() {
-    if (auto checked = check(); !checked) return tl::unexpected(checked.error());
+    HAPTICELL_TRY(check());
     std::set<std::size_t> rests = restsOf();
     for (int round = 0;; ++round) {
       keepKnown();
       for (const Piece& piece : piecesOf(moving_, rests)) {
-        if (auto added = addPiece(piece, rests); !added) return tl::unexpected(added.error());
+        HAPTICELL_TRY(addPiece(piece, rests));
       }
       std::vector<std::size_t> missed;
       double step = options_.sample_s;
       for (int halving = 0; halving <= kMostHalvings; ++halving, step *= 0.5) {
-        if (auto sampled = sample(step); !sampled) return tl::unexpected(sampled.error());
+        HAPTICELL_TRY(sample(step));
         const std::size_t before = missed.size();
         missed = missedFrames();
         if (missed.empty() || (halving > 0 && 10 * missed.size() > 9 * before)) break;
@@ -173,24 +173,28 @@ class Retimer {
 
   Expected<void> check() const {
     if (moving_.size() < 2 || (moving_.size() == 2 && stands()))
-      return makeError({"", "frames", "fewer than two different frames", "a motion", ""});
+      return makeError({.place = "frames", .found = "fewer than two different frames", .expected = "a motion"});
     if (!(options_.sample_s > 0.0))
-      return makeError({"", "sample", shortestText(options_.sample_s) + " s", "a positive one", ""});
+      return makeError(
+          {.place = "sample", .found = shortestText(options_.sample_s) + " s", .expected = "a positive one"});
     if (options_.mode == TimingMode::kTimeOptimal) {
       const std::size_t dimensions = by_ == LimitedBy::kJoints ? moving_.joint_names.size() : 6;
       const auto limits = checkLimits(dimensions, options_.limits);
       return limits ? checkJoints() : limits;
     }
     if (!(options_.speed > 0.0) || !(options_.acceleration > 0.0))
-      return makeError({"", "speed, acceleration", "a value that is not positive", "positive values", ""});
+      return makeError(
+          {.place = "speed, acceleration", .found = "a value that is not positive", .expected = "positive values"});
     if (!moving_.has_poses)
       return makeError(
           {"", "poses", "none, so no speed of the tool", "a robot whose forward kinematics gives them", ""});
     for (std::size_t i = 1; i < moving_.size(); ++i) {
       const PoseDistance step = distanceBetween(moving_[i - 1].X_WT, moving_[i].X_WT);
       if (kStill.shareOf(step) <= 1.0 && jointsMove(i))
-        return makeError({"", "frame " + std::to_string(i), "joints that move while the tool stands",
-                          "a tool that moves, for a constant speed of it", "Time it by the joints' limits."});
+        return makeError({.place = "frame " + std::to_string(i),
+                          .found = "joints that move while the tool stands",
+                          .expected = "a tool that moves, for a constant speed of it",
+                          .fix = "Time it by the joints' limits."});
     }
     return {};
   }
@@ -199,8 +203,10 @@ class Retimer {
     for (std::size_t i = 1; i < moving_.size() && by_ == LimitedBy::kJoints; ++i) {
       const PoseDistance step = distanceBetween(moving_[i - 1].X_WT, moving_[i].X_WT);
       if (!jointsMove(i) && kStill.shareOf(step) > 100.0)
-        return makeError({"", "frame " + std::to_string(i), "a pose that moves while the joints stand",
-                          "joints that move, for limits of theirs", "Time it at a constant speed."});
+        return makeError({.place = "frame " + std::to_string(i),
+                          .found = "a pose that moves while the joints stand",
+                          .expected = "joints that move, for limits of theirs",
+                          .fix = "Time it at a constant speed."});
     }
     return {};
   }
@@ -235,7 +241,7 @@ class Retimer {
     if (path.isStraight()) return straightTiming(path, options_.limits);
     auto timing = options_.limits.jerk.empty() ? timeOptimal(path, options_.limits, {options_.grid_points})
                                                : jerkLimited(path, options_.limits, {options_.grid_points});
-    if (!timing) return tl::unexpected(timing.error());
+    HAPTICELL_TRY(timing);
     return Timing{timing->duration(), [timing = std::move(*timing)](double t) { return timing.at(t).s; }};
   }
 
@@ -246,7 +252,7 @@ class Retimer {
     part.ways = waysOf(part.frames, options_.metres_per_radian, by_ == LimitedBy::kJoints);
     part.path = pathThrough(part.frames, part.ways, options_.tolerance, by_);
     auto timing = timingOf(*part.path);
-    if (!timing) return tl::unexpected(timing.error());
+    HAPTICELL_TRY(timing);
     part.timing = std::move(*timing);
     return part;
   }
@@ -267,7 +273,7 @@ class Retimer {
       return {};
     }
     auto part = partOf(piece);
-    if (!part) return tl::unexpected(part.error());
+    HAPTICELL_TRY(part);
     if (part->path->isRounded() && !options_.limits.jerk.empty()) {
       auto parts = restingEverywhere(piece);
       double sum = 0.0;
@@ -309,8 +315,10 @@ class Retimer {
     double whole = 0.0;
     for (const Part& part : pieces_) whole += part.timing.duration;
     if (!(whole / step <= kMostFrames)) {
-      return makeError({"", "sample", shortestText(step) + " s for " + shortestText(whole) + " s",
-                        "a positive one, at most ten million frames", "Take a longer one, or a higher speed."});
+      return makeError({.place = "sample",
+                        .found = shortestText(step) + " s for " + shortestText(whole) + " s",
+                        .expected = "a positive one, at most ten million frames",
+                        .fix = "Take a longer one, or a higher speed."});
     }
     step_ = step;
     result_.report.use = {};

@@ -272,7 +272,7 @@ PathTiming held(const LimitedPath& path, PathTiming timing, const MotionLimits& 
 Expected<void> checkPath(const LimitedPath& path, const MotionLimits& limits) {
   if (auto checked = checkLimits(path.dimensions(), limits); !checked) return checked;
   if (path.breaks().back() > path.breaks().front()) return {};
-  return makeError({"", "path", "a path of no length", "frames that move", ""});
+  return makeError({.place = "path", .found = "a path of no length", .expected = "frames that move"});
 }
 
 Expected<PathTiming> fastestOn(const Grid& grid, const TimingOptions& options) {
@@ -385,19 +385,21 @@ Expected<void> checkLimits(std::size_t dimensions, const MotionLimits& limits) {
   };
   if (limits.velocity.size() != dimensions || limits.acceleration.size() != dimensions || bad(limits.velocity) ||
       bad(limits.acceleration) || (!limits.jerk.empty() && (limits.jerk.size() != dimensions || bad(limits.jerk)))) {
-    return makeError({"", "limits", "limits that are missing or not positive",
-                      "a positive velocity and acceleration for each of " + std::to_string(dimensions) + " axes", ""});
+    return makeError(
+        {.place = "limits",
+         .found = "limits that are missing or not positive",
+         .expected = "a positive velocity and acceleration for each of " + std::to_string(dimensions) + " axes"});
   }
   return {};
 }
 
 Expected<PathTiming> timeOptimal(const LimitedPath& path, const MotionLimits& limits, const TimingOptions& options) {
-  if (auto checked = checkPath(path, limits); !checked) return tl::unexpected(checked.error());
+  HAPTICELL_TRY(checkPath(path, limits));
   return fastestOn(Grid(path, limits, std::max<std::size_t>(options.grid_points, 3)), options);
 }
 
 Expected<PathTiming> jerkLimited(const LimitedPath& path, const MotionLimits& limits, const TimingOptions& options) {
-  if (auto checked = checkPath(path, limits); !checked) return tl::unexpected(checked.error());
+  HAPTICELL_TRY(checkPath(path, limits));
   const Grid grid(path, limits, std::max<std::size_t>(options.grid_points, 3));
   auto fastest = fastestOn(grid, options);
   if (!fastest || limits.jerk.empty()) return fastest;

@@ -12,10 +12,10 @@
 
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/regular_file.h"
-#include "trajectory/motion/number_text.h"
-#include "trajectory/training/path_progress.h"
 #include "trajectory/editing/smoothing.h"
 #include "trajectory/files/trajectory_io.h"
+#include "trajectory/motion/number_text.h"
+#include "trajectory/training/path_progress.h"
 
 namespace hapticell::trajectory {
 
@@ -102,9 +102,10 @@ void visitNumbers(Score& score, Visit visit) {
 Expected<TrainingAttempt> attemptOf(const json& entry, std::size_t index) {
   const std::string place = "attempt " + std::to_string(index + 1);
   const auto wrong = [&](const std::string& field) {
-    return makeError({"", place + ", field '" + field + "'", "none, or not what it should be", "a value", ""});
+    return makeError(
+        {.place = place + ", field '" + field + "'", .found = "none, or not what it should be", .expected = "a value"});
   };
-  if (!entry.is_object()) return makeError({"", place, "no object", "an attempt", ""});
+  if (!entry.is_object()) return makeError({.place = place, .found = "no object", .expected = "an attempt"});
   TrainingAttempt attempt;
   if (!entry.contains("date") || !entry["date"].is_string()) return wrong("date");
   if (!entry.contains("help") || !entry["help"].is_number()) return wrong("help");
@@ -235,9 +236,9 @@ std::optional<double> TrainingSession::restBefore(const std::string& date) const
 
 Expected<TrainingSession> readTraining(const std::filesystem::path& file) {
   const auto content = geometry::readRegularFile(file);
-  if (!content) return makeError(content.error());
+  HAPTICELL_TRY(content);
   auto flat = geometry::checkNesting(*content, geometry::NestedText::kJson, file.string());
-  if (!flat) return makeError(flat.error());
+  HAPTICELL_TRY(flat);
   const json document = json::parse(*content, nullptr, false);
   const auto version = document.is_object() ? document.value("version", json()) : json();
   if (!document.is_object() || document.value("format", json()) != kTrainingFormat || !version.is_number_integer()) {
@@ -251,12 +252,16 @@ Expected<TrainingSession> readTraining(const std::filesystem::path& file) {
   TrainingSession session;
   for (const auto& [field, text] : {std::pair("trainee", &session.trainee), std::pair("exercise", &session.exercise)}) {
     if (!document.contains(field) || !document[field].is_string()) {
-      return makeError({file.string(), std::string("field '") + field + "'", "none", "a text", ""});
+      return makeError({.file = file.string(),
+                        .place = std::string("field '") + field + "'",
+                        .found = "none",
+                        .expected = "a text"});
     }
     *text = document[field].get<std::string>();
   }
   const json attempts = document.value("attempts", json::array());
-  if (!attempts.is_array()) return makeError({file.string(), "field 'attempts'", "no list", "a list", ""});
+  if (!attempts.is_array())
+    return makeError({.file = file.string(), .place = "field 'attempts'", .found = "no list", .expected = "a list"});
   for (std::size_t i = 0; i < attempts.size(); ++i) {
     auto attempt = attemptOf(attempts[i], i);
     if (!attempt) {

@@ -35,7 +35,7 @@ Error tooFar(const std::string& name, double metres) {
 }  // namespace
 
 Error refusal(std::string place, std::string found, std::string expected, std::string fix) {
-  return {"", std::move(place), std::move(found), std::move(expected), std::move(fix)};
+  return {.place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = std::move(fix)};
 }
 
 std::string quotedName(const std::string& name) {

@@ -66,7 +66,7 @@ std::string Document::uniqueName(std::string_view wanted) const {
 }
 
 Expected<EntityId> Document::execute(const Command& command) {
-  if (auto near = checkReachOf(command, state_); !near) return makeError(near.error());
+  HAPTICELL_TRY(checkReachOf(command, state_));
   // Where the memory ends, the state of before stands: nothing below the last allocation throws.
   Expected<EntityId> done = EntityId{0};
   if (inCompound()) {

@@ -10,10 +10,11 @@ Expected<std::vector<Command>> resizePart(const DocumentState& state, EntityId i
   const BuiltInPart* part =
       entity ? findBuiltInPart(entity->source.path.substr(0, entity->source.path.find(':'))) : nullptr;
   if (part == nullptr || !entity->mesh || partSizes(entity->source).empty())
-    return makeError({"", entity ? "'" + entity->name + "'" : "size", "no built-in part",
-                      "a part that is made from its sizes: a box, a table, a bench", ""});
+    return makeError({.place = entity ? "'" + entity->name + "'" : "size",
+                      .found = "no built-in part",
+                      .expected = "a part that is made from its sizes: a box, a table, a bench"});
   auto fresh = makeBuiltInPart(partSource(*part, sizes), 1.0);
-  if (!fresh) return tl::unexpected(fresh.error());
+  HAPTICELL_TRY(fresh);
   const double rise = fresh->mesh->bounds().max.z - entity->mesh->bounds().max.z;
   std::vector<Command> commands{ReplaceShape{id, std::move(*fresh)}};
   if (part->origin != BuiltInPart::Origin::kFloor || rise == 0.0) return commands;

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "workcell/document/command_checks.h"
-#include "workcell/entity/named_poses.h"
 #include "workcell/document/perform_command.h"
+#include "workcell/entity/named_poses.h"
 
 namespace hapticell::workcell {
 
@@ -64,7 +64,7 @@ Expected<EntityId> perform(const AddEntity& command, StateEdit& edit) {
 Expected<EntityId> addNewlyNamed(const Entity& added, StateEdit& edit) {
   auto entity = std::make_shared<Entity>(added);
   entity->id = edit.newId();
-  if (auto checked = checkNew(*entity, edit.state()); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkNew(*entity, edit.state()));
   if (entity->robot && entity->joints.empty()) entity->joints = kinematics::restPositions(*entity->robot);
   edit.state().entities.push_back(std::move(entity));
   return edit.newId();
@@ -72,10 +72,10 @@ Expected<EntityId> addNewlyNamed(const Entity& added, StateEdit& edit) {
 
 Expected<EntityId> perform(const RemoveEntity& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   const std::vector<EntityId> family = familyOf(edit.state(), command.id);
   for (EntityId id : family) {
-    if (auto free = edit.movable(id); !free) return makeError(free.error());
+    HAPTICELL_TRY(edit.movable(id));
   }
   for (EntityId id : family) {
     const std::string name = edit.state().find(id)->name;
@@ -92,8 +92,8 @@ Expected<EntityId> perform(const RemoveEntity& command, StateEdit& edit) {
 
 Expected<EntityId> perform(const RenameEntity& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
-  if (!entity) return makeError(entity.error());
-  if (auto checked = checkName("the entity's name", command.name); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(entity);
+  HAPTICELL_TRY(checkName("the entity's name", command.name));
   const Entity* other = edit.state().findByName(command.name);
   if (other && other->id != command.id) return makeError(taken(command.name));
   for (PairSet& set : edit.state().pair_sets) {
@@ -122,7 +122,7 @@ Expected<EntityId> perform(const RenameEntity& command, StateEdit& edit) {
 
 Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   const Entity& before = **entity;
   const bool fits =
       before.kind == command.fresh.kind && (command.fresh.mesh || command.fresh.robot) && !before.mechanism;
@@ -148,7 +148,7 @@ Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
 
 Expected<EntityId> perform(const SetCollisionProxy& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   if (!(*entity)->mesh) return makeError(refusal(quotedName((*entity)->name), "no mesh", "a solid"));
   const bool wanted = command.proxy.kind != CollisionProxy::Kind::kNone;
   if (wanted && (!command.proxy.mesh || command.proxy.mesh->triangles.empty())) {
@@ -159,23 +159,23 @@ Expected<EntityId> perform(const SetCollisionProxy& command, StateEdit& edit) {
 
 Expected<EntityId> perform(const SetPlacement& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
-  if (!entity) return makeError(entity.error());
-  if (auto checked = checkPose(quotedName((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(entity);
+  HAPTICELL_TRY(checkPose(quotedName((*entity)->name), command.X_WE));
   return edit.moveFamily(**entity, [&](Entity& changed) { changed.X_WE = command.X_WE; });
 }
 
 Expected<EntityId> perform(const SetJoints& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
-  if (!entity) return makeError(entity.error());
-  if (auto checked = checkJoints(**entity, command.joints); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(entity);
+  HAPTICELL_TRY(checkJoints(**entity, command.joints));
   return edit.move(command.id, [&](Entity& changed) { changed.joints = command.joints; });
 }
 
 Expected<EntityId> perform(const SetConfiguration& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
-  if (!entity) return makeError(entity.error());
-  if (auto checked = checkPose(quotedName((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
-  if (auto checked = checkJoints(**entity, command.joints); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(entity);
+  HAPTICELL_TRY(checkPose(quotedName((*entity)->name), command.X_WE));
+  HAPTICELL_TRY(checkJoints(**entity, command.joints));
   return edit.moveFamily(**entity, [&](Entity& changed) {
     changed.X_WE = command.X_WE;
     changed.joints = command.joints;
@@ -184,7 +184,7 @@ Expected<EntityId> perform(const SetConfiguration& command, StateEdit& edit) {
 
 Expected<EntityId> perform(const SetProperties& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   Entity changed = **entity;
   if (command.color) changed.color = *command.color;
   if (command.visible) changed.visible = *command.visible;
@@ -195,7 +195,7 @@ Expected<EntityId> perform(const SetProperties& command, StateEdit& edit) {
   if (command.material) changed.material = *command.material;
   if (command.mass) changed.mass = *command.mass;
   if (command.parent) changed.parent = *command.parent;
-  if (auto checked = checkProperties(changed); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkProperties(changed));
   const std::vector<EntityId> family = familyOf(edit.state(), command.id);
   if (command.parent) {
     const Entity* parent = edit.state().findByName(changed.parent);
@@ -211,10 +211,10 @@ Expected<EntityId> perform(const SetProperties& command, StateEdit& edit) {
 
 Expected<EntityId> perform(const SetFrames& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   Entity changed = **entity;
   changed.frames = command.frames;
-  if (auto checked = checkFrames(changed); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkFrames(changed));
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "workcell/document/command_checks.h"
-#include "workcell/entity/named_poses.h"
 #include "workcell/document/perform_command.h"
+#include "workcell/entity/named_poses.h"
 
 namespace hapticell::workcell {
 
@@ -13,7 +13,7 @@ namespace {
 /// The model of a mechanism from its definition; joints at rest, the tool in the middle of the tip.
 Expected<void> rebuild(Entity& entity) {
   auto model = buildMechanism(entity.name, *entity.mechanism);
-  if (!model) return makeError({"", quotedName(entity.name), model.error().message(), "", ""});
+  if (!model) return makeError({.place = quotedName(entity.name), .found = model.error().message()});
   entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(*model));
   entity.joints = kinematics::restPositions(*entity.robot);
   const int tip = entity.robot->defaultTip();
@@ -41,7 +41,7 @@ Expected<EntityId> perform(const MakeMechanism& command, StateEdit& edit) {
   auto definition = std::make_shared<MechanismDefinition>();
   for (const EntityId id : command.parts) {
     const auto part = edit.movable(id);
-    if (!part) return makeError(part.error());
+    HAPTICELL_TRY(part);
     if (!(*part)->mesh) {
       return makeError(refusal(quotedName((*part)->name), "it is no solid", "solids as parts of a mechanism"));
     }
@@ -67,7 +67,7 @@ Expected<EntityId> perform(const MakeMechanism& command, StateEdit& edit) {
   made.mechanism = definition;
   DocumentState trial = edit.state();
   StateEdit there(trial, edit.newId());
-  if (auto rebuilt = rebuild(made); !rebuilt) return makeError(rebuilt.error());
+  HAPTICELL_TRY(rebuild(made));
   for (const EntityId id : command.parts) there.takeOut(id, command.name);
   auto added = perform(AddEntity{std::move(made)}, there);
   if (added) edit.state() = std::move(trial);
@@ -76,14 +76,14 @@ Expected<EntityId> perform(const MakeMechanism& command, StateEdit& edit) {
 
 Expected<EntityId> perform(const EditMechanism& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   Entity changed = **entity;
   if (!changed.mechanism) return makeError(refusal(quotedName(changed.name), "it is no mechanism", "a mechanism"));
   auto definition = std::make_shared<MechanismDefinition>(*changed.mechanism);
   definition->joints = command.joints;
   changed.mechanism = std::move(definition);
   const Entity before = changed;
-  if (auto rebuilt = rebuild(changed); !rebuilt) return makeError(rebuilt.error());
+  HAPTICELL_TRY(rebuild(changed));
   keepJoints(before, changed);
   changed.named_poses = posesFor(*changed.robot, before);
   return edit.move(command.id, [&](Entity& target) { target = changed; });
@@ -91,7 +91,7 @@ Expected<EntityId> perform(const EditMechanism& command, StateEdit& edit) {
 
 Expected<EntityId> perform(const DissolveMechanism& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   const Entity mechanism = **entity;
   if (!mechanism.mechanism) return makeError(refusal(quotedName(mechanism.name), "it is no mechanism", "a mechanism"));
   DocumentState trial = edit.state();

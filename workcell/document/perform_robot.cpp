@@ -43,39 +43,39 @@ Expected<void> checkAttachment(const Entity& entity, const DocumentState& state)
 
 Expected<EntityId> perform(const SetTool& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   Entity changed = **entity;
   changed.tip_link = command.tip_link;
   changed.X_LT = command.X_LT;
   changed.tool.clear();
   if (!changed.robot) return makeError(refusal(quotedName(changed.name), "a solid", "a robot, which can have a tool"));
-  if (auto checked = checkTool(changed); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkTool(changed));
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
 
 Expected<EntityId> perform(const SetTools& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   Entity changed = **entity;
   if (!changed.robot) return makeError(refusal(quotedName(changed.name), "a solid", "a robot, which can have tools"));
   changed.tools = command.tools;
   takeChosenTool(changed);
-  if (auto checked = checkTools(changed); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkTools(changed));
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
 
 Expected<EntityId> perform(const SetNamedPoses& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   Entity changed = **entity;
   changed.named_poses = command.poses;
-  if (auto checked = checkNamedPoses(changed); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkNamedPoses(changed));
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
 
 Expected<EntityId> perform(const ChooseTool& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   Entity changed = **entity;
   changed.tool = command.name;
   takeChosenTool(changed);
@@ -88,8 +88,8 @@ Expected<EntityId> perform(const ChooseTool& command, StateEdit& edit) {
 
 Expected<EntityId> perform(const Attach& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id), carrier = edit.existing(command.to);
-  if (!entity) return makeError(entity.error());
-  if (!carrier) return makeError(carrier.error());
+  HAPTICELL_TRY(entity);
+  HAPTICELL_TRY(carrier);
   for (const Entity* at = *carrier; at; at = edit.state().findByName(at->attachment.to)) {
     if (at->id != command.id) continue;
     return makeError(refusal(quotedName((*entity)->name),
@@ -100,14 +100,14 @@ Expected<EntityId> perform(const Attach& command, StateEdit& edit) {
   if ((*carrier)->robot && attachment.link.empty()) attachment.link = tipOf(**carrier);
   Entity changed = **entity;
   changed.attachment = std::move(attachment);
-  if (auto checked = checkAttachment(changed, edit.state()); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkAttachment(changed, edit.state()));
   changed.attachment.X_LE = carrierPose(**carrier, changed.attachment.link).inverse() * changed.X_WE;
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
 
 Expected<EntityId> perform(const Detach& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   return edit.change(command.id, [](Entity& changed) { changed.attachment = {}; });
 }
 

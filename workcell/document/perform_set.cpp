@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "workcell/document/command_checks.h"
-#include "workcell/entity/pair_policy.h"
 #include "workcell/document/perform_command.h"
+#include "workcell/entity/pair_policy.h"
 
 namespace hapticell::workcell {
 
@@ -49,7 +49,7 @@ Expected<void> checkBound(const Guide& guide, const DocumentState& state) {
 }  // namespace
 
 Expected<EntityId> perform(const AddPairSet& command, StateEdit& edit) {
-  if (auto checked = checkPairSet(command.set); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkPairSet(command.set));
   if (edit.state().findPairSet(command.set.name)) return makeError(taken(command.set.name));
   edit.state().pair_sets.push_back(command.set);
   return EntityId{0};
@@ -58,7 +58,7 @@ Expected<EntityId> perform(const AddPairSet& command, StateEdit& edit) {
 Expected<EntityId> perform(const EditPairSet& command, StateEdit& edit) {
   const auto found = findSet(edit.state(), command.name);
   if (found == edit.state().pair_sets.end()) return makeError(unknownSet(command.name));
-  if (auto checked = checkPairSet(command.set); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkPairSet(command.set));
   const PairSet* other = edit.state().findPairSet(command.set.name);
   if (other && other != &*found) return makeError(taken(command.set.name));
   *found = command.set;
@@ -73,8 +73,7 @@ Expected<EntityId> perform(const RemovePairSet& command, StateEdit& edit) {
 }
 
 Expected<EntityId> perform(const SetPairRules& command, StateEdit& edit) {
-  for (const PairRule& rule : command.rules)
-    if (auto checked = checkPairRule(rule, edit.state()); !checked) return makeError(checked.error());
+  for (const PairRule& rule : command.rules) HAPTICELL_TRY(checkPairRule(rule, edit.state()));
   for (const PairRule& rule : command.rules) {
     std::vector<PairRule>& rules = edit.state().pair_rules;
     std::erase_if(rules, [&](const PairRule& other) { return samePair(other, rule); });
@@ -84,7 +83,7 @@ Expected<EntityId> perform(const SetPairRules& command, StateEdit& edit) {
 }
 
 Expected<EntityId> perform(const AddGuide& command, StateEdit& edit) {
-  if (auto checked = checkBound(command.guide, edit.state()); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkBound(command.guide, edit.state()));
   if (edit.state().findGuide(command.guide.name)) return makeError(taken(command.guide.name));
   edit.state().guides.push_back(command.guide);
   return EntityId{0};
@@ -93,7 +92,7 @@ Expected<EntityId> perform(const AddGuide& command, StateEdit& edit) {
 Expected<EntityId> perform(const EditGuide& command, StateEdit& edit) {
   const auto found = findGuide(edit.state(), command.name);
   if (found == edit.state().guides.end()) return makeError(unknownGuide(command.name));
-  if (auto checked = checkBound(command.guide, edit.state()); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkBound(command.guide, edit.state()));
   const Guide* other = edit.state().findGuide(command.guide.name);
   if (other && other != &*found) return makeError(taken(command.guide.name));
   *found = command.guide;
@@ -119,7 +118,7 @@ Expected<EntityId> perform(const AddTrajectory& command, StateEdit& edit) {
 Expected<EntityId> perform(const RenameTrajectory& command, StateEdit& edit) {
   const auto found = findTrajectory(edit.state(), command.name);
   if (found == edit.state().trajectories.end()) return makeError(unknownTrajectory(command.name));
-  if (auto checked = checkName("the trajectory's name", command.new_name); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkName("the trajectory's name", command.new_name));
   const TrajectoryReference* other = edit.state().findTrajectory(command.new_name);
   if (other && other != &*found) return makeError(taken(command.new_name));
   found->name = command.new_name;
@@ -130,7 +129,7 @@ Expected<EntityId> perform(const SetTrajectory& command, StateEdit& edit) {
   const auto found = findTrajectory(edit.state(), command.name);
   if (found == edit.state().trajectories.end()) return makeError(unknownTrajectory(command.name));
   const std::string& name = command.trajectory.name;
-  if (auto checked = checkName("the trajectory's name", name); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkName("the trajectory's name", name));
   const TrajectoryReference* other = edit.state().findTrajectory(name);
   if (other && other != &*found) return makeError(taken(name));
   *found = command.trajectory;
@@ -145,7 +144,7 @@ Expected<EntityId> perform(const RemoveTrajectory& command, StateEdit& edit) {
 }
 
 Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
-  if (auto checked = checkName("the task's name", command.task.name); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkName("the task's name", command.task.name));
   const std::string place = "task " + quotedName(command.task.name);
   if (auto checked = ergonomics::checkWorkTask(command.task); !checked) {
     return makeError(refusal(place, checked.error().place + " " + checked.error().found, checked.error().expected));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -159,11 +160,12 @@ TriangleMesh conveyor(Sizes s) {
   constexpr int kSteps = 16;
   for (const double end : {1.0, -1.0}) {
     for (int i = 0; i <= kSteps; ++i) {
-      const double angle = M_PI * (static_cast<double>(i) / kSteps - 0.5) + (end > 0.0 ? 0.0 : M_PI);
+      const double angle =
+          std::numbers::pi * (static_cast<double>(i) / kSteps - 0.5) + (end > 0.0 ? 0.0 : std::numbers::pi);
       belt.push_back({end * x + kRoller * std::cos(angle), kRoller * std::sin(angle)});
     }
   }
-  const Pose upright{{0.0, y - kPlate, z}, quaternionFromRotationVector({0.5 * M_PI, 0.0, 0.0})};
+  const Pose upright{{0.0, y - kPlate, z}, quaternionFromRotationVector({0.5 * std::numbers::pi, 0.0, 0.0})};
   geometry::append(mesh, geometry::makePrism(belt, s[1] - 2.0 * kPlate), upright);
   for (const double side : {-y, y - kPlate}) addBox(mesh, {-x, side, z - 0.06}, {x, side + kPlate, z + 0.03});
   for (const double at : {-x, x - kLeg}) {
@@ -251,7 +253,7 @@ Error sizesRefused(const std::string& what, const std::string& words, const Buil
     expected += (&size == part.sizes.data() ? "" : ", ") + std::string(size.name) + least;
   }
   if (part.sizes.data() == kPipe) expected += ", the inner radius smaller than the outer";
-  return {what, "", "sizes that cannot be used: '" + words + "'", expected, ""};
+  return {.file = what, .found = "sizes that cannot be used: '" + words + "'", .expected = expected};
 }
 
 }  // namespace
@@ -287,7 +289,8 @@ Expected<Entity> makeBuiltInPart(const std::string& what, double scale) {
   const std::size_t colon = what.find(':');
   const BuiltInPart* part = findBuiltInPart(what.substr(0, colon));
   if (part == nullptr || colon == std::string::npos) {
-    return makeError({what, "", "no built-in part", "box:, table:, fence: or another of them", ""});
+    return makeError(
+        {.file = what, .found = "no built-in part", .expected = "box:, table:, fence: or another of them"});
   }
   const std::string words = what.substr(colon + 1);
   const auto sizes = sizesOf(words, *part, scale);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kFarthest = 1000.0;  // m, rad.
 
 Error refusal(const Guide& guide, const std::string& found, const std::string& expected) {
-  return {"", "guide '" + guide.name + "'", found, expected, ""};
+  return {.place = "guide '" + guide.name + "'", .found = found, .expected = expected};
 }
 
 bool within(double value, double low, double high) {

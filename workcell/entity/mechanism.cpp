@@ -111,7 +111,7 @@ Expected<void> addJoint(const MechanismDefinition& definition, const MechanismJo
                         std::map<std::string, int>& index_of, JointGraph& graph) {
   if (auto checked = checkJoint(definition, source); !checked) return checked;
   const auto coupling = resolveCoupling(definition, source);
-  if (!coupling) return makeError(coupling.error());
+  HAPTICELL_TRY(coupling);
   GraphJoint joint;
   joint.joint.name = source.name;
   joint.joint.parent_link = partNamed(definition, source.parent);
@@ -162,7 +162,7 @@ const char* wordOf(MechanismJointType type) {
 
 Expected<kinematics::RobotModel> buildMechanism(const std::string& name, const MechanismDefinition& definition) {
   if (definition.parts.empty()) return makeError(refusal("mechanism '" + name + "'", "no parts", "at least one"));
-  if (auto checked = checkNames(definition); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(checkNames(definition));
   JointGraph graph;
   graph.name = name;
   for (const MechanismPart& part : definition.parts) {
@@ -184,7 +184,7 @@ Expected<kinematics::RobotModel> buildMechanism(const std::string& name, const M
     next += joint.type == MechanismJointType::kScrew ? 2 : 1;
   }
   for (const MechanismJoint& joint : definition.joints) {
-    if (auto added = addJoint(definition, joint, index_of, graph); !added) return makeError(added.error());
+    HAPTICELL_TRY(addJoint(definition, joint, index_of, graph));
   }
   auto model = kinematics::modelOfGraph(graph);
   if (!model) return model;

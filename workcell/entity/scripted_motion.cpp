@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/shapes/vector.h"
+
 namespace hapticell::workcell {
 
 namespace {
@@ -37,10 +39,6 @@ std::size_t legAt(const ScriptedMotion& motion, const Phase& phase) {
   return leg;
 }
 
-bool isFinite(const dvec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 }  // namespace
 
 dvec3 ScriptedMotion::displacementAt(double t) const {
@@ -62,7 +60,7 @@ dvec3 ScriptedMotion::velocityAt(double t) const {
 
 Expected<void> checkMotion(const ScriptedMotion& motion) {
   const auto refuse = [](const std::string& place, const std::string& found, const std::string& expected) {
-    return makeError({"", "motion" + place, found, expected, ""});
+    return makeError({.place = "motion" + place, .found = found, .expected = expected});
   };
   if (motion.points.size() < 2) {
     return refuse(".path", std::to_string(motion.points.size()) + " points", "at least two");

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "workcell/text/file_content.h"
 #include "workcell/files/pack_check.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::workcell {
 
@@ -30,21 +30,23 @@ Expected<std::vector<fs::path>> filesBelow(const fs::path& folder) {
   for (fs::recursive_directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
     if (at->is_regular_file(fault)) files.push_back(at->path());
   }
-  if (fault) return makeError({folder.string(), "", fault.message(), "a folder that can be read", ""});
+  if (fault)
+    return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be read"});
   std::sort(files.begin(), files.end());
   return files;
 }
 
 Error failed(const fs::path& file, archive* out) {
   const char* why = archive_error_string(out);
-  return {file.string(), "", why ? why : "it cannot be written", "room and permission to write", ""};
+  return {
+      .file = file.string(), .found = why ? why : "it cannot be written", .expected = "room and permission to write"};
 }
 
 Expected<void> addFile(archive* out, const fs::path& file, const std::string& name) {
   std::ifstream stream(file, std::ios::binary);
   std::error_code fault;
   const std::uintmax_t size = fs::file_size(file, fault);
-  if (!stream || fault) return makeError({file.string(), "", "it cannot be read", "a file", ""});
+  if (!stream || fault) return makeError({.file = file.string(), .found = "it cannot be read", .expected = "a file"});
   const std::unique_ptr<archive_entry, Closer> entry(archive_entry_new());
   constexpr int kReadable = 0644;
   archive_entry_set_pathname(entry.get(), name.c_str());
@@ -70,9 +72,9 @@ bool isArchiveName(const fs::path& file) {
 
 Expected<void> writeArchive(const fs::path& folder, const fs::path& file) {
   const auto files = filesBelow(folder);
-  if (!files) return makeError(files.error());
+  HAPTICELL_TRY(files);
   auto aside = AtomicFile::begin(file);
-  if (!aside) return makeError(aside.error());
+  HAPTICELL_TRY(aside);
   Expected<void> written;
   {
     const std::unique_ptr<archive, Closer> out(archive_write_new());

@@ -120,15 +120,17 @@ RunFolder::~RunFolder() {
 
 Expected<fs::path> RunFolder::path() {
   if (lock_ >= 0) return path_;
-  if (const auto known = config::userStateFolder(); !known) return makeError(known.error());
+  HAPTICELL_TRY(config::userStateFolder());
   const fs::path folder = runsFolder();
   std::error_code fault;
-  if (const auto made = config::makeOwnFolder(folder); !made) return makeError(made.error());
+  HAPTICELL_TRY(config::makeOwnFolder(folder));
   // Others look at it once it has its name: by then it is locked.
   auto aside = ScratchFolder::make(folder);
-  if (!aside) return makeError(aside.error());
+  HAPTICELL_TRY(aside);
   lock_ = takeLock(lockIn(aside->path()), O_CREAT);
-  if (lock_ < 0) return makeError({folder.string(), "", "no file can be locked there", "a folder on a local disk", ""});
+  if (lock_ < 0)
+    return makeError(
+        {.file = folder.string(), .found = "no file can be locked there", .expected = "a folder on a local disk"});
   const std::string drawn = aside->path().filename().string();
   path_ = folder / ("run" + drawn.substr(drawn.rfind('-')));
   auto moved = aside->moveTo(path_, true);
@@ -145,13 +147,14 @@ void RunFolder::discardCopy() {
 
 Expected<void> RunFolder::adopt(const fs::path& left) {
   const auto own = path();
-  if (!own) return makeError(own.error());
+  HAPTICELL_TRY(own);
   discardCopy();
   std::error_code fault, ignored;
   // Both stand equally deep: what the copy names relative to its folder is still found.
   if (fs::exists(factsIn(left), ignored)) fs::rename(factsIn(left), factsIn(*own), fault);
   if (!fault) fs::rename(copyIn(left), copyIn(*own), fault);
-  if (fault) return makeError({left.string(), "", fault.message(), "a copy that can be moved", ""});
+  if (fault)
+    return makeError({.file = left.string(), .found = fault.message(), .expected = "a copy that can be moved"});
   fs::rename(pictureIn(left), pictureIn(*own), ignored);
   discardLeftWork(left);
   return {};

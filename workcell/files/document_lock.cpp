@@ -157,8 +157,10 @@ DocumentLock DocumentLock::take(const fs::path& document) {
 Expected<DocumentLock> DocumentLock::takeForWriting(const fs::path& document) {
   DocumentLock taken = take(document);
   if (!taken.owner()) return taken;
-  return makeError({document.string(), "", "it is open in HaptiCell: " + taken.owner()->words(),
-                    "a file that nobody else is at work on", "Close it there, or choose another name."});
+  return makeError({.file = document.string(),
+                    .found = "it is open in HaptiCell: " + taken.owner()->words(),
+                    .expected = "a file that nobody else is at work on",
+                    .fix = "Close it there, or choose another name."});
 }
 
 void DocumentLock::lock(bool over_other_machines) {

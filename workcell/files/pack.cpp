@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "geometry/system/scratch_folder.h"
+#include "workcell/entity/mechanism.h"
 #include "workcell/files/archive.h"
+#include "workcell/files/pack_check.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
 #include "workcell/text/file_content.h"
-#include "workcell/entity/mechanism.h"
-#include "workcell/files/pack_check.h"
 
 namespace hapticell::workcell {
 
@@ -25,7 +25,9 @@ Expected<void> copyInto(const fs::path& folder, const PlannedCopy& planned, Pack
   fs::create_directories(to.parent_path(), fault);
   if (!fault) fs::copy_file(planned.from, to, fs::copy_options::overwrite_existing, fault);
   if (fault)
-    return makeError({planned.from.string(), "", fault.message(), "a file that can be copied to " + to.string(), ""});
+    return makeError({.file = planned.from.string(),
+                      .found = fault.message(),
+                      .expected = "a file that can be copied to " + to.string()});
   if (auto same = checkCopy(to, planned.from); !same) return same;
   report.bytes += fs::file_size(to, fault);
   report.copied.push_back(planned.place);
@@ -56,11 +58,11 @@ Expected<PackReport> packInto(const PackPlan& plan, const fs::path& folder, cons
   PackReport report;
   report.outside = plan.outside;
   for (const PlannedCopy& planned : plan.copies) {
-    if (auto copied = copyInto(folder, planned, report); !copied) return makeError(copied.error());
+    HAPTICELL_TRY(copyInto(folder, planned, report));
   }
   report.document = folder / name;
   const std::string text = documentText(placedIn(folder, plan.state), folder);
-  if (auto written = writeFileAtomically(report.document, text); !written) return makeError(written.error());
+  HAPTICELL_TRY(writeFileAtomically(report.document, text));
   return report;
 }
 
@@ -107,21 +109,23 @@ Expected<PackReport> packDocument(const DocumentState& state, const fs::path& fo
   std::error_code fault;
   const bool there = fs::exists(folder, fault);
   if (there && (!fs::is_directory(folder, fault) || !fs::is_empty(folder, fault))) {
-    return makeError({folder.string(), "", "something stands there already", "a new or empty folder", ""});
+    return makeError(
+        {.file = folder.string(), .found = "something stands there already", .expected = "a new or empty folder"});
   }
   const auto plan = planPack(state, scope, diagnostics, monitor);
-  if (!plan) return makeError(plan.error());
+  HAPTICELL_TRY(plan);
   if (!plan->outside.empty() && !scope.allow_outside) return PackReport{.outside = plan->outside};
   fs::path place = there ? fs::canonical(folder, fault) : fs::absolute(folder).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();
   fs::create_directories(place.parent_path(), fault);
-  if (fault) return makeError({folder.string(), "", fault.message(), "a folder that can be made", ""});
+  if (fault)
+    return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be made"});
   auto aside = folderBeside(place);
-  if (!aside) return makeError(aside.error());
+  HAPTICELL_TRY(aside);
   auto report = packAside(state, *plan, aside->path(), name, monitor);
   if (!report) return makeError(inPlace(report.error(), aside->path(), place));
   auto moved = aside->path().parent_path() == place ? aside->moveContentTo(place, name) : aside->moveTo(place);
-  if (!moved) return makeError(moved.error());
+  HAPTICELL_TRY(moved);
   report->document = place / name;
   return report;
 }
@@ -130,12 +134,13 @@ Expected<PackReport> pack(const DocumentState& state, const fs::path& output, co
                           const PackScope& scope, Diagnostics& diagnostics, ImportMonitor* monitor) {
   if (!isArchiveName(output)) return packDocument(state, output, name, scope, diagnostics, monitor);
   const auto plan = planPack(state, scope, diagnostics, monitor);
-  if (!plan) return makeError(plan.error());
+  HAPTICELL_TRY(plan);
   if (!plan->outside.empty() && !scope.allow_outside) return PackReport{.outside = plan->outside};
   const fs::path archive = fs::absolute(output).lexically_normal();
   const auto aside = ScratchFolder::make(archive.parent_path());
   if (!aside) {
-    return makeError({output.string(), "", "no folder can be made beside it", "permission to write", ""});
+    return makeError(
+        {.file = output.string(), .found = "no folder can be made beside it", .expected = "permission to write"});
   }
   auto report = packAside(state, *plan, aside->path(), name, monitor);
   if (!report) return makeError(inPlace(report.error(), aside->path(), archive));

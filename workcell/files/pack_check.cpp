@@ -11,11 +11,11 @@
 #include <set>
 #include <sstream>
 
-#include "workcell/import/change_report.h"
+#include "workcell/entity/mechanism.h"
 #include "workcell/format/document_io.h"
+#include "workcell/import/change_report.h"
 #include "workcell/import/entity_source.h"
 #include "workcell/text/file_content.h"
-#include "workcell/entity/mechanism.h"
 
 namespace hapticell::workcell {
 
@@ -28,7 +28,10 @@ constexpr const char* kFix =
     "A file may have been changed since the workcell was opened: save the workcell, open it again and pack it.";
 
 Error differs(const std::string& entity, std::string found, std::string expected) {
-  return {"", "entity '" + entity + "' read back from the pack", std::move(found), std::move(expected), kFix};
+  return {.place = "entity '" + entity + "' read back from the pack",
+          .found = std::move(found),
+          .expected = std::move(expected),
+          .fix = kFix};
 }
 
 using MeshPointer = std::shared_ptr<const geometry::TriangleMesh>;
@@ -53,8 +56,8 @@ Expected<void> compareLinks(const Entity& packed, const Entity& read) {
   const auto& was = packed.robot->links;
   const auto& is = read.robot->links;
   if (was.size() != is.size() || packed.joints.size() != read.joints.size()) {
-    return makeError(differs(packed.name, std::to_string(is.size()) + " links, " + std::to_string(read.joints.size()) +
-                                              " joints",
+    return makeError(differs(packed.name,
+                             std::to_string(is.size()) + " links, " + std::to_string(read.joints.size()) + " joints",
                              std::to_string(was.size()) + " and " + std::to_string(packed.joints.size())));
   }
   for (std::size_t i = 0; i < was.size(); ++i) {
@@ -104,9 +107,13 @@ Expected<void> checkPlace(const std::string& who, const std::string& path, const
   std::error_code fault;
   const fs::path inside = fs::weakly_canonical(path, fault).lexically_relative(fs::weakly_canonical(pack, fault));
   if (inside.empty() || *inside.begin() == "..")
-    return makeError({path, who, "it lies outside of the pack", "files inside " + pack.string(),
-                      "Put it below the folder of the file that names it."});
-  if (!fs::is_regular_file(path, fault)) return makeError({path, who, "it is not in the pack", "the copied file", ""});
+    return makeError({.file = path,
+                      .place = who,
+                      .found = "it lies outside of the pack",
+                      .expected = "files inside " + pack.string(),
+                      .fix = "Put it below the folder of the file that names it."});
+  if (!fs::is_regular_file(path, fault))
+    return makeError({.file = path, .place = who, .found = "it is not in the pack", .expected = "the copied file"});
   return {};
 }
 
@@ -148,15 +155,22 @@ Expected<void> compareRest(const DocumentState& packed, const DocumentState& rea
     const bool same = std::equal(was.begin(), was.end(), is.begin(), is.end(),
                                  [](const auto& a, const auto& b) { return a.name == b.name; });
     if (same) return {};
-    return makeError({file, what, std::to_string(is.size()) + " read back, or others", "the " +
-                      std::to_string(was.size()) + " that were packed", kFix});
+    return makeError({.file = file,
+                      .place = what,
+                      .found = std::to_string(is.size()) + " read back, or others",
+                      .expected = "the " + std::to_string(was.size()) + " that were packed",
+                      .fix = kFix});
   };
   if (auto same = compare("pair sets", packed.pair_sets, read.pair_sets); !same) return same;
   if (auto same = compare("guides", packed.guides, read.guides); !same) return same;
   if (auto same = compare("tasks", packed.work_tasks, read.work_tasks); !same) return same;
   if (auto same = compare("trajectories", packed.trajectories, read.trajectories); !same) return same;
   if (packed.pair_rules == read.pair_rules) return {};
-  return makeError({file, "pair rules", "others than those that were packed", "the same", kFix});
+  return makeError({.file = file,
+                    .place = "pair rules",
+                    .found = "others than those that were packed",
+                    .expected = "the same",
+                    .fix = kFix});
 }
 
 struct ReadCloser {
@@ -164,8 +178,11 @@ struct ReadCloser {
 };
 
 Error inArchive(const fs::path& file, const std::string& name, std::string found) {
-  return {file.string(), "'" + name + "' in the archive", std::move(found), "the bytes of the file that was packed",
-          "Pack again, or elsewhere: what was written to the disk is not what was read back from it."};
+  return {.file = file.string(),
+          .place = "'" + name + "' in the archive",
+          .found = std::move(found),
+          .expected = "the bytes of the file that was packed",
+          .fix = "Pack again, or elsewhere: what was written to the disk is not what was read back from it."};
 }
 
 /// One file of the archive beside the file that it was made from.
@@ -204,7 +221,7 @@ Expected<void> checkPack(const DocumentState& packed, const fs::path& document, 
   options.monitor = monitor;
   Diagnostics notes;
   const auto read = loadDocument(document, notes, options);
-  if (!read) return makeError(read.error());
+  HAPTICELL_TRY(read);
   const DocumentState& state = read->state();
   if (auto inside = checkPlaces(state, document.parent_path()); !inside) return inside;
   if (auto same = compareRest(packed, state, document.string()); !same) return same;
@@ -225,8 +242,10 @@ Expected<void> checkCopy(const fs::path& copy, const fs::path& original) {
     same = first.gcount() == second.gcount() && std::equal(read.begin(), read.begin() + first.gcount(), was.begin());
   }
   if (same) return {};
-  return makeError({copy.string(), "", "other bytes than in " + original.string(), "a copy of it",
-                    "It may have been changed while it was packed: pack again."});
+  return makeError({.file = copy.string(),
+                    .found = "other bytes than in " + original.string(),
+                    .expected = "a copy of it",
+                    .fix = "It may have been changed while it was packed: pack again."});
 }
 
 Expected<void> checkArchive(const fs::path& file, const fs::path& folder) {
@@ -242,7 +261,9 @@ Expected<void> checkArchive(const fs::path& file, const fs::path& folder) {
     if (status == ARCHIVE_EOF) break;
     if (status != ARCHIVE_OK) {
       const char* why = archive_error_string(in.get());
-      return makeError({file.string(), "", why ? why : "it cannot be read back", "an archive that is whole", ""});
+      return makeError({.file = file.string(),
+                        .found = why ? why : "it cannot be read back",
+                        .expected = "an archive that is whole"});
     }
     const std::string name = archive_entry_pathname(entry);
     if (missing.erase(name) == 0) return makeError(inArchive(file, name, "a file that was not packed, or twice"));

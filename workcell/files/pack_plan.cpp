@@ -8,13 +8,13 @@
 #include <set>
 
 #include "trajectory/files/trajectory_io.h"
-#include "workcell/files/claimed_content.h"
-#include "workcell/import/entity_source.h"
 #include "workcell/entity/mechanism.h"
+#include "workcell/files/claimed_content.h"
 #include "workcell/files/named_files.h"
-#include "workcell/text/read_record.h"
+#include "workcell/import/entity_source.h"
 #include "workcell/robots/robot_reader.h"
 #include "workcell/scenes/sdf_cell_reader.h"
+#include "workcell/text/read_record.h"
 
 namespace hapticell::workcell {
 
@@ -107,12 +107,14 @@ Expected<void> Planner::copy(const fs::path& file, const fs::path& place) {
   std::error_code fault;
   const fs::path real = fs::canonical(file, fault);
   if (fault || !fs::is_regular_file(real, fault))
-    return makeError({file.string(), "", fault ? fault.message() : "no regular file", "a file that can be read", ""});
+    return makeError({.file = file.string(),
+                      .found = fault ? fault.message() : "no regular file",
+                      .expected = "a file that can be read"});
   const std::uintmax_t size = fs::file_size(real, fault);
-  if (fault) return makeError({file.string(), "", fault.message(), "a file that can be read", ""});
+  if (fault) return makeError({.file = file.string(), .found = fault.message(), .expected = "a file that can be read"});
   bytes_ += size;
   if (bytes_ > kMostPackedBytes)
-    return makeError({file.string(), "", "it makes the pack larger than 2 GB", "less", ""});
+    return makeError({.file = file.string(), .found = "it makes the pack larger than 2 GB", .expected = "less"});
   if (allowed_.empty() || !isBelow(real, allowed_)) {
     if (outside_.insert(real).second) plan.outside.push_back(file);
   }
@@ -125,10 +127,10 @@ Expected<std::string> Planner::takeShapes(const fs::path& file) {
   std::vector<fs::path> named = filesNamedIn(file);
   std::erase_if(named, [](const fs::path& other) { return !isWhatItClaims(other); });
   const fs::path place = named.empty() ? freePlace(file.filename()) : freePlace(file.stem()) / file.filename();
-  if (auto copied = copy(file, place); !copied) return makeError(copied.error());
+  HAPTICELL_TRY(copy(file, place));
   for (const fs::path& other : named) {
     const fs::path beside = place.parent_path() / other.lexically_relative(file.parent_path());
-    if (auto copied = copy(other, beside); !copied) return makeError(copied.error());
+    HAPTICELL_TRY(copy(other, beside));
   }
   return place.generic_string();
 }
@@ -140,10 +142,10 @@ Expected<Planner::Files> Planner::filesOfRobot(const fs::path& file, const Sourc
   const ReadRecord record;
   if (isSdfCell(file)) {
     const auto cell = EntityLoader("/", true).loadTree(file.string(), {}, quiet, monitor_);
-    if (!cell) return makeError(cell.error());
+    HAPTICELL_TRY(cell);
   } else {
     const auto robot = readRobot(file, quiet, monitor_, RobotContent::kAll, source.arguments);
-    if (!robot) return makeError(robot.error());
+    HAPTICELL_TRY(robot);
     for (const kinematics::Link& link : robot->model.links) {
       for (const auto* shapes : {&link.visuals, &link.collisions}) {
         for (const kinematics::LinkShape& shape : *shapes)
@@ -197,8 +199,8 @@ Expected<std::string> Planner::takeWithFolder(const fs::path& file, Files files)
     const fs::path& base = isBelow(one, root) && (other.empty() || other == package) ? root : other;
     if (base.empty()) continue;  // An absolute path to elsewhere; the check of the pack refuses it.
     const fs::path place = folderFor(base);
-    if (auto copied = copy(one, place / one.lexically_relative(base)); !copied) return makeError(copied.error());
-    if (auto copied = takeManifests(one, base, place); !copied) return makeError(copied.error());
+    HAPTICELL_TRY(copy(one, place / one.lexically_relative(base)));
+    HAPTICELL_TRY(takeManifests(one, base, place));
   }
   return (fs::path(folderFor(root)) / file.lexically_relative(root)).generic_string();
 }
@@ -300,13 +302,13 @@ Expected<PackPlan> planPack(DocumentState state, const PackScope& scope, Diagnos
                             ImportMonitor* monitor) {
   Planner planner(scope, diagnostics, monitor);
   for (auto& entity : state.entities) {
-    if (auto taken = planner.takeEntity(entity); !taken) return makeError(taken.error());
+    HAPTICELL_TRY(planner.takeEntity(entity));
   }
   for (auto& entity : state.entities) {
-    if (auto taken = planner.takeAssembly(entity); !taken) return makeError(taken.error());
+    HAPTICELL_TRY(planner.takeAssembly(entity));
   }
   for (TrajectoryReference& trajectory : state.trajectories) {
-    if (auto taken = planner.takeTrajectory(trajectory); !taken) return makeError(taken.error());
+    HAPTICELL_TRY(planner.takeTrajectory(trajectory));
   }
   planner.plan.state = std::move(state);
   return std::move(planner.plan);

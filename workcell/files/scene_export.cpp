@@ -9,12 +9,12 @@
 #include "kinematics/model/robot_model.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
-#include "workcell/text/file_content.h"
+#include "workcell/meshes/mesh_writer.h"
+#include "workcell/robots/urdf_writer.h"
 #include "workcell/scenes/gltf_writer.h"
 #include "workcell/scenes/import_process.h"
-#include "workcell/meshes/mesh_writer.h"
 #include "workcell/scenes/scene_exchange.h"
-#include "workcell/robots/urdf_writer.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::workcell {
 
@@ -160,7 +160,7 @@ Expected<void> exportStep(ImportedScene scene, const fs::path& file, const Expor
     }
   }
   auto aside = AtomicFile::begin(file);
-  if (!aside) return makeError(aside.error());
+  HAPTICELL_TRY(aside);
   ImporterCall call;
   call.file = file.string();
   call.arguments = {"write", aside->aside().string()};
@@ -196,7 +196,7 @@ Expected<ImportedScene> sceneOfFile(const fs::path& file, const ImportOptions& o
     LoadOptions loading;
     loading.monitor = monitor;
     const auto document = loadDocument(file, diagnostics, loading);
-    if (!document) return makeError(document.error());
+    HAPTICELL_TRY(document);
     return sceneOf(document->state());
   }
   if (holdsScene(file)) {
@@ -212,7 +212,7 @@ Expected<ImportedScene> sceneOfFile(const fs::path& file, const ImportOptions& o
     return scene;
   }
   Expected<ImportResult> tree = EntityLoader(fs::current_path()).loadTree(file.string(), options, diagnostics);
-  if (!tree) return makeError(tree.error());
+  HAPTICELL_TRY(tree);
   DocumentState state;
   for (Entity& entity : tree->entities) {
     entity.id = state.entities.size() + 1;
@@ -232,12 +232,14 @@ Expected<void> exportState(const DocumentState& state, const fs::path& file, con
   for (const auto& entity : state.entities) {
     if (!entity->robot) continue;
     if (robot) {
-      return makeError({file.string(), "", "more than one robot ('" + robot->name + "', '" + entity->name + "')",
-                        "one, which is all a URDF holds", "Choose one of them."});
+      return makeError({.file = file.string(),
+                        .found = "more than one robot ('" + robot->name + "', '" + entity->name + "')",
+                        .expected = "one, which is all a URDF holds",
+                        .fix = "Choose one of them."});
     }
     robot = entity.get();
   }
-  if (!robot) return makeError({file.string(), "", "no robot", "one, for a URDF", ""});
+  if (!robot) return makeError({.file = file.string(), .found = "no robot", .expected = "one, for a URDF"});
   return writeUrdf(*robot, file, diagnostics);
 }
 
@@ -254,10 +256,12 @@ Expected<void> exportScene(const ImportedScene& scene, const fs::path& file, con
   if (std::find(known.begin(), known.end(), extension) == known.end()) {
     std::string list;
     for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
-    return makeError({file.string(), "", "the extension '" + extension + "'", "one of " + list, ""});
+    return makeError(
+        {.file = file.string(), .found = "the extension '" + extension + "'", .expected = "one of " + list});
   }
   const bool any = std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const SceneNode& n) { return n.mesh >= 0; });
-  if (!any) return makeError({file.string(), "", "nothing that has a shape", "at least one solid", ""});
+  if (!any)
+    return makeError({.file = file.string(), .found = "nothing that has a shape", .expected = "at least one solid"});
   if (extension == ".step" || extension == ".stp") return exportStep(scene, file, options);
   if (extension == ".glb" || extension == ".gltf")
     return writeFileAtomically(file, gltfBytes(scene, extension == ".glb"));

@@ -13,14 +13,14 @@
 #include "geometry/system/regular_file.h"
 #include "workcell/document/command.h"
 #include "workcell/document/command_checks.h"
+#include "workcell/document/perform_command.h"
 #include "workcell/format/document_io.h"
 #include "workcell/format/entity_format.h"
-#include "workcell/import/entity_source.h"
 #include "workcell/format/guide_format.h"
 #include "workcell/format/mechanism_format.h"
-#include "workcell/document/perform_command.h"
 #include "workcell/format/source_format.h"
 #include "workcell/format/work_task_format.h"
+#include "workcell/import/entity_source.h"
 
 namespace hapticell::workcell {
 
@@ -132,8 +132,8 @@ class StateReader {
     fields.read("version", version);
     if (error_) return;
     if (format != kFormat) {
-      error_ = Error{"", "", format.empty() ? "no \"format\"" : "the format \"" + format.substr(0, 60) + "\"",
-                     "\"" + std::string(kFormat) + "\"", ""};
+      error_ = Error{.found = format.empty() ? "no \"format\"" : "the format \"" + format.substr(0, 60) + "\"",
+                     .expected = "\"" + std::string(kFormat) + "\""};
     } else if (version != std::floor(version) || version < 1.0) {
       fields.fail("version", "no version number", "1");
     } else if (version > kVersion) {
@@ -155,14 +155,15 @@ class StateReader {
     Levels levels = levelsOf(parents, kDeepestParents);
     in_circle_ = std::move(levels.in_circle);
     if (levels.too_deep.empty()) return;
-    error_ = Error{"", "entity '" + levels.too_deep + "'",
-                   "more than " + std::to_string(kDeepestParents) + " assemblies within each other",
-                   "at most " + std::to_string(kDeepestParents) + " levels", "Correct \"parent\" in the document."};
+    error_ = Error{.place = "entity '" + levels.too_deep + "'",
+                   .found = "more than " + std::to_string(kDeepestParents) + " assemblies within each other",
+                   .expected = "at most " + std::to_string(kDeepestParents) + " levels",
+                   .fix = "Correct \"parent\" in the document."};
   }
 
   void refuseCancelled() {
     if (options_.monitor && options_.monitor->isCancelled()) {
-      error_ = Error{"", "", "the opening was cancelled", "", ""};
+      error_ = Error{.found = "the opening was cancelled"};
     }
   }
 
@@ -257,9 +258,10 @@ class StateReader {
     for (const Hanging& hanging : attachments_)
       carriers.emplace(state_.entities[hanging.index]->name, hanging.attachment.to);
     if (const Levels levels = levelsOf(carriers, kMostCarriers); !levels.too_deep.empty()) {
-      error_ = Error{"", "entity '" + levels.too_deep + "'",
-                     "it hangs on more than " + std::to_string(kMostCarriers) + " entities in a row", "fewer",
-                     "Correct \"attached\" in the document."};
+      error_ = Error{.place = "entity '" + levels.too_deep + "'",
+                     .found = "it hangs on more than " + std::to_string(kMostCarriers) + " entities in a row",
+                     .expected = "fewer",
+                     .fix = "Correct \"attached\" in the document."};
       return;
     }
     for (auto& [index, attachment, placed] : attachments_) {
@@ -268,17 +270,19 @@ class StateReader {
       const Entity* carrier = named(attachment.to);
       for (const Entity* at = carrier; at; at = at->attachment.to.empty() ? nullptr : named(at->attachment.to)) {
         if (at->name == entity->name) {
-          error_ = Error{"", place, "it is attached to itself by way of '" + attachment.to + "'", "another entity", ""};
+          error_ = Error{.place = place,
+                         .found = "it is attached to itself by way of '" + attachment.to + "'",
+                         .expected = "another entity"};
           return;
         }
       }
       const bool link_there = carrier && (carrier->unloaded || attachment.link.empty() ||
                                           (carrier->robot && carrier->robot->findLink(attachment.link) >= 0));
       if (!link_there) {
-        error_ = Error{"", place,
-                       "it is attached to '" + attachment.to + (carrier ? "', link '" + attachment.link : "") +
-                           "', which is not there",
-                       "an entity and a link of it", ""};
+        error_ = Error{.place = place,
+                       .found = "it is attached to '" + attachment.to + (carrier ? "', link '" + attachment.link : "") +
+                                "', which is not there",
+                       .expected = "an entity and a link of it"};
         return;
       }
       entity->attachment = std::move(attachment);
@@ -341,8 +345,7 @@ class StateReader {
     fields.warnAboutOthers(diagnostics_);
     for (const auto* side : {&set.first, &set.second}) {
       for (const std::string& name : *side) {
-        if (!named(name))
-          diagnostics_.warn("pair set '" + set.name + "' names '" + name + "', which is not there");
+        if (!named(name)) diagnostics_.warn("pair set '" + set.name + "' names '" + name + "', which is not there");
       }
     }
     const std::string place = "pair set '" + set.name + "'";
@@ -391,7 +394,7 @@ class StateReader {
     if (error_) return;
     const std::string place = "task '" + task.name + "'";
     if (state_.findWorkTask(task.name)) {
-      error_ = Error{"", place, "a second one of that name", "names that are all different", ""};
+      error_ = Error{.place = place, .found = "a second one of that name", .expected = "names that are all different"};
       return;
     }
     // As with sets: who does it may be missing, the rest of the cell is not.
@@ -419,7 +422,8 @@ class StateReader {
       trajectory.read("file", reference.path);
       reference.path = (folder_ / reference.path).lexically_normal().string();
       std::error_code ignored;
-      if (const auto regular = geometry::checkRegularFile(reference.path); !regular && fs::exists(reference.path, ignored))
+      if (const auto regular = geometry::checkRegularFile(reference.path);
+          !regular && fs::exists(reference.path, ignored))
         diagnostics_.warn("trajectory '" + reference.name + "' is not read: " + regular.error().message());
       state_.trajectories.push_back(std::move(reference));
     }

@@ -5,8 +5,8 @@
 
 #include "geometry/system/nesting_limit.h"
 #include "workcell/format/document_format.h"
-#include "workcell/text/file_content.h"
 #include "workcell/format/recordings.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::workcell {
 
@@ -29,9 +29,12 @@ Expected<Json> parseJson(std::string_view text, const std::string& name) {
   try {
     return Json::parse(text.begin(), text.end());
   } catch (const nlohmann::json::parse_error& problem) {
-    return makeError({name, lineOf(text, problem.byte), "text that is not JSON", "a workcell document", ""});
+    return makeError({.file = name,
+                      .place = lineOf(text, problem.byte),
+                      .found = "text that is not JSON",
+                      .expected = "a workcell document"});
   } catch (const nlohmann::json::exception&) {
-    return makeError({name, "", "a number that no computer can hold", "a workcell document", ""});
+    return makeError({.file = name, .found = "a number that no computer can hold", .expected = "a workcell document"});
   }
 }
 
@@ -40,9 +43,9 @@ Expected<Json> parseJson(std::string_view text, const std::string& name) {
 Expected<Document> parseDocument(std::string_view text, const fs::path& folder, const std::string& name,
                                  Diagnostics& diagnostics, const LoadOptions& options) {
   auto flat = geometry::checkNesting(text, geometry::NestedText::kOrderedJson, name);
-  if (!flat) return makeError(flat.error());
+  HAPTICELL_TRY(flat);
   const Expected<Json> json = parseJson(text, name);
-  if (!json) return makeError(json.error());
+  HAPTICELL_TRY(json);
   Expected<DocumentState> state = stateFromJson(*json, folder, diagnostics, options);
   if (!state) return makeError(inFile(state.error(), name));
   return Document(std::move(*state));
@@ -50,7 +53,7 @@ Expected<Document> parseDocument(std::string_view text, const fs::path& folder, 
 
 Expected<Document> loadDocument(const fs::path& path, Diagnostics& diagnostics, const LoadOptions& options) {
   const Expected<std::string> text = readFileContent(path);
-  if (!text) return makeError(text.error());
+  HAPTICELL_TRY(text);
   const fs::path absolute = fs::absolute(path).lexically_normal();
   Expected<Document> document = parseDocument(*text, absolute.parent_path(), path.string(), diagnostics, options);
   if (document) document->setPath(absolute);

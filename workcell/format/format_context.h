@@ -23,7 +23,7 @@ struct FormatContext {
   void failIn(const std::string& place, const Error& cause) const {
     Error plain = cause;
     plain.fix.clear();
-    error = Error{"", place, plain.message(), "", cause.fix};
+    error = Error{.place = place, .found = plain.message(), .fix = cause.fix};
   }
 };
 

@@ -120,7 +120,7 @@ Expected<Entity> mechanismFromJson(const Json& json, const std::string& name, co
     readMechanismJoint((*joints)[k], place + ", joint " + std::to_string(k + 1), context, *definition);
   if (context.error) return makeError(*context.error);
   auto model = buildMechanism(name, *definition);
-  if (!model) return makeError(model.error());
+  HAPTICELL_TRY(model);
   Entity entity;
   entity.kind = EntityKind::kMechanism;
   entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(*model));

@@ -117,7 +117,7 @@ Expected<DocumentState> stateAtImport(const DocumentState& state, ImportMonitor*
         options.relative_chord = 0.1;
         options.weld = false;
         const auto read = loader.loadTree(source.path, options, diagnostics, monitor);
-        if (!read) return makeError(read.error());
+        HAPTICELL_TRY(read);
         for (const Entity& part : read->entities) tree->second[part.source.part] = part.X_WE;
       }
       if (const auto placed = tree->second.find(source.part); placed != tree->second.end())

@@ -7,16 +7,16 @@
 
 #include "geometry/shapes/shapes.h"
 #include "mannequin/body/body_request_text.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/motion/free_hand.h"
+#include "mannequin/shape/figure_model.h"
 #include "workcell/entity/built_in_parts.h"
 #include "workcell/meshes/mesh_care.h"
 #include "workcell/meshes/mesh_reader.h"
 #include "workcell/robots/robot_library.h"
 #include "workcell/robots/robot_reader.h"
 #include "workcell/scenes/scene_exchange.h"
-#include "workcell/text/text_cursor.h"
 #include "workcell/scenes/whole_mesh.h"
+#include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
 
@@ -46,7 +46,8 @@ Expected<Entity> loadFreeHand(const std::string& what) {
   const std::string side = words.substr(0, words.find(':'));
   const std::string body = "mannequin:" + (words == side ? "male:50" : words.substr(side.size() + 1));
   if (side != "left" && side != "right") {
-    return makeError({what, "", "the hand '" + side + "'", "hand:left or hand:right, and :SEX:PERCENTILE", ""});
+    return makeError(
+        {.file = what, .found = "the hand '" + side + "'", .expected = "hand:left or hand:right, and :SEX:PERCENTILE"});
   }
   const Expected<mannequin::BodyRequest> request = mannequin::parseBodyRequest(body);
   const Expected<mannequin::Figure> figure =
@@ -72,8 +73,10 @@ Expected<Entity> loadFreeHand(const std::string& what) {
 /// "frame:".
 Expected<Entity> loadFrame(const std::string& what) {
   if (what.back() != ':') {
-    return makeError({what, "", "'" + what.substr(what.find(':') + 1) + "' behind frame:", "frame: alone",
-                      "A frame has no sizes: give it a name and a place (name=N, pose=x,y,z,qw,qx,qy,qz)."});
+    return makeError({.file = what,
+                      .found = "'" + what.substr(what.find(':') + 1) + "' behind frame:",
+                      .expected = "frame: alone",
+                      .fix = "A frame has no sizes: give it a name and a place (name=N, pose=x,y,z,qw,qx,qy,qz)."});
   }
   return makeFrame("frame", {});
 }
@@ -109,7 +112,7 @@ Expected<Entity> EntityLoader::loadSource(const SourceFile& source, Diagnostics&
     if (source.oriented) orient(mesh);
     if (source.simplified > 0.0) {
       Expected<MadeMesh> made = simplify(mesh, source.simplified);
-      if (!made) return makeError(made.error());
+      HAPTICELL_TRY(made);
       mesh = std::move(made->mesh);
     }
     cared = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
@@ -144,7 +147,7 @@ Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const Imp
   const fs::path file = (folder_ / what).lexically_normal();
   if (!isBuiltIn(what) && holdsScene(file)) {
     Expected<ImportedScene> scene = readScene(file, options, monitor);
-    if (!scene) return makeError(scene.error());
+    HAPTICELL_TRY(scene);
     return entitiesFromScene(std::move(*scene), {file.string()}, options, diagnostics);
   }
   if (monitor) monitor->report("reading", 0.0);
@@ -156,7 +159,7 @@ Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const Imp
   declared_.clear();
   Expected<Entity> entity = loadSource(source, diagnostics);
   monitor_ = usual;
-  if (!entity) return makeError(entity.error());
+  HAPTICELL_TRY(entity);
   ImportResult result;
   const std::optional<RobotFormat> format = robotFormatOf(file);
   result.report.format = format ? formatName(*format) : entity->robot ? "library" : "shape";
@@ -171,7 +174,7 @@ Expected<ImportResult> EntityLoader::loadMeshTree(const fs::path& file, const Im
                                                   Diagnostics& diagnostics) const {
   MeshReadOptions reading{options.metres_per_unit, options.weld, options.warn_about_unit && !options.metres_per_unit};
   Expected<MeshFileParts> read = readMeshParts(file, reading, !options.merge, diagnostics);
-  if (!read) return makeError(read.error());
+  HAPTICELL_TRY(read);
   const geometry::WeldReport weld = read->weld;
   const bool one = read->parts.size() == 1;
   const UpAxis up = options.up_axis.value_or(UpAxis::kZ);
@@ -207,7 +210,7 @@ Expected<Entity> EntityLoader::loadPart(const fs::path& file, const SourceFile& 
   auto known = trees_.find(key);
   if (known == trees_.end()) {
     Expected<ImportResult> tree = loadTree(file.string(), options, diagnostics, monitor_);
-    if (!tree) return makeError(tree.error());
+    HAPTICELL_TRY(tree);
     known = trees_.emplace(key, std::move(*tree)).first;
   }
   for (const Entity& entity : known->second.entities) {
@@ -216,14 +219,16 @@ Expected<Entity> EntityLoader::loadPart(const fs::path& file, const SourceFile& 
     found.parent.clear();
     return found;
   }
-  return makeError({file.string(), "", "no part '" + source.part + "'", "a part that the file still holds",
-                    "Import the file anew."});
+  return makeError({.file = file.string(),
+                    .found = "no part '" + source.part + "'",
+                    .expected = "a part that the file still holds",
+                    .fix = "Import the file anew."});
 }
 
 Expected<Entity> EntityLoader::loadLibraryRobot(const std::string& what, Diagnostics& diagnostics) {
   const std::string name = what.substr(what.find(':') + 1);
   const Expected<fs::path> file = findLibraryRobot(name);
-  if (!file) return makeError(file.error());
+  HAPTICELL_TRY(file);
   Expected<Entity> entity = loadRobot(*file, {}, diagnostics);
   if (!entity) return entity;
   entity->source = {what, 1.0};
@@ -262,7 +267,7 @@ Expected<Entity> EntityLoader::loadRobot(const fs::path& file, const xacro::Argu
   if (!known.model) {
     declared_.clear();
     Expected<TomlRobot> robot = readRobot(file, diagnostics, monitor_, RobotContent::kAll, arguments, &declared_);
-    if (!robot) return makeError(robot.error());
+    HAPTICELL_TRY(robot);
     known = {std::make_shared<const kinematics::RobotModel>(std::move(robot->model)), std::move(robot->tools),
              robot->X_FB};
   }
@@ -283,7 +288,7 @@ Expected<Entity> EntityLoader::loadMesh(const fs::path& file, const SourceFile& 
     if (source.scale != 0.0) reading.scale = source.scale;
     reading.warn_about_unit = !unit_is_stated_;
     Expected<MeshFileParts> read = readMeshParts(file, reading, false, notes);
-    if (!read) return makeError(read.error());
+    HAPTICELL_TRY(read);
     MeshPart& part = read->parts[0];
     turnUp(part.mesh, source.up_axis);
     known = {std::make_shared<const geometry::TriangleMesh>(std::move(part.mesh)), part.color, read->metres_per_unit};

@@ -74,7 +74,8 @@ class SceneConverter {
     }
     facing_.tell(diagnostics_);
     if (result_.report.parts == 0) {
-      return makeError({source_.path, "", "no shape with an area", "at least one solid or surface", ""});
+      return makeError(
+          {.file = source_.path, .found = "no shape with an area", .expected = "at least one solid or surface"});
     }
     return std::move(result_);
   }
@@ -241,7 +242,7 @@ Expected<std::vector<EntityId>> addImported(Document& document, std::vector<Enti
     if (const auto parent = renamed.find(entity.parent); parent != renamed.end()) entity.parent = parent->second;
     entity.X_WE = X_WF * entity.X_WE;
     const auto added = document.execute(AddEntity{std::move(entity)});
-    if (!added) return makeError(added.error());
+    HAPTICELL_TRY(added);
     ids.push_back(*added);
   }
   import.end();

@@ -21,7 +21,7 @@ struct Importer::Job {
 namespace {
 
 Error cancelled(const std::string& what) {
-  return {what, "", "the import was cancelled", "", ""};
+  return {.file = what, .found = "the import was cancelled"};
 }
 
 /// Nothing may leave the thread: what a library throws becomes a sentence.
@@ -33,9 +33,10 @@ Expected<ImportResult> importNow(const ImportRequest& request, ImportMonitor& mo
     if (result) result->report.warnings = std::move(diagnostics.warnings);
     return result;
   } catch (const std::bad_alloc&) {
-    return makeError({request.what, "", "there is not enough memory for it", "", "Use a smaller or coarser model."});
+    return makeError(
+        {.file = request.what, .found = "there is not enough memory for it", .fix = "Use a smaller or coarser model."});
   } catch (const std::exception& exception) {
-    return makeError({request.what, "", std::string("an unforeseen fault: ") + exception.what(), "", ""});
+    return makeError({.file = request.what, .found = std::string("an unforeseen fault: ") + exception.what()});
   }
 }
 

@@ -12,9 +12,9 @@
 #include <unordered_map>
 
 #include "collision/pieces/convex_hull.h"
-#include "collision/trees/mesh_collider.h"
-#include "collision/surfaces/mesh_facing.h"
 #include "collision/queries/mesh_search.h"
+#include "collision/surfaces/mesh_facing.h"
+#include "collision/trees/mesh_collider.h"
 
 namespace hapticell::workcell {
 
@@ -181,7 +181,7 @@ class Orienter {
 };
 
 Error refused(const char* found, const char* expected) {
-  return {"", "", found, expected, ""};
+  return {.found = found, .expected = expected};
 }
 
 }  // namespace
@@ -223,7 +223,7 @@ Expected<CollisionProxy> makeProxy(const TriangleMesh& mesh, CollisionProxy::Kin
   CollisionProxy proxy;
   if (kind == CollisionProxy::Kind::kNone) return proxy;
   Expected<MadeMesh> made = kind == CollisionProxy::Kind::kConvex ? convexMesh(mesh) : simplify(mesh, tolerance);
-  if (!made) return makeError(made.error());
+  HAPTICELL_TRY(made);
   proxy.kind = kind;
   proxy.tolerance = kind == CollisionProxy::Kind::kCoarse ? tolerance : 0.0;
   proxy.deviation = made->deviation;

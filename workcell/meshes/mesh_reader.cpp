@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "geometry/system/assertion.h"
-#include "workcell/text/file_content.h"
 #include "workcell/meshes/length_unit.h"
 #include "workcell/meshes/mesh_care.h"
 #include "workcell/meshes/mesh_formats.h"
 #include "workcell/meshes/obj_materials.h"
+#include "workcell/text/file_content.h"
 #include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
@@ -118,14 +118,16 @@ Error named(Error error, const std::filesystem::path& name) {
 
 Error unreadable(std::string_view content) {
   if (beginsWithUtf16(content)) {
-    return {"", "", "the file is UTF-16 text", "plain text (UTF-8)", "Save it again as UTF-8 or ASCII."};
+    return {.found = "the file is UTF-16 text",
+            .expected = "plain text (UTF-8)",
+            .fix = "Save it again as UTF-8 or ASCII."};
   }
-  return {"", "", seemsToBe(content), kReadable, "Export it in one of these."};
+  return {.found = seemsToBe(content), .expected = kReadable, .fix = "Export it in one of these."};
 }
 
 Expected<RawMesh> parseRaw(std::string_view content, const std::filesystem::path& name, MeshFormat& format,
                            Diagnostics& diagnostics) {
-  if (content.empty()) return makeError({name.string(), "", "the file is empty", kReadable, ""});
+  if (content.empty()) return makeError({.file = name.string(), .found = "the file is empty", .expected = kReadable});
   format = probeMeshFormat(content, name.extension().string());
   const Reader reader = readerOf(format);
   if (!reader) return makeError(named(unreadable(content), name));
@@ -162,7 +164,7 @@ void warnAboutFacing(std::span<const geometry::TriangleMesh* const> meshes, cons
 
 Error nothingLeft(const std::filesystem::path& name, std::uint64_t triangles_in_file) {
   const char* found = triangles_in_file == 0 ? "no triangles" : "only triangles without area";
-  return {name.string(), "", found, "a mesh with at least one triangle", ""};
+  return {.file = name.string(), .found = found, .expected = "a mesh with at least one triangle"};
 }
 
 template <typename File>
@@ -208,7 +210,7 @@ Expected<MeshFile> parseMeshFile(std::string_view content, const std::filesystem
                                  const MeshReadOptions& options, Diagnostics& diagnostics) {
   MeshFile file;
   Expected<RawMesh> raw = parseRaw(content, name, file.format, diagnostics);
-  if (!raw) return makeError(raw.error());
+  HAPTICELL_TRY(raw);
   file.metres_per_unit = unitOf(*raw, options);
   file.unit_is_stated = raw->metres_per_unit.has_value();
   file.triangles_in_file = raw->mesh.triangles.size();
@@ -224,10 +226,10 @@ Expected<MeshFile> parseMeshFile(std::string_view content, const std::filesystem
 Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const MeshReadOptions& options, bool split,
                                       Diagnostics& diagnostics) {
   Expected<std::string> content = readFileContent(path);
-  if (!content) return makeError(content.error());
+  HAPTICELL_TRY(content);
   MeshFileParts file;
   Expected<RawMesh> raw = parseRaw(*content, path, file.format, diagnostics);
-  if (!raw) return makeError(raw.error());
+  HAPTICELL_TRY(raw);
   *content = {};
   file.metres_per_unit = unitOf(*raw, options);
   file.unit_is_stated = raw->metres_per_unit.has_value();
@@ -253,14 +255,14 @@ Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const M
 Expected<MeshFile> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                                 Diagnostics& diagnostics) {
   const Expected<std::string> content = readFileContent(path);
-  if (!content) return makeError(content.error());
+  HAPTICELL_TRY(content);
   return parseMeshFile(*content, path, options, diagnostics);
 }
 
 Expected<geometry::TriangleMesh> readMesh(const std::filesystem::path& path, const MeshReadOptions& options,
                                           Diagnostics& diagnostics) {
   Expected<MeshFile> file = readMeshFile(path, options, diagnostics);
-  if (!file) return makeError(file.error());
+  HAPTICELL_TRY(file);
   return std::move(file->mesh);
 }
 

@@ -8,8 +8,8 @@
 #include "workcell/meshes/color_channels.h"
 #include "workcell/meshes/mesh_formats.h"
 #include "workcell/meshes/polygon_soup.h"
-#include "workcell/text/text_cursor.h"
 #include "workcell/meshes/unit_statement.h"
+#include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
 
@@ -42,9 +42,10 @@ class ObjReader {
         readComment(keyword);
       } else if (!keyword.empty() && !readName(keyword) && !isIgnored(keyword)) {
         ++unknown_[std::string(keyword.substr(0, 20))];
-        if (unknown_.size() > 50) return makeError({"", cursor_.place(), inQuotes(keyword), "an OBJ statement", ""});
+        if (unknown_.size() > 50)
+          return makeError({.place = cursor_.place(), .found = inQuotes(keyword), .expected = "an OBJ statement"});
       }
-      if (!done) return makeError(done.error());
+      HAPTICELL_TRY(done);
     }
     if (farthest_ > soup_.vertices.size()) {
       return makeError(outOfRange("line " + std::to_string(farthest_line_), std::to_string(farthest_)));
@@ -127,9 +128,10 @@ class ObjReader {
       const std::string_view word = cursor_.nextWord();
       const std::optional<double> value = parseNumber(word);
       if (!value) {
-        return makeError({"", place,
-                          word.empty() ? "a vertex with fewer than three coordinates" : "vertex with " + inQuotes(word),
-                          "three numbers with '.' as decimal point", ""});
+        return makeError(
+            {.place = place,
+             .found = word.empty() ? "a vertex with fewer than three coordinates" : "vertex with " + inQuotes(word),
+             .expected = "three numbers with '.' as decimal point"});
       }
       point[axis] = *value;
     }
@@ -164,9 +166,10 @@ class ObjReader {
   }
 
   Error outOfRange(const std::string& place, const std::string& index) const {
-    return {"", place, "vertex number " + inQuotes(index),
-            "one of the " + std::to_string(soup_.vertices.size()) + " vertices",
-            "The file is damaged: export it again."};
+    return {.place = place,
+            .found = "vertex number " + inQuotes(index),
+            .expected = "one of the " + std::to_string(soup_.vertices.size()) + " vertices",
+            .fix = "The file is damaged: export it again."};
   }
 
   TextCursor cursor_;

@@ -3,8 +3,8 @@
 #include "workcell/meshes/color_channels.h"
 #include "workcell/meshes/mesh_formats.h"
 #include "workcell/meshes/polygon_soup.h"
-#include "workcell/text/text_cursor.h"
 #include "workcell/meshes/unit_statement.h"
+#include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
 
@@ -23,16 +23,16 @@ class OffReader {
 
   Expected<RawMesh> read(Diagnostics& diagnostics) {
     Expected<Counts> counts = readHeader();
-    if (!counts) return makeError(counts.error());
+    HAPTICELL_TRY(counts);
     soup_.vertices.reserve(counts->vertices);
     soup_.ends.reserve(counts->faces);
     for (std::uint64_t k = 0; k < counts->vertices; ++k) {
       if (!nextFilledLine()) return makeError(ended("vertex", k, counts->vertices));
-      if (auto vertex = readVertex(); !vertex) return makeError(vertex.error());
+      HAPTICELL_TRY(readVertex());
     }
     for (std::uint64_t k = 0; k < counts->faces; ++k) {
       if (!nextFilledLine()) return makeError(ended("face", k, counts->faces));
-      if (auto face = readFace(); !face) return makeError(face.error());
+      HAPTICELL_TRY(readFace());
     }
     readTail();
     vertex_colors_.report("vertices", diagnostics);
@@ -89,31 +89,41 @@ class OffReader {
   }
 
   Expected<Counts> readHeader() {
-    if (!nextFilledLine()) return makeError({"", "", "no text", "'OFF'", ""});
+    if (!nextFilledLine()) return makeError({.found = "no text", .expected = "'OFF'"});
     if (!word_.ends_with("OFF") || word_.find_first_of("4n") != std::string_view::npos) {
-      return makeError({"", cursor_.place(), inQuotes(word_), "'OFF', 'COFF' or 'NOFF' in three dimensions", ""});
+      return makeError({.place = cursor_.place(),
+                        .found = inQuotes(word_),
+                        .expected = "'OFF', 'COFF' or 'NOFF' in three dimensions"});
     }
     has_colors_ = word_.find('C') != std::string_view::npos;
     has_normals_ = word_.find('N') != std::string_view::npos;
     std::string_view word = nextWord();
     if (word == "BINARY") {
-      return makeError({"", cursor_.place(), "a binary OFF file", "OFF as text", "Save it as text or as PLY."});
+      return makeError({.place = cursor_.place(),
+                        .found = "a binary OFF file",
+                        .expected = "OFF as text",
+                        .fix = "Save it as text or as PLY."});
     }
     if (word.empty()) {
-      if (!nextFilledLine()) return makeError({"", cursor_.place(), "the file ends", "the counts", kTruncated});
+      if (!nextFilledLine())
+        return makeError(
+            {.place = cursor_.place(), .found = "the file ends", .expected = "the counts", .fix = kTruncated});
       word = word_;
     }
     const std::optional<std::int64_t> vertices = parseInteger(word), faces = parseInteger(nextWord());
     if (!vertices || !faces || *vertices < 0 || *faces < 0) {
-      return makeError({"", cursor_.place(), "no counts", "the numbers of vertices, faces and edges", ""});
+      return makeError(
+          {.place = cursor_.place(), .found = "no counts", .expected = "the numbers of vertices, faces and edges"});
     }
     // The shortest vertex or face line, "0 0 0" or "0", takes 6 and 2 bytes.
     const std::uint64_t room = cursor_.bytesLeft() + 1;
     const Counts counts{static_cast<std::uint64_t>(*vertices), static_cast<std::uint64_t>(*faces)};
     if (counts.vertices > room / 6 || counts.faces > room / 2) {
-      return makeError({"", cursor_.place(),
-                        std::to_string(counts.vertices) + " vertices and " + std::to_string(counts.faces) + " faces",
-                        "no more than the file's length can hold", kTruncated});
+      return makeError(
+          {.place = cursor_.place(),
+           .found = std::to_string(counts.vertices) + " vertices and " + std::to_string(counts.faces) + " faces",
+           .expected = "no more than the file's length can hold",
+           .fix = kTruncated});
     }
     return counts;
   }
@@ -123,9 +133,9 @@ class OffReader {
     for (int axis = 0; axis < 3; ++axis) {
       const std::optional<double> value = parseNumber(word_);
       if (!value) {
-        return makeError({"", cursor_.place(),
-                          word_.empty() ? "a vertex with fewer than three coordinates" : inQuotes(word_),
-                          "three numbers with '.' as decimal point", ""});
+        return makeError({.place = cursor_.place(),
+                          .found = word_.empty() ? "a vertex with fewer than three coordinates" : inQuotes(word_),
+                          .expected = "three numbers with '.' as decimal point"});
       }
       point[axis] = *value;
       if (axis < 2) word_ = nextWord();
@@ -140,15 +150,16 @@ class OffReader {
   Expected<void> readFace() {
     const std::optional<std::int64_t> corners = parseInteger(word_);
     if (!corners || *corners < 0) {
-      return makeError({"", cursor_.place(), inQuotes(word_), "the number of the face's corners", ""});
+      return makeError(
+          {.place = cursor_.place(), .found = inQuotes(word_), .expected = "the number of the face's corners"});
     }
     for (std::int64_t k = 0; k < *corners; ++k) {
       const std::string_view word = nextWord();
       const std::optional<std::int64_t> index = parseInteger(word);
       if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= soup_.vertices.size()) {
-        return makeError({"", cursor_.place(),
-                          word.empty() ? "a face with too few corners" : "face corner " + inQuotes(word),
-                          "a vertex number below " + std::to_string(soup_.vertices.size()), ""});
+        return makeError({.place = cursor_.place(),
+                          .found = word.empty() ? "a face with too few corners" : "face corner " + inQuotes(word),
+                          .expected = "a vertex number below " + std::to_string(soup_.vertices.size())});
       }
       soup_.corners.push_back(static_cast<std::uint32_t>(*index));
     }
@@ -158,8 +169,10 @@ class OffReader {
   }
 
   Error ended(const char* what, std::uint64_t index, std::uint64_t count) const {
-    return {"", std::string(what) + " " + std::to_string(index + 1) + " of " + std::to_string(count), "the file ends",
-            "a line for each " + std::string(what), kTruncated};
+    return {.place = std::string(what) + " " + std::to_string(index + 1) + " of " + std::to_string(count),
+            .found = "the file ends",
+            .expected = "a line for each " + std::string(what),
+            .fix = kTruncated};
   }
 
   TextCursor cursor_;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "workcell/text/text_cursor.h"
 #include "workcell/meshes/unit_statement.h"
+#include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
 
@@ -50,10 +50,13 @@ class HeaderReader {
   explicit HeaderReader(std::string_view content) : content_(content) {}
 
   Expected<PlyHeader> read() {
-    if (auto format = readFirstLines(); !format) return makeError(format.error());
+    HAPTICELL_TRY(readFirstLines());
     while (true) {
       if (!nextLine()) {
-        return makeError({"", place(), "the file ends", "'end_header'", "The file is truncated: export it again."});
+        return makeError({.place = place(),
+                          .found = "the file ends",
+                          .expected = "'end_header'",
+                          .fix = "The file is truncated: export it again."});
       }
       TextCursor words(line_);
       words.nextLine();
@@ -66,13 +69,15 @@ class HeaderReader {
       } else if (keyword == "property") {
         done = readProperty(words);
       } else {
-        done = makeError({"", place(), inQuotes(keyword), "'element', 'property', 'comment' or 'end_header'", ""});
+        done = makeError({.place = place(),
+                          .found = inQuotes(keyword),
+                          .expected = "'element', 'property', 'comment' or 'end_header'"});
       }
-      if (!done) return makeError(done.error());
+      HAPTICELL_TRY(done);
     }
     header_.bytes = next_;
     header_.lines = line_number_;
-    if (auto room = checkCounts(); !room) return makeError(room.error());
+    HAPTICELL_TRY(checkCounts());
     return std::move(header_);
   }
 
@@ -103,9 +108,10 @@ class HeaderReader {
   }
 
   Expected<void> readFirstLines() {
-    if (!nextLine() || line_.substr(0, 3) != "ply") return makeError({"", "line 1", "no 'ply'", "'ply'", ""});
+    if (!nextLine() || line_.substr(0, 3) != "ply")
+      return makeError({.place = "line 1", .found = "no 'ply'", .expected = "'ply'"});
     do {
-      if (!nextLine()) return makeError({"", place(), "the file ends", "a line 'format'", ""});
+      if (!nextLine()) return makeError({.place = place(), .found = "the file ends", .expected = "a line 'format'"});
     } while (readComment());
     TextCursor words(line_);
     words.nextLine();
@@ -117,7 +123,9 @@ class HeaderReader {
     } else if (keyword == "format" && encoding == "binary_big_endian") {
       header_.encoding = PlyEncoding::kBigEndian;
     } else {
-      return makeError({"", place(), inQuotes(line_), "'format' ascii, binary_little_endian or binary_big_endian", ""});
+      return makeError({.place = place(),
+                        .found = inQuotes(line_),
+                        .expected = "'format' ascii, binary_little_endian or binary_big_endian"});
     }
     return {};
   }
@@ -129,11 +137,13 @@ class HeaderReader {
     const std::string_view word = words.nextWord();
     const std::optional<std::int64_t> count = parseInteger(word);
     if (!count || *count < 0) {
-      return makeError({"", place(), inQuotes(word), "how many elements '" + element.name + "' follow", ""});
+      return makeError(
+          {.place = place(), .found = inQuotes(word), .expected = "how many elements '" + element.name + "' follow"});
     }
     for (const PlyElement& other : header_.elements) {
       if (other.name == element.name) {
-        return makeError({"", place(), "a second element " + inQuotes(element.name), "each element once", ""});
+        return makeError(
+            {.place = place(), .found = "a second element " + inQuotes(element.name), .expected = "each element once"});
       }
     }
     element.count = static_cast<std::uint64_t>(*count);
@@ -142,7 +152,8 @@ class HeaderReader {
   }
 
   Expected<void> readProperty(TextCursor& words) {
-    if (header_.elements.empty()) return makeError({"", place(), "a property", "an 'element' before it", ""});
+    if (header_.elements.empty())
+      return makeError({.place = place(), .found = "a property", .expected = "an 'element' before it"});
     PlyProperty property;
     std::string_view type = words.nextWord();
     if (type == "list") {
@@ -150,13 +161,16 @@ class HeaderReader {
       const std::string_view count = words.nextWord();
       const std::optional<PlyType> found = findType(count);
       if (!found || *found == PlyType::kFloat32 || *found == PlyType::kFloat64) {
-        return makeError({"", place(), inQuotes(count), "an integer type for the list's length", ""});
+        return makeError(
+            {.place = place(), .found = inQuotes(count), .expected = "an integer type for the list's length"});
       }
       property.count_type = *found;
       type = words.nextWord();
     }
     const std::optional<PlyType> found = findType(type);
-    if (!found) return makeError({"", place(), inQuotes(type), "a PLY number type such as 'float' or 'uchar'", ""});
+    if (!found)
+      return makeError(
+          {.place = place(), .found = inQuotes(type), .expected = "a PLY number type such as 'float' or 'uchar'"});
     property.type = *found;
     property.name = words.nextWord();
     header_.elements.back().properties.push_back(std::move(property));
@@ -168,10 +182,10 @@ class HeaderReader {
     for (const PlyElement& element : header_.elements) {
       const std::uint64_t least = leastBytes(element, header_.encoding);
       if (least == 0 || element.count <= room / least) continue;
-      return makeError({"", "line " + std::to_string(element.line),
-                        std::to_string(element.count) + " elements " + inQuotes(element.name),
-                        "at most the " + std::to_string(room / least) + " that the file's length can hold",
-                        "The file is truncated: export it again."});
+      return makeError({.place = "line " + std::to_string(element.line),
+                        .found = std::to_string(element.count) + " elements " + inQuotes(element.name),
+                        .expected = "at most the " + std::to_string(room / least) + " that the file's length can hold",
+                        .fix = "The file is truncated: export it again."});
     }
     return {};
   }

@@ -125,13 +125,13 @@ class PlyReader {
       : header_(header), source_(content.substr(header.bytes), header.encoding) {}
 
   Expected<RawMesh> read(Diagnostics& diagnostics) {
-    if (auto complete = checkElements(); !complete) return makeError(complete.error());
+    HAPTICELL_TRY(checkElements());
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) continue;
       roles_ = rolesOf(element);
       ColorChannels colors;
       for (std::uint64_t index = 0; index < element.count; ++index) {
-        if (auto done = readOne(element, index, colors); !done) return makeError(done.error());
+        HAPTICELL_TRY(readOne(element, index, colors));
       }
       keepColors(element, std::move(colors), diagnostics);
       const bool known = element.name == "vertex" || element.name == "face" || element.name == "tristrips";
@@ -161,7 +161,8 @@ class PlyReader {
         vertices = element.find("x") >= 0 && element.find("y") >= 0 && element.find("z") >= 0;
       if (element.name == "face" || element.name == "tristrips") faces = true;
     }
-    if (!vertices) return makeError({"", "header", "no vertices", "an element 'vertex' with x, y and z", ""});
+    if (!vertices)
+      return makeError({.place = "header", .found = "no vertices", .expected = "an element 'vertex' with x, y and z"});
     if (!faces) {
       return makeError(
           {"", "header", "points without faces", "an element 'face'", "Make a surface of the point cloud first."});
@@ -200,8 +201,10 @@ class PlyReader {
     const bool believable = *length >= 0.0 && *length == std::floor(*length) && *length <= 4294967295.0;
     const std::size_t least = header_.encoding == PlyEncoding::kAscii ? 1 : sizeOf(property.type);
     if (!believable || static_cast<std::uint64_t>(*length) > source_.bytesLeft() / least) {
-      return makeError({"", placeOf(element, index), "a list whose length the file cannot hold", "a shorter list",
-                        "The file is damaged: export it again."});
+      return makeError({.place = placeOf(element, index),
+                        .found = "a list whose length the file cannot hold",
+                        .expected = "a shorter list",
+                        .fix = "The file is damaged: export it again."});
     }
     const bool corners = property.name == "vertex_indices" || property.name == "vertex_index";
     const bool face = element.name == "face" && corners, strip = element.name == "tristrips" && corners;
@@ -212,7 +215,8 @@ class PlyReader {
       if (!face && !strip) continue;
       const bool restart = strip && *value == -1.0;
       if (!restart && !(*value >= 0.0 && *value == std::floor(*value) && *value <= 4294967294.0)) {
-        return makeError({"", placeOf(element, index), "a corner that is no vertex number", "0 or more", ""});
+        return makeError(
+            {.place = placeOf(element, index), .found = "a corner that is no vertex number", .expected = "0 or more"});
       }
       if (face) soup_.corners.push_back(static_cast<std::uint32_t>(*value));
       if (strip) extendStrip(restart, restart ? 0 : static_cast<std::uint32_t>(*value));
@@ -242,9 +246,10 @@ class PlyReader {
   }
 
   Error ended(const PlyElement& element, std::uint64_t index) const {
-    return {"", placeOf(element, index), "the file ends",
-            std::to_string(element.count) + " elements " + inQuotes(element.name),
-            "The file is truncated: export it again."};
+    return {.place = placeOf(element, index),
+            .found = "the file ends",
+            .expected = std::to_string(element.count) + " elements " + inQuotes(element.name),
+            .fix = "The file is truncated: export it again."};
   }
 
   const PlyHeader& header_;
@@ -258,7 +263,7 @@ class PlyReader {
 
 Expected<RawMesh> readPly(std::string_view content, Diagnostics& diagnostics) {
   const Expected<PlyHeader> header = readPlyHeader(content);
-  if (!header) return makeError(header.error());
+  HAPTICELL_TRY(header);
   return PlyReader(*header, content).read(diagnostics);
 }
 

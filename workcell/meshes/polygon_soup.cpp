@@ -106,9 +106,9 @@ Expected<RawMesh> triangulate(PolygonSoup soup, Diagnostics& diagnostics) {
     begin = soup.ends[face];
     for (std::uint32_t index : polygon) {
       if (index < mesh.vertices.size()) continue;
-      return makeError({"", "face " + std::to_string(face + 1) + " of " + std::to_string(soup.ends.size()),
-                        "vertex index " + std::to_string(index),
-                        "less than the " + std::to_string(mesh.vertices.size()) + " vertices of the file", ""});
+      return makeError({.place = "face " + std::to_string(face + 1) + " of " + std::to_string(soup.ends.size()),
+                        .found = "vertex index " + std::to_string(index),
+                        .expected = "less than the " + std::to_string(mesh.vertices.size()) + " vertices of the file"});
     }
     triangulator.add(polygon);
     if (!soup.labels.empty()) raw.label.resize(mesh.triangles.size(), soup.labels[face]);

@@ -4,8 +4,8 @@
 
 #include "workcell/meshes/byte_source.h"
 #include "workcell/meshes/mesh_formats.h"
-#include "workcell/text/text_cursor.h"
 #include "workcell/meshes/unit_statement.h"
+#include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
 
@@ -29,8 +29,8 @@ std::uint32_t countInHeader(std::string_view content) {
 }
 
 Error wrongWord(const TextCursor& cursor, std::string_view word, const std::string& expected) {
-  if (word.empty()) return {"", cursor.place(), "the file ends", expected, kTruncated};
-  return {"", cursor.place(), inQuotes(word), expected, ""};
+  if (word.empty()) return {.place = cursor.place(), .found = "the file ends", .expected = expected, .fix = kTruncated};
+  return {.place = cursor.place(), .found = inQuotes(word), .expected = expected};
 }
 
 /// One facet behind its word "facet". The normal is not used (exporters write NaN there for slivers): any words pass.
@@ -45,7 +45,7 @@ Expected<void> readFacet(TextCursor& cursor, geometry::TriangleMesh& mesh) {
     const std::string_view word = cursor.nextWordOfText();
     if (!sameWord(word, "vertex")) return makeError(wrongWord(cursor, word, "'vertex' (three of them a facet)"));
     const Expected<dvec3> point = readPoint(cursor, "vertex");
-    if (!point) return makeError(point.error());
+    HAPTICELL_TRY(point);
     mesh.vertices.push_back(*point);
   }
   for (const char* expected : {"endloop", "endfacet"}) {
@@ -75,7 +75,7 @@ Expected<RawMesh> readStlAscii(std::string_view content, Diagnostics&) {
       if (mesh.triangles.empty()) raw.metres_per_unit = statedUnit(name);
       in_solid = true;
     } else if (in_solid && sameWord(word, "facet")) {
-      if (auto facet = readFacet(cursor, mesh); !facet) return makeError(facet.error());
+      HAPTICELL_TRY(readFacet(cursor, mesh));
     } else if (in_solid && sameWord(word, "endsolid")) {
       cursor.restOfLine();
       in_solid = false;
@@ -89,19 +89,24 @@ Expected<RawMesh> readStlAscii(std::string_view content, Diagnostics&) {
 
 Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnostics) {
   if (content.size() < kHeaderBytes) {
-    return makeError({"", "", std::to_string(content.size()) + " bytes",
-                      "at least the 84 bytes of a binary STL's header", kTruncated});
+    return makeError({.found = std::to_string(content.size()) + " bytes",
+                      .expected = "at least the 84 bytes of a binary STL's header",
+                      .fix = kTruncated});
   }
   const std::size_t count = countInHeader(content);
   const std::size_t room = (content.size() - kHeaderBytes) / kTriangleBytes;
   const std::size_t spare = (content.size() - kHeaderBytes) % kTriangleBytes;
   if (count > room) {
-    return makeError({"", triangleOf(room, count), "the file ends after " + std::to_string(content.size()) + " bytes",
-                      std::to_string(kHeaderBytes + kTriangleBytes * count) + " bytes", kTruncated});
+    return makeError({.place = triangleOf(room, count),
+                      .found = "the file ends after " + std::to_string(content.size()) + " bytes",
+                      .expected = std::to_string(kHeaderBytes + kTriangleBytes * count) + " bytes",
+                      .fix = kTruncated});
   }
   if (count < room) {
-    return makeError({"", "header", "a count of " + std::to_string(count) + " triangles",
-                      std::to_string(room) + ", which is what the file's length holds", "Export the file again."});
+    return makeError({.place = "header",
+                      .found = "a count of " + std::to_string(count) + " triangles",
+                      .expected = std::to_string(room) + ", which is what the file's length holds",
+                      .fix = "Export the file again."});
   }
   if (spare > 0) diagnostics.warn(std::to_string(spare) + " bytes behind the last triangle were not read");
   RawMesh raw;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "workcell/robots/robot_body.h"
 
@@ -191,7 +192,7 @@ struct ArmMaker {
     body.add(metal, {},
              [&](const Detail& d) { return solid::cylinder(0.72 * r, start, p.c4, 0.05 * r * d.chamfer, d.segments); });
     for (int k = 0; k < 6; ++k) {
-      const double angle = M_PI / 3.0 * k;
+      const double angle = std::numbers::pi / 3.0 * k;
       body.decorate(look.second, Pose::translation({0.52 * r * std::cos(angle), 0.52 * r * std::sin(angle), p.c4}),
                     [&](const Detail&) { return solid::cylinder(0.07 * r, -0.01 * s, 0.001, 0.0, 10); });
     }

@@ -33,8 +33,10 @@ Expected<fs::path> findLibraryRobot(const std::string& name) {
     if (!isPlain(name)) break;
     if (const auto file = config::findShippedFile("robots/" + name + form)) return fs::path(*file);
   }
-  return makeError({"library:" + name, "", "no robot of that name is built in",
-                    "a name of the shipped robots/, such as hc6 or ur5e", "hapticell-cli library lists them."});
+  return makeError({.file = "library:" + name,
+                    .found = "no robot of that name is built in",
+                    .expected = "a name of the shipped robots/, such as hc6 or ur5e",
+                    .fix = "hapticell-cli library lists them."});
 }
 
 std::vector<LibraryRobot> listLibraryRobots(Diagnostics& diagnostics) {

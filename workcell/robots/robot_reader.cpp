@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "geometry/system/regular_file.h"
-#include "workcell/scenes/sdf_reader.h"
 #include "workcell/robots/srdf.h"
 #include "workcell/robots/xacro_file.h"
+#include "workcell/scenes/sdf_reader.h"
 
 namespace hapticell::workcell {
 
@@ -132,24 +132,24 @@ Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, Im
   Expected<kinematics::RobotModel> model = [&]() -> Expected<kinematics::RobotModel> {
     if (format == RobotFormat::kSdf) {
       Expected<SdfRobot> read = readSdf(file, diagnostics, monitor);
-      if (!read) return makeError(read.error());
+      HAPTICELL_TRY(read);
       X_FB = read->X_FB;
       return std::move(read->model);
     }
     if (format == RobotFormat::kUrdf) return readUrdf(file, diagnostics, monitor, content);
     std::vector<xacro::DeclaredArgument> unasked;
     const auto expanded = expandXacroFile(file, arguments, declared ? *declared : unasked, diagnostics);
-    if (!expanded) return makeError(expanded.error());
+    HAPTICELL_TRY(expanded);
     return readUrdfText(expanded->text, file, diagnostics, monitor, content, &expanded->places);
   }();
-  if (!model) return makeError(model.error());
+  HAPTICELL_TRY(model);
   if (!model->closure) hintAtOpenLoops(*model, diagnostics);
   TomlRobot robot;
   robot.model = std::move(*model);
   robot.X_FB = X_FB;
   robot.sheet.name = robot.model.name;
   if (const auto srdf = format == RobotFormat::kSdf ? std::nullopt : findSrdf(file, robot.model.name)) {
-    if (auto read = readSrdf(*srdf, robot.model, diagnostics); !read) return makeError(read.error());
+    HAPTICELL_TRY(readSrdf(*srdf, robot.model, diagnostics));
   }
   return robot;
 }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "geometry/system/nesting_limit.h"
-#include "workcell/text/file_content.h"
 #include "workcell/robots/robot_toml_reader.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::workcell {
 
@@ -15,14 +15,16 @@ namespace {
 
 Expected<toml::table> parse(const fs::path& path) {
   const Expected<std::string> text = readFileContent(path);
-  if (!text) return makeError(text.error());
+  HAPTICELL_TRY(text);
   auto flat = geometry::checkNesting(*text, geometry::NestedText::kToml, path.string());
-  if (!flat) return makeError(flat.error());
+  HAPTICELL_TRY(flat);
   try {
     return toml::parse(*text);
   } catch (const toml::parse_error& problem) {
-    return makeError({path.string(), "line " + std::to_string(problem.source().begin.line),
-                      "text that is not TOML (" + std::string(problem.description()) + ")", "a robot.toml", ""});
+    return makeError({.file = path.string(),
+                      .place = "line " + std::to_string(problem.source().begin.line),
+                      .found = "text that is not TOML (" + std::string(problem.description()) + ")",
+                      .expected = "a robot.toml"});
   }
 }
 
@@ -194,13 +196,13 @@ void RobotTomlReader::readTools() {
 
 Expected<TomlRobot> readRobotToml(const fs::path& path, Diagnostics& diagnostics) {
   const auto root = parse(path);
-  if (!root) return makeError(root.error());
+  HAPTICELL_TRY(root);
   return RobotTomlReader(*root, path, diagnostics).read();
 }
 
 Expected<RobotSheet> readRobotSheet(const fs::path& path) {
   const auto root = parse(path);
-  if (!root) return makeError(root.error());
+  HAPTICELL_TRY(root);
   Diagnostics ignored;
   return RobotTomlReader(*root, path, ignored).readSheet();
 }

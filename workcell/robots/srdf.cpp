@@ -151,7 +151,7 @@ std::optional<fs::path> findSrdf(const fs::path& robot_file, const std::string& 
 
 Expected<void> readSrdf(const fs::path& file, RobotModel& model, Diagnostics& diagnostics) {
   const Expected<std::string> content = readFileContent(file);
-  if (!content) return makeError(content.error());
+  HAPTICELL_TRY(content);
   const auto refuse = [&](int line, const std::string& found, const std::string& expected) {
     const std::string place = line > 0 ? "line " + std::to_string(line) : "";
     return makeError(

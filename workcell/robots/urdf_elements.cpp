@@ -26,8 +26,8 @@ std::string attributeOf(const TiXmlElement& element, const char* name) {
   return value ? value : "";
 }
 
-/// The numbers in a text, between blanks or commas with a blank behind ("0, 0, 1"); nothing where one is none. "inf" and
-/// "nan" are numbers here.
+/// The numbers in a text, between blanks or commas with a blank behind ("0, 0, 1"); nothing where one is none. "inf"
+/// and "nan" are numbers here.
 std::optional<std::vector<double>> urdfNumbers(const std::string& text) {
   std::vector<double> numbers;
   std::istringstream words(text);
@@ -70,8 +70,8 @@ Expected<Pose> readOrigin(const TiXmlElement& element, const UrdfLines& lines) {
   if (!origin) return Pose();
   const auto xyz = readNumbers(*origin, "xyz", {0.0, 0.0, 0.0}, lines),
              rpy = readNumbers(*origin, "rpy", {0.0, 0.0, 0.0}, lines);
-  if (!xyz) return makeError(xyz.error());
-  if (!rpy) return makeError(rpy.error());
+  HAPTICELL_TRY(xyz);
+  HAPTICELL_TRY(rpy);
   const Pose pose{{(*xyz)[0], (*xyz)[1], (*xyz)[2]}, fromRollPitchYaw((*rpy)[0], (*rpy)[1], (*rpy)[2])};
   if (!pose.isValid())
     return lines.refuse(origin->Row(), "an origin that is not a pose (\"" + attributeOf(*origin, "xyz") + "\")",
@@ -167,7 +167,7 @@ Expected<UrdfShape> readShape(const TiXmlElement& element, const UrdfLines& line
   UrdfShape shape;
   shape.line = element.Row();
   const auto origin = readOrigin(element, lines);
-  if (!origin) return makeError(origin.error());
+  HAPTICELL_TRY(origin);
   shape.X_LS = *origin;
   const TiXmlElement* geometry = element.FirstChildElement("geometry");
   if (geometry)
@@ -220,8 +220,8 @@ Expected<void> readLimits(const TiXmlElement& element, const UrdfLines& lines, U
     return {};
   }
   const auto lower = readLimit(*limit, "lower", lines), upper = readLimit(*limit, "upper", lines);
-  if (!lower) return makeError(lower.error());
-  if (!upper) return makeError(upper.error());
+  HAPTICELL_TRY(lower);
+  HAPTICELL_TRY(upper);
   joint.joint.lower = *lower;
   joint.joint.upper = *upper;
   const bool crossed = *lower > *upper;
@@ -239,7 +239,7 @@ Expected<void> readAxis(const TiXmlElement& element, const UrdfLines& lines, Urd
   joint.joint.axis_J = {1.0, 0.0, 0.0};
   if (!axis) return {};
   const auto xyz = readNumbers(*axis, "xyz", {1.0, 0.0, 0.0}, lines);
-  if (!xyz) return makeError(xyz.error());
+  HAPTICELL_TRY(xyz);
   const dvec3 direction((*xyz)[0], (*xyz)[1], (*xyz)[2]);
   if (glm::length(direction) < 1e-9 || !std::isfinite(glm::length(direction)))
     return lines.refuse(axis->Row(),
@@ -256,8 +256,8 @@ Expected<void> readMimic(const TiXmlElement& element, const UrdfLines& lines, Ur
   joint.mimic_line = mimic->Row();
   const auto multiplier = readNumbers(*mimic, "multiplier", {1.0}, lines),
              offset = readNumbers(*mimic, "offset", {0.0}, lines);
-  if (!multiplier) return makeError(multiplier.error());
-  if (!offset) return makeError(offset.error());
+  HAPTICELL_TRY(multiplier);
+  HAPTICELL_TRY(offset);
   joint.multiplier = multiplier->front();
   joint.offset = offset->front();
   if (joint.mimicked.empty()) return lines.refuse(mimic->Row(), "<mimic> without joint", "joint=\"…\"");
@@ -298,7 +298,7 @@ Expected<UrdfLink> readUrdfLink(const TiXmlElement& element, const UrdfLines& li
     const bool visual = child->ValueStr() == "visual";
     if (!visual && child->ValueStr() != "collision") continue;
     auto shape = readShape(*child, lines, diagnostics);
-    if (!shape) return makeError(shape.error());
+    HAPTICELL_TRY(shape);
     (visual ? link.visuals : link.collisions).push_back(std::move(*shape));
   }
   return link;
@@ -311,7 +311,7 @@ Expected<UrdfJoint> readUrdfJoint(const TiXmlElement& element, const UrdfLines& 
   joint.type = attributeOf(element, "type");
   if (joint.joint.name.empty()) return lines.refuse(joint.line, "a joint without a name", "name=\"…\"");
   const auto type = typeOf(joint, lines, diagnostics);
-  if (!type) return makeError(type.error());
+  HAPTICELL_TRY(type);
   joint.joint.type = *type;
   const TiXmlElement *parent = element.FirstChildElement("parent"), *child = element.FirstChildElement("child");
   if (parent) joint.parent = attributeOf(*parent, "link");
@@ -323,12 +323,12 @@ Expected<UrdfJoint> readUrdfJoint(const TiXmlElement& element, const UrdfLines& 
         "<parent link=\"…\"/> and <child link=\"…\"/>");
   }
   const auto origin = readOrigin(element, lines);
-  if (!origin) return makeError(origin.error());
+  HAPTICELL_TRY(origin);
   joint.joint.X_PJ = *origin;
   if (joint.joint.type == JointType::kFixed) return joint;
-  if (auto read = readAxis(element, lines, joint); !read) return makeError(read.error());
-  if (auto read = readLimits(element, lines, joint, diagnostics); !read) return makeError(read.error());
-  if (auto read = readMimic(element, lines, joint); !read) return makeError(read.error());
+  HAPTICELL_TRY(readAxis(element, lines, joint));
+  HAPTICELL_TRY(readLimits(element, lines, joint, diagnostics));
+  HAPTICELL_TRY(readMimic(element, lines, joint));
   return joint;
 }
 

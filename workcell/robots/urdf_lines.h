@@ -28,8 +28,11 @@ class UrdfLines {
   tl::unexpected<Error> refuse(int line, std::string found, std::string expected, std::string fix = {}) const {
     const xacro::Expanded::Place* place = placeOf(line);
     const int shown = place ? place->line : line;
-    return makeError({place ? place->file : file_, shown > 0 ? "line " + std::to_string(shown) : "", std::move(found),
-                      std::move(expected), std::move(fix)});
+    return makeError({.file = place ? place->file : file_,
+                      .place = shown > 0 ? "line " + std::to_string(shown) : "",
+                      .found = std::move(found),
+                      .expected = std::move(expected),
+                      .fix = std::move(fix)});
   }
 
  private:

@@ -4,10 +4,10 @@
 #include <map>
 
 #include "geometry/system/regular_file.h"
-#include "workcell/text/read_record.h"
 #include "workcell/robots/urdf_lines.h"
 #include "workcell/robots/urdf_shapes.h"
 #include "workcell/robots/urdf_structure.h"
+#include "workcell/text/read_record.h"
 #include "workcell/text/xml_text.h"
 
 namespace hapticell::workcell {
@@ -59,7 +59,7 @@ void addTree(const UrdfStructure& structure, RobotModel& model) {
 Expected<RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics, ImportMonitor* monitor,
                               RobotContent content) {
   const auto text = geometry::readRegularFile(path, kLargestUrdf);
-  if (!text) return makeError(text.error());
+  HAPTICELL_TRY(text);
   ReadRecord::note(path);
   return readUrdfText(*text, path, diagnostics, monitor, content);
 }
@@ -73,7 +73,7 @@ Expected<RobotModel> readUrdfText(const std::string& text, const std::filesystem
     diagnostics.warn("line " + std::to_string(sound.line) + ": text that is no UTF-8; " +
                      std::to_string(sound.replaced) + " bytes were taken for Latin-1");
   const auto structure = readUrdfStructure(sound.text, lines, diagnostics);
-  if (!structure) return makeError(structure.error());
+  HAPTICELL_TRY(structure);
   RobotModel model;
   model.name = structure->robot_name.empty() ? path.stem().string() : structure->robot_name;
   addTree(*structure, model);
@@ -83,7 +83,7 @@ Expected<RobotModel> readUrdfText(const std::string& text, const std::filesystem
   std::map<std::string, kinematics::Link*> links;
   for (kinematics::Link& link : model.links) links[link.name] = &link;
   for (const UrdfLink& link : structure->links) {
-    if (auto filled = shapes.fill(link, *links.at(link.name)); !filled) return makeError(filled.error());
+    HAPTICELL_TRY(shapes.fill(link, *links.at(link.name)));
   }
   shapes.reportReplacements();
   return model;

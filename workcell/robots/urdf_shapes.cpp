@@ -105,7 +105,7 @@ Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::scaledMesh(c
   const bool own_reader = !holdsScene(path);
   if (own_reader) options.metres_per_unit = uniform ? scale.x : 1.0;  // ROS reads no unit out of a mesh file.
   auto read = readWholeMesh(path, options, diagnostics_, &scenes_);
-  if (!read) return makeError(read.error());
+  HAPTICELL_TRY(read);
   if (!own_reader || !uniform) scaleBy(*read, scale);
   return meshes_[key] = std::make_shared<geometry::TriangleMesh>(std::move(*read));
 }
@@ -178,7 +178,7 @@ Expected<void> UrdfShapes::fill(const UrdfLink& source, kinematics::Link& link) 
     if (color) shape->color = *color;
     link.collisions.push_back(std::move(*shape));
   }
-  if (scenes_.isCancelled()) return makeError({lines_.file(), "", "the reading was cancelled", "", ""});
+  if (scenes_.isCancelled()) return makeError({.file = lines_.file(), .found = "the reading was cancelled"});
   link.lost_shapes = lost_visuals + lost_collisions;
   // A set of which a part cannot be read is replaced as a whole: half a link would mislead.
   const bool visuals_whole = !link.visuals.empty() && lost_visuals == 0;

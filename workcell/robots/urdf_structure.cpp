@@ -109,8 +109,8 @@ void StructureReader::defineMaterialsBelow(const TiXmlElement& element) {
 
 Expected<void> StructureReader::readElement(const TiXmlElement& element) {
   const std::string& name = element.ValueStr();
-  static const std::set<std::string> kOfXacro = {"xacro:macro", "xacro:property", "xacro:include", "xacro:arg",
-                                                 "xacro:if", "xacro:unless", "xacro:insert_block"};
+  static const std::set<std::string> kOfXacro = {"xacro:macro", "xacro:property", "xacro:include",     "xacro:arg",
+                                                 "xacro:if",    "xacro:unless",   "xacro:insert_block"};
   if (kOfXacro.count(name) > 0)
     return lines_.refuse(element.Row(), "<" + name + ">", "plain URDF",
                          "Give the file the ending .xacro, and it is expanded.");
@@ -300,7 +300,7 @@ Expected<UrdfStructure> StructureReader::read(const TiXmlElement& robot) {
   if (const char* name = robot.Attribute("name")) structure_.robot_name = name;
   // Only direct children count: <transmission> and <ros2_control> repeat <joint name=…>.
   for (const TiXmlElement* child = robot.FirstChildElement(); child; child = child->NextSiblingElement()) {
-    if (auto read = readElement(*child); !read) return makeError(read.error());
+    HAPTICELL_TRY(readElement(*child));
   }
   for (const TiXmlElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link"))
     defineMaterialsBelow(*link);
@@ -311,13 +311,13 @@ Expected<UrdfStructure> StructureReader::read(const TiXmlElement& robot) {
                          "A file of macros is opened through the file that includes it.");
   }
   reportUnexpanded();
-  if (auto added = addWorld(); !added) return makeError(added.error());
-  if (auto checked = checkEnds(); !checked) return makeError(checked.error());
-  if (auto checked = checkMimics(); !checked) return makeError(checked.error());
+  HAPTICELL_TRY(addWorld());
+  HAPTICELL_TRY(checkEnds());
+  HAPTICELL_TRY(checkMimics());
   const auto root = findRoot();
-  if (!root) return makeError(root.error());
+  HAPTICELL_TRY(root);
   auto sorted = sortFrom(*root);
-  if (!sorted) return makeError(sorted.error());
+  HAPTICELL_TRY(sorted);
   structure_.root_link = *root;
   structure_.joints = std::move(*sorted);
   colorShapes();
@@ -335,7 +335,7 @@ const UrdfLink& UrdfStructure::link(const std::string& name) const {
 Expected<UrdfStructure> readUrdfStructure(const std::string& content, const UrdfLines& lines,
                                           Diagnostics& diagnostics) {
   TiXmlDocument document;
-  if (auto parsed = xacro::parseXml(content, lines.file(), document); !parsed) return makeError(parsed.error());
+  HAPTICELL_TRY(xacro::parseXml(content, lines.file(), document));
   const TiXmlElement* robot = document.RootElement();
   if (!robot || robot->ValueStr() != "robot") {
     return lines.refuse(robot ? robot->Row() : 0,

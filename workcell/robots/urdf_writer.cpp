@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "workcell/text/file_content.h"
 #include "workcell/meshes/mesh_writer.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::workcell {
 
@@ -150,7 +150,10 @@ class UrdfText {
 
 Expected<void> writeUrdf(const Entity& robot, const fs::path& file, Diagnostics& diagnostics) {
   if (!robot.robot || robot.robot->links.empty()) {
-    return makeError({file.string(), "", "'" + robot.name + "', which is no robot", "a robot", "Choose a robot."});
+    return makeError({.file = file.string(),
+                      .found = "'" + robot.name + "', which is no robot",
+                      .expected = "a robot",
+                      .fix = "Choose a robot."});
   }
   if (robot.robot->closure) {
     diagnostics.warn("'" + robot.name + "' has closed loops, which URDF cannot say: only its tree was written");
@@ -160,7 +163,8 @@ Expected<void> writeUrdf(const Entity& robot, const fs::path& file, Diagnostics&
   const fs::path folder = file.parent_path() / urdf.folder();
   std::error_code fault;
   const bool made = !urdf.files().empty() && fs::create_directories(folder, fault);
-  if (fault) return makeError({folder.string(), "", fault.message(), "a folder that can be made", ""});
+  if (fault)
+    return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be made"});
   std::vector<FileToWrite> files;
   for (const auto& [name, mesh] : urdf.files()) {
     const NamedMesh part{name, *mesh};

@@ -18,7 +18,7 @@ constexpr std::uintmax_t kLargestXacro = std::uintmax_t{64} << 20;
 
 Expected<std::string> readXacroText(const std::filesystem::path& path) {
   auto content = geometry::readRegularFile(path, kLargestXacro);
-  if (!content) return makeError(content.error());
+  HAPTICELL_TRY(content);
   ReadRecord::note(path);
   return soundXmlText(*content).text;
 }

@@ -115,7 +115,8 @@ class Child {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    // What the foreign readers print is shown only where someone looks for it, and never among the answers of this program.
+    // What the foreign readers print is shown only where someone looks for it, and never among the answers of this
+    // program.
     if (std::getenv("HAPTICELL_IMPORTER_VERBOSE") == nullptr) {
       posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     }
@@ -160,7 +161,7 @@ class Lines {
   bool done = false;
   std::optional<Error> error;
   std::optional<int> last_part;  ///< That it began.
-  std::string stage;        ///< That it told last.
+  std::string stage;             ///< That it told last.
 
   void add(std::string_view bytes) {
     constexpr std::size_t kLongest = 100'000;
@@ -178,7 +179,7 @@ class Lines {
     if (line == "done") {
       done = true;
     } else if (line.starts_with("error ")) {
-      error = Error{call_.file, "", "", "", ""};
+      error = Error{.file = call_.file};
       std::string* parts[] = {&error->place, &error->found, &error->expected, &error->fix};
       std::size_t part = 0;
       for (char c : line.substr(6)) {
@@ -240,8 +241,7 @@ Expected<void> listen(const ImporterCall& call, const Child& child, int lines_en
 
 /// It ended without a word: a library crashed, or the system took its memory.
 Error brokeDown(const ImporterCall& call, const Lines& lines, int status) {
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-    return tookTooLong(call, lines, 2.0 * call.limits.seconds);
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return tookTooLong(call, lines, 2.0 * call.limits.seconds);
   Error error = inFile(call, "content at which its reader breaks down", "a sound file",
                        "Export it again, or in another format (STEP, glTF, STL), and without the part that is named.");
   error.place = lines.stage.empty() ? "at its beginning" : lines.stage;
@@ -267,7 +267,7 @@ Expected<std::string> runImporter(const ImporterCall& call, const std::vector<in
   }
   speaking.close();
   Lines lines(call);
-  if (auto heard = listen(call, child, listening.get(), lines); !heard) return makeError(heard.error());
+  HAPTICELL_TRY(listen(call, child, listening.get(), lines));
   const int status = child.wait(Clock::now() + std::chrono::seconds(2));
   if (lines.error) return makeError(*lines.error);
   if (lines.done) return readAll(scene.get());

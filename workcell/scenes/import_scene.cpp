@@ -43,12 +43,21 @@ std::string plainName(std::string name) {
 Expected<void> checkTessellation(const ImportOptions& options, const std::filesystem::path& file) {
   const auto within = [](double value, double least, double greatest) { return value >= least && value <= greatest; };
   const Tessellation& t = options.tessellation;
-  if (!within(t.chord, 1e-9, 1e3)) return makeError({file.string(), "chord", number(t.chord), "1e-9 to 1000 m", ""});
-  if (!within(t.angle, 1e-3, 3.2)) return makeError({file.string(), "angle", number(t.angle), "0.001 to 3.2 rad", ""});
+  if (!within(t.chord, 1e-9, 1e3))
+    return makeError({.file = file.string(), .place = "chord", .found = number(t.chord), .expected = "1e-9 to 1000 m"});
+  if (!within(t.angle, 1e-3, 3.2))
+    return makeError(
+        {.file = file.string(), .place = "angle", .found = number(t.angle), .expected = "0.001 to 3.2 rad"});
   if (!within(options.relative_chord, 0.0, 1.0))
-    return makeError({file.string(), "relative chord", number(options.relative_chord), "0 to 1", ""});
+    return makeError({.file = file.string(),
+                      .place = "relative chord",
+                      .found = number(options.relative_chord),
+                      .expected = "0 to 1"});
   if (options.metres_per_unit && !within(*options.metres_per_unit, 1e-12, 1e12))
-    return makeError({file.string(), "unit", number(*options.metres_per_unit), "metres above 0", ""});
+    return makeError({.file = file.string(),
+                      .place = "unit",
+                      .found = number(*options.metres_per_unit),
+                      .expected = "metres above 0"});
   return {};
 }
 
@@ -67,13 +76,14 @@ std::uintmax_t bytesToRead(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, fault);
   if (fault) return 0;
   const std::string extension = lowerExtension(file), head = geometry::headOfFile(file, 4);
-  const bool packed = extension == ".stpz" || extension == ".3mf" || head.starts_with("PK") || head.starts_with("\x1F\x8B");
+  const bool packed =
+      extension == ".stpz" || extension == ".3mf" || head.starts_with("PK") || head.starts_with("\x1F\x8B");
   return packed ? kPacked * size : size;
 }
 
 bool holdsScene(const std::filesystem::path& file) {
-  constexpr std::array<std::string_view, 12> kExtensions = {".step", ".stp", ".p21", ".stpz", ".iges", ".igs", ".gltf",
-                                                            ".glb",  ".dae", ".3mf", ".fbx",  ".3ds"};
+  constexpr std::array<std::string_view, 12> kExtensions = {".step", ".stp", ".p21", ".stpz", ".iges", ".igs",
+                                                            ".gltf", ".glb", ".dae", ".3mf",  ".fbx",  ".3ds"};
   const std::string head = geometry::headOfFile(file, kSceneHead);
   if (head.starts_with("ISO-10303-21") || head.starts_with("glTF") || head.starts_with("Kaydara FBX")) return true;
   if (head.find("<COLLADA") != std::string::npos) return true;
@@ -83,9 +93,9 @@ bool holdsScene(const std::filesystem::path& file) {
 
 Expected<ImportedScene> readScene(const std::filesystem::path& file, const ImportOptions& options,
                                   ImportMonitor* monitor) {
-  if (auto regular = geometry::checkRegularFile(file); !regular) return makeError(regular.error());
+  HAPTICELL_TRY(geometry::checkRegularFile(file));
   const std::filesystem::path absolute = std::filesystem::absolute(file);
-  if (const auto sound = checkTessellation(options, file); !sound) return makeError(sound.error());
+  HAPTICELL_TRY(checkTessellation(options, file));
   if (isSdfCell(absolute)) return readSdfCell(absolute, monitor, !options.merge);
   ImporterCall call;
   call.file = file.string();
@@ -95,7 +105,7 @@ Expected<ImportedScene> readScene(const std::filesystem::path& file, const Impor
   limitBySize(call, bytesToRead(absolute), isFiner(options));
   call.monitor = monitor;
   const Expected<std::string> bytes = callImporter(call);
-  if (!bytes) return makeError(bytes.error());
+  HAPTICELL_TRY(bytes);
   return uprightScene(*bytes, file, options);
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kHead = 1 + sizeof(std::uint64_t);
 
 Error errorOf(const BatchEntry& entry, const std::string& file) {
-  Error error{file, "", "", "", ""};
+  Error error{.file = file};
   std::string* parts[] = {&error.place, &error.found, &error.expected, &error.fix};
   std::size_t part = 0;
   for (char c : entry.content) {
@@ -56,7 +56,7 @@ std::string batchBytes(const std::vector<BatchEntry>& entries) {
 }
 
 Expected<std::vector<BatchEntry>> batchFromBytes(std::string_view bytes, std::size_t count) {
-  const Error fault{"", "", "an answer of the importer that is none", "as many scenes as files", ""};
+  const Error fault{.found = "an answer of the importer that is none", .expected = "as many scenes as files"};
   std::vector<BatchEntry> entries;
   while (entries.size() < count && bytes.size() >= kHead) {
     std::uint64_t size = 0;

@@ -174,7 +174,8 @@ std::string sceneBytes(const ImportedScene& scene) {
 }
 
 Expected<ImportedScene> sceneFromBytes(std::string_view bytes) {
-  const Error unsound{"", "", "the importer sent something that is not a scene", "", "Report the file that caused it."};
+  const Error unsound{.found = "the importer sent something that is not a scene",
+                      .fix = "Report the file that caused it."};
   if (!bytes.starts_with(kMagic)) return makeError(unsound);
   Reader reader(bytes.substr(kMagic.size()));
   ImportedScene scene;

@@ -28,7 +28,7 @@ class CellReader {
 
   Expected<ImportedScene> read() {
     for (const sdf::Model* model : source_.models()) {
-      if (shapes_.isCancelled()) return makeError({file_.string(), "", "the import was cancelled", "", ""});
+      if (shapes_.isCancelled()) return makeError({.file = file_.string(), .found = "the import was cancelled"});
       addModel(*model, -1);
     }
     const std::vector<std::string>& notes = shapes_.notes().warnings;
@@ -164,7 +164,7 @@ bool isSdfCell(const fs::path& file) {
 
 Expected<ImportedScene> readSdfCell(const fs::path& file, ImportMonitor* monitor, bool with_robots) {
   const auto source = SdfSource::load(file);
-  if (!source) return makeError(source.error());
+  HAPTICELL_TRY(source);
   ImportOptions options = asGazeboDoes();
   options.weld = false;
   return CellReader(*source, file, options, monitor, with_robots).read();

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <sdf/sdf.hh>
 
 #include "kinematics/closures/joint_graph.h"
@@ -41,10 +42,10 @@ class SdfModelReader {
 
   Expected<SdfRobot> read() {
     graph_.name = model_.Name();
-    if (auto added = addModel(model_, "", Pose()); !added) return makeError(added.error());
+    HAPTICELL_TRY(addModel(model_, "", Pose()));
     if (graph_.links.empty())
       return makeError(refusal("model '" + graph_.name + "'", "no links", "at least one <link>"));
-    if (shapes_.isCancelled()) return makeError({file_.string(), "", "the import was cancelled", "", ""});
+    if (shapes_.isCancelled()) return makeError({.file = file_.string(), .found = "the import was cancelled"});
     setMimics();
     graph_.root = root();
     if (!graph_.joints.empty()) fixFreeLinks();
@@ -61,7 +62,7 @@ class SdfModelReader {
 
  private:
   Error refusal(const std::string& place, const std::string& found, const std::string& expected) const {
-    return {file_.string(), place, found, expected, ""};
+    return {.file = file_.string(), .place = place, .found = found, .expected = expected};
   }
 
   int linkNamed(const std::string& name) const {
@@ -96,8 +97,10 @@ class SdfModelReader {
     if (!mesh) return;
     ignition::math::Pose3d pose;
     if (const auto errors = shape.SemanticPose().Resolve(pose, link.Name()); !errors.empty()) {
-      diagnostics_.warn(file_.string() + ": link '" + link.Name() + "': a shape is left out, for its place cannot be "
-                        "told: " + firstOf(errors));
+      diagnostics_.warn(file_.string() + ": link '" + link.Name() +
+                        "': a shape is left out, for its place cannot be "
+                        "told: " +
+                        firstOf(errors));
       return;
     }
     LinkShape made = look;
@@ -158,7 +161,9 @@ class SdfModelReader {
       if (world_link_.empty()) world_link_ = scope + (parent == "world" ? child : parent);
       if (linkNamed("world") < 0) return {};
     }
-    const auto number = [&](const std::string& name) { return name == "world" ? worldLink() : linkNamed(scope + name); };
+    const auto number = [&](const std::string& name) {
+      return name == "world" ? worldLink() : linkNamed(scope + name);
+    };
     GraphJoint joint;
     joint.joint.name = scope + source.Name();
     joint.joint.parent_link = number(parent);
@@ -194,10 +199,9 @@ class SdfModelReader {
       made.upper = axis->Upper() > kNoLimit ? kInfinity : axis->Upper();
       made.velocity = axis->MaxVelocity() > 0.0 && axis->MaxVelocity() < kNoLimit ? axis->MaxVelocity() : 0.0;
       if (std::isnan(made.lower) || made.lower > made.upper)
-        return makeError(refusal(place,
-                                 "its lower limit " + std::to_string(made.lower) + " is over the upper " +
-                                     std::to_string(made.upper),
-                                 "lower <= upper"));
+        return makeError(refusal(
+            place, "its lower limit " + std::to_string(made.lower) + " is over the upper " + std::to_string(made.upper),
+            "lower <= upper"));
       axes.push_back(made);
       noteMimic(*axis, scope, scope + source.Name(), k);
     }
@@ -223,7 +227,7 @@ class SdfModelReader {
   Expected<void> addTyped(const sdf::Joint& source, GraphJoint& joint, const std::string& scope, const Pose& X_MN,
                           const std::string& place) {
     auto read = axesOf(source, scope, X_MN, place);
-    if (!read) return makeError(read.error());
+    HAPTICELL_TRY(read);
     std::vector<SdfAxis>& axes = *read;
     const auto take = [&](std::size_t count, bool slides) -> Expected<void> {
       if (axes.size() < count) return makeError(refusal(place, "no axis", "<axis> with <xyz>"));
@@ -275,8 +279,9 @@ class SdfModelReader {
     joint.joint.type = endless ? JointType::kContinuous : JointType::kRevolute;
     const sdf::ElementPtr element = source.Element();
     const sdf::ElementPtr metres = element ? element->FindElement("screw_thread_pitch") : nullptr;
-    const double pitch = metres ? std::strtod(metres->Get<std::string>().c_str(), nullptr)
-                                : -2.0 * M_PI / source.ThreadPitch();  // Until SDF 1.9: radians a metre, left-handed.
+    const double pitch =
+        metres ? std::strtod(metres->Get<std::string>().c_str(), nullptr)
+               : -2.0 * std::numbers::pi / source.ThreadPitch();  // Until SDF 1.9: radians a metre, left-handed.
     if (!(std::abs(pitch) > 1e-12 && std::abs(pitch) < 1e9))
       return makeError(refusal(place, "a screw without pitch", "<thread_pitch>"));
     kinematics::addScrewJoint(graph_, joint, pitch);
@@ -419,9 +424,9 @@ Expected<SdfRobot> readSdfRobot(const SdfSource& source, const sdf::Model& model
 
 Expected<SdfRobot> readSdf(const fs::path& file, Diagnostics& diagnostics, ImportMonitor* monitor) {
   const auto source = SdfSource::load(file);
-  if (!source) return makeError(source.error());
+  HAPTICELL_TRY(source);
   const std::vector<const sdf::Model*> models = source->models();
-  if (models.empty()) return makeError({file.string(), "", "no model", "<model name=\"…\">", ""});
+  if (models.empty()) return makeError({.file = file.string(), .found = "no model", .expected = "<model name=\"…\">"});
   for (const std::string& warning : source->warnings()) diagnostics.warn(file.string() + ": " + warning);
   const auto moving = std::find_if(models.begin(), models.end(), [](const sdf::Model* m) { return movesInside(*m); });
   const sdf::Model* const model = moving == models.end() ? models.front() : *moving;

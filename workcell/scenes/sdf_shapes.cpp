@@ -85,15 +85,17 @@ Expected<geometry::TriangleMesh> SdfShapes::wholeOrPart(const fs::path& file, co
   geometry::TriangleMesh part;
   if (scene) {
     const auto read = scenes_.scene(file);
-    if (!read) return makeError(read.error());
+    HAPTICELL_TRY(read);
     part = partOf(*read, mesh.Submesh());
   } else {
     auto parts = readMeshParts(file, {options.metres_per_unit, options.weld, false}, true, notes_);
-    if (!parts) return makeError(parts.error());
+    HAPTICELL_TRY(parts);
     part = partOf(sceneOfParts(std::move(*parts), file.stem().string()), mesh.Submesh());
   }
   if (part.triangles.empty()) {
-    return makeError({file.string(), "", "no part '" + mesh.Submesh() + "' in it", "the part that <submesh> names", ""});
+    return makeError({.file = file.string(),
+                      .found = "no part '" + mesh.Submesh() + "' in it",
+                      .expected = "the part that <submesh> names"});
   }
   if (mesh.CenterSubmesh()) {
     const dvec3 middle = part.bounds().center();

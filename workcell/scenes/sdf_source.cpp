@@ -145,11 +145,13 @@ Expected<SdfSource> SdfSource::load(const fs::path& file) {
   // Where the copies of models that are taken in stand while the library reads them.
   const auto folder = ScratchFolder::make();
   if (!folder) {
-    return makeError({file.string(), "", "no folder for temporary files can be made", "room in the folder TMPDIR", ""});
+    return makeError({.file = file.string(),
+                      .found = "no folder for temporary files can be made",
+                      .expected = "room in the folder TMPDIR"});
   }
   SdfTidier tidier(folder->path());
   const Expected<std::string> text = tidier.tidy(file);
-  if (!text) return makeError(text.error());
+  HAPTICELL_TRY(text);
   SdfSource source;
   source.root_ = std::make_shared<sdf::Root>();
   source.warnings_ = tidier.warnings();
@@ -160,12 +162,15 @@ Expected<SdfSource> SdfSource::load(const fs::path& file) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {
-    return makeError({file.string(), "", "content that the SDF library does not get through", "SDF",
-                      "Check it with another program (gz sdf --check), or export it again."});
+    return makeError({.file = file.string(),
+                      .found = "content that the SDF library does not get through",
+                      .expected = "SDF",
+                      .fix = "Check it with another program (gz sdf --check), or export it again."});
   }
   if (source.models().empty()) {
-    if (!errors.empty()) return makeError({file.string(), "", firstOf(errors), "valid SDF", ""});
-    if (!source.world()) return makeError({file.string(), "", "no model", "<model name=\"…\">", ""});
+    if (!errors.empty()) return makeError({.file = file.string(), .found = firstOf(errors), .expected = "valid SDF"});
+    if (!source.world())
+      return makeError({.file = file.string(), .found = "no model", .expected = "<model name=\"…\">"});
   }
   tellComplaints(errors, source.warnings_);
   return source;

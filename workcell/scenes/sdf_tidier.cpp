@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "workcell/text/file_content.h"
 #include "workcell/scenes/sdf_files.h"
 #include "workcell/scenes/sdf_population.h"
+#include "workcell/text/file_content.h"
 #include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
@@ -51,17 +51,21 @@ std::string textOfNumbers(const std::vector<double>& numbers) {
 
 /// How many numbers stand in an element of that name; 0: none.
 std::size_t numbersOfElement(const std::string& name) {
-  static const std::map<std::string, std::size_t> kCounts = {
-      {"size", 3},   {"radius", 1},   {"length", 1},       {"radii", 3},              {"scale", 3},
-      {"xyz", 3},    {"lower", 1},    {"upper", 1},        {"velocity", 1},           {"diffuse", 4},
-      {"offset", 1}, {"ambient", 4},  {"multiplier", 1},   {"screw_thread_pitch", 1}, {"thread_pitch", 1},
-      {"step", 3},   {"reference", 1}};
+  static const std::map<std::string, std::size_t> kCounts = {{"size", 3},         {"radius", 1},
+                                                             {"length", 1},       {"radii", 3},
+                                                             {"scale", 3},        {"xyz", 3},
+                                                             {"lower", 1},        {"upper", 1},
+                                                             {"velocity", 1},     {"diffuse", 4},
+                                                             {"offset", 1},       {"ambient", 4},
+                                                             {"multiplier", 1},   {"screw_thread_pitch", 1},
+                                                             {"thread_pitch", 1}, {"step", 3},
+                                                             {"reference", 1}};
   const auto found = kCounts.find(name);
   return found == kCounts.end() ? 0 : found->second;
 }
 
-/// True where the text means the same in all versions from 1.4: no joints, no frames in the manner of 1.6, no names that
-/// stand for models inside models.
+/// True where the text means the same in all versions from 1.4: no joints, no frames in the manner of 1.6, no names
+/// that stand for models inside models.
 bool isPlain(const TiXmlElement& element) {
   if (element.ValueStr() == "joint" || element.Attribute("frame")) return false;
   if (attributeOf(element, "name").find("::") != std::string::npos) return false;
@@ -103,7 +107,7 @@ void putMissing(const std::string& what, const std::map<std::string, int>& missi
 Expected<std::string> SdfTidier::tidy(const fs::path& file) {
   TiXmlDocument document;
   const auto root = parseSdf(file, document);
-  if (!root) return makeError(root.error());
+  HAPTICELL_TRY(root);
   open_.insert(fs::absolute(file).lexically_normal().string());
   const Place place = placeOf(**root, {file, 0, false});
   arrangeTop(**root, place);
@@ -189,8 +193,10 @@ std::string SdfTidier::Siblings::own(const std::string& wanted) {
 bool SdfTidier::count(std::size_t elements, const Place& place) {
   elements_ += elements;
   if (elements_ > kMostElements && !refused_)
-    refused_ = Error{place.file.string(), "", "more than 200 000 elements with all that it includes", "fewer",
-                     "Look for models that include each other several times, or cut the world into parts."};
+    refused_ = Error{.file = place.file.string(),
+                     .found = "more than 200 000 elements with all that it includes",
+                     .expected = "fewer",
+                     .fix = "Look for models that include each other several times, or cut the world into parts."};
   return !refused_;
 }
 
@@ -288,11 +294,11 @@ bool SdfTidier::keepNumbers(TiXmlElement& element, const TiXmlElement& of, const
     return true;
   }
   if (color) return false;
-  const std::string assumed = kind == "scale"                            ? "; 1 is assumed"
-                              : kind == "lower" || kind == "upper"       ? "; no limit is assumed"
-                              : kind == "multiplier"                     ? "; 1 is assumed"
-                              : kind == "offset" || kind == "reference"  ? "; 0 is assumed"
-                                                                         : "";
+  const std::string assumed = kind == "scale"                           ? "; 1 is assumed"
+                              : kind == "lower" || kind == "upper"      ? "; no limit is assumed"
+                              : kind == "multiplier"                    ? "; 1 is assumed"
+                              : kind == "offset" || kind == "reference" ? "; 0 is assumed"
+                                                                        : "";
   tell(of, place,
        "<" + kind + "> is '" + text + "' instead of " + std::to_string(wanted) + " number" + (wanted > 1 ? "s" : "") +
            assumed);
@@ -404,8 +410,8 @@ bool SdfTidier::keepShape(TiXmlElement& geometry, const TiXmlElement& of, const 
   if (sizes == kSizes.end()) return true;
   for (const char* size : sizes->second) {
     const std::vector<double> numbers = numbersIn(textOf(shape, size));
-    const bool positive = !numbers.empty() && std::all_of(numbers.begin(), numbers.end(),
-                                                          [](double n) { return n > 0.0 && isUsable(n); });
+    const bool positive = !numbers.empty() &&
+                          std::all_of(numbers.begin(), numbers.end(), [](double n) { return n > 0.0 && isUsable(n); });
     if (positive) continue;
     tell(of, place, "is left out: a shape <" + shape->ValueStr() + "> without size");
     return false;

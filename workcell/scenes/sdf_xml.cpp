@@ -23,17 +23,22 @@ std::string trimmed(const std::string& text) {
 
 Expected<TiXmlElement*> parseSdf(const std::filesystem::path& file, TiXmlDocument& document) {
   const auto content = geometry::readRegularFile(file, kLargestSdf);
-  if (!content) return makeError(content.error());
+  HAPTICELL_TRY(content);
   ReadRecord::note(file);
-  if (content->find('\0') != std::string::npos) return makeError({file.string(), "", "a NUL byte", "SDF", ""});
+  if (content->find('\0') != std::string::npos)
+    return makeError({.file = file.string(), .found = "a NUL byte", .expected = "SDF"});
   auto flat = geometry::checkNesting(*content, geometry::NestedText::kXml, file.string());
-  if (!flat) return makeError(flat.error());
+  HAPTICELL_TRY(flat);
   document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {
-    return makeError({file.string(), "line " + std::to_string(document.ErrorRow()), document.ErrorDesc(), "XML", ""});
+    return makeError({.file = file.string(),
+                      .place = "line " + std::to_string(document.ErrorRow()),
+                      .found = document.ErrorDesc(),
+                      .expected = "XML"});
   }
   TiXmlElement* root = document.RootElement();
-  if (!root || root->ValueStr() != "sdf") return makeError({file.string(), "", "no <sdf>", "an SDF file", ""});
+  if (!root || root->ValueStr() != "sdf")
+    return makeError({.file = file.string(), .found = "no <sdf>", .expected = "an SDF file"});
   return root;
 }
 

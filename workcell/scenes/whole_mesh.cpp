@@ -23,7 +23,7 @@ Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file
   ImportOptions as_solids = options;
   as_solids.merge = true;
   Expected<ImportedScene> scene = batch ? batch->scene(file) : readScene(file, as_solids, nullptr);
-  if (!scene) return makeError(scene.error());
+  HAPTICELL_TRY(scene);
   for (const std::string& warning : scene->warnings) diagnostics.warn(warning);
   const std::vector<Pose> X_F = nodePoses(*scene);
   geometry::TriangleMesh whole;

@@ -46,11 +46,13 @@ void print(const Json& value, int depth, std::string& text) {
 
 FieldReader::FieldReader(const Json& object, std::string place, std::optional<Error>& error)
     : object_(object), place_(std::move(place)), error_(error) {
-  if (!object_.is_object() && !error_) error_ = Error{"", place_, excerpt(object_), "an object in braces", ""};
+  if (!object_.is_object() && !error_)
+    error_ = Error{.place = place_, .found = excerpt(object_), .expected = "an object in braces"};
 }
 
 void FieldReader::fail(const std::string& key, std::string found, std::string expected) {
-  if (!error_) error_ = Error{"", place_ + ", \"" + key + "\"", std::move(found), std::move(expected), ""};
+  if (!error_)
+    error_ = Error{.place = place_ + ", \"" + key + "\"", .found = std::move(found), .expected = std::move(expected)};
 }
 
 const Json* FieldReader::member(const char* key) {
@@ -61,7 +63,8 @@ const Json* FieldReader::member(const char* key) {
 }
 
 void FieldReader::require(const char* key) {
-  if (!error_ && !member(key)) error_ = Error{"", place_, "no \"" + std::string(key) + "\"", "one", ""};
+  if (!error_ && !member(key))
+    error_ = Error{.place = place_, .found = "no \"" + std::string(key) + "\"", .expected = "one"};
 }
 
 void FieldReader::read(const char* key, std::string& target) {

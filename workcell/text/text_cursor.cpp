@@ -104,8 +104,10 @@ bool isUsable(const dvec3& point) {
 
 Error unusableCoordinate(std::string place, std::string_view what, const dvec3& point) {
   const double bad = !isUsable(point.x) ? point.x : !isUsable(point.y) ? point.y : point.z;
-  return {"", std::move(place), std::string(what) + " with the coordinate " + numberText(bad),
-          "finite numbers of a believable size", "The file is damaged: export it again."};
+  return {.place = std::move(place),
+          .found = std::string(what) + " with the coordinate " + numberText(bad),
+          .expected = "finite numbers of a believable size",
+          .fix = "The file is damaged: export it again."};
 }
 
 Expected<dvec3> readPoint(TextCursor& cursor, std::string_view what) {
@@ -114,11 +116,15 @@ Expected<dvec3> readPoint(TextCursor& cursor, std::string_view what) {
     const std::string_view word = cursor.nextWordOfText();
     const std::optional<double> value = parseNumber(word);
     if (word.empty()) {
-      return makeError({"", cursor.place(), "the file ends within a " + std::string(what), "three coordinates",
-                        "The file is truncated: export it again."});
+      return makeError({.place = cursor.place(),
+                        .found = "the file ends within a " + std::string(what),
+                        .expected = "three coordinates",
+                        .fix = "The file is truncated: export it again."});
     }
     if (!value) {
-      return makeError({"", cursor.place(), std::string(what) + " with " + inQuotes(word), kNumberExpected, ""});
+      return makeError({.place = cursor.place(),
+                        .found = std::string(what) + " with " + inQuotes(word),
+                        .expected = kNumberExpected});
     }
     point[axis] = *value;
   }

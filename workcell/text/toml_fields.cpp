@@ -2,6 +2,7 @@
 #include "workcell/text/toml_fields.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace hapticell::workcell {
 
@@ -24,7 +25,7 @@ void TomlFields::fail(const toml::node* node, const std::string& found, const st
   const toml::node& at = node ? *node : static_cast<const toml::node&>(table_);
   if (at.source().begin.line > 0)
     place = "line " + std::to_string(at.source().begin.line) + (place.empty() ? "" : ", " + place);
-  error_ = Error{"", place, found, expected, fix};
+  error_ = Error{.place = place, .found = found, .expected = expected, .fix = fix};
 }
 
 const toml::node* TomlFields::find(const char* key) {
@@ -131,7 +132,7 @@ void TomlFields::readPose(Pose& target, double unit) {
   readPoint("position", target.p, unit);
   std::vector<double> quaternion, rpy;
   readList("quaternion", quaternion);
-  readList("rpy", rpy, M_PI / 180.0);
+  readList("rpy", rpy, std::numbers::pi / 180.0);
   if (error_) return;
   if (has("quaternion")) {
     const dquat q =

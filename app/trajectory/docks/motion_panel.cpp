@@ -242,7 +242,7 @@ void MotionPanel::addShape(QVBoxLayout& column) {
          const double t = player_.playback().time();
          work_.edit(tr("split"), [t](const auto& given) -> Expected<std::vector<trajectory::Trajectory>> {
            auto parts = trajectory::splitAt(given, t);
-           if (!parts) return makeError(parts.error());
+           HAPTICELL_TRY(parts);
            return std::vector<trajectory::Trajectory>{std::move(parts->first), std::move(parts->second)};
          });
        })}));
@@ -293,7 +293,7 @@ void MotionPanel::addFrames(QVBoxLayout& column) {
     work_.edit(tr("with a wait"),
                [i = *frame_, s = dwell_->value()](const auto& given) -> Expected<std::vector<trajectory::Trajectory>> {
                  auto made = trajectory::withDwell(given, i, s);
-                 if (!made) return makeError(made.error());
+                 HAPTICELL_TRY(made);
                  return std::vector<trajectory::Trajectory>{std::move(*made)};
                });
   });

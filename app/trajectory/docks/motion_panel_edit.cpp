@@ -14,8 +14,8 @@
 #include "app/style/theme.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
-#include "app/trajectory/motions/motion_list.h"
 #include "app/trajectory/docks/motion_panel.h"
+#include "app/trajectory/motions/motion_list.h"
 #include "app/trajectory/motions/motion_player.h"
 #include "app/trajectory/motions/motion_work.h"
 #include "app/trajectory/motions/track_rows.h"
@@ -28,7 +28,7 @@ constexpr double kRadians = 0.017453292519943295;
 using Made = Expected<std::vector<trajectory::Trajectory>>;
 
 Made oneOf(Expected<trajectory::Trajectory> made) {
-  if (!made) return makeError(made.error());
+  HAPTICELL_TRY(made);
   return std::vector<trajectory::Trajectory>{std::move(*made)};
 }
 

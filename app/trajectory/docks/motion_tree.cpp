@@ -19,7 +19,7 @@ constexpr std::size_t kFrameRows = 200;
 using Trajectories = Expected<std::vector<trajectory::Trajectory>>;
 
 Trajectories alone(Expected<trajectory::Trajectory> made) {
-  if (!made) return makeError(made.error());
+  HAPTICELL_TRY(made);
   return std::vector<trajectory::Trajectory>{std::move(*made)};
 }
 

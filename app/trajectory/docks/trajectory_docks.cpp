@@ -14,31 +14,31 @@
 #include <QToolBar>
 #include <cmath>
 
-#include "app/kit/action_face.h"
+#include "app/controls/refresh_timer.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
-#include "app/kit/top_menus.h"
-#include "app/controls/refresh_timer.h"
-#include "app/panels/cell/workcell_panel.h"
+#include "app/kit/action_face.h"
 #include "app/kit/file_dialog.h"
+#include "app/kit/top_menus.h"
+#include "app/panels/cell/workcell_panel.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"
 #include "app/trajectory/docks/frame_gizmo.h"
+#include "app/trajectory/docks/motion_panel.h"
+#include "app/trajectory/docks/motion_tree.h"
+#include "app/trajectory/docks/trajectory_panel.h"
 #include "app/trajectory/motions/motion_export.h"
 #include "app/trajectory/motions/motion_list.h"
-#include "app/trajectory/docks/motion_panel.h"
 #include "app/trajectory/motions/motion_player.h"
-#include "app/trajectory/docks/motion_tree.h"
 #include "app/trajectory/motions/motion_work.h"
 #include "app/trajectory/motions/play_video.h"
 #include "app/trajectory/motions/trace_curves.h"
+#include "app/trajectory/motions/window_recorder.h"
 #include "app/trajectory/training/training_docks.h"
 #include "app/trajectory/training/training_panel.h"
-#include "app/trajectory/docks/trajectory_panel.h"
-#include "app/trajectory/motions/window_recorder.h"
 #include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
@@ -147,7 +147,7 @@ class TrajectoryDocks : public QObject {
                  [i = *frame, X_WT,
                   reach = motion_->reach()](const auto& given) -> Expected<std::vector<trajectory::Trajectory>> {
                    auto made = trajectory::withFrameAt(given, i, X_WT, reach);
-                   if (!made) return makeError(made.error());
+                   HAPTICELL_TRY(made);
                    return std::vector<trajectory::Trajectory>{std::move(*made)};
                  });
     });

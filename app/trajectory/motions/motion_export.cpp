@@ -16,12 +16,12 @@
 #include "app/style/units.h"
 #include "app/trajectory/motions/motion_list.h"
 #include "geometry/system/scratch_folder.h"
-#include "manipulation/manipulators/arm_configuration.h"
 #include "manipulation/checks/motion_replay.h"
 #include "manipulation/checks/program_configuration.h"
+#include "manipulation/manipulators/arm_configuration.h"
 #include "trajectory/checks/motion_promises.h"
-#include "trajectory/files/ros_trajectory.h"
 #include "trajectory/editing/simplification.h"
+#include "trajectory/files/ros_trajectory.h"
 #include "trajectory/files/trajectory_io.h"
 #include "workcell/text/file_content.h"
 
@@ -49,11 +49,11 @@ Expected<std::vector<ProgramFile>> filesOf(const Trajectory& given, const QStrin
   if (format == "json") return std::vector<ProgramFile>{{wanted, trajectory::toJsonText(given)}};
   if (format == "ros") {
     auto text = trajectory::toRosText(given);
-    if (!text) return makeError(text.error());
+    HAPTICELL_TRY(text);
     return std::vector<ProgramFile>{{wanted, std::move(*text)}};
   }
   auto files = trajectory::exportProgram(given, programFormat(format), options, &notes);
-  if (!files) return makeError(files.error());
+  HAPTICELL_TRY(files);
   return trajectory::placedProgram(*files, programFormat(format), wanted);
 }
 
@@ -64,16 +64,19 @@ workcell::FileCheck readBackCheck(const Trajectory& motion, const QString& forma
   if (is_ros || format == "csv" || format == "json") {
     return [&motion, &file, is_ros](const std::filesystem::path& written) -> Expected<void> {
       const auto promises = trajectory_checks::copyPromises(motion, !is_ros, is_ros ? 1e-9 : 0.0, written);
-      if (!promises) return makeError(promises.error());
+      HAPTICELL_TRY(promises);
       if (!promises->areKept()) return makeError(promises->missed(file.name));
       return {};
     };
   }
   return [&file](const std::filesystem::path& written) -> Expected<void> {
     const auto content = workcell::readFileContent(written);
-    if (!content) return makeError(content.error());
+    HAPTICELL_TRY(content);
     if (*content == file.content) return {};
-    return makeError({file.name, "", "other bytes than were written", "the program", "Write it to another disk."});
+    return makeError({.file = file.name,
+                      .found = "other bytes than were written",
+                      .expected = "the program",
+                      .fix = "Write it to another disk."});
   };
 }
 
@@ -87,7 +90,7 @@ Expected<void> writeChecked(const Trajectory& motion, const QString& format, con
                         (format == "ros" && name.endsWith(".yml", Qt::CaseInsensitive));
   if (is_known) return workcell::writeFileChecked(file.name, file.content, check);
   const auto folder = ScratchFolder::make();
-  if (!folder) return makeError(folder.error());
+  HAPTICELL_TRY(folder);
   const std::filesystem::path trial = folder->path() / ("motion" + extension.toStdString());
   if (auto kept = workcell::writeFileChecked(trial, file.content, check); !kept) return kept;
   return workcell::writeFileAtomically(file.name, file.content);
@@ -165,12 +168,12 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
         const Trajectory written = simplify ? trajectory::simplified(*trajectory, lines) : *trajectory;
         std::vector<std::string> notes;
         auto files = filesOf(written, format, path, options, notes);
-        if (!files) return makeError(files.error());
+        HAPTICELL_TRY(files);
         QStringList names;
         for (const ProgramFile& file : *files) {
           const QFileInfo place(QString::fromStdString(file.name));
           QDir().mkpath(place.path());
-          if (auto kept = writeChecked(written, format, file); !kept) return makeError(kept.error());
+          HAPTICELL_TRY(writeChecked(written, format, file));
           names << place.fileName();
         }
         return BackgroundWork::Then([this, names, path, notes, frames = written.size()] {
@@ -213,18 +216,19 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
         for (const QString& path : paths) {
           std::vector<std::string> notes;
           auto read = trajectory::readTrajectory(path.toStdString(), &notes);
-          if (!read) return makeError(read.error());
+          HAPTICELL_TRY(read);
           if (read->entity.empty()) read->entity = entity;
           if (!read->has_poses) {
             const auto moved = std::find_if(entities.begin(), entities.end(),
                                             [&](const auto& one) { return one->name == read->entity; });
             if (moved == entities.end() || !(*moved)->robot) {
-              return makeError({path.toStdString(), "", "joints alone, without poses",
-                                "the robot whose joints they are",
-                                "Choose the robot in the cell, then import the motion again."});
+              return makeError({.file = path.toStdString(),
+                                .found = "joints alone, without poses",
+                                .expected = "the robot whose joints they are",
+                                .fix = "Choose the robot in the cell, then import the motion again."});
             }
             auto posed = manipulation::posesFromJoints(**moved, *read);
-            if (!posed) return makeError(posed.error());
+            HAPTICELL_TRY(posed);
             read = std::move(*posed);
           }
           const QString name =

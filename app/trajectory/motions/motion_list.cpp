@@ -11,8 +11,8 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "trajectory/files/trajectory_io.h"
-#include "workcell/text/file_content.h"
 #include "workcell/format/recordings.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::app {
 
@@ -150,7 +150,7 @@ void MotionList::write(const std::string& path, std::shared_ptr<const Trajectory
       [path, trajectory](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
         QDir().mkpath(QFileInfo(QString::fromStdString(path)).path());
         auto written = workcell::writeFileAtomically(path, trajectory::toJsonText(*trajectory));
-        if (!written) return makeError(written.error());
+        HAPTICELL_TRY(written);
         return BackgroundWork::Then([] {});
       },
       [this](const Error& error) {
@@ -236,7 +236,7 @@ void MotionList::read(const std::string& path) {
       tr("Reading %1").arg(QFileInfo(QString::fromStdString(path)).fileName()),
       [this, path](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
         auto trajectory = trajectory::readTrajectory(path);
-        if (!trajectory) return makeError(trajectory.error());
+        HAPTICELL_TRY(trajectory);
         auto shared = std::make_shared<const Trajectory>(std::move(*trajectory));
         return BackgroundWork::Then([this, path, shared] {
           read_[path] = shared;

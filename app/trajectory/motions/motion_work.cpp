@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
@@ -41,7 +42,7 @@ Expected<manipulation::PathCheckOptions> optionsFor(const Trajectory& trajectory
   options.axes = take;
   if (!trajectory.moved.empty()) {
     auto moved_by = manipulation::parseMovedBy(trajectory.moved);
-    if (!moved_by) return makeError(moved_by.error());
+    HAPTICELL_TRY(moved_by);
     options.hold.moved_by = std::move(*moved_by);
   }
   options.progress = progressOf(monitor, "checking");
@@ -74,7 +75,7 @@ trajectory::MotionLimits limitsOf(const workcell::Entity& entity, const Trajecto
         const int joint = entity.robot->moving[(*columns)[j]];
         speed = entity.robot->joints[static_cast<std::size_t>(joint)].velocity;
       }
-      limits.velocity.push_back(speed > 0.0 ? speed : 3.14159265358979);
+      limits.velocity.push_back(speed > 0.0 ? speed : std::numbers::pi);
     }
   }
   for (const double speed : limits.velocity) limits.acceleration.push_back(speed / kTimeToSpeed);
@@ -118,7 +119,7 @@ void MotionWork::run(const QString& word, Work work, bool in_place) {
        number = host_.documentModel().number(),
        work = std::move(work)](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
         auto result = work(given, *cell, *prepared, monitor);
-        if (!result) return makeError(result.error());
+        HAPTICELL_TRY(result);
         auto done = std::make_shared<Result>(std::move(*result));
         return BackgroundWork::Then([this, done, given, name, word, step, number, in_place] {
           if (number != host_.documentModel().number()) return;
@@ -214,16 +215,16 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
         }
         if (entity != cell.entities.end()) {
           auto consistent = manipulation::jointsFromPoses(**entity, smooth.trajectory);
-          if (!consistent) return makeError(consistent.error());
+          HAPTICELL_TRY(consistent);
           smooth.trajectory = std::move(*consistent);
         }
         if (keep_free && entity != cell.entities.end() && !(*entity)->locked) {
           auto options = optionsFor(*given, cell.take, monitor);
-          if (!options) return makeError(options.error());
+          HAPTICELL_TRY(options);
           prepare(cell, prepared);
           auto kept = manipulation::keptFree(prepared.scene, *given, smooth.trajectory, *options, cell.configuration);
-          if (!kept) return makeError(kept.error());
-          if (monitor.isCancelled()) return makeError({"", "", "cancelled", "", ""});
+          HAPTICELL_TRY(kept);
+          if (monitor.isCancelled()) return makeError({.found = "cancelled"});
           takeKept(std::move(*kept), result);
         } else {
           result.motions.push_back(std::move(smooth.trajectory));
@@ -256,11 +257,11 @@ void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
         Result result;
         if (keep_free && entity != cell.entities.end() && !(*entity)->locked) {
           auto check = optionsFor(*given, cell.take, monitor);
-          if (!check) return makeError(check.error());
+          HAPTICELL_TRY(check);
           prepare(cell, prepared);
           auto free = manipulation::retimedFree(prepared.scene, *given, options, *check, cell.configuration);
-          if (!free) return makeError(free.error());
-          if (monitor.isCancelled()) return makeError({"", "", "cancelled", "", ""});
+          HAPTICELL_TRY(free);
+          if (monitor.isCancelled()) return makeError({.found = "cancelled"});
           result.line = retimingLine(free->report, options.mode);
           const bool passes = free->kept.nearer.empty();
           takeKept(std::move(free->kept), result);
@@ -270,7 +271,7 @@ void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
           return result;
         }
         auto timed = manipulation::retimedByJoints(*given, options, placed);
-        if (!timed) return makeError(timed.error());
+        HAPTICELL_TRY(timed);
         result.line = retimingLine(timed->report, options.mode);
         result.motions.push_back(std::move(timed->trajectory));
         measure(result, [&](const auto& file) {
@@ -285,10 +286,10 @@ void MotionWork::check() {
       [](const auto& given, const Cell& cell, Prepared& prepared,
          workcell::ImportMonitor& monitor) -> Expected<Result> {
         auto options = optionsFor(*given, cell.take, monitor);
-        if (!options) return makeError(options.error());
+        HAPTICELL_TRY(options);
         prepare(cell, prepared);
         auto check = manipulation::checkPath(prepared.scene, given->entity, *given, *options, cell.configuration);
-        if (!check) return makeError(check.error());
+        HAPTICELL_TRY(check);
         Result result;
         result.line = checkLine(*check);
         result.careful = !check->findings.empty();
@@ -318,7 +319,7 @@ MotionWork::Work MotionWork::workOf(const QString& line, Edit edit) {
   return [edit = std::move(edit), line](const std::shared_ptr<const Trajectory>& given, const Cell& cell, Prepared&,
                                         workcell::ImportMonitor&) -> Expected<Result> {
     auto made = edit(*given);
-    if (!made) return makeError(made.error());
+    HAPTICELL_TRY(made);
     Result result;
     result.motions = std::move(*made);
     result.line = line;
@@ -335,7 +336,7 @@ MotionWork::Work MotionWork::workOf(const QString& line, Edit edit) {
       }
       auto replay = manipulation::MotionReplay::create(cell.entities, given->entity,
                                                        std::make_shared<const Trajectory>(motion), start);
-      if (!replay) return makeError(replay.error());
+      HAPTICELL_TRY(replay);
       motion = replay->withJoints();
       const PoseDistance off = replay->offPose();
       if (off.position > 1e-4 || off.angle > 1e-3) {
@@ -353,7 +354,7 @@ void MotionWork::join(const std::vector<std::string>& names) {
     if (const Motion* motion = list_.find(name); motion && motion->trajectory) parts.push_back(*motion->trajectory);
   edit(tr("joined"), [parts](const Trajectory&) -> Expected<std::vector<Trajectory>> {
     auto all = trajectory::joined(parts);
-    if (!all) return makeError(all.error());
+    HAPTICELL_TRY(all);
     return std::vector<Trajectory>{std::move(*all)};
   });
 }

@@ -42,12 +42,14 @@ PlayVideo::~PlayVideo() = default;
 Expected<void> PlayVideo::start(const QString& file, const QSize& size) {
   const auto& playback = player_.playback();
   const double length = playback.end() - playback.begin();
-  if (!(length > 0.0)) return makeError({"", "motion", "nothing that is played", "a motion that is switched on", ""});
+  if (!(length > 0.0))
+    return makeError(
+        {.place = "motion", .found = "nothing that is played", .expected = "a motion that is switched on"});
   auto renderer = PictureRenderer::make();
-  if (!renderer) return makeError(renderer.error());
+  HAPTICELL_TRY(renderer);
   const QSize even(size.width() & ~1, size.height() & ~1);
   auto writer = VideoWriter::open(file, even, kFramesASecond);
-  if (!writer) return makeError(writer.error());
+  HAPTICELL_TRY(writer);
   work_ = std::make_unique<Work>(Work{std::move(*renderer), std::move(*writer), host_.viewport().scene(),
                                       host_.viewport().camera(), file, even, themeOf(host_.window().palette()).dark,
                                       playback.begin()});

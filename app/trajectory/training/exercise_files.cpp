@@ -51,7 +51,7 @@ Expected<void> writeRecording(const trajectory::Trajectory& expert, const fs::pa
   return workcell::writeFileChecked(place, trajectory::toJsonText(expert), [&](const fs::path& file) -> Expected<void> {
     constexpr double kSameTime = 1e-9;
     const auto promises = trajectory_checks::copyPromises(expert, true, kSameTime, file);
-    if (!promises) return makeError(promises.error());
+    HAPTICELL_TRY(promises);
     if (promises->areKept()) return {};
     return makeError(promises->missed(place.string()));
   });
@@ -73,7 +73,7 @@ Expected<void> saveExercise(manipulation::Exercise exercise, const trajectory::T
   if (!keeps) {
     exercise.recording = recording.toStdString();
     const auto written = writeRecording(expert, exercise.recording);
-    if (!written) return makeError(written.error());
+    HAPTICELL_TRY(written);
   }
   const std::string text = manipulation::exerciseText(exercise, folder.absolutePath().toStdString());
   const auto written = workcell::writeFileChecked(

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "app/controls/robot_ghosts.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "app/controls/robot_ghosts.h"
 #include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
@@ -30,15 +30,15 @@ Expected<void> TrainingPlay::play(const trajectory::Trajectory& expert, const tr
       [&](const trajectory::Trajectory& motion) -> Expected<std::unique_ptr<const manipulation::MotionReplay>> {
     auto replay = manipulation::MotionReplay::create(host_.documentModel().document().state().entities, expert.entity,
                                                      std::make_shared<const trajectory::Trajectory>(motion));
-    if (!replay) return makeError(replay.error());
+    HAPTICELL_TRY(replay);
     return std::make_unique<const manipulation::MotionReplay>(std::move(*replay));
   };
   auto theirs = replayOf(expert);
-  if (!theirs) return makeError(theirs.error());
+  HAPTICELL_TRY(theirs);
   std::unique_ptr<const manipulation::MotionReplay> mine;
   if (!run.empty()) {
     auto made = replayOf(run);
-    if (!made) return makeError(made.error());
+    HAPTICELL_TRY(made);
     mine = std::move(*made);
   }
   seconds_ = std::max(expert.duration(), run.empty() ? 0.0 : run.duration());

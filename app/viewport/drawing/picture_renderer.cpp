@@ -44,8 +44,10 @@ PictureRenderer::~PictureRenderer() = default;
 Expected<PictureRenderer> PictureRenderer::make() {
   auto context = std::make_unique<Context>();
   if (!context->open()) {
-    return makeError({"", "drawing", "no OpenGL 3.3 on this display", "a display with OpenGL 3.3 core",
-                      "Start it on a desktop, or under xvfb-run where there is none."});
+    return makeError({.place = "drawing",
+                      .found = "no OpenGL 3.3 on this display",
+                      .expected = "a display with OpenGL 3.3 core",
+                      .fix = "Start it on a desktop, or under xvfb-run where there is none."});
   }
   context->context.doneCurrent();
   return PictureRenderer(std::move(context));

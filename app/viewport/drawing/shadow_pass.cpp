@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 
 namespace hapticell::app {
 namespace {
@@ -17,7 +18,7 @@ dvec3 lightDirection(int sample) {
   const dvec3 x = glm::normalize(glm::cross(middle, dvec3(0, 0, 1)));
   const dvec3 y = glm::cross(middle, x);
   const double radius = kLightRadius * std::sqrt(samplePlace(sample).x + 0.5);
-  const double angle = 6.283185307 * samplePlace(sample).y;
+  const double angle = 2.0 * std::numbers::pi * samplePlace(sample).y;
   return glm::normalize(middle + radius * (std::cos(angle) * x + std::sin(angle) * y));
 }
 

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 
 namespace hapticell::app {
 namespace {
 
 constexpr double kRadiansPerPixel = 0.0075;
-constexpr double kMaxElevation = 1.5707963;  // Just short of the pole: azimuth keeps giving the screen's right.
+constexpr double kMaxElevation =
+    0.5 * std::numbers::pi;  // Just short of the pole: azimuth keeps giving the screen's right.
 constexpr double kMinDistance = 0.01;
 constexpr double kMaxDistance = 2000.0;
 constexpr double kFitMargin = 1.12;
@@ -22,7 +24,7 @@ void appendCorners(const geometry::Bounds& box, std::vector<dvec3>& corners) {
 }
 
 double wrapped(double angle) {
-  return std::remainder(angle, 2.0 * glm::pi<double>());
+  return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
 }  // namespace

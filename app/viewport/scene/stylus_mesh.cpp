@@ -2,6 +2,7 @@
 #include "app/viewport/scene/stylus_mesh.h"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -17,7 +18,7 @@ geometry::TriangleMesh lathe(const std::vector<std::pair<double, double>>& profi
   geometry::TriangleMesh mesh;
   for (const auto& [radius, height] : profile)
     for (int i = 0; i < kAround; ++i) {
-      const double angle = 2.0 * 3.14159265358979 * i / kAround;
+      const double angle = 2.0 * std::numbers::pi * i / kAround;
       mesh.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
     }
   const auto index = [](std::size_t ring, int i) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace hapticell::app {
@@ -14,7 +15,7 @@ constexpr double kMiddleBox = 0.085;  // Half a side, of the arrows.
 constexpr double kRing = 0.75;        // Of the arrows.
 constexpr double kInner = 0.18;       // Arrows begin so far out: the middle is the tool's own.
 constexpr int kRingPoints = 49;
-constexpr double kTwoPi = 6.28318530717958647692;
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kEdgeOn = 0.08;  // Sine between ray and plane, or between ray and axis, below which nothing is said.
 
 double distanceToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hapticell::app {
 namespace {
 
-constexpr double kTwoPi = 6.28318530717958647692;
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kTickAmplitude = 0.0631;  // -24 dB.
 constexpr double kLoudSpeed = 0.2;         // m/s of approach that knocks loudest.
 constexpr double kNoiseAmplitude = 0.04;   // -28 dB: faint.

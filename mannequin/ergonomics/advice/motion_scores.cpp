@@ -7,10 +7,10 @@
 #include <iterator>
 #include <utility>
 
-#include "mannequin/ergonomics/scores/figure_measurement.h"
 #include "mannequin/ergonomics/methods/owas.h"
 #include "mannequin/ergonomics/methods/reba.h"
 #include "mannequin/ergonomics/methods/rula.h"
+#include "mannequin/ergonomics/scores/figure_measurement.h"
 #include "mannequin/motion/retarget.h"
 
 namespace hapticell::ergonomics {
@@ -204,8 +204,8 @@ ScorePhase worstPhase(std::span<const int> scores, double frame_time) {
 Expected<MotionScores> scoreMotion(const mannequin::RecordedMotion& recorded, const mannequin::Figure& figure,
                                    MotionMethod method, const MotionTask& task) {
   const auto motion = mannequin::retarget(figure, recorded);
-  if (!motion) return tl::unexpected(motion.error());
-  if (motion->postures.empty()) return makeError({"", "frames", "none", "a motion", ""});
+  HAPTICELL_TRY(motion);
+  if (motion->postures.empty()) return makeError({.place = "frames", .found = "none", .expected = "a motion"});
   MotionScores scores;
   scores.frame_time = motion->frame_time;
   FrameScorer scorer(figure, method, task);
@@ -219,7 +219,7 @@ Expected<MotionScores> scoreMotion(const mannequin::RecordedMotion& recorded, co
 Expected<MotionScores> scoreMotion(const mannequin::MotionClip& clip, const mannequin::Figure& figure,
                                    MotionMethod method, const MotionTask& task) {
   const auto recorded = mannequin::recordedMotion(clip);
-  if (!recorded) return tl::unexpected(recorded.error());
+  HAPTICELL_TRY(recorded);
   return scoreMotion(*recorded, figure, method, task);
 }
 

@@ -61,7 +61,7 @@ Expected<void> checkLiftingRanges(const LiftingTask& task) {
     char found[64], expected[64];
     std::snprintf(found, sizeof found, "%g", range.value);
     std::snprintf(expected, sizeof expected, "%g to %g", range.least, range.greatest);
-    return makeError({"", range.name, found, expected, range.why});
+    return makeError({.place = range.name, .found = found, .expected = expected, .fix = range.why});
   }
   return {};
 }
@@ -81,8 +81,10 @@ Expected<void> checkConditions(const LiftingConditions& conditions) {
   };
   for (const auto& [applies, name] : excluded) {
     if (!applies) continue;
-    return makeError({"", name, "the lifting equation is not valid for this", "a smooth two-handed lift, standing",
-                      "Judge the task with another method, e.g. RULA, REBA or EN 1005-2."});
+    return makeError({.place = name,
+                      .found = "the lifting equation is not valid for this",
+                      .expected = "a smooth two-handed lift, standing",
+                      .fix = "Judge the task with another method, e.g. RULA, REBA or EN 1005-2."});
   }
   return {};
 }
@@ -146,8 +148,8 @@ double frequencyMultiplier(double frequency_per_min, double duration_h, double v
 }
 
 Expected<LiftingResult> lift(const LiftingTask& task, const LiftingConditions& conditions) {
-  if (auto checked = checkLiftingRanges(task); !checked) return tl::unexpected(checked.error());
-  if (auto checked = checkConditions(conditions); !checked) return tl::unexpected(checked.error());
+  HAPTICELL_TRY(checkLiftingRanges(task));
+  HAPTICELL_TRY(checkConditions(conditions));
   LiftingResult result;
   result.hm = horizontalMultiplier(task.h_cm);
   result.vm = verticalMultiplier(task.v_cm);
@@ -168,7 +170,7 @@ Expected<LiftingResult> lift(const LiftingTask& task, const LiftingConditions& c
 }
 
 Expected<CompositeLifting> compositeLift(std::span<const LiftingTask> tasks, const LiftingConditions& conditions) {
-  if (tasks.empty()) return makeError({"", "tasks", "none", "at least one lifting task", ""});
+  if (tasks.empty()) return makeError({.place = "tasks", .found = "none", .expected = "at least one lifting task"});
   CompositeLifting result;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     auto one = lift(tasks[i], conditions);
@@ -177,8 +179,10 @@ Expected<CompositeLifting> compositeLift(std::span<const LiftingTask> tasks, con
       return tl::unexpected(one.error());
     }
     if (!one->lifting_index) {
-      return makeError({"", "task " + std::to_string(i + 1), "a task whose recommended weight limit is 0",
-                        "tasks that may be done at all", "Change that task first."});
+      return makeError({.place = "task " + std::to_string(i + 1),
+                        .found = "a task whose recommended weight limit is 0",
+                        .expected = "tasks that may be done at all",
+                        .fix = "Change that task first."});
     }
     result.tasks.push_back(std::move(*one));
   }
@@ -195,8 +199,10 @@ Expected<CompositeLifting> compositeLift(std::span<const LiftingTask> tasks, con
     frequency += task.frequency_per_min;
     const double with = frequencyMultiplier(frequency, task.duration_h, task.v_cm);
     if (with <= 0.0) {
-      return makeError({"", "frequency_per_min", "together more lifts a minute than the table covers",
-                        "15 a minute at most, fewer in longer shifts", "Spread the tasks over the day."});
+      return makeError({.place = "frequency_per_min",
+                        .found = "together more lifts a minute than the table covers",
+                        .expected = "15 a minute at most, fewer in longer shifts",
+                        .fix = "Spread the tasks over the day."});
     }
     result.index += *result.tasks[*place].frequency_independent_index * (1.0 / with - 1.0 / before);
   }

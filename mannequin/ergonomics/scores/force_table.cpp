@@ -60,7 +60,10 @@ class TableReader {
  private:
   tl::unexpected<Error> refused(std::string_view name, const std::string& found, const std::string& expected) const {
     const std::string where = "line " + std::to_string(line_);
-    return makeError({file_, name.empty() ? where : where + ", " + std::string(name), found, expected, ""});
+    return makeError({.file = file_,
+                      .place = name.empty() ? where : where + ", " + std::string(name),
+                      .found = found,
+                      .expected = expected});
   }
 
   Expected<void> names(std::string_view line) {
@@ -141,10 +144,10 @@ std::optional<double> ForceTable::limitAt(int hand, double height_m, double reac
 
 Expected<ForceTable> readForceTable(const std::filesystem::path& file) {
   geometry::RegularFileStream in(file);
-  if (!in) return makeError(in.error());
+  HAPTICELL_TRY(in);
   TableReader reader(file.string());
   for (std::string line; std::getline(in, line);) {
-    if (auto taken = reader.take(line); !taken) return tl::unexpected(taken.error());
+    HAPTICELL_TRY(reader.take(line));
   }
   return std::move(reader).finish();
 }

@@ -192,14 +192,15 @@ PostureScores scorePosture(const Figure& figure, const Posture& posture, const F
 Expected<LiftingTask> liftOf(const Figure& figure, const FigurePose& pose, const PostureScores& scores,
                              const WorkTask& task) {
   const auto missing = [](const char* what) {
-    return makeError({"", what, "not entered", "a value of the task's data", ""});
+    return makeError({.place = what, .found = "not entered", .expected = "a value of the task's data"});
   };
   if (!task.totalLoad()) return missing("load_kg");
   if (!task.repetitions_per_min) return missing("repetitions_per_min");
   if (!task.duration_h) return missing("duration_h");
   if (!task.grip) return missing("grip");
   if (*task.grip == Grip::kUnacceptable)
-    return makeError({"", "grip", "unacceptable", "good, fair or poor: the equation knows no other", ""});
+    return makeError(
+        {.place = "grip", .found = "unacceptable", .expected = "good, fair or poor: the equation knows no other"});
   dvec3 hands(0.0), ankles(0.0);
   double floor = 1e9;
   for (const Side side : {Side::kLeft, Side::kRight}) {
@@ -220,14 +221,14 @@ Expected<LiftingTask> liftOf(const Figure& figure, const FigurePose& pose, const
   LiftingConditions conditions;
   conditions.one_handed = !task.load_kg[0] || !task.load_kg[1] || *task.load_kg[0] <= 0.0 || *task.load_kg[1] <= 0.0;
   conditions.seated_or_kneeling = scores.is_seated || scores.owas[Owas::kLegs].value_or(0) == 6;
-  if (auto good = lift(lift_task, conditions); !good) return tl::unexpected(good.error());
+  HAPTICELL_TRY(lift(lift_task, conditions));
   return lift_task;
 }
 
 Expected<LiftingResult> scoreLift(const Figure& figure, const FigurePose& pose, const PostureScores& scores,
                                   const WorkTask& task) {
   const auto lift_task = liftOf(figure, pose, scores, task);
-  if (!lift_task) return tl::unexpected(lift_task.error());
+  HAPTICELL_TRY(lift_task);
   return lift(*lift_task);
 }
 

@@ -15,7 +15,7 @@ Expected<void> within(const char* name, double value, double least, double most,
   char found[64], expected[64];
   std::snprintf(found, sizeof found, "%g", value);
   std::snprintf(expected, sizeof expected, "%g to %g %s", least, most, unit);
-  return makeError({"", name, found, expected, ""});
+  return makeError({.place = name, .found = found, .expected = expected});
 }
 
 bool isRepeatedOrStatic(const WorkTask& task) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <numbers>
 
 #include "app/edit/move_panel.h"
 #include "app/host/user_settings.h"
@@ -165,7 +166,7 @@ TEST(GizmoInTheScene, LockedPartsHaveNone) {
 TEST(MoveInNumbers, GoesAlongTheAxesThatAreChosen) {
   EditPage page;
   page.window().documentModel().execute(
-      workcell::SetPlacement{page.left, {{0, 0, 0}, glm::angleAxis(1.5707963267948966, dvec3(0, 0, 1))}});
+      workcell::SetPlacement{page.left, {{0, 0, 0}, glm::angleAxis(0.5 * std::numbers::pi, dvec3(0, 0, 1))}});
   page.select(page.left);
   page.showDock("dockMove");
   page.type("fieldMoveX", "25");

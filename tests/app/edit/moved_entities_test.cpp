@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/edit/moved_entities.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -43,7 +45,7 @@ TEST(MovedTogether, CommandsMoveEachOnceByTheSameMotion) {
   workcell::Document document;
   const auto a = add(document, "a"), b = add(document, "b");
   document.execute(workcell::SetPlacement{b, Pose::translation({1, 0, 0})});
-  const Pose M_W{{0, 0, 0.5}, glm::angleAxis(1.5707963267948966, dvec3(0, 0, 1))};
+  const Pose M_W{{0, 0, 0.5}, glm::angleAxis(0.5 * std::numbers::pi, dvec3(0, 0, 1))};
   for (const auto& command : moveCommands(document.state(), {a, b, 77}, M_W))
     ASSERT_TRUE(document.execute(command).has_value());
   EXPECT_NEAR(glm::length(document.find(a)->X_WE.p - dvec3(0, 0, 0.5)), 0.0, 1e-12);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <numbers>
 
 #include "app/guides/detents_text.h"
 #include "app/host/hold_choice.h"
@@ -49,13 +50,13 @@ TEST(GuidesPanel, TheCarDoorAHingeOnARoundPostWithStopsAndDetent) {
   EXPECT_EQ(*page.guide().lower, 0.0);
   page.press("checkUpper");
   page.type("fieldUpperDegrees", "72");
-  EXPECT_NEAR(*page.guide().upper, 72.0 * M_PI / 180.0, 1e-9);
+  EXPECT_NEAR(*page.guide().upper, 72.0 * std::numbers::pi / 180.0, 1e-9);
   auto* detents = page.find<QLineEdit>("fieldDetents");
   detents->setFocus();
   QTest::keyClicks(detents, "0 68");
   QTest::keyClick(detents, Qt::Key_Return);
   ASSERT_EQ(page.guide().detents.size(), 2u);
-  EXPECT_NEAR(page.guide().detents[1], 68.0 * M_PI / 180.0, 1e-9);
+  EXPECT_NEAR(page.guide().detents[1], 68.0 * std::numbers::pi / 180.0, 1e-9);
   detents->clearFocus();
   EXPECT_EQ(detents->text(), "0.0 68.0 °");
   const std::vector<double> uneven{0.0, 0.35}, typed{0.5, 1.25};

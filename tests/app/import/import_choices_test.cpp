@@ -17,7 +17,7 @@
 namespace hapticell::app {
 namespace {
 
-TEST(ImportChoices, finerIsMoreAndCoarserIsLess) {
+TEST(ImportChoices, FinerIsMoreAndCoarserIsLess) {
   const ImportEstimate known{0.0002, 100000.0, 4.0};
   const ImportEstimate fine = estimate(known, MeshQuality::kMedium, MeshQuality::kFine);
   const ImportEstimate coarse = estimate(known, MeshQuality::kMedium, MeshQuality::kCoarse);
@@ -30,7 +30,7 @@ TEST(ImportChoices, finerIsMoreAndCoarserIsLess) {
   EXPECT_DOUBLE_EQ(estimate(known, MeshQuality::kFine, MeshQuality::kFine).triangles, known.triangles);
 }
 
-TEST(ImportChoices, theEstimateIsWithinAFactorOfTwoOfRealParts) {
+TEST(ImportChoices, TheEstimateIsWithinAFactorOfTwoOfRealParts) {
   // Triangles and seconds of processor as measured (hapticell-cli inspect --chord --angle): coarse, medium, fine.
   const struct {
     const char* part;
@@ -50,7 +50,7 @@ TEST(ImportChoices, theEstimateIsWithinAFactorOfTwoOfRealParts) {
   }
 }
 
-TEST(ImportChoices, theOptionsSayWhatWasChosen) {
+TEST(ImportChoices, TheOptionsSayWhatWasChosen) {
   ImportChoices choices;
   choices.metres_per_unit = 0.0254;
   choices.up_axis = workcell::UpAxis::kY;
@@ -63,7 +63,7 @@ TEST(ImportChoices, theOptionsSayWhatWasChosen) {
   EXPECT_TRUE(options.merge);
 }
 
-TEST(ImportChoices, numbersReadWell) {
+TEST(ImportChoices, NumbersReadWell) {
   const QChar thin(0x202F);
   EXPECT_EQ(countText(7), "7");
   EXPECT_EQ(countText(184000), QStringLiteral("184") + thin + "000");
@@ -75,7 +75,7 @@ TEST(ImportChoices, numbersReadWell) {
   EXPECT_EQ(unitText(0.32), "0.32 m");
 }
 
-TEST(ImportChoices, theReportNamesWhatWasRepairedAndDropped) {
+TEST(ImportChoices, TheReportNamesWhatWasRepairedAndDropped) {
   workcell::ImportReport report;
   report.parts = 3;
   report.triangles = 1200;
@@ -96,7 +96,7 @@ workcell::Entity block(const dvec3& size, const dvec3& place, const std::array<f
   return entity;
 }
 
-TEST(PreviewPicture, showsWhatIsInFrontOnATransparentGround) {
+TEST(PreviewPicture, ShowsWhatIsInFrontOnATransparentGround) {
   // A dark plate stands before (nearer to -y) a bright one of the same size.
   const auto dark = block({1, 0.1, 1}, {0, -1, 0}, {0.1f, 0.1f, 0.1f});
   const auto bright = block({1, 0.1, 1}, {0, 0, 0}, {0.9f, 0.9f, 0.9f});
@@ -110,7 +110,7 @@ TEST(PreviewPicture, showsWhatIsInFrontOnATransparentGround) {
   EXPECT_TRUE(previewPicture({}, size).isNull());
 }
 
-TEST(ImportFacts, sizeAndLikelyUnitOfAFileThatNamesNone) {
+TEST(ImportFacts, SizeAndLikelyUnitOfAFileThatNamesNone) {
   workcell::ImportResult result;
   result.entities.push_back(block({200, 100, 50}, {0, 0, 0}, {0.5f, 0.5f, 0.5f}));
   result.report.format = "stl";
@@ -122,7 +122,7 @@ TEST(ImportFacts, sizeAndLikelyUnitOfAFileThatNamesNone) {
   EXPECT_FALSE(facts.can_be_cut_finer);
 }
 
-TEST(RemarkLines, areGroupedByKindAndKnowTheirParts) {
+TEST(RemarkLines, AreGroupedByKindAndKnowTheirParts) {
   workcell::Entity arm, clamp;
   arm.name = "arm";
   clamp.name = "it's clamped";
@@ -133,8 +133,8 @@ TEST(RemarkLines, areGroupedByKindAndKnowTheirParts) {
   addNames(arm, 3, parts);
   addNames(clamp, 5, parts);
   const auto lines = remarkLines({"line 4: link 'boom': its mesh a/b.stl is not there", "the file names no unit",
-                                  "line 17: link 'foot': its mesh c.dae is not there", "no color for 'a', 'boom' and 3 more",
-                                  "no color for 'arm'"},
+                                  "line 17: link 'foot': its mesh c.dae is not there",
+                                  "no color for 'a', 'boom' and 3 more", "no color for 'arm'"},
                                  parts);
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_EQ(lines[0].kind, lines[1].kind);
@@ -148,7 +148,7 @@ TEST(RemarkLines, areGroupedByKindAndKnowTheirParts) {
   EXPECT_TRUE(remarkLines({}, parts).empty());
 }
 
-TEST(ChangePage, tellsMillimetresAndDegrees) {
+TEST(ChangePage, TellsMillimetresAndDegrees) {
   workcell::EntityChange moved;
   moved.name = "arm <1>";
   moved.entity_kind = "solid";

@@ -7,12 +7,13 @@
 #include <QComboBox>
 #include <QListWidget>
 #include <QScrollArea>
+#include <numbers>
 
 #include "app/ergonomics/time_panel.h"
 #include "app/ergonomics/workplace_panel.h"
-#include "app/shell/layouts.h"
 #include "app/host/selection.h"
 #include "app/mannequin/marker_panel.h"
+#include "app/shell/layouts.h"
 #include "geometry/shapes/shapes.h"
 #include "mannequin/shape/figure_model.h"
 #include "tests/app/pages/mannequin_page.h"
@@ -62,8 +63,8 @@ class Gallery : public MannequinPage {
   void look(double azimuth, double elevation, const geometry::Bounds& at) {
     ViewportWidget& viewport = window().viewport();
     Camera camera = viewport.camera();
-    camera.azimuth = azimuth * M_PI / 180.0;
-    camera.elevation = elevation * M_PI / 180.0;
+    camera.azimuth = azimuth * std::numbers::pi / 180.0;
+    camera.elevation = elevation * std::numbers::pi / 180.0;
     viewport.setCamera(camera);
     viewport.fit(at, false);
     settle();

@@ -9,14 +9,15 @@
 #include <QWheelEvent>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
+#include "app/controls/joint_row.h"
 #include "app/host/hold_choice.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/mannequin_panel.h"
 #include "app/mannequin/marker_panel.h"
-#include "app/controls/joint_row.h"
 #include "app/style/icon.h"
 #include "geometry/shapes/shapes.h"
 #include "mannequin/posture/forward_kinematics.h"
@@ -169,14 +170,14 @@ TEST(MannequinDock, TheEyesLookWhereTheyAreTurned) {
   QTest::mouseMove(row, QPoint(row->pixelOf(20), row->height() / 2));
   QTest::mouseRelease(row, Qt::LeftButton, Qt::NoModifier, QPoint(row->pixelOf(20), row->height() / 2));
   EXPECT_EQ(page.steps(), before + 1);
-  EXPECT_NEAR(page.posture().gaze.yaw, 20.0 * M_PI / 180.0, 0.02);
+  EXPECT_NEAR(page.posture().gaze.yaw, 20.0 * std::numbers::pi / 180.0, 0.02);
   page.window().selection().set(bench);  // What it is to look at.
   MannequinPage::settle();
   page.window().selection().set(mannequin);
   ASSERT_TRUE(page.clickForStep("buttonLookAt"));
   EXPECT_GT(page.posture().gaze.pitch, 0.3) << "down to the bench";
   page.trigger("actionUndo");
-  EXPECT_NEAR(page.posture().gaze.yaw, 20.0 * M_PI / 180.0, 0.02);
+  EXPECT_NEAR(page.posture().gaze.yaw, 20.0 * std::numbers::pi / 180.0, 0.02);
 }
 
 TEST(MannequinDock, PostureFilesComeBackAndBadOnesChangeNothing) {
@@ -250,7 +251,7 @@ TEST(MannequinDock, AJointIsDraggedWithinItsLimitsAsOneStep) {
   QTest::mouseRelease(row, Qt::LeftButton, Qt::NoModifier, QPoint(row->pixelOf(90), row->height() / 2));
   page.settle();
   EXPECT_EQ(page.steps(), before + 1);
-  EXPECT_NEAR(page.posture()[Dof::kRightElbowFlexion], M_PI / 2.0, 0.06);
+  EXPECT_NEAR(page.posture()[Dof::kRightElbowFlexion], std::numbers::pi / 2.0, 0.06);
 }
 
 /// The right hand forward, or both as they hang, seen from the right: the arrow upwards, and how far it is.
@@ -326,7 +327,7 @@ TEST(MannequinGizmo, AHandLiftedByItsArrowBendsTheElbowAndNotTheBack) {
   EXPECT_LT(glm::length(hand.grip() - start - dvec3(0.0, 0.0, 0.30)), 0.005);
   const auto pose = mannequin::forwardKinematics(*page.selected()->figure, page.posture());
   const dvec3 back = pose[mannequin::Segment::kThorax].p_WS - pose[mannequin::Segment::kPelvis].p_WS;
-  EXPECT_LT(std::acos(glm::normalize(back).z), 10.0 * M_PI / 180.0);
+  EXPECT_LT(std::acos(glm::normalize(back).z), 10.0 * std::numbers::pi / 180.0);
 }
 
 /// A mannequin with a crate on its own before it, seen from the left above.

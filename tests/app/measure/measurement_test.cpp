@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <numbers>
 
 #include "app/measure/part_distance.h"
 #include "geometry/shapes/shapes.h"
@@ -98,7 +99,7 @@ TEST(Measurement, ParallelPlanesHaveADistanceOthersAnAngle) {
   EXPECT_NEAR(*parallel.angle, 0.0, 1e-12);
   EXPECT_FALSE(parallel.between_picks);
   const Measurement slanted = measure(plane({0, 0, 0}, {0, 0, 1}), plane({0.3, 0, 0.4}, {1, 0, 1}));
-  EXPECT_NEAR(*slanted.angle, glm::pi<double>() / 4, 1e-12);
+  EXPECT_NEAR(*slanted.angle, std::numbers::pi / 4, 1e-12);
   EXPECT_TRUE(slanted.between_picks);
   EXPECT_NEAR(*slanted.distance, 0.5, 1e-12);
 }

@@ -4,10 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
-#include "app/viewport/tools/gizmo.h"
 #include "app/robot/mechanism_draft.h"
 #include "app/robot/mechanism_samples.h"
+#include "app/viewport/tools/gizmo.h"
 #include "geometry/shapes/shapes.h"
 #include "workcell/document/document.h"
 
@@ -15,8 +16,6 @@ namespace hapticell::app {
 namespace {
 
 using workcell::MechanismJointType;
-
-constexpr double kPi = 3.14159265358979323846;
 
 workcell::Entity box(const std::string& name, const dvec3& p_W) {
   workcell::Entity entity;
@@ -54,7 +53,7 @@ TEST(MechanismDraft, AHingeOnAPickedBoreTurnsThePartAboutIt) {
   const workcell::Entity* door = document.findByName("door");
   ASSERT_TRUE(door && door->robot);
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*door->robot, {0.5 * kPi}, X_BL);
+  kinematics::forwardKinematics(*door->robot, {0.5 * std::numbers::pi}, X_BL);
   const Pose X_WLeaf = door->X_WE * X_BL[static_cast<std::size_t>(door->robot->findLink("leaf"))];
   // By hand: (1, 0) turned by a quarter about (0.5, 0.3) is (0.8, 0.8).
   EXPECT_LT(glm::length(X_WLeaf.p - dvec3(0.8, 0.8, 0)), 1e-12);

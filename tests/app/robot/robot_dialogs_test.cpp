@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QListWidget>
 #include <QMouseEvent>
+#include <numbers>
 
 #include "app/controls/pose_text.h"
 #include "app/style/segmented.h"
@@ -178,20 +179,20 @@ TEST(Mechanisms, ASampleIsOneStepJogsAndStopsAtItsLimit) {
   ASSERT_TRUE(page.selected() && page.selected()->kind == workcell::EntityKind::kMechanism);
   EXPECT_TRUE(page.isShown("dockRobot"));
   ASSERT_TRUE(page.typeForStep("jogField1", "45"));
-  EXPECT_NEAR(page.joints()[0], 0.25 * 3.14159265358979323846, 1e-9);
+  EXPECT_NEAR(page.joints()[0], 0.25 * std::numbers::pi, 1e-9);
   // Steps of 15 degrees towards its end stop: the last one ends on it, and there it says so.
   const auto& hinge = page.selected()->robot->joints[static_cast<std::size_t>(page.selected()->robot->moving[0])];
   const double end = hinge.upper;
-  ASSERT_GT(end, 0.25 * 3.14159265358979323846);
+  ASSERT_GT(end, 0.25 * std::numbers::pi);
   auto* step = page.find<QComboBox>("comboStep");
   step->setCurrentIndex(step->count() - 1);
   emit step->activated(step->currentIndex());
   const std::size_t before = page.steps();
   while (page.joints()[0] < end - 1e-9) ASSERT_TRUE(page.clickForStep("jogMore1"));
   EXPECT_NEAR(page.joints()[0], end, 1e-12);
-  EXPECT_EQ(page.steps() - before,
-            static_cast<std::size_t>(
-                std::ceil((end - 0.25 * 3.14159265358979323846) / (15.0 * 3.14159265358979323846 / 180.0) - 1e-9)));
+  EXPECT_EQ(
+      page.steps() - before,
+      static_cast<std::size_t>(std::ceil((end - 0.25 * std::numbers::pi) / (15.0 * std::numbers::pi / 180.0) - 1e-9)));
   EXPECT_TRUE(page.find<QLabel>("labelStop")->text().contains("limit"))
       << page.find<QLabel>("labelStop")->text().toStdString();
   while (page.steps() > 0) page.trigger("actionUndo");

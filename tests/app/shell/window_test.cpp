@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/style/proxy_style.h"
 #include "app/style/theme.h"
@@ -201,7 +202,7 @@ TEST(Window, LabelsOverlapNeitherEachOtherNorTheArrowsOfTheGizmo) {
   snapshot.forces_on = true;
   snapshot.force_n = 1.4;
   for (int degrees = 0; degrees < 360; degrees += 30) {
-    const double angle = degrees * M_PI / 180.0;
+    const double angle = degrees * std::numbers::pi / 180.0;
     snapshot.force_W =
         1.4 * (std::cos(angle) * viewport.camera().right_W() + std::sin(angle) * viewport.camera().up_W());
     snapshot.X_WStylus.p.x += 1e-3;  // Seen: it is drawn anew.

@@ -8,8 +8,6 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 double linear(double value) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
@@ -25,7 +23,7 @@ std::array<double, 3> labOf(const std::array<double, 3>& rgb) {
 double hue(double a, double b) {
   if (a == 0.0 && b == 0.0) return 0.0;
   const double h = std::atan2(b, a);
-  return h < 0.0 ? h + 2.0 * kPi : h;
+  return h < 0.0 ? h + 2.0 * std::numbers::pi : h;
 }
 
 double luminance(const QColor& color) {
@@ -61,13 +59,14 @@ double ciede2000Lab(const std::array<double, 3>& p, const std::array<double, 3>&
   double dh = 0.0, mean_h = h1 + h2;
   if (c1 * c2 > 0.0) {
     dh = h2 - h1;
-    if (dh > kPi) dh -= 2.0 * kPi;
-    if (dh < -kPi) dh += 2.0 * kPi;
+    if (dh > std::numbers::pi) dh -= 2.0 * std::numbers::pi;
+    if (dh < -std::numbers::pi) dh += 2.0 * std::numbers::pi;
     mean_h = 0.5 * (h1 + h2);
-    if (std::abs(h1 - h2) > kPi) mean_h += h1 + h2 < 2.0 * kPi ? kPi : -kPi;
+    if (std::abs(h1 - h2) > std::numbers::pi)
+      mean_h += h1 + h2 < 2.0 * std::numbers::pi ? std::numbers::pi : -std::numbers::pi;
   }
   const double dl = q[0] - p[0], dc = c2 - c1, dhh = 2.0 * std::sqrt(c1 * c2) * std::sin(0.5 * dh);
-  const double l = 0.5 * (p[0] + q[0]), c = 0.5 * (c1 + c2), deg = kPi / 180.0;
+  const double l = 0.5 * (p[0] + q[0]), c = 0.5 * (c1 + c2), deg = std::numbers::pi / 180.0;
   const double t = 1.0 - 0.17 * std::cos(mean_h - 30.0 * deg) + 0.24 * std::cos(2.0 * mean_h) +
                    0.32 * std::cos(3.0 * mean_h + 6.0 * deg) - 0.20 * std::cos(4.0 * mean_h - 63.0 * deg);
   const double turn = 30.0 * deg * std::exp(-std::pow((mean_h / deg - 275.0) / 25.0, 2.0));

@@ -39,7 +39,7 @@ class DistanceCommand : public testing::Test {
   std::filesystem::path result_file_ = folder_.path() / "result.json";
 };
 
-TEST_F(DistanceCommand, answersEveryPoseInOrder) {
+TEST_F(DistanceCommand, AnswersEveryPoseInOrder) {
   ASSERT_EQ(runOn("1.5,0,0,1,0,0,0\n1,0,0,1,0,0,0\n0,0,2,1,0,0,0\n0.1,0,0,1,0,0,0\n"), 0);
   const json results = result()["results"];
   ASSERT_EQ(results.size(), 4u);
@@ -54,7 +54,7 @@ TEST_F(DistanceCommand, answersEveryPoseInOrder) {
   for (const char* field : {"median_us", "p99_us", "max_us", "build_ms"}) EXPECT_GE(result()["timing"][field], 0.0);
 }
 
-TEST_F(DistanceCommand, zonesLeaveFarPosesOutAndCountContacts) {
+TEST_F(DistanceCommand, ZonesLeaveFarPosesOutAndCountContacts) {
   ASSERT_EQ(runOn("1.5,0,0,1,0,0,0\n1.005,0,0,1,0,0,0\n", {"--safety-zone", "0.01"}), 0);
   const json results = result()["results"];
   EXPECT_TRUE(results[0]["distance"].is_null());
@@ -64,12 +64,12 @@ TEST_F(DistanceCommand, zonesLeaveFarPosesOutAndCountContacts) {
   EXPECT_EQ(results[1]["contacts"], 1);
 }
 
-TEST_F(DistanceCommand, unitsScaleTheMeshesAndNotThePoses) {
+TEST_F(DistanceCommand, UnitsScaleTheMeshesAndNotThePoses) {
   ASSERT_EQ(runOn("0.1,0,0,1,0,0,0\n", {"--unit", "in"}), 0);
   EXPECT_NEAR(result()["results"][0]["distance"], 0.1 - 0.0254, 1e-12);
 }
 
-TEST_F(DistanceCommand, severalEnvironmentsAnswerTogether) {
+TEST_F(DistanceCommand, SeveralEnvironmentsAnswerTogether) {
   const auto poses = folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n3,0,0,1,0,0,0\n");
   const auto other = folder_.write("far.obj", "v 4 -1 -1\nv 4 1 -1\nv 4 0 1\nf 1 2 3\n");
   ASSERT_EQ(run({"--moving", cube_, "--environment", cube_, other.string(), "--poses", poses.string()}), 0);
@@ -85,7 +85,7 @@ void expectCommonPoint(const json& result) {
   EXPECT_GE(result["contacts"], 1);
 }
 
-TEST_F(DistanceCommand, touchingNestedAndCoincidentMeshesCollide) {
+TEST_F(DistanceCommand, TouchingNestedAndCoincidentMeshesCollide) {
   const auto small = folder_.write("small.obj",
                                    "v -0.1 -0.1 -0.1\nv 0.1 -0.1 -0.1\nv 0 0.1 -0.1\nv 0 0 0.1\n"
                                    "f 3 2 1\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
@@ -103,7 +103,7 @@ TEST_F(DistanceCommand, touchingNestedAndCoincidentMeshesCollide) {
   expectCommonPoint(result()["results"][0]);
 }
 
-TEST_F(DistanceCommand, anOpenShellIsARoomAndNotASolid) {
+TEST_F(DistanceCommand, AnOpenShellIsARoomAndNotASolid) {
   const auto room = folder_.write("room.obj", std::string(kUnitCube).substr(0, std::string(kUnitCube).rfind("f ")));
   const auto inside = folder_.write("inside.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n");
   const auto poses = folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n0,0,0.2,1,0,0,0\n");
@@ -112,7 +112,7 @@ TEST_F(DistanceCommand, anOpenShellIsARoomAndNotASolid) {
   EXPECT_EQ(result()["results"][0]["colliding"], false);
 }
 
-TEST_F(DistanceCommand, trianglesWithoutAreaCountAsWhatTheyAre) {
+TEST_F(DistanceCommand, TrianglesWithoutAreaCountAsWhatTheyAre) {
   const auto thin = folder_.write("thin.obj", "v 0 0 0\nv 0 0 1\nv 0 0 2\nv 5 0 0\nf 1 2 3\nf 4 4 4\n");
   const auto poses = folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n1,0,1,1,0,0,0\n4.25,0,0,1,0,0,0\n");
   ASSERT_EQ(run({"--moving", cube_, "--environment", thin.string(), "--poses", poses.string(), "--unit", "m"}), 0);
@@ -120,7 +120,7 @@ TEST_F(DistanceCommand, trianglesWithoutAreaCountAsWhatTheyAre) {
   EXPECT_NEAR(result()["results"][1]["distance"], 0.25, 1e-12);
 }
 
-TEST_F(DistanceCommand, micrometresAreKeptFarFromTheOrigin) {
+TEST_F(DistanceCommand, MicrometresAreKeptFarFromTheOrigin) {
   const auto far = folder_.write("far.obj", "v 20 -1 -1\nv 20 1 -1\nv 20 0 1\nf 1 2 3\n");
   const auto poses = folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n19.499999,0,0,1,0,0,0\n20.5000005,0,0,1,0,0,0\n");
   ASSERT_EQ(run({"--moving", cube_, "--environment", far.string(), "--poses", poses.string()}), 0);
@@ -129,7 +129,7 @@ TEST_F(DistanceCommand, micrometresAreKeptFarFromTheOrigin) {
   EXPECT_NEAR(result()["results"][0]["point_on_environment"][0], 20.0, 1e-10);
 }
 
-TEST_F(DistanceCommand, exitStatusTellsWhatHappened) {
+TEST_F(DistanceCommand, ExitStatusTellsWhatHappened) {
   EXPECT_EQ(runOn("0.1,0,0,1,0,0,0\n", {"--fail-on-contact"}), 1);
   EXPECT_EQ(runOn("3,0,0,1,0,0,0\n", {"--fail-on-contact"}), 0);
   std::filesystem::remove(result_file_);

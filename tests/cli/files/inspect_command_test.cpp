@@ -49,7 +49,7 @@ class FileCommands : public ::testing::Test {
   std::string said_;
 };
 
-TEST_F(FileCommands, inspectGivesSizesInMetresAndTheGuessedUnit) {
+TEST_F(FileCommands, InspectGivesSizesInMetresAndTheGuessedUnit) {
   folder_.write("part.obj", kTetrahedron);
   ASSERT_EQ(run({"inspect", "part.obj"}), 0) << said_;
   EXPECT_EQ(result()["format"], "obj");
@@ -70,7 +70,7 @@ TEST_F(FileCommands, inspectGivesSizesInMetresAndTheGuessedUnit) {
   EXPECT_EQ(big["warnings"].size(), 4u);  // Unit guessed, no area, a hole, not closed.
 }
 
-TEST_F(FileCommands, inspectShowsARobotWithItsLinks) {
+TEST_F(FileCommands, InspectShowsARobotWithItsLinks) {
   folder_.write("arm.urdf", kArm);
   ASSERT_EQ(run({"inspect", "arm.urdf"}), 0) << said_;
   EXPECT_EQ(result()["format"], "urdf");
@@ -87,7 +87,7 @@ TEST_F(FileCommands, inspectShowsARobotWithItsLinks) {
   EXPECT_NEAR(robot["volume"], 0.08, 1e-12);
 }
 
-TEST_F(FileCommands, workcellNewWritesWhatInspectShows) {
+TEST_F(FileCommands, WorkcellNewWritesWhatInspectShows) {
   folder_.write("part.obj", kTetrahedron);
   folder_.write("arm.urdf", kArm);
   ASSERT_EQ(run({"workcell", "new", "cell.hcell", "--add", "part.obj,unit=mm,pose=1,2,-3,0.7071068,0,0,0.7071068",
@@ -115,7 +115,7 @@ TEST_F(FileCommands, workcellNewWritesWhatInspectShows) {
   EXPECT_EQ(cell["pair_sets"].size(), 2u);
 }
 
-TEST_F(FileCommands, inspectWeighsWhatARobotCarries) {
+TEST_F(FileCommands, InspectWeighsWhatARobotCarries) {
   ASSERT_EQ(run({"workcell", "new", "cell.hcell", "--add", "library:kuka_kr16_2,name=robot", "--add",
                  "box:0.1,0.1,0.1,name=casting,on=robot"}),
             0)
@@ -138,7 +138,7 @@ TEST_F(FileCommands, inspectWeighsWhatARobotCarries) {
   EXPECT_EQ(load["verdict"], "too heavy");
 }
 
-TEST_F(FileCommands, inspectPutsEntitiesBelowTheirAssembly) {
+TEST_F(FileCommands, InspectPutsEntitiesBelowTheirAssembly) {
   folder_.write("cell.hcell", R"({"format": "hapticell-workcell", "version": 1, "entities": [
     {"name": "a", "source": {"file": "box:1,1,1"}, "parent": "fixture"},
     {"name": "b", "source": {"file": "sphere:1"}},
@@ -153,7 +153,7 @@ TEST_F(FileCommands, inspectPutsEntitiesBelowTheirAssembly) {
   EXPECT_NEAR(tree[0]["bounds"]["max"][0], 5.5, 1e-12);
 }
 
-TEST_F(FileCommands, framesOfTheCellAreMadeAndListed) {
+TEST_F(FileCommands, FramesOfTheCellAreMadeAndListed) {
   folder_.write("arm.urdf", kArm);
   ASSERT_EQ(
       run({"workcell", "new", "cell.hcell", "--add", "arm.urdf", "--add",
@@ -177,7 +177,7 @@ TEST_F(FileCommands, framesOfTheCellAreMadeAndListed) {
   EXPECT_THAT(said_, HasSubstr("frame: alone"));
 }
 
-TEST_F(FileCommands, whatIsWrongIsOneSentenceAndNothingIsWritten) {
+TEST_F(FileCommands, WhatIsWrongIsOneSentenceAndNothingIsWritten) {
   folder_.write("part.obj", kTetrahedron);
   const std::pair<std::vector<std::string>, const char*> cases[] = {
       {{"--add", "gone.stl"}, "gone.stl: there is no such file"},
@@ -206,7 +206,7 @@ TEST_F(FileCommands, whatIsWrongIsOneSentenceAndNothingIsWritten) {
   EXPECT_EQ(run({"inspect", "none.hcell"}), 2);
 }
 
-TEST(WorkcellArguments, whatMayHoldCommas) {
+TEST(WorkcellArguments, WhatMayHoldCommas) {
   const auto addition = parseAddition("odd,name.stl,name=a,b,unit=in,pose=1,0,0,1,0,0,0");
   ASSERT_TRUE(addition.has_value());
   EXPECT_EQ(addition->what, "odd,name.stl");
@@ -216,7 +216,7 @@ TEST(WorkcellArguments, whatMayHoldCommas) {
   EXPECT_FALSE(parseAddition(",name=a").has_value());
 }
 
-TEST(WorkcellArguments, checksHaveTwoSides) {
+TEST(WorkcellArguments, ChecksHaveTwoSides) {
   const auto set = parseCheck("a+b c:d,safety=0");
   ASSERT_TRUE(set.has_value());
   EXPECT_THAT(set->first, ElementsAre("a", "b c"));

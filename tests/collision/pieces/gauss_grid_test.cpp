@@ -33,7 +33,7 @@ std::vector<Arc> randomArcs(int count, double longest, std::mt19937& random) {
   return arcs;
 }
 
-TEST(GaussGrid, findsEveryCrossingByBruteForceAndFewOthers) {
+TEST(GaussGrid, FindsEveryCrossingByBruteForceAndFewOthers) {
   std::mt19937 random(7);
   for (const double longest : {0.05, 0.15, 0.5, 1.5}) {
     const std::vector<Arc> first = randomArcs(800, longest, random), second = randomArcs(800, longest, random);

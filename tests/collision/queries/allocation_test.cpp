@@ -8,7 +8,7 @@
 namespace hapticell::collision {
 namespace {
 
-TEST(Allocation, warmQueriesDoNotAllocate) {
+TEST(Allocation, WarmQueriesDoNotAllocate) {
   if (!hapticell::test::allocationsAreCounted()) GTEST_SKIP() << hapticell::test::kNotCounted;
   std::mt19937 random(9);
   const auto ball = MeshCollider::build(test::sphereMesh(0.1)),

@@ -10,7 +10,7 @@ namespace {
 
 using test::boxMesh;
 
-TEST(ContactRegions, countPlacesAndNotTriangles) {
+TEST(ContactRegions, CountPlacesAndNotTriangles) {
   geometry::TriangleMesh table = boxMesh({1, 1, 0.05});
   for (const double x : {-0.45, 0.45}) {
     for (const double y : {-0.45, 0.45})
@@ -24,7 +24,7 @@ TEST(ContactRegions, countPlacesAndNotTriangles) {
   EXPECT_EQ(countContactRegions(*box, *floor, Pose::translation({0, 0, -0.151}), 0.005), 1u);
 }
 
-TEST(ContactRegions, soupsJoinByPlace) {
+TEST(ContactRegions, SoupsJoinByPlace) {
   geometry::TriangleMesh soup;
   const geometry::TriangleMesh box = boxMesh({0.2, 0.2, 0.2});
   for (std::uint32_t t = 0; t < box.triangles.size(); ++t) {

@@ -53,7 +53,7 @@ std::vector<Kind> kinds() {
   return result;
 }
 
-TEST(DistanceOracle, everyKindAgainstEveryKind) {
+TEST(DistanceOracle, EveryKindAgainstEveryKind) {
   std::mt19937 random(101);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const std::vector<Kind> all = kinds();

@@ -20,7 +20,7 @@ void expectFrees(ProximityQuery& query, const Pose& X_WA, const FreeingShift& sh
   EXPECT_FALSE(query.collides({X_WA.p + shift.depth * shift.direction_W, X_WA.q}, {}));
 }
 
-TEST(FreeingShift, boxesComeFreeThroughTheNearestFace) {
+TEST(FreeingShift, BoxesComeFreeThroughTheNearestFace) {
   ProximityQuery query(MeshCollider::build(boxMesh({0.2, 0.2, 0.2})), MeshCollider::build(boxMesh({1.0, 1.0, 0.5})));
   const Pose X_WA = Pose::translation({0.1, 0.05, 0.33});  // 2 cm deep in the top
   const FreeingShift shift = freeingShift(query, X_WA, {});
@@ -31,7 +31,7 @@ TEST(FreeingShift, boxesComeFreeThroughTheNearestFace) {
   EXPECT_FALSE(freeingShift(query, Pose::translation({0, 0, 0.36}), {}).found) << "nothing to free";
 }
 
-TEST(FreeingShift, aPartWhollyInsideComesOut) {
+TEST(FreeingShift, APartWhollyInsideComesOut) {
   ProximityQuery query(MeshCollider::build(test::sphereMesh(0.05)), MeshCollider::build(boxMesh({1.0, 1.0, 0.5})));
   const Pose X_WA = Pose::translation({0.02, 0.3, 0.1});
   const FreeingShift shift = freeingShift(query, X_WA, {});
@@ -39,7 +39,7 @@ TEST(FreeingShift, aPartWhollyInsideComesOut) {
   EXPECT_NEAR(shift.depth, 0.2, 1e-3) << "up, 15 cm and the radius";
 }
 
-TEST(FreeingShift, randomConvexPairsComeFreeByLittleMoreThanTheLeast) {
+TEST(FreeingShift, RandomConvexPairsComeFreeByLittleMoreThanTheLeast) {
   std::mt19937 random(31);
   const auto ball = MeshCollider::build(test::sphereMesh(0.1, 20, 30)),
              box = MeshCollider::build(boxMesh({0.4, 0.3, 0.2}));
@@ -63,7 +63,7 @@ TEST(FreeingShift, randomConvexPairsComeFreeByLittleMoreThanTheLeast) {
   EXPECT_GT(freed, 15);
 }
 
-TEST(FreeingShift, anOpenSoupIsLeftAndNotEntered) {
+TEST(FreeingShift, AnOpenSoupIsLeftAndNotEntered) {
   TriangleMesh open = boxMesh({0.4, 0.4, 0.4});
   open.triangles.pop_back();  // a hole of one triangle
   ProximityQuery query(MeshCollider::build(boxMesh({0.1, 0.1, 0.1})), MeshCollider::build(open));
@@ -76,7 +76,7 @@ TEST(FreeingShift, anOpenSoupIsLeftAndNotEntered) {
   EXPECT_NEAR(shift.depth, 0.09, 1e-3);
 }
 
-TEST(WindingNumber, isOneInsideAndNoneOutside) {
+TEST(WindingNumber, IsOneInsideAndNoneOutside) {
   const TriangleMesh ball = test::sphereMesh(0.3);
   EXPECT_NEAR(windingNumber(ball, {0.1, 0.05, -0.1}), 1.0, 1e-12);
   EXPECT_NEAR(windingNumber(ball, {0.5, 0.05, -0.1}), 0.0, 1e-12);

@@ -12,7 +12,7 @@ namespace {
 
 using Collider = std::shared_ptr<const MeshCollider>;
 
-TEST(NearPairs, areThoseThatBruteForceFinds) {
+TEST(NearPairs, AreThoseThatBruteForceFinds) {
   std::mt19937 random(5);
   const Collider a = MeshCollider::build(test::soupMesh(random, 80, 0.2)),
                  b = MeshCollider::build(test::sphereMesh(0.1, 6, 9));
@@ -36,7 +36,7 @@ TEST(NearPairs, areThoseThatBruteForceFinds) {
   }
 }
 
-TEST(NearPairs, tooManyAreNone) {
+TEST(NearPairs, TooManyAreNone) {
   const Collider sheet = MeshCollider::build(test::sheetMesh(1.0, 40, 0.0));
   NearPairs near;
   EXPECT_FALSE(near.fill(*sheet, *sheet, Pose::translation({0.003, 0.002, 0.001}), 0.01));
@@ -88,20 +88,20 @@ void wander(const Collider& a, const Collider& b, const dvec3& towards, double c
   EXPECT_GT(stops, 20);
 }
 
-TEST(ListedSweep, warmAndColdAnswersAreSoundOnAWavySheet) {
+TEST(ListedSweep, WarmAndColdAnswersAreSoundOnAWavySheet) {
   const Collider body = MeshCollider::build(test::sphereMesh(0.05, 10, 16)),
                  sheet = MeshCollider::build(test::sheetMesh(1.0, 40, 0.05));
   for (const double clearance : {5e-6, 1e-3}) wander(body, sheet, {0, 0, -1}, clearance, 17);
 }
 
-TEST(ListedSweep, warmAndColdAnswersAreSoundOnASoupOfNeedles) {
+TEST(ListedSweep, WarmAndColdAnswersAreSoundOnASoupOfNeedles) {
   std::mt19937 random(3);
   const Collider body = MeshCollider::build(test::boxMesh({0.1, 0.06, 0.04})),
                  soup = MeshCollider::build(test::soupMesh(random, 300, 0.2));
   for (const double clearance : {5e-6, 1e-3}) wander(body, soup, {1, 0, 0}, clearance, 23);
 }
 
-TEST(ListedSweep, aMotionOfUnknownBendIsFollowedToo) {
+TEST(ListedSweep, AMotionOfUnknownBendIsFollowedToo) {
   const Collider box = MeshCollider::build(test::boxMesh({0.1, 0.1, 0.1}));
   ProximityQuery query(box, box);
   PartMotion swing;
@@ -114,7 +114,7 @@ TEST(ListedSweep, aMotionOfUnknownBendIsFollowedToo) {
 }
 
 /// A drag during which obstacles come, go, and are switched off: the scene that remembers against a new one.
-TEST(ListedSweep, aSceneEditedDuringADragAnswersAsANewOne) {
+TEST(ListedSweep, ASceneEditedDuringADragAnswersAsANewOne) {
   std::mt19937 random(41);
   std::normal_distribution<double> normal;
   const Collider body = MeshCollider::build(test::sphereMesh(0.05, 8, 12)),

@@ -25,7 +25,7 @@ class MeshSearch : public testing::Test {
   std::shared_ptr<const MeshCollider> mesh_ = MeshCollider::build(test::soupMesh(random_, 300, 0.3));
 };
 
-TEST_F(MeshSearch, nearestPointAgreesWithEveryTriangle) {
+TEST_F(MeshSearch, NearestPointAgreesWithEveryTriangle) {
   for (int i = 0; i < 300; ++i) {
     const dvec3 p = anywhere(0.8);
     double least = 1e9;
@@ -40,7 +40,7 @@ TEST_F(MeshSearch, nearestPointAgreesWithEveryTriangle) {
   }
 }
 
-TEST_F(MeshSearch, closestPointOnTriangleBeatsEverySampledPoint) {
+TEST_F(MeshSearch, ClosestPointOnTriangleBeatsEverySampledPoint) {
   for (int i = 0; i < 200; ++i) {
     const Corners corners{anywhere(1), anywhere(1), anywhere(1)};
     const dvec3 p = anywhere(2);
@@ -57,7 +57,7 @@ TEST_F(MeshSearch, closestPointOnTriangleBeatsEverySampledPoint) {
   }
 }
 
-TEST_F(MeshSearch, trianglesWithinAreExactlyThoseNearEnough) {
+TEST_F(MeshSearch, TrianglesWithinAreExactlyThoseNearEnough) {
   const geometry::TriangleMesh& mesh = mesh_->mesh();
   const auto other = MeshCollider::build(test::sphereMesh(0.1, 6, 8));
   for (int i = 0; i < 60; ++i) {
@@ -81,7 +81,7 @@ TEST_F(MeshSearch, trianglesWithinAreExactlyThoseNearEnough) {
   }
 }
 
-TEST_F(MeshSearch, trianglesNearABoxCountThoseInsideIt) {
+TEST_F(MeshSearch, TrianglesNearABoxCountThoseInsideIt) {
   const geometry::Bounds box{dvec3(-0.1), dvec3(0.1)};
   const auto solid = MeshCollider::build(test::boxMesh(dvec3(0.2)));
   std::vector<std::uint32_t> found, near_surface;
@@ -94,7 +94,7 @@ TEST_F(MeshSearch, trianglesNearABoxCountThoseInsideIt) {
   }
 }
 
-TEST_F(MeshSearch, raysMeetTheNearestTriangle) {
+TEST_F(MeshSearch, RaysMeetTheNearestTriangle) {
   int hits = 0;
   for (int i = 0; i < 500; ++i) {
     const dvec3 origin = anywhere(0.6), direction = anywhere(1.0);
@@ -113,7 +113,7 @@ TEST_F(MeshSearch, raysMeetTheNearestTriangle) {
   EXPECT_GT(hits, 20);
 }
 
-TEST_F(MeshSearch, collectingPairsStopsAtTheMaximum) {
+TEST_F(MeshSearch, CollectingPairsStopsAtTheMaximum) {
   std::vector<TrianglePair> pairs;
   EXPECT_FALSE(trianglePairsWithin(*mesh_, *mesh_, {}, 0.1, pairs, 10));
   EXPECT_EQ(pairs.size(), 10u);

@@ -23,7 +23,7 @@ Pose randomTurn(std::mt19937& random, double angle) {
   return Pose::rotation(quaternionFromRotationVector(angle * axis));
 }
 
-TEST(MotionBound, holdsForEveryPointOfTheBody) {
+TEST(MotionBound, HoldsForEveryPointOfTheBody) {
   std::mt19937 random(7);
   const Collider body = MeshCollider::build(test::soupMesh(random, 60, 0.3));
   for (int i = 0; i < 300; ++i) {
@@ -42,14 +42,14 @@ TEST(MotionBound, holdsForEveryPointOfTheBody) {
   }
 }
 
-TEST(MotionBound, isTightForABodyTurningAboutItsOwnMiddleFarFromItsOrigin) {
+TEST(MotionBound, IsTightForABodyTurningAboutItsOwnMiddleFarFromItsOrigin) {
   const dvec3 p_BS(20, 0, 0);
   const dquat turn = quaternionFromRotationVector({0, 0, 0.01});
   const Pose X_WB1{p_BS - turn * p_BS, turn};
   EXPECT_LT(pathBound({}, X_WB1, p_BS, 0.1), 0.004) << "1 mm at the rim, and what the straight path of the origin adds";
 }
 
-TEST(Advance, stopsAtTheClearanceBeforeAWall) {
+TEST(Advance, StopsAtTheClearanceBeforeAWall) {
   ProximityQuery query(MeshCollider::build(boxMesh({0.1, 0.1, 0.1})), MeshCollider::build(boxMesh({0.2, 1, 1})));
   const PartMotion motion = straightMotion(Pose::translation({-0.5, 0, 0}), Pose::translation({0.5, 0, 0}), query.a());
   const MotionStop stop = advance(query, motion, standingStill({}), {0.01});
@@ -67,7 +67,7 @@ int sweepsAskedFor() {
   return asked != nullptr ? std::max(1, std::atoi(asked)) : 20000;
 }
 
-TEST(Advance, nothingPassesThroughAThinPlate) {
+TEST(Advance, NothingPassesThroughAThinPlate) {
   std::mt19937 random(11);
   const Collider plate = MeshCollider::build(boxMesh({2.0, 2.0, 0.001})),
                  tool = MeshCollider::build(boxMesh({0.2, 0.05, 0.02}));
@@ -90,7 +90,7 @@ TEST(Advance, nothingPassesThroughAThinPlate) {
   EXPECT_EQ(crossing, sweepsAskedFor());
 }
 
-TEST(Advance, slidesAlongAndLeavesFromNearerThanTheClearance) {
+TEST(Advance, SlidesAlongAndLeavesFromNearerThanTheClearance) {
   ProximityQuery query(MeshCollider::build(boxMesh({0.1, 0.1, 0.1})), MeshCollider::build(boxMesh({1, 1, 0.2})));
   const Pose X_WStart = Pose::translation({0, 0, 0.1502});  // 0.2 mm above the table, with 1 mm asked for.
   const auto to = [&](const dvec3& by) {
@@ -106,7 +106,7 @@ TEST(Advance, slidesAlongAndLeavesFromNearerThanTheClearance) {
   EXPECT_LT(down.s, 1e-4);
 }
 
-TEST(Advance, slidingForLongDoesNotWearTheClearanceAway) {
+TEST(Advance, SlidingForLongDoesNotWearTheClearanceAway) {
   ProximityQuery query(MeshCollider::build(boxMesh({0.1, 0.1, 0.1})), MeshCollider::build(boxMesh({1, 1, 0.2})));
   Pose X_WT = Pose::translation({0, 0, 0.152});
   for (int i = 0; i < 2000; ++i) {
@@ -118,7 +118,7 @@ TEST(Advance, slidingForLongDoesNotWearTheClearanceAway) {
   EXPECT_GE(query.distance(X_WT, {}).distance, 0.001 - 1e-7);
 }
 
-TEST(Advance, slidesFarOverAFinelyCutPlane) {
+TEST(Advance, SlidesFarOverAFinelyCutPlane) {
   ProximityQuery query(MeshCollider::build(test::sphereMesh(0.05, 16, 24)),
                        MeshCollider::build(test::sheetMesh(1.0, 60, 0.0)));
   const Pose X_WStart = Pose::translation({-0.3, 0.01, 0.0502});
@@ -129,7 +129,7 @@ TEST(Advance, slidesFarOverAFinelyCutPlane) {
   EXPECT_FALSE(advance(query, straightMotion(X_WStart, X_WTurned, query.a()), standingStill({}), {0.001}).stopped);
 }
 
-TEST(Advance, aLongSlideStopsAtAStep) {
+TEST(Advance, ALongSlideStopsAtAStep) {
   geometry::TriangleMesh floor = boxMesh({1, 1, 0.2});
   geometry::append(floor, boxMesh({0.001, 1, 0.02}), Pose::translation({0.3, 0, 0.11}));
   ProximityQuery query(MeshCollider::build(boxMesh({0.1, 0.1, 0.1})), MeshCollider::build(floor));
@@ -140,7 +140,7 @@ TEST(Advance, aLongSlideStopsAtAStep) {
   EXPECT_NEAR(stop.s, 0.6 - 0.0005 - 0.05 - 0.0005, 1e-6);
 }
 
-TEST(Advance, partsThatBeginCollidingMayLeave) {
+TEST(Advance, PartsThatBeginCollidingMayLeave) {
   ProximityQuery query(MeshCollider::build(boxMesh({0.1, 0.1, 0.1})), MeshCollider::build(boxMesh({0.2, 1, 1})));
   const PartMotion out = straightMotion({}, Pose::translation({-0.5, 0, 0}), query.a());
   const MotionStop left = advance(query, out, standingStill({}), {0.001});
@@ -155,7 +155,7 @@ TEST(Advance, partsThatBeginCollidingMayLeave) {
   EXPECT_GE(query.distance(and_back.at(back.s), {}).distance, 0.0);
 }
 
-TEST(Advance, bothPartsMayMove) {
+TEST(Advance, BothPartsMayMove) {
   const Collider box = MeshCollider::build(boxMesh({0.1, 0.1, 0.1}));
   ProximityQuery query(box, box);
   const PartMotion left = straightMotion(Pose::translation({-0.5, 0, 0}), Pose::translation({0.5, 0, 0}), *box);

@@ -48,7 +48,7 @@ std::vector<Collider> kinds() {
   return result;
 }
 
-TEST(ProximityQuery, agreesWithBruteForce) {
+TEST(ProximityQuery, AgreesWithBruteForce) {
   std::mt19937 random(1);
   int apart = 0, colliding = 0;
   const std::vector<Collider> meshes = kinds();
@@ -78,7 +78,7 @@ TEST(ProximityQuery, agreesWithBruteForce) {
   EXPECT_GT(colliding, 200);
 }
 
-TEST(ProximityQuery, limitsAndMarginsAgreeWithTheDistance) {
+TEST(ProximityQuery, LimitsAndMarginsAgreeWithTheDistance) {
   std::mt19937 random(2);
   const Collider a = MeshCollider::build(sphereMesh(0.1)), b = MeshCollider::build(test::sheetMesh(0.5, 20, 0.05));
   ProximityQuery cold(a, b), warm(a, b);
@@ -94,7 +94,7 @@ TEST(ProximityQuery, limitsAndMarginsAgreeWithTheDistance) {
   }
 }
 
-TEST(ProximityQuery, aToleranceTellsFarDistancesAtMostThatMuchTooLarge) {
+TEST(ProximityQuery, AToleranceTellsFarDistancesAtMostThatMuchTooLarge) {
   std::mt19937 random(23);
   const Collider a = MeshCollider::build(sphereMesh(0.1)), b = MeshCollider::build(test::soupMesh(random, 200, 0.4));
   ProximityQuery exact(a, b), loose(a, b);
@@ -112,7 +112,7 @@ TEST(ProximityQuery, aToleranceTellsFarDistancesAtMostThatMuchTooLarge) {
   EXPECT_GT(inexact, 0) << "and it is made use of";
 }
 
-TEST(ProximityQuery, touchingBoxesAreAtZero) {
+TEST(ProximityQuery, TouchingBoxesAreAtZero) {
   const Collider box = MeshCollider::build(boxMesh({1, 1, 1}));
   for (const dvec3& offset : {dvec3(1, 0, 0), dvec3(1, 1, 0), dvec3(1, 1, 1), dvec3(0, 0.25, -1)}) {
     const DistanceResult result = distance(box, Pose::translation(offset), box, {});
@@ -123,7 +123,7 @@ TEST(ProximityQuery, touchingBoxesAreAtZero) {
   EXPECT_NEAR(distance(box, Pose::translation({1 + 1e-6, 0, 0}), box, {}).distance, 1e-6, 1e-12);
 }
 
-TEST(ProximityQuery, commonPointLiesOnBothSurfaces) {
+TEST(ProximityQuery, CommonPointLiesOnBothSurfaces) {
   std::mt19937 random(3);
   const Collider a = MeshCollider::build(sphereMesh(0.2)), b = MeshCollider::build(boxMesh({0.3, 0.3, 0.3}));
   ProximityQuery query(a, b);
@@ -137,7 +137,7 @@ TEST(ProximityQuery, commonPointLiesOnBothSurfaces) {
   }
 }
 
-TEST(ProximityQuery, aSolidInsideAnotherCollides) {
+TEST(ProximityQuery, ASolidInsideAnotherCollides) {
   const Collider small = MeshCollider::build(boxMesh({0.1, 0.1, 0.1})), large = MeshCollider::build(boxMesh({1, 1, 1}));
   ProximityQuery query(small, large), swapped(large, small);
   // The surfaces never cross on the way in and out: the answer must not depend on the path.
@@ -156,7 +156,7 @@ TEST(ProximityQuery, aSolidInsideAnotherCollides) {
   }
 }
 
-TEST(ProximityQuery, aPartInACavityIsFree) {
+TEST(ProximityQuery, APartInACavityIsFree) {
   TriangleMesh housing = boxMesh({1, 1, 1});
   geometry::append(housing, test::flipped(boxMesh({0.8, 0.8, 0.8})), {});
   const Collider part = MeshCollider::build(boxMesh({0.1, 0.1, 0.1})), hollow = MeshCollider::build(housing);
@@ -169,7 +169,7 @@ TEST(ProximityQuery, aPartInACavityIsFree) {
   EXPECT_FALSE(distance(part, {}, sheet, Pose::translation({0, 0, 0.2})).colliding) << "open meshes hold nothing";
 }
 
-TEST(ProximityQuery, farFromTheOriginTheAnswersKeepTheirPrecision) {
+TEST(ProximityQuery, FarFromTheOriginTheAnswersKeepTheirPrecision) {
   std::mt19937 random(4);
   const Collider a = MeshCollider::build(sphereMesh(0.1)), b = MeshCollider::build(boxMesh({0.2, 0.3, 0.1}));
   const Pose X_far = {{20.0, -17.0, 11.0}, glm::normalize(dquat(0.3, 0.5, -0.2, 0.7))};
@@ -185,7 +185,7 @@ TEST(ProximityQuery, farFromTheOriginTheAnswersKeepTheirPrecision) {
   EXPECT_NEAR(distance(a, X_WA, c, {}).distance, distance(a, Pose::translation({0.3, 0, 0}), b, {}).distance, 1e-12);
 }
 
-RC_GTEST_PROP(ProximityQuery, isSymmetricAndRigidlyInvariant, (int seed)) {
+RC_GTEST_PROP(ProximityQuery, IsSymmetricAndRigidlyInvariant, (int seed)) {
   std::mt19937 random(static_cast<unsigned>(seed));
   const Collider a = MeshCollider::build(test::soupMesh(random, 40, 0.2)),
                  b = MeshCollider::build(sphereMesh(0.1, 6, 8));
@@ -199,7 +199,7 @@ RC_GTEST_PROP(ProximityQuery, isSymmetricAndRigidlyInvariant, (int seed)) {
   if (!one.colliding) RC_ASSERT(glm::length(one.nhat_BA_W + two.nhat_BA_W) < 1e-6);
 }
 
-TEST(ProximityQuery, nothingIsNearAnEmptyMesh) {
+TEST(ProximityQuery, NothingIsNearAnEmptyMesh) {
   const Collider empty = MeshCollider::build({}), box = MeshCollider::build(boxMesh({1, 1, 1}));
   EXPECT_TRUE(distance(empty, {}, box, {}).beyond_limit);
   EXPECT_TRUE(distance(box, {}, empty, {}, 0.1).beyond_limit);

@@ -33,7 +33,7 @@ double bruteForce(const geometry::TriangleMesh& a, const Pose& X_BA, const geome
   return std::sqrt(best.squared);
 }
 
-TEST(RealParts, pegAndHoleAgreeWithBruteForce) {
+TEST(RealParts, PegAndHoleAgreeWithBruteForce) {
   HAPTICELL_SHARED_DATA_OR_SKIP(peg_file, "cad/obj/factory_round_peg_8mm_tight.obj");
   HAPTICELL_SHARED_DATA_OR_SKIP(hole_file, "cad/obj/factory_round_hole_8mm_subdiv_3x.obj");
   const auto peg = read(peg_file, 1.0), hole = read(hole_file, 1.0);
@@ -49,7 +49,7 @@ TEST(RealParts, pegAndHoleAgreeWithBruteForce) {
   }
 }
 
-TEST(RealParts, theTightPegGoesIntoItsHoleAndNotBesideIt) {
+TEST(RealParts, TheTightPegGoesIntoItsHoleAndNotBesideIt) {
   HAPTICELL_SHARED_DATA_OR_SKIP(peg_file, "cad/obj/factory_round_peg_8mm_tight.obj");
   HAPTICELL_SHARED_DATA_OR_SKIP(hole_file, "cad/obj/factory_round_hole_8mm_subdiv_3x.obj");
   const auto peg = read(peg_file, 1.0), hole = read(hole_file, 1.0);

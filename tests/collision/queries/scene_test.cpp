@@ -51,7 +51,7 @@ class SceneTest : public testing::Test {
   std::vector<PartIndex> moved_, fixed_;
 };
 
-TEST_F(SceneTest, nearestIsTheLeastOfAllPairs) {
+TEST_F(SceneTest, NearestIsTheLeastOfAllPairs) {
   for (int i = 0; i < 200; ++i) {
     shuffle();
     const std::vector<double> all = allDistances();
@@ -65,7 +65,7 @@ TEST_F(SceneTest, nearestIsTheLeastOfAllPairs) {
   }
 }
 
-TEST_F(SceneTest, pairsWithinAreExactlyThoseBelowTheMargin) {
+TEST_F(SceneTest, PairsWithinAreExactlyThoseBelowTheMargin) {
   std::vector<PairDistance> found;
   for (int i = 0; i < 200; ++i) {
     shuffle();
@@ -81,7 +81,7 @@ TEST_F(SceneTest, pairsWithinAreExactlyThoseBelowTheMargin) {
   }
 }
 
-TEST_F(SceneTest, isEditedBetweenQueries) {
+TEST_F(SceneTest, IsEditedBetweenQueries) {
   shuffle();
   const auto first = scene_.nearest();
   ASSERT_TRUE(first);
@@ -110,7 +110,7 @@ TEST_F(SceneTest, isEditedBetweenQueries) {
   EXPECT_FALSE(scene_.nearest());
 }
 
-TEST_F(SceneTest, aJointMotionStopsAtTheFirstObstacleOfAnyPart) {
+TEST_F(SceneTest, AJointMotionStopsAtTheFirstObstacleOfAnyPart) {
   for (int i = 0; i < 300; ++i) {
     shuffle();
     if (scene_.collides()) continue;
@@ -132,7 +132,7 @@ TEST_F(SceneTest, aJointMotionStopsAtTheFirstObstacleOfAnyPart) {
   }
 }
 
-TEST(Scene, partsOfOneRobotAreCheckedAgainstEachOther) {
+TEST(Scene, PartsOfOneRobotAreCheckedAgainstEachOther) {
   Scene scene;
   const auto box = MeshCollider::build(boxMesh({0.1, 0.1, 0.1}));
   const PartIndex left = scene.addPart({1, 0}, box, Pose::translation({-0.5, 0, 0}));

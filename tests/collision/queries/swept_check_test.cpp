@@ -10,7 +10,7 @@
 namespace hapticell::collision {
 namespace {
 
-TEST(SweptCheck, whatItProvesHoldsAtEveryMoment) {
+TEST(SweptCheck, WhatItProvesHoldsAtEveryMoment) {
   std::mt19937 random(31);
   std::uniform_real_distribution<double> share(0.0, 0.3);
   const auto a = MeshCollider::build(test::sphereMesh(0.1, 6, 9)),
@@ -39,7 +39,7 @@ TEST(SweptCheck, whatItProvesHoldsAtEveryMoment) {
   EXPECT_GT(proven, 100);
 }
 
-TEST(SweptCheck, unknownBendProvesNothing) {
+TEST(SweptCheck, UnknownBendProvesNothing) {
   const auto box = MeshCollider::build(test::boxMesh({1, 1, 1}));
   const Pose X_far = Pose::translation({2, 0, 0});
   EXPECT_TRUE(staysApart(*box, *box, {{}, {}, X_far, X_far, 0.0, 0.0}, 0.1));

@@ -12,7 +12,6 @@ namespace {
 
 using collision::SurfaceType;
 using glm::dvec2;
-constexpr double kPi = std::numbers::pi;
 
 void addTriangle(GeneratedPart& part, const dvec3& a, const dvec3& b, const dvec3& c, SurfaceType type) {
   if (glm::length(glm::cross(b - a, c - a)) < 1e-14) return;
@@ -52,7 +51,7 @@ struct Outline {
 GeneratedPart turned(std::string name, const Outline& outline, int segments, std::vector<double> radii) {
   GeneratedPart part{std::move(name), {}, {}, std::move(radii)};
   const auto at = [&](const dvec2& p, int k) {
-    const double a = 2.0 * kPi * (k % segments) / segments;
+    const double a = 2.0 * std::numbers::pi * (k % segments) / segments;
     return dvec3(p.x * std::cos(a), p.x * std::sin(a), p.y);
   };
   for (std::size_t i = 0; i + 1 < outline.points.size(); ++i) {
@@ -91,12 +90,12 @@ GeneratedPart roundedBox(std::string name, const dvec3& size, double radius, int
   for (int q = 0; q < 4; ++q) {
     for (int i = 0; i <= quarter; ++i) {
       const double sx = q == 0 || q == 3 ? 1.0 : -1.0, sy = q < 2 ? 1.0 : -1.0;
-      around.push_back({0.5 * kPi * (q + static_cast<double>(i) / quarter), sx, sy});
+      around.push_back({0.5 * std::numbers::pi * (q + static_cast<double>(i) / quarter), sx, sy});
     }
   }
   for (int q = 0; q < 2; ++q) {
     for (int i = 0; i <= quarter; ++i)
-      up.push_back({0.5 * kPi * (q - 1 + static_cast<double>(i) / quarter), q == 0 ? -1.0 : 1.0, 0.0});
+      up.push_back({0.5 * std::numbers::pi * (q - 1 + static_cast<double>(i) / quarter), q == 0 ? -1.0 : 1.0, 0.0});
   }
   const auto at = [&](const Place& a, const Place& u) {
     const dvec3 n(std::cos(u.angle) * std::cos(a.angle), std::cos(u.angle) * std::sin(a.angle), std::sin(u.angle));
@@ -106,7 +105,7 @@ GeneratedPart roundedBox(std::string name, const dvec3& size, double radius, int
     const bool flat_up = up[j].angle == up[j + 1].angle;
     for (std::size_t i = 0; i < around.size(); ++i) {
       const Place &a = around[i], &b = around[(i + 1) % around.size()];
-      const bool flat_around = std::abs(std::remainder(a.angle - b.angle, 2.0 * kPi)) < 1e-9;
+      const bool flat_around = std::abs(std::remainder(a.angle - b.angle, 2.0 * std::numbers::pi)) < 1e-9;
       const SurfaceType type = flat_up && flat_around   ? SurfaceType::kPlane
                                : flat_up || flat_around ? SurfaceType::kCylinder
                                                         : SurfaceType::kSphere;
@@ -129,7 +128,7 @@ void addCell(GeneratedPart& part, const dvec2& middle, double half, double heigh
   const double depth = sink > radius ? sink - radius : 0.0;
   const auto corner = [&](int k) { return middle + half * dvec2(k == 0 || k == 3 ? 1 : -1, k < 2 ? 1 : -1); };
   for (int k = 0; k < kSteps; ++k) {
-    const double a0 = 2 * kPi * k / kSteps, a1 = 2 * kPi * ((k + 1) % kSteps) / kSteps;
+    const double a0 = 2 * std::numbers::pi * k / kSteps, a1 = 2 * std::numbers::pi * ((k + 1) % kSteps) / kSteps;
     const dvec2 d0(std::cos(a0), std::sin(a0)), d1(std::cos(a1), std::sin(a1));
     const auto at = [&](const dvec2& d, double r, double z) { return dvec3(middle + r * d, z); };
     addQuad(part,
@@ -194,21 +193,21 @@ GeneratedPart roundedBore() {
   o.lineTo({0.03, 0}, SurfaceType::kPlane);
   o.lineTo({0.03, 0.03}, SurfaceType::kCylinder);
   o.lineTo({0.014, 0.03}, SurfaceType::kPlane);
-  o.arc({0.014, 0.026}, 0.5 * kPi, 6, SurfaceType::kTorus);
+  o.arc({0.014, 0.026}, 0.5 * std::numbers::pi, 6, SurfaceType::kTorus);
   o.lineTo({0.010, 0}, SurfaceType::kCylinder);
   return turned("rounded bore", o, 44, {0.010, 0.03, 0.004});
 }
 
 GeneratedPart torus() {
   Outline o{{{0.06, 0}}, {}};
-  o.arc({0.05, 0}, 2.0 * kPi, 30, SurfaceType::kTorus);
+  o.arc({0.05, 0}, 2.0 * std::numbers::pi, 30, SurfaceType::kTorus);
   o.points.back() = o.points.front();
   return turned("torus", o, 110, {0.010});
 }
 
 GeneratedPart ball() {
   Outline o{{{0, -0.005}}, {}};
-  o.arc({0, 0}, kPi, 14, SurfaceType::kSphere);
+  o.arc({0, 0}, std::numbers::pi, 14, SurfaceType::kSphere);
   o.points.back() = {0, 0.005};
   return turned("sphere", o, 28, {0.005});
 }
@@ -218,7 +217,7 @@ GeneratedPart bracket(double fillet) {
   o.lineTo({0.06, 0}, SurfaceType::kPlane);
   o.lineTo({0.06, 0.01}, SurfaceType::kPlane);
   o.lineTo({0.01 + fillet, 0.01}, SurfaceType::kPlane);
-  if (fillet > 0.0) o.arc({0.01 + fillet, 0.01 + fillet}, -0.5 * kPi, 10, SurfaceType::kCylinder);
+  if (fillet > 0.0) o.arc({0.01 + fillet, 0.01 + fillet}, -0.5 * std::numbers::pi, 10, SurfaceType::kCylinder);
   o.lineTo({0.01, 0.05}, SurfaceType::kPlane);
   o.lineTo({0, 0.05}, SurfaceType::kPlane);
   o.lineTo({0, 0}, SurfaceType::kPlane);
@@ -232,11 +231,11 @@ GeneratedPart boss() {
   o.lineTo({0.03, 0}, SurfaceType::kPlane);
   o.lineTo({0.03, 0.010}, SurfaceType::kCylinder);
   o.lineTo({0.016, 0.010}, SurfaceType::kPlane);
-  o.arc({0.016, 0.014}, -0.5 * kPi, 10, SurfaceType::kTorus);
+  o.arc({0.016, 0.014}, -0.5 * std::numbers::pi, 10, SurfaceType::kTorus);
   o.lineTo({0.012, 0.03}, SurfaceType::kCylinder);
   o.lineTo({0.008, 0.03}, SurfaceType::kPlane);
   o.lineTo({0.008, 0.018}, SurfaceType::kCylinder);
-  o.arc({0.005, 0.018}, -0.5 * kPi, 10, SurfaceType::kTorus);
+  o.arc({0.005, 0.018}, -0.5 * std::numbers::pi, 10, SurfaceType::kTorus);
   o.lineTo({0, 0.015}, SurfaceType::kPlane);
   return turned("boss", o, 44, {0.03, 0.012, 0.008, 0.004, 0.003});
 }

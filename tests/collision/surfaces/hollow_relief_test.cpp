@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
-#include "collision/trees/mesh_collider.h"
 #include "collision/queries/mesh_search.h"
 #include "collision/surfaces/surface_recognition.h"
-#include "tests/collision/surfaces/generated_parts.h"
+#include "collision/trees/mesh_collider.h"
 #include "geometry/shapes/shapes.h"
+#include "tests/collision/surfaces/generated_parts.h"
 
 namespace {
 
@@ -23,7 +24,7 @@ TEST(HollowRelief, ABoresFacetsStandBehindItsSurface) {
   const auto mesh = collision::relievedMesh(surface);
   const auto drawn = collision::MeshCollider::build(surface.mesh);
   const auto relieved = collision::MeshCollider::build(mesh);
-  const double sagitta = kBore * (1.0 - std::cos(M_PI / kSteps));
+  const double sagitta = kBore * (1.0 - std::cos(std::numbers::pi / kSteps));
   double drawn_least = 1.0, least = 1.0, most = 0.0;
   for (int i = 0; i < 500; ++i) {
     const dvec3 p(0.0, 0.0, -0.02 + 8e-5 * i);  // From the axis every way is the bore's radius.

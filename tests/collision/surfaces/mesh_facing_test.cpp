@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "collision/trees/mesh_collider.h"
 #include "geometry/shapes/mass_properties.h"
@@ -43,7 +44,7 @@ TriangleMesh square(double size) {
   return {{{-h, -h, 0}, {h, -h, 0}, {h, h, 0}, {-h, h, 0}}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-TEST(MeshFacing, leavesWhatIsRightToTheLastBit) {
+TEST(MeshFacing, LeavesWhatIsRightToTheLastBit) {
   const TriangleMesh mesh = geometry::makeSphere(0.1, 24);
   const MeshFacing facing = facingOf(mesh);
   EXPECT_EQ(facing.mesh.triangles, mesh.triangles);
@@ -51,7 +52,7 @@ TEST(MeshFacing, leavesWhatIsRightToTheLastBit) {
   EXPECT_EQ(facing.sheets, 0u);
 }
 
-TEST(MeshFacing, aClosedBodyFacesOutwardHoweverItIsWritten) {
+TEST(MeshFacing, AClosedBodyFacesOutwardHoweverItIsWritten) {
   const TriangleMesh box = geometry::makeBox({0.4, 0.4, 0.02});
   const double volume = volumeOf(box);
   for (const TriangleMesh& mesh : {turned(box), soup(turned(box))}) {
@@ -70,7 +71,7 @@ TEST(MeshFacing, aClosedBodyFacesOutwardHoweverItIsWritten) {
   }
 }
 
-TEST(MeshFacing, everyBodyOfAMeshIsJudgedByItself) {
+TEST(MeshFacing, EveryBodyOfAMeshIsJudgedByItself) {
   const TriangleMesh box = geometry::makeBox({0.1, 0.1, 0.1}), ball = geometry::makeSphere(0.05, 20);
   const MeshFacing facing =
       facingOf(joined({{box, {0, 0, 0}}, {turned(ball), {0.3, 0, 0}}, {turned(box), {0.6, 0, 0}}}));
@@ -78,7 +79,7 @@ TEST(MeshFacing, everyBodyOfAMeshIsJudgedByItself) {
   EXPECT_EQ(facing.bodies_turned, 2u);
 }
 
-TEST(MeshFacing, aCavityStaysOneAndWhatIsInItIsSolid) {
+TEST(MeshFacing, ACavityStaysOneAndWhatIsInItIsSolid) {
   const TriangleMesh outer = geometry::makeBox({0.4, 0.4, 0.4}), inner = geometry::makeBox({0.2, 0.2, 0.2}),
                      part = geometry::makeBox({0.05, 0.05, 0.05});
   const double right = volumeOf(outer) - volumeOf(inner) + volumeOf(part);
@@ -91,7 +92,7 @@ TEST(MeshFacing, aCavityStaysOneAndWhatIsInItIsSolid) {
   EXPECT_NEAR(volumeOf(facingOf(cell(true, false, false)).mesh), right, 1e-12) << "the part alone";
 }
 
-TEST(MeshFacing, aSolidWithGapsIsNoSheet) {
+TEST(MeshFacing, ASolidWithGapsIsNoSheet) {
   TriangleMesh ball = geometry::makeSphere(0.1, 40);
   ball.triangles.erase(ball.triangles.begin() + 200);
   ball.triangles.erase(ball.triangles.begin() + 500);
@@ -110,7 +111,7 @@ TEST(MeshFacing, aSolidWithGapsIsNoSheet) {
   EXPECT_NEAR(volumeOf(facing.mesh), 1e-3, 1e-6);
 }
 
-TEST(MeshFacing, openSheetsAreFoundAndMadePlates) {
+TEST(MeshFacing, OpenSheetsAreFoundAndMadePlates) {
   TriangleMesh tray = geometry::makeBox({0.3, 0.2, 0.1});
   std::erase_if(tray.triangles, [&](const geometry::Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](auto v) { return tray.vertices[v].z > 0.049; });
@@ -132,7 +133,7 @@ TEST(MeshFacing, openSheetsAreFoundAndMadePlates) {
   }
 }
 
-TEST(MeshFacing, aBodyBesideASheetIsLeftAlone) {
+TEST(MeshFacing, ABodyBesideASheetIsLeftAlone) {
   const TriangleMesh box = geometry::makeBox({0.1, 0.1, 0.1});
   const MeshFacing facing = facingOf(joined({{square(0.5), {0, 0, -0.2}}, {turned(box), {}}}));
   EXPECT_EQ(facing.sheets, 1u);
@@ -140,7 +141,7 @@ TEST(MeshFacing, aBodyBesideASheetIsLeftAlone) {
   EXPECT_EQ(std::count(facing.sheet_of.begin(), facing.sheet_of.end(), 0u), 2);
 }
 
-TEST(MeshFacing, anythingIsTaken) {
+TEST(MeshFacing, AnythingIsTaken) {
   EXPECT_EQ(facingOf({}).sheets, 0u);
   const TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 0, 1}, {0, 1, 1}}};
   EXPECT_EQ(feltMesh(flat).triangles.size(), 3u);
@@ -148,7 +149,7 @@ TEST(MeshFacing, anythingIsTaken) {
   TriangleMesh strip;
   constexpr int kQuads = 12;
   for (int i = 0; i < kQuads; ++i) {
-    const double a = 2.0 * M_PI * i / kQuads, half = 0.5 * a;
+    const double a = 2.0 * std::numbers::pi * i / kQuads, half = 0.5 * a;
     const dvec3 out(std::cos(a), std::sin(a), 0.0), across = 0.2 * (std::cos(half) * out + dvec3(0, 0, std::sin(half)));
     strip.vertices.push_back(out + across);
     strip.vertices.push_back(out - across);

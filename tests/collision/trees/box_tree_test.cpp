@@ -37,7 +37,7 @@ class BoxTreeBounds : public testing::Test {
   std::normal_distribution<double> normal_;
 };
 
-TEST_F(BoxTreeBounds, aTriangleIsNeverNearerToABoxThanItsBound) {
+TEST_F(BoxTreeBounds, ATriangleIsNeverNearerToABoxThanItsBound) {
   for (int i = 0; i < 2000; ++i) {
     const dvec3 middle = 3.0 * direction();
     const double spread = i % 2 == 0 ? 4.0 : 0.2;
@@ -49,7 +49,7 @@ TEST_F(BoxTreeBounds, aTriangleIsNeverNearerToABoxThanItsBound) {
   }
 }
 
-TEST_F(BoxTreeBounds, aLongSlantingTriangleIsBoundedWithinTheOtherBoxsSize) {
+TEST_F(BoxTreeBounds, ALongSlantingTriangleIsBoundedWithinTheOtherBoxsSize) {
   // Its own box comes nearer by metres; small parts beside large ones would try every triangle (a query of 60 ms).
   for (int i = 0; i < 500; ++i) {
     const Corners triangle{dvec3(0.0), dvec3(100.0, 3.0, 1.0), dvec3(100.0, 3.0, 1.0) + direction()};
@@ -82,7 +82,7 @@ void collectTriangles(const BoxTree& tree, const geometry::TriangleMesh& mesh, B
   }
 }
 
-TEST_F(BoxTreeBounds, boxesHoldTheirTrianglesAlsoWhenThoseAreNeedlesOrFarAway) {
+TEST_F(BoxTreeBounds, BoxesHoldTheirTrianglesAlsoWhenThoseAreNeedlesOrFarAway) {
   for (const double far : {0.0, 20.0}) {
     geometry::TriangleMesh mesh = test::soupMesh(random_, 300, 1.0);
     for (const geometry::Triangle& triangle : mesh.triangles) {
@@ -99,7 +99,7 @@ TEST_F(BoxTreeBounds, boxesHoldTheirTrianglesAlsoWhenThoseAreNeedlesOrFarAway) {
   }
 }
 
-TEST_F(BoxTreeBounds, theTreeDoesNotDependOnTheNumberOfThreads) {
+TEST_F(BoxTreeBounds, TheTreeDoesNotDependOnTheNumberOfThreads) {
   const geometry::TriangleMesh mesh = test::sphereMesh(0.3, 120, 150);
   std::vector<std::uint32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0u);
@@ -112,7 +112,7 @@ TEST_F(BoxTreeBounds, theTreeDoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(std::memcmp(one.leaves().data(), other.leaves().data(), one.leaves().size() * sizeof(LeafBlock)), 0);
 }
 
-TEST_F(BoxTreeBounds, aTreeOfEqualTrianglesStaysShallow) {
+TEST_F(BoxTreeBounds, ATreeOfEqualTrianglesStaysShallow) {
   geometry::TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles.assign(5000, {0, 1, 2});

@@ -23,7 +23,7 @@ double distanceTo(const std::shared_ptr<const MeshCollider>& collider) {
   return distance(ball, Pose::translation({1.0, 0.3, 0.2}), collider, {}).distance;
 }
 
-TEST(ColliderBuild, countsAndLeavesOutWhatIsUnusual) {
+TEST(ColliderBuild, CountsAndLeavesOutWhatIsUnusual) {
   const TriangleMesh sound = test::boxMesh({1, 1, 1});
   TriangleMesh mesh = sound;
   mesh.vertices.push_back({std::numeric_limits<double>::quiet_NaN(), 0, 0});
@@ -44,7 +44,7 @@ TEST(ColliderBuild, countsAndLeavesOutWhatIsUnusual) {
   EXPECT_FALSE(collider->contains({0.1, 0.2, 0.6}));
 }
 
-TEST(ColliderBuild, nothingIsNearAMeshWithoutAnyNumber) {
+TEST(ColliderBuild, NothingIsNearAMeshWithoutAnyNumber) {
   TriangleMesh mesh;
   mesh.vertices.assign(3, dvec3(std::numeric_limits<double>::quiet_NaN()));
   mesh.triangles = {{0, 1, 2}};
@@ -54,7 +54,7 @@ TEST(ColliderBuild, nothingIsNearAMeshWithoutAnyNumber) {
   EXPECT_FALSE(collider->contains({0, 0, 0}));
 }
 
-TEST(ColliderBuild, aSoupOfLooseTrianglesSharesItsVertices) {
+TEST(ColliderBuild, ASoupOfLooseTrianglesSharesItsVertices) {
   const TriangleMesh whole = test::sphereMesh(0.3, 30, 40);
   TriangleMesh soup;
   for (std::uint32_t t = 0; t < whole.triangles.size(); ++t) {
@@ -69,7 +69,7 @@ TEST(ColliderBuild, aSoupOfLooseTrianglesSharesItsVertices) {
   EXPECT_LT(static_cast<double>(collider->memory()) / static_cast<double>(soup.triangles.size()), 150.0);
 }
 
-TEST(ColliderBuild, isCancelledAndToldAbout) {
+TEST(ColliderBuild, IsCancelledAndToldAbout) {
   const TriangleMesh mesh = test::sphereMesh(0.3, 60, 60);
   BuildProgress progress;
   ColliderBuild how;
@@ -100,7 +100,7 @@ class TreeCacheFolder : public testing::Test {
   TriangleMesh mesh_ = test::sphereMesh(0.3, 40, 40);
 };
 
-TEST_F(TreeCacheFolder, givesBackTheTreeThatWasStored) {
+TEST_F(TreeCacheFolder, GivesBackTheTreeThatWasStored) {
   const TreeCache cache(folder_.path() / "trees");
   EXPECT_FALSE(cache.load(mesh_, contentHash(mesh_)));
   const auto built = MeshCollider::build(mesh_, how());
@@ -115,7 +115,7 @@ TEST_F(TreeCacheFolder, givesBackTheTreeThatWasStored) {
   EXPECT_FALSE(cache.load(other, contentHash(other))) << "another content is another file";
 }
 
-TEST_F(TreeCacheFolder, passesOverDamagedFilesAndWritesThemAnew) {
+TEST_F(TreeCacheFolder, PassesOverDamagedFilesAndWritesThemAnew) {
   const double expected = distanceTo(MeshCollider::build(mesh_, how()));
   const std::filesystem::path file = onlyFile();
   const auto size = static_cast<std::size_t>(std::filesystem::file_size(file));
@@ -137,7 +137,7 @@ TEST_F(TreeCacheFolder, passesOverDamagedFilesAndWritesThemAnew) {
   }
 }
 
-TEST_F(TreeCacheFolder, doesWithoutAFolderThatCannotBeMade) {
+TEST_F(TreeCacheFolder, DoesWithoutAFolderThatCannotBeMade) {
   const auto in_the_way = folder_.write("trees", "a file, not a folder");
   EXPECT_EQ(distanceTo(MeshCollider::build(mesh_, how())), distanceTo(MeshCollider::build(mesh_)));
 }

@@ -43,7 +43,7 @@ float asFloat(double x) {
   return static_cast<float>(x);
 }
 
-TEST_P(ProximityKernels, packedDistancesAreWithinTheirDoubt) {
+TEST_P(ProximityKernels, PackedDistancesAreWithinTheirDoubt) {
   double worst_doubt = 0.0;
   for (int round = 0; round < 2000; ++round) {
     PackedPairs pairs;
@@ -71,7 +71,7 @@ TEST_P(ProximityKernels, packedDistancesAreWithinTheirDoubt) {
   EXPECT_LT(worst_doubt, 0.01) << "and the doubt is small";
 }
 
-TEST_P(ProximityKernels, exactDistancesAreExact) {
+TEST_P(ProximityKernels, ExactDistancesAreExact) {
   for (int round = 0; round < 2000; ++round) {
     ExactPairs pairs;
     Corners first[kTreeWidth], second[kTreeWidth];
@@ -91,7 +91,7 @@ TEST_P(ProximityKernels, exactDistancesAreExact) {
   }
 }
 
-TEST_P(ProximityKernels, boxBoundsNeverExceedTheDistanceAndAreTight) {
+TEST_P(ProximityKernels, BoxBoundsNeverExceedTheDistanceAndAreTight) {
   const geometry::TriangleMesh mesh = test::soupMesh(random_, 400, 0.5);
   std::vector<std::uint32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0u);
@@ -120,7 +120,7 @@ TEST_P(ProximityKernels, boxBoundsNeverExceedTheDistanceAndAreTight) {
   }
 }
 
-TEST_P(ProximityKernels, planesOnlyPassOverPairsThatAreFarther) {
+TEST_P(ProximityKernels, PlanesOnlyPassOverPairsThatAreFarther) {
   int passed_over = 0, kept = 0;
   for (int round = 0; round < 3000; ++round) {
     LeafBlock leaves[2] = {};

@@ -12,7 +12,7 @@ namespace {
 using geometry::TriangleMesh;
 using test::boxMesh;
 
-TEST(Shells, tellClosedFromOpen) {
+TEST(Shells, TellClosedFromOpen) {
   EXPECT_TRUE(Shells(boxMesh({1, 1, 1})).allClosed());
   EXPECT_FALSE(Shells(test::sheetMesh(1, 4, 0.1)).anyClosed());
   TriangleMesh holed = boxMesh({1, 1, 1});
@@ -27,7 +27,7 @@ TEST(Shells, tellClosedFromOpen) {
   EXPECT_FALSE(Shells(TriangleMesh{}).allClosed());
 }
 
-TEST(Shells, hairlineGapsOfASoupAreClosed) {
+TEST(Shells, HairlineGapsOfASoupAreClosed) {
   const TriangleMesh box = boxMesh({1, 1, 1});
   TriangleMesh soup;
   for (std::uint32_t t = 0; t < box.triangles.size(); ++t) {
@@ -38,7 +38,7 @@ TEST(Shells, hairlineGapsOfASoupAreClosed) {
   EXPECT_TRUE(Shells(soup).allClosed());
 }
 
-TEST(Shells, insideAgreesWithTheFormula) {
+TEST(Shells, InsideAgreesWithTheFormula) {
   std::mt19937 random(23);
   std::uniform_real_distribution<double> uniform(-0.7, 0.7);
   const auto box = MeshCollider::build(boxMesh({1, 0.6, 0.8})),
@@ -54,7 +54,7 @@ TEST(Shells, insideAgreesWithTheFormula) {
   EXPECT_TRUE(box->contains({0.1, 0, 0}));
 }
 
-TEST(Shells, overlappingSolidsAreInsideAndCavitiesOutside) {
+TEST(Shells, OverlappingSolidsAreInsideAndCavitiesOutside) {
   TriangleMesh overlapping = boxMesh({1, 1, 1});
   geometry::append(overlapping, boxMesh({1, 1, 1}), Pose::translation({0.5, 0.1, 0.2}));
   EXPECT_TRUE(MeshCollider::build(overlapping)->contains({0.25, 0.05, 0.03}));

@@ -35,7 +35,7 @@ class TriangleDistance : public testing::Test {
   std::mt19937 random_{41};
 };
 
-TEST_F(TriangleDistance, agreesWithAlternatingProjections) {
+TEST_F(TriangleDistance, AgreesWithAlternatingProjections) {
   int apart = 0, meeting = 0;
   for (int i = 0; i < 400; ++i) {
     const Corners a = triangle(0.8), b = triangle(0.8);
@@ -52,7 +52,7 @@ TEST_F(TriangleDistance, agreesWithAlternatingProjections) {
   EXPECT_GT(meeting, 10);
 }
 
-TEST_F(TriangleDistance, knownPlaces) {
+TEST_F(TriangleDistance, KnownPlaces) {
   const Corners ground{dvec3(0, 0, 0), dvec3(1, 0, 0), dvec3(0, 1, 0)};
   const auto at = [&](const Corners& other) { return std::sqrt(triangleDistance(ground, other).squared); };
   EXPECT_NEAR(at({dvec3(0.2, 0.2, 0.5), dvec3(0.3, 0.2, 1), dvec3(0.2, 0.3, 1)}), 0.5, 1e-15) << "corner over face";
@@ -63,7 +63,7 @@ TEST_F(TriangleDistance, knownPlaces) {
   EXPECT_EQ(at({dvec3(1, 0, 0), dvec3(2, 0, 0), dvec3(2, 1, 1)}), 0.0) << "a shared corner";
 }
 
-TEST_F(TriangleDistance, degenerateTrianglesAreSegmentsAndPoints) {
+TEST_F(TriangleDistance, DegenerateTrianglesAreSegmentsAndPoints) {
   const Corners ground{dvec3(0, 0, 0), dvec3(1, 0, 0), dvec3(0, 1, 0)};
   const dvec3 p(0.2, 0.2, 0.7);
   EXPECT_NEAR(triangleDistance(ground, {p, p, p}).squared, 0.49, 1e-15);
@@ -74,7 +74,7 @@ TEST_F(TriangleDistance, degenerateTrianglesAreSegmentsAndPoints) {
               1e-14);
 }
 
-TEST_F(TriangleDistance, needlesAndNearlyParallelEdgesKeepMicrometres) {
+TEST_F(TriangleDistance, NeedlesAndNearlyParallelEdgesKeepMicrometres) {
   std::normal_distribution<double> normal;
   for (int i = 0; i < 500; ++i) {
     const double tilt = std::pow(10.0, -1.0 - 0.02 * i);
@@ -84,7 +84,7 @@ TEST_F(TriangleDistance, needlesAndNearlyParallelEdgesKeepMicrometres) {
   }
 }
 
-TEST_F(TriangleDistance, aSegmentGivenAsTriangleIsThatSegmentWhateverItsRounding) {
+TEST_F(TriangleDistance, ASegmentGivenAsTriangleIsThatSegmentWhateverItsRounding) {
   // The middle of two corners is off their line by rounding only; the plane of such a triangle is nowhere.
   for (int i = 0; i < 2000; ++i) {
     Corners needle = triangle(0.3);

@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "geometry/shapes/bounds.h"
 
@@ -22,7 +23,7 @@ Pose anyPose() {
   return {anyVector(5.0), quaternionFromRotationVector(axis)};
 }
 
-RC_GTEST_PROP(Pose, compositionAgreesWithMatrices, ()) {
+RC_GTEST_PROP(Pose, CompositionAgreesWithMatrices, ()) {
   const Pose X_AB = anyPose(), X_BC = anyPose();
   const dvec3 p_CQ = anyVector(2.0);
   const dvec3 by_pose = (X_AB * X_BC) * p_CQ;
@@ -30,29 +31,29 @@ RC_GTEST_PROP(Pose, compositionAgreesWithMatrices, ()) {
   RC_ASSERT(glm::distance(by_pose, by_matrix) < 1e-12);
 }
 
-RC_GTEST_PROP(Pose, inverseUndoes, ()) {
+RC_GTEST_PROP(Pose, InverseUndoes, ()) {
   const Pose X_AB = anyPose();
   const Pose X_AA = X_AB * X_AB.inverse();
   RC_ASSERT(glm::length(X_AA.p) < 1e-12);
   RC_ASSERT(glm::length(rotationVector(X_AA.q)) < 1e-12);
 }
 
-RC_GTEST_PROP(Pose, differenceAndDisplacedAreInverse, ()) {
+RC_GTEST_PROP(Pose, DifferenceAndDisplacedAreInverse, ()) {
   const Pose X_AB = anyPose(), X_AC = anyPose();
   const Pose again = displaced(X_AB, difference(X_AC, X_AB));
   RC_ASSERT(glm::distance(again.p, X_AC.p) < 1e-12);
   RC_ASSERT(glm::length(rotationVector(again.q * glm::conjugate(X_AC.q))) < 1e-12);
 }
 
-TEST(Pose, rotationVectorOfHalfTurnAndOfNothing) {
-  const dvec3 half_turn = rotationVector(glm::angleAxis(M_PI, dvec3(0.0, 1.0, 0.0)));
-  EXPECT_NEAR(half_turn.y, M_PI, 1e-12);
+TEST(Pose, RotationVectorOfHalfTurnAndOfNothing) {
+  const dvec3 half_turn = rotationVector(glm::angleAxis(std::numbers::pi, dvec3(0.0, 1.0, 0.0)));
+  EXPECT_NEAR(half_turn.y, std::numbers::pi, 1e-12);
   EXPECT_EQ(rotationVector(dquat(1.0, 0.0, 0.0, 0.0)), dvec3(0.0));
   const dvec3 tiny(1e-14, 0.0, 0.0);
   EXPECT_NEAR(rotationVector(quaternionFromRotationVector(tiny)).x, 1e-14, 1e-20);
 }
 
-TEST(Pose, interpolateMeetsBothEndsAndTheMiddle) {
+TEST(Pose, InterpolateMeetsBothEndsAndTheMiddle) {
   const Pose X_A0 = Pose::translation({1.0, 0.0, 0.0});
   const Pose X_A1{{3.0, 0.0, 0.0}, glm::angleAxis(1.0, dvec3(0.0, 0.0, 1.0))};
   EXPECT_NEAR(glm::distance(interpolate(X_A0, X_A1, 0.0).p, X_A0.p), 0.0, 1e-15);
@@ -60,7 +61,7 @@ TEST(Pose, interpolateMeetsBothEndsAndTheMiddle) {
   EXPECT_NEAR(rotationVector(interpolate(X_A0, X_A1, 0.5).q).z, 0.5, 1e-12);
 }
 
-TEST(Pose, isValidRefusesWhatIsNotAPose) {
+TEST(Pose, IsValidRefusesWhatIsNotAPose) {
   EXPECT_TRUE(Pose::identity().isValid());
   EXPECT_FALSE((Pose{{NAN, 0.0, 0.0}, dquat(1.0, 0.0, 0.0, 0.0)}).isValid());
   EXPECT_TRUE((Pose::translation({0.0, -1e12, 0.0}).isValid()));
@@ -68,7 +69,7 @@ TEST(Pose, isValidRefusesWhatIsNotAPose) {
   EXPECT_FALSE((Pose{{0.0, 0.0, 0.0}, dquat(0.9, 0.0, 0.0, 0.0)}).isValid());
 }
 
-RC_GTEST_PROP(Bounds, transformedBoxHoldsEveryTransformedPoint, ()) {
+RC_GTEST_PROP(Bounds, TransformedBoxHoldsEveryTransformedPoint, ()) {
   const Pose X_AB = anyPose();
   const std::array points{anyVector(1.0), anyVector(1.0), anyVector(1.0)};
   const geometry::Bounds box_A = geometry::transformed(X_AB, geometry::boundsOf(points));

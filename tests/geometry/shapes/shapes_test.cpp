@@ -12,8 +12,6 @@
 namespace hapticell::geometry {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Watertight, outward, and already welded.
 void expectSolid(TriangleMesh mesh) {
   const std::size_t triangles = mesh.triangles.size();
@@ -45,11 +43,12 @@ TEST(Shapes, HaveTheCountsTheyPromise) {
 }
 
 TEST(Shapes, VolumesTendToTheTrueOnes) {
-  EXPECT_NEAR(massProperties(makeCylinder(0.5, 2.0, 2000)).volume, kPi * 0.25 * 2.0, 1e-5);
-  EXPECT_NEAR(massProperties(makeCone(0.5, 2.0, 2000)).volume, kPi * 0.25 * 2.0 / 3.0, 1e-5);
-  EXPECT_NEAR(massProperties(makeSphere(0.5, 800)).volume, 4.0 / 3.0 * kPi * 0.125, 1e-4);
-  EXPECT_NEAR(massProperties(makeTorus(0.5, 0.1, 800, 400)).volume, 2.0 * kPi * kPi * 0.5 * 0.01, 1e-4);
-  EXPECT_NEAR(massProperties(makePipe(0.5, 0.3, 2.0, 2000)).volume, kPi * (0.25 - 0.09) * 2.0, 1e-5);
+  EXPECT_NEAR(massProperties(makeCylinder(0.5, 2.0, 2000)).volume, std::numbers::pi * 0.25 * 2.0, 1e-5);
+  EXPECT_NEAR(massProperties(makeCone(0.5, 2.0, 2000)).volume, std::numbers::pi * 0.25 * 2.0 / 3.0, 1e-5);
+  EXPECT_NEAR(massProperties(makeSphere(0.5, 800)).volume, 4.0 / 3.0 * std::numbers::pi * 0.125, 1e-4);
+  EXPECT_NEAR(massProperties(makeTorus(0.5, 0.1, 800, 400)).volume,
+              2.0 * std::numbers::pi * std::numbers::pi * 0.5 * 0.01, 1e-4);
+  EXPECT_NEAR(massProperties(makePipe(0.5, 0.3, 2.0, 2000)).volume, std::numbers::pi * (0.25 - 0.09) * 2.0, 1e-5);
 }
 
 TEST(Shapes, ConcavePrismHasTheVolumeOfItsPolygon) {
@@ -73,7 +72,8 @@ RC_GTEST_PROP(Shapes, StarPolygonsKeepTheirArea, ()) {
   double twice_area = 0.0;
   for (int k = 0; k < count; ++k) {
     const double radius = 0.1 + 0.001 * *rc::gen::inRange(0, 2000);
-    outline.emplace_back(radius * std::cos(2.0 * kPi * k / count), radius * std::sin(2.0 * kPi * k / count));
+    outline.emplace_back(radius * std::cos(2.0 * std::numbers::pi * k / count),
+                         radius * std::sin(2.0 * std::numbers::pi * k / count));
   }
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const glm::dvec2 a = outline[k], b = outline[(k + 1) % outline.size()];

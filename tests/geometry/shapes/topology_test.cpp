@@ -9,14 +9,14 @@
 namespace hapticell::geometry {
 namespace {
 
-TEST(Topology, ofClosedShapesFollowsEuler) {
+TEST(Topology, OfClosedShapesFollowsEuler) {
   EXPECT_EQ(topologyOf(makeBox(dvec3(1.0))).euler_characteristic, 2);
   EXPECT_EQ(topologyOf(makeTorus(0.4, 0.1)).euler_characteristic, 0);
   EXPECT_EQ(topologyOf(makePipe(0.4, 0.2, 1.0)).euler_characteristic, 0);
   EXPECT_EQ(topologyOf(makeSphere(1.0)).holes, 0u);
 }
 
-TEST(Topology, countsShellsAndHoles) {
+TEST(Topology, CountsShellsAndHoles) {
   TriangleMesh two = makeBox(dvec3(1.0));
   append(two, makeSphere(0.2), Pose::translation({3.0, 0.0, 0.0}));
   two.triangles.erase(two.triangles.begin());
@@ -27,7 +27,7 @@ TEST(Topology, countsShellsAndHoles) {
   EXPECT_EQ(topology.rejected_triangles, 0u);
 }
 
-TEST(Topology, countsWhatDoesNotFit) {
+TEST(Topology, CountsWhatDoesNotFit) {
   const TriangleMesh fin{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
                          {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {0, 0, 1}}};
   EXPECT_EQ(topologyOf(fin).rejected_triangles, 2u);

@@ -15,7 +15,7 @@ TriangleMesh squareAsSoup() {
   return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 1e-9}, {0, 1, 0}}, {{0, 1, 2}, {3, 4, 5}}};
 }
 
-TEST(Weld, mergesCornersOfASoup) {
+TEST(Weld, MergesCornersOfASoup) {
   TriangleMesh mesh = squareAsSoup();
   const WeldReport report = weld(mesh, weldTolerance(mesh));
   EXPECT_EQ(report.merged_vertices, 2u);
@@ -23,20 +23,20 @@ TEST(Weld, mergesCornersOfASoup) {
   EXPECT_EQ(mesh.triangles.size(), 2u);
 }
 
-TEST(Weld, mergesAcrossCellBorders) {
+TEST(Weld, MergesAcrossCellBorders) {
   TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1e-7, 0, 0}, {0, -1, 0}, {1, -1e-7, 0}},
                     {{0, 1, 2}, {3, 4, 5}}};
   EXPECT_EQ(weld(mesh, 1e-6).merged_vertices, 2u);
 }
 
-TEST(Weld, withoutToleranceMergesEqualCornersOnly) {
+TEST(Weld, WithoutToleranceMergesEqualCornersOnly) {
   TriangleMesh mesh{{{1e6, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e6, 0, 0}, {1, 1e-12, 0}, {0, -1, 0}},
                     {{0, 1, 2}, {3, 4, 5}}};
   EXPECT_EQ(weld(mesh, 0.0).merged_vertices, 1u);
 }
 
 // The grid against all pairs: every vertex stays within tolerance of where it was, and no two kept ones are that near.
-RC_GTEST_PROP(Weld, agreesWithAllPairs, ()) {
+RC_GTEST_PROP(Weld, AgreesWithAllPairs, ()) {
   TriangleMesh mesh;
   const auto count = *rc::gen::inRange<std::uint32_t>(1, 40);
   for (std::uint32_t t = 0; t < count; ++t) {
@@ -57,7 +57,7 @@ RC_GTEST_PROP(Weld, agreesWithAllPairs, ()) {
   }
 }
 
-TEST(Weld, countsDegenerateAndDuplicateTriangles) {
+TEST(Weld, CountsDegenerateAndDuplicateTriangles) {
   TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}},
                     {{0, 1, 2}, {1, 2, 0}, {0, 1, 1}, {0, 1, 3}, {0, 2, 1}}};
   const WeldReport report = weld(mesh, 1e-9);
@@ -67,7 +67,7 @@ TEST(Weld, countsDegenerateAndDuplicateTriangles) {
   EXPECT_EQ(mesh.vertices.size(), 3u) << "unused vertices go";
 }
 
-TEST(TriangleMesh, appendPlacesThePart) {
+TEST(TriangleMesh, AppendPlacesThePart) {
   TriangleMesh whole = squareAsSoup();
   append(whole, squareAsSoup(), Pose::translation({0, 0, 2}));
   EXPECT_EQ(whole.triangles.size(), 4u);
@@ -75,7 +75,7 @@ TEST(TriangleMesh, appendPlacesThePart) {
   EXPECT_EQ(whole.bounds().max.z, 2.0 + 1e-9);
 }
 
-TEST(TriangleMesh, weldsAsFinelyFarFromTheOrigin) {
+TEST(TriangleMesh, WeldsAsFinelyFarFromTheOrigin) {
   TriangleMesh mesh = makeBox(dvec3(0.1));
   const std::size_t triangles = mesh.triangles.size();
   for (dvec3& vertex : mesh.vertices) vertex += dvec3(5e5, 0.0, 0.0);
@@ -85,7 +85,7 @@ TEST(TriangleMesh, weldsAsFinelyFarFromTheOrigin) {
   EXPECT_EQ(mesh.triangles.size(), triangles);
 }
 
-TEST(TriangleMesh, emptyMeshHasEmptyBounds) {
+TEST(TriangleMesh, EmptyMeshHasEmptyBounds) {
   EXPECT_TRUE(TriangleMesh{}.bounds().isEmpty());
   EXPECT_EQ(weldTolerance(TriangleMesh{}), 0.0);
 }

@@ -60,7 +60,7 @@ class AtomicFileTest : public ::testing::Test {
   const fs::path& at() const { return folder_.path(); }
 };
 
-TEST_F(AtomicFileTest, hasItsNameOnlyWhenItIsWhole) {
+TEST_F(AtomicFileTest, HasItsNameOnlyWhenItIsWhole) {
   const fs::path path = folder_.write("a.txt", "old");
   {
     auto file = AtomicFile::begin(path);
@@ -81,7 +81,7 @@ TEST_F(AtomicFileTest, hasItsNameOnlyWhenItIsWhole) {
   EXPECT_THAT(namesIn(at()), ::testing::ElementsAre("a.txt"));
 }
 
-TEST_F(AtomicFileTest, keepsRightsAndAttributesOfWhatItReplaces) {
+TEST_F(AtomicFileTest, KeepsRightsAndAttributesOfWhatItReplaces) {
   const fs::path path = folder_.write("a.txt", "old");
   for (const mode_t rights : {0600, 0640, 0664, 0755}) {
     ASSERT_EQ(::chmod(path.c_str(), rights), 0);
@@ -95,7 +95,7 @@ TEST_F(AtomicFileTest, keepsRightsAndAttributesOfWhatItReplaces) {
   EXPECT_STREQ(value, "cell");
 }
 
-TEST_F(AtomicFileTest, keepsOwnerAndGroup) {
+TEST_F(AtomicFileTest, KeepsOwnerAndGroup) {
   if (::geteuid() != 0) GTEST_SKIP() << "only the administrator may give files away";
   const fs::path path = folder_.write("a.txt", "old");
   ASSERT_EQ(::chown(path.c_str(), 12345, 23456), 0);
@@ -106,7 +106,7 @@ TEST_F(AtomicFileTest, keepsOwnerAndGroup) {
   EXPECT_EQ(factsOf(path).st_mode & 07777, 0640u);
 }
 
-TEST_F(AtomicFileTest, aGroupThatCannotBeKeptGetsNoMoreThanAllOthers) {
+TEST_F(AtomicFileTest, AGroupThatCannotBeKeptGetsNoMoreThanAllOthers) {
   if (::geteuid() != 0) GTEST_SKIP() << "only the administrator may give files away";
   const fs::path path = folder_.write("a.txt", "old");
   ASSERT_EQ(::chown(path.c_str(), 12345, 23456), 0);
@@ -129,7 +129,7 @@ TEST_F(AtomicFileTest, aGroupThatCannotBeKeptGetsNoMoreThanAllOthers) {
   EXPECT_EQ(factsOf(secret).st_mode & 07777, 0622u) << "another group must not read what only the old one could";
 }
 
-TEST_F(AtomicFileTest, newFilesHaveTheUsualRights) {
+TEST_F(AtomicFileTest, NewFilesHaveTheUsualRights) {
   const mode_t before = ::umask(027);
   ASSERT_TRUE(writeFileAtomically(at() / "a.txt", "new"));
   ASSERT_TRUE(writeFileAtomically(at() / "b.txt", "new", {.mode = 0600}));
@@ -138,7 +138,7 @@ TEST_F(AtomicFileTest, newFilesHaveTheUsualRights) {
   EXPECT_EQ(factsOf(at() / "b.txt").st_mode & 07777, 0600u);
 }
 
-TEST_F(AtomicFileTest, followsLinksAlsoToWhatIsNotThereYet) {
+TEST_F(AtomicFileTest, FollowsLinksAlsoToWhatIsNotThereYet) {
   fs::create_directory(at() / "far");
   fs::create_symlink("far/a.txt", at() / "near.txt");
   fs::create_symlink("near.txt", at() / "nearer.txt");
@@ -153,7 +153,7 @@ TEST_F(AtomicFileTest, followsLinksAlsoToWhatIsNotThereYet) {
   EXPECT_THAT(round.error().message(), ::testing::HasSubstr("circle"));
 }
 
-TEST_F(AtomicFileTest, refusesFoldersAndWriteProtectedFiles) {
+TEST_F(AtomicFileTest, RefusesFoldersAndWriteProtectedFiles) {
   EXPECT_FALSE(writeFileAtomically(at(), "x"));
   EXPECT_FALSE(writeFileAtomically(at() / "missing/a.txt", "x"));
   if (::geteuid() == 0) GTEST_SKIP() << "the administrator may write everything";
@@ -165,7 +165,7 @@ TEST_F(AtomicFileTest, refusesFoldersAndWriteProtectedFiles) {
   EXPECT_EQ(contentOf(path), "old");
 }
 
-TEST_F(AtomicFileTest, severalTakeTheirPlacesTogetherOrNot) {
+TEST_F(AtomicFileTest, SeveralTakeTheirPlacesTogetherOrNot) {
   folder_.write("a.txt", "old a");
   folder_.write("b.txt", "old b");
   ASSERT_FALSE(
@@ -182,7 +182,7 @@ TEST_F(AtomicFileTest, severalTakeTheirPlacesTogetherOrNot) {
   EXPECT_EQ(contentOf(at() / "many209"), "209");
 }
 
-TEST_F(AtomicFileTest, aFullDiskLeavesTheOldFile) {
+TEST_F(AtomicFileTest, AFullDiskLeavesTheOldFile) {
   const fs::path path = folder_.write("a.txt", "old");
   const auto before = ::signal(SIGXFSZ, SIG_IGN);
   rlimit limit{};
@@ -201,7 +201,7 @@ TEST_F(AtomicFileTest, aFullDiskLeavesTheOldFile) {
   EXPECT_FALSE(writeFileAtomically("/dev/full", "x")) << "a device is written into as it is";
 }
 
-TEST_F(AtomicFileTest, twoWritersGiveTwoWholeFilesInTurn) {
+TEST_F(AtomicFileTest, TwoWritersGiveTwoWholeFilesInTurn) {
   const fs::path path = at() / "a.txt";
   const std::string first(200'000, 'a'), second(300'000, 'b');
   const auto write = [&](const std::string& content) {
@@ -215,7 +215,7 @@ TEST_F(AtomicFileTest, twoWritersGiveTwoWholeFilesInTurn) {
   EXPECT_THAT(namesIn(at()), ::testing::ElementsAre("a.txt"));
 }
 
-TEST_F(AtomicFileTest, whatADeadWriterLeftIsRemovedAndWhatALivingOneWritesIsNot) {
+TEST_F(AtomicFileTest, WhatADeadWriterLeftIsRemovedAndWhatALivingOneWritesIsNot) {
   runAndKill([&] {
     auto file = AtomicFile::begin(at() / "a.txt");
     auto folder = ScratchFolder::make(at());
@@ -240,7 +240,7 @@ TEST_F(AtomicFileTest, whatADeadWriterLeftIsRemovedAndWhatALivingOneWritesIsNot)
   EXPECT_EQ(contentOf(at() / "b.txt"), "whole");
 }
 
-TEST_F(AtomicFileTest, theNextWriterTidies) {
+TEST_F(AtomicFileTest, TheNextWriterTidies) {
   runAndKill([&] {
     auto file = AtomicFile::begin(at() / "a.txt");
     ::kill(::getpid(), SIGKILL);
@@ -250,7 +250,7 @@ TEST_F(AtomicFileTest, theNextWriterTidies) {
   EXPECT_THAT(namesIn(at()), ::testing::ElementsAre("b.txt"));
 }
 
-TEST_F(AtomicFileTest, aScratchFolderGoesOrGetsItsPlace) {
+TEST_F(AtomicFileTest, AScratchFolderGoesOrGetsItsPlace) {
   {
     auto folder = ScratchFolder::make(at());
     ASSERT_TRUE(folder);

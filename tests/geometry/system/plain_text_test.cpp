@@ -10,13 +10,13 @@
 namespace hapticell {
 namespace {
 
-TEST(PlainText, leaves_words_of_all_scripts_as_they_are) {
+TEST(PlainText, LeavesWordsOfAllScriptsAsTheyAre) {
   for (const char* text :
        {"", "arm 7", "Kühlplatte Ø 8 ± 0,1", "機械", "пресс", "می‌خواهم", "100 % </b>", "😀"})
     EXPECT_EQ(plainText(text), text);
 }
 
-TEST(PlainText, is_one_line_that_no_terminal_obeys) {
+TEST(PlainText, IsOneLineThatNoTerminalObeys) {
   EXPECT_EQ(plainText("x\n12:00:00.000 warning: FORGED"), "x 12:00:00.000 warning: FORGED");
   EXPECT_EQ(plainText("a\r\tb\x1B[2Jc\x07\x7F"), "a  b [2Jc  ");
   EXPECT_EQ(plainText(std::string_view("a\0b", 3)), "a b");
@@ -30,14 +30,14 @@ TEST(PlainText, is_one_line_that_no_terminal_obeys) {
       << "line and paragraph separators";
 }
 
-TEST(PlainText, shows_what_turns_or_hides) {
+TEST(PlainText, ShowsWhatTurnsOrHides) {
   EXPECT_EQ(plainText("exe.\xE2\x80\xAEgnp"), "exe.\xEF\xBF\xBDgnp") << "right-to-left override";
   for (const char* mark : {"\xD8\x9C", "\xE2\x80\x8E", "\xE2\x80\x8F", "\xE2\x80\xAA", "\xE2\x81\xA6", "\xE2\x81\xA9",
                            "\xE2\x80\x8B", "\xEF\xBB\xBF", "\xC2\xAD", "\xF3\xA0\x81\x81"})
     EXPECT_EQ(plainText(mark), "\xEF\xBF\xBD");
 }
 
-TEST(PlainText, is_valid_however_bent) {
+TEST(PlainText, IsValidHoweverBent) {
   const std::string unknown = "\xEF\xBF\xBD";
   EXPECT_EQ(plainText("a\xFF"
                       "b"),
@@ -49,13 +49,13 @@ TEST(PlainText, is_valid_however_bent) {
   EXPECT_EQ(plainText("\xE6\xA9"), unknown) << "cut within";
 }
 
-TEST(PlainText, is_cut_between_characters) {
+TEST(PlainText, IsCutBetweenCharacters) {
   EXPECT_EQ(plainText("abcdef", 6), "abcdef");
   EXPECT_EQ(plainText("abcdefg", 6), "abcdef...");
   EXPECT_EQ(plainText("abcde\xC3\xA4", 6), "abcde...");
 }
 
-TEST(PlainText, twice_is_the_same_and_never_a_control_character) {
+TEST(PlainText, TwiceIsTheSameAndNeverAControlCharacter) {
   std::mt19937 random(29);
   std::uniform_int_distribution<int> byte(0, 255), length(0, 40);
   for (int i = 0; i < 20'000; ++i) {
@@ -68,8 +68,8 @@ TEST(PlainText, twice_is_the_same_and_never_a_control_character) {
   }
 }
 
-TEST(PlainText, stands_in_every_part_of_an_error) {
-  const Error error{"a\nb.stl", "line\n1", "x\x1B[31m", "y\r", "Do\nit."};
+TEST(PlainText, StandsInEveryPartOfAnError) {
+  const Error error{.file = "a\nb.stl", .place = "line\n1", .found = "x\x1B[31m", .expected = "y\r", .fix = "Do\nit."};
   EXPECT_EQ(error.message(), "a b.stl, line 1: x [31m; expected y . Do it.");
 }
 

@@ -30,7 +30,7 @@ bool eventuallyState(HapticLink& link, Condition&& condition) {
   });
 }
 
-TEST(TcpLink, connects_and_hears_the_device_states_and_statistics) {
+TEST(TcpLink, ConnectsAndHearsTheDeviceStatesAndStatistics) {
   LiveServer server;
   TcpLink link(to(server.port()));
   ASSERT_TRUE(connects(link));
@@ -45,7 +45,7 @@ TEST(TcpLink, connects_and_hears_the_device_states_and_statistics) {
   })) << "heart-beats come by themselves";
 }
 
-TEST(TcpLink, a_press_between_two_looks_is_seen_once) {
+TEST(TcpLink, APressBetweenTwoLooksIsSeenOnce) {
   LiveServer server;
   TcpLink link(to(server.port()));
   ASSERT_TRUE(connects(link));
@@ -72,7 +72,7 @@ TEST(TcpLink, a_press_between_two_looks_is_seen_once) {
   EXPECT_EQ(pressed, 1);
 }
 
-TEST(TcpLink, hears_how_the_device_is_and_asks_for_its_calibration) {
+TEST(TcpLink, HearsHowTheDeviceIsAndAsksForItsCalibration) {
   DeviceCare care;
   care.tell({.calibrated = false, .calibration = {"Put the stylus into its inkwell."}});
   LiveServer server({.care = &care});
@@ -101,7 +101,7 @@ TEST(TcpLink, hears_how_the_device_is_and_asks_for_its_calibration) {
   EXPECT_FALSE(care.takeCalibration().has_value());
 }
 
-TEST(TcpLink, a_session_over_the_socket_feels_the_floor) {
+TEST(TcpLink, ASessionOverTheSocketFeelsTheFloor) {
   LiveServer server;
   TcpLink link(to(server.port()));
   ASSERT_TRUE(connects(link));
@@ -113,7 +113,7 @@ TEST(TcpLink, a_session_over_the_socket_feels_the_floor) {
   EXPECT_TRUE(eventuallyState(link, [](const HapticState& s) { return s.force_D.z > 2.0 && s.buttons == 1; }));
 }
 
-TEST(TcpLink, says_what_to_do_when_no_server_answers) {
+TEST(TcpLink, SaysWhatToDoWhenNoServerAnswers) {
   std::uint16_t unused = 0;
   {
     LiveServer server;
@@ -128,7 +128,7 @@ TEST(TcpLink, says_what_to_do_when_no_server_answers) {
   EXPECT_FALSE(link.latestState().has_value());
 }
 
-TEST(TcpLink, connects_again_when_the_server_comes_back) {
+TEST(TcpLink, ConnectsAgainWhenTheServerComesBack) {
   NetworkOptions options;
   auto server = std::make_unique<LiveServer>(options);
   options.port = server->port();
@@ -146,7 +146,7 @@ TEST(TcpLink, connects_again_when_the_server_comes_back) {
       << "forces must be enabled again";
 }
 
-TEST(TcpLink, a_refused_one_tells_the_servers_sentence_and_gets_in_when_there_is_room) {
+TEST(TcpLink, ARefusedOneTellsTheServersSentenceAndGetsInWhenThereIsRoom) {
   LiveServer server;
   auto first = std::make_unique<TcpLink>(to(server.port()));
   ASSERT_TRUE(connects(*first));
@@ -157,7 +157,7 @@ TEST(TcpLink, a_refused_one_tells_the_servers_sentence_and_gets_in_when_there_is
   EXPECT_TRUE(connects(second));
 }
 
-TEST(TcpLink, watches_where_it_may_not_control) {
+TEST(TcpLink, WatchesWhereItMayNotControl) {
   LiveServer server;
   TcpLink first(to(server.port()));
   ASSERT_TRUE(connects(first));
@@ -171,7 +171,7 @@ TEST(TcpLink, watches_where_it_may_not_control) {
   EXPECT_TRUE(eventuallyState(second, [](const HapticState& s) { return s.adopted_set == 7; }));
 }
 
-TEST(TcpLink, takes_the_stylus_only_by_a_word_of_its_user) {
+TEST(TcpLink, TakesTheStylusOnlyByAWordOfItsUser) {
   LiveServer server({.takeover_time = 0.05});
   TcpLink first(to(server.port()));
   ASSERT_TRUE(connects(first));
@@ -187,7 +187,7 @@ TEST(TcpLink, takes_the_stylus_only_by_a_word_of_its_user) {
   EXPECT_THAT(first.problem(), HasSubstr("stylus"));
 }
 
-TEST(TcpLink, a_watcher_that_tries_to_control_stays_connected) {
+TEST(TcpLink, AWatcherThatTriesToControlStaysConnected) {
   LiveServer server;
   TcpLinkOptions options = to(server.port());
   options.kind = ClientKind::kWatcher;
@@ -199,7 +199,7 @@ TEST(TcpLink, a_watcher_that_tries_to_control_stays_connected) {
   EXPECT_EQ(link.connections(), 1u) << "it does not send what it may not";
 }
 
-TEST(TcpLink, ends_at_once_in_any_state) {
+TEST(TcpLink, EndsAtOnceInAnyState) {
   LiveServer server;
   for (int i = 0; i < 20; ++i) {
     TcpLink link(to(server.port()));

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <initializer_list>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -23,7 +24,7 @@ std::string problem(std::string_view text) {
   return path ? "no problem" : path.error().message();
 }
 
-TEST(HandPath, interpolatesPosesAndHoldsButtonsAndEnds) {
+TEST(HandPath, InterpolatesPosesAndHoldsButtonsAndEnds) {
   const auto path = parseHandPath(
       "t,x,y,z,qw,qx,qy,qz,button\n"
       "1.0,0,0,0,1,0,0,0,0\n"
@@ -33,14 +34,14 @@ TEST(HandPath, interpolatesPosesAndHoldsButtonsAndEnds) {
   EXPECT_EQ(path->duration(), 2.0);
   const HandSample middle = path->at(1.5);
   EXPECT_NEAR(middle.X_DH.p.y, 0.01, 1e-15);
-  EXPECT_NEAR(rotationVector(middle.X_DH.q).z, M_PI / 4.0, 1e-12);
+  EXPECT_NEAR(rotationVector(middle.X_DH.q).z, std::numbers::pi / 4.0, 1e-12);
   EXPECT_EQ(middle.buttons, 0u);
   EXPECT_EQ(path->at(0.0).X_DH.p, dvec3(0.0));
   EXPECT_EQ(path->at(99.0).X_DH.p, dvec3(0.01, 0.02, -0.03));
   EXPECT_EQ(path->at(2.0).buttons, 1u);
 }
 
-TEST(HandPath, takesColumnsInAnyOrderAndWithoutTurning) {
+TEST(HandPath, TakesColumnsInAnyOrderAndWithoutTurning) {
   const auto path =
       parseHandPath("\xEF\xBB\xBFz, y ,x,note,t\r\n# a remark\r\n0.3,0.2,+0.1,hello,0\r\n\r\n", "hand.csv");
   ASSERT_TRUE(path.has_value()) << path.error().message();
@@ -48,14 +49,14 @@ TEST(HandPath, takesColumnsInAnyOrderAndWithoutTurning) {
   EXPECT_EQ(path->at(0.0).X_DH.q, dquat(1, 0, 0, 0));
 }
 
-TEST(HandPath, twoSamplesAtOneTimeAreAStep) {
+TEST(HandPath, TwoSamplesAtOneTimeAreAStep) {
   const auto path = parseHandPath("t,x,y,z\n0,0,0,0\n1,0,0,0\n1,0.1,0,0\n2,0.1,0,0\n", "hand.csv");
   ASSERT_TRUE(path.has_value());
   EXPECT_NEAR(path->at(0.999).X_DH.p.x, 0.0, 1e-12);
   EXPECT_NEAR(path->at(1.0).X_DH.p.x, 0.1, 1e-12);
 }
 
-TEST(HandPath, namesLineAndColumnOfWhatIsWrong) {
+TEST(HandPath, NamesLineAndColumnOfWhatIsWrong) {
   EXPECT_EQ(problem("t,x,y,z\n0,0,0,0\n1,zero,0,0\n"), "hand.csv, line 3, column 'x': \"zero\"; expected a number");
   EXPECT_THAT(problem("t,x,y,z\n0,0,0\n"), HasSubstr("line 2, column 'z'"));
   EXPECT_THAT(problem("t,x,y,z\n0,nan,0,0\n"), HasSubstr("column 'x'"));
@@ -71,7 +72,7 @@ TEST(HandPath, namesLineAndColumnOfWhatIsWrong) {
   EXPECT_THAT(problem(""), HasSubstr("there is no row"));
 }
 
-TEST(HandPath, readsAFileAndSaysWhenItCannot) {
+TEST(HandPath, ReadsAFileAndSaysWhenItCannot) {
   const test::TemporaryFolder folder;
   const auto path = readHandPath(folder.write("hand.csv", "t,x,y,z\n0,0.01,0,0\n"));
   ASSERT_TRUE(path.has_value());
@@ -85,7 +86,7 @@ HandPath read(const std::string& text) {
   return path ? std::move(*path) : HandPath({HandSample{}});
 }
 
-TEST(HandPath, timesOfAClockCountFromTheFirstRow) {
+TEST(HandPath, TimesOfAClockCountFromTheFirstRow) {
   for (const auto& [begin, step] : std::initializer_list<std::pair<const char*, double>>{{"1700000000.0", 0.5},
                                                                                          {"1700000000000", 500.0},
                                                                                          {"1700000000000000", 5e5},
@@ -106,13 +107,13 @@ TEST(HandPath, timesOfAClockCountFromTheFirstRow) {
   }
 }
 
-TEST(HandPath, aPauseBeforeThePathIsKept) {
+TEST(HandPath, APauseBeforeThePathIsKept) {
   const HandPath path = read("t,x,y,z\n2,0,0,0\n5,0.01,0,0\n");
   EXPECT_EQ(path.duration(), 5.0);
   EXPECT_TRUE(path.assumptions().empty());
 }
 
-TEST(HandPath, aRecordingInMillisecondsIsRecognised) {
+TEST(HandPath, ARecordingInMillisecondsIsRecognised) {
   std::string text = "t,x,y,z\n";
   for (int i = 0; i < 200; ++i) text += std::to_string(5 * i) + ",0,0,0.01\n";
   const HandPath path = read(text);
@@ -122,7 +123,7 @@ TEST(HandPath, aRecordingInMillisecondsIsRecognised) {
   EXPECT_TRUE(read("t,x,y,z\n0,0,0,0\n5,0.01,0,0\n10,0,0,0\n").assumptions().empty()) << "a few rows of a slow hand";
 }
 
-TEST(HandPath, positionsInMillimetresAreRecognisedAndFartherOnesRefused) {
+TEST(HandPath, PositionsInMillimetresAreRecognisedAndFartherOnesRefused) {
   const HandPath path = read("t,x,y,z\n0,0,0,20\n1,-40,0.5,10\n");
   EXPECT_NEAR(path.at(0.0).X_DH.p.z, 0.02, 1e-15);
   EXPECT_NEAR(path.at(1.0).X_DH.p.x, -0.04, 1e-15);

@@ -15,7 +15,7 @@ dvec3 randomPoint(std::mt19937& random) {
   return dvec3(0.160, 0.130, 0.130) * dvec3(unit(random), unit(random), unit(random));
 }
 
-TEST(PhantomArm, reachesTheWholeWorkspaceOfTheDesktop) {
+TEST(PhantomArm, ReachesTheWholeWorkspaceOfTheDesktop) {
   const PhantomArm arm(0.160, 0.160);
   for (int corner = 0; corner < 8; ++corner) {
     const dvec3 p(corner & 1 ? 0.08 : -0.08, corner & 2 ? 0.065 : -0.065, corner & 4 ? 0.065 : -0.065);
@@ -24,7 +24,7 @@ TEST(PhantomArm, reachesTheWholeWorkspaceOfTheDesktop) {
   }
 }
 
-TEST(PhantomArm, jointsInvertTip) {
+TEST(PhantomArm, JointsInvertTip) {
   const PhantomArm arm(0.160, 0.140);
   std::mt19937 random(1);
   for (int i = 0; i < 2000; ++i) {
@@ -33,7 +33,7 @@ TEST(PhantomArm, jointsInvertTip) {
   }
 }
 
-TEST(PhantomArm, jacobianIsTheDerivativeOfTip) {
+TEST(PhantomArm, JacobianIsTheDerivativeOfTip) {
   const PhantomArm arm(0.215, 0.170);
   std::mt19937 random(2);
   const double h = 1e-6;
@@ -50,7 +50,7 @@ TEST(PhantomArm, jacobianIsTheDerivativeOfTip) {
 }
 
 /// J^T F by virtual work along differences of the tip, and back by F = J^-T tau.
-TEST(PhantomArm, torquesDoTheForcesWork) {
+TEST(PhantomArm, TorquesDoTheForcesWork) {
   const PhantomArm arm(0.215, 0.170);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> newton(-8.0, 8.0);
@@ -69,7 +69,7 @@ TEST(PhantomArm, torquesDoTheForcesWork) {
   }
 }
 
-TEST(PhantomArm, keepsTheRayOfATipOutOfReach) {
+TEST(PhantomArm, KeepsTheRayOfATipOutOfReach) {
   const PhantomArm arm(0.160, 0.160);
   const dvec3 far(0.0, -2.0, 0.5);
   const dvec3 reached = arm.tip(arm.joints(far)) - arm.shoulder();

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace hapticell::haptic {
 namespace {
@@ -27,7 +28,7 @@ DeviceReading readingOf(SimulatedDevice& device) {
   return reading;
 }
 
-TEST(SimulatedDevice, tellsThePapersFigures) {
+TEST(SimulatedDevice, TellsThePapersFigures) {
   const SimulatedDevice device;
   const DeviceCapabilities& can = device.capabilities();
   EXPECT_EQ(can.workspace_max - can.workspace_min, dvec3(0.160, 0.130, 0.130));
@@ -36,7 +37,7 @@ TEST(SimulatedDevice, tellsThePapersFigures) {
   EXPECT_EQ(can.driven_axes, 3);
 }
 
-TEST(SimulatedDevice, isShutUntilOpened) {
+TEST(SimulatedDevice, IsShutUntilOpened) {
   SimulatedDevice device;
   DeviceReading reading;
   EXPECT_EQ(device.read(reading), DeviceStatus::kNotOpen);
@@ -48,7 +49,7 @@ TEST(SimulatedDevice, isShutUntilOpened) {
   EXPECT_EQ(device.read(reading), DeviceStatus::kNotOpen);
 }
 
-TEST(SimulatedDevice, acceleratesWithItsApparentMassInTheMiddle) {
+TEST(SimulatedDevice, AcceleratesWithItsApparentMassInTheMiddle) {
   for (int axis = 0; axis < 3; ++axis) {
     SimulatedDevice device(frictionless());
     ASSERT_TRUE(device.open().has_value());
@@ -63,7 +64,7 @@ TEST(SimulatedDevice, acceleratesWithItsApparentMassInTheMiddle) {
   }
 }
 
-TEST(SimulatedDevice, delaysTheForceByItsTicks) {
+TEST(SimulatedDevice, DelaysTheForceByItsTicks) {
   for (const int delay : {0, 1, 3}) {
     config::DeviceProfile profile = frictionless();
     profile.delay_ticks = delay;
@@ -79,7 +80,7 @@ TEST(SimulatedDevice, delaysTheForceByItsTicks) {
   }
 }
 
-TEST(SimulatedDevice, quantisesTheForceByTwelveBits) {
+TEST(SimulatedDevice, QuantisesTheForceByTwelveBits) {
   SimulatedDevice device;
   ASSERT_TRUE(device.open().has_value());
   const double step = 7.9 / 2048.0;
@@ -97,7 +98,7 @@ TEST(SimulatedDevice, quantisesTheForceByTwelveBits) {
   EXPECT_LE(changes, 4) << "0.01 N are under three steps";
 }
 
-TEST(SimulatedDevice, sticksByFrictionAndBreaksLoose) {
+TEST(SimulatedDevice, SticksByFrictionAndBreaksLoose) {
   config::DeviceProfile profile = frictionless();
   profile.coulomb_friction = 0.06;
   SimulatedDevice device(profile);
@@ -118,7 +119,7 @@ TEST(SimulatedDevice, sticksByFrictionAndBreaksLoose) {
   EXPECT_EQ(device.trueVelocity(), dvec3(0.0));
 }
 
-TEST(SimulatedDevice, readsInEncoderSteps) {
+TEST(SimulatedDevice, ReadsInEncoderSteps) {
   SimulatedDevice device;
   ASSERT_TRUE(device.open().has_value());
   double worst = 0.0;
@@ -136,7 +137,7 @@ TEST(SimulatedDevice, readsInEncoderSteps) {
   EXPECT_NEAR(steps, 100, 5) << "2 mm in steps of 0.02 mm";
 }
 
-TEST(SimulatedDevice, readsRotationInGimbalSteps) {
+TEST(SimulatedDevice, ReadsRotationInGimbalSteps) {
   SimulatedDevice device;
   ASSERT_TRUE(device.open().has_value());
   for (int i = 0; i < 500; ++i) {
@@ -150,7 +151,7 @@ TEST(SimulatedDevice, readsRotationInGimbalSteps) {
   EXPECT_LT(glm::length(rotationVector(readingOf(device).X_DS.q)), 1e-12);
 }
 
-TEST(SimulatedDevice, stopsAtTheEdgeOfItsWorkspace) {
+TEST(SimulatedDevice, StopsAtTheEdgeOfItsWorkspace) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
       SimulatedDevice device;
@@ -168,7 +169,7 @@ TEST(SimulatedDevice, stopsAtTheEdgeOfItsWorkspace) {
   }
 }
 
-TEST(SimulatedDevice, warmsToTheLimitAtTheContinuousForce) {
+TEST(SimulatedDevice, WarmsToTheLimitAtTheContinuousForce) {
   SimulatedDevice device;
   ASSERT_TRUE(device.open().has_value());
   device.hand().hold(Pose::identity());
@@ -180,7 +181,7 @@ TEST(SimulatedDevice, warmsToTheLimitAtTheContinuousForce) {
   EXPECT_NEAR(readingOf(device).motor_temperature, 1.0 - std::exp(-1.0), 0.02) << "one time constant of 30 s";
 }
 
-TEST(SimulatedDevice, refusesAForceThatIsNoNumber) {
+TEST(SimulatedDevice, RefusesAForceThatIsNoNumber) {
   SimulatedDevice device;
   ASSERT_TRUE(device.open().has_value());
   EXPECT_EQ(device.write(dvec3(0, std::nan(""), 0), dvec3(0.0)), DeviceStatus::kFault);
@@ -189,7 +190,7 @@ TEST(SimulatedDevice, refusesAForceThatIsNoNumber) {
   EXPECT_EQ(device.motorForce(), dvec3(0.0));
 }
 
-TEST(SimulatedDevice, fallsUnderAWeightThatFrictionDoesNotHold) {
+TEST(SimulatedDevice, FallsUnderAWeightThatFrictionDoesNotHold) {
   config::DeviceProfile profile;
   SimulatedDevice held(profile);
   advance(held, 1000);
@@ -200,7 +201,7 @@ TEST(SimulatedDevice, fallsUnderAWeightThatFrictionDoesNotHold) {
   EXPECT_NEAR(falling.truePose().p.z, -0.065, 1e-3);
 }
 
-TEST(SimulatedHand, bringsTheStylusWhereItWants) {
+TEST(SimulatedHand, BringsTheStylusWhereItWants) {
   SimulatedDevice device;
   ASSERT_TRUE(device.open().has_value());
   const Pose goal{dvec3(0.03, -0.02, 0.01), quaternionFromRotationVector(dvec3(0.3, -0.2, 0.5))};
@@ -214,7 +215,7 @@ TEST(SimulatedHand, bringsTheStylusWhereItWants) {
   EXPECT_EQ(readingOf(device).buttons, 1u);
 }
 
-TEST(SimulatedHand, isASpringOfItsStiffness) {
+TEST(SimulatedHand, IsASpringOfItsStiffness) {
   SimulatedDevice device(frictionless());
   ASSERT_TRUE(device.open().has_value());
   for (int i = 0; i < 3000; ++i) {
@@ -226,7 +227,7 @@ TEST(SimulatedHand, isASpringOfItsStiffness) {
   EXPECT_NEAR(device.handForce().z, -1.5, 0.01);
 }
 
-TEST(SimulatedHand, swingsWithTheFrequencyOfItsMassAndSpring) {
+TEST(SimulatedHand, SwingsWithTheFrequencyOfItsMassAndSpring) {
   SimulatedDevice device(frictionless());
   ASSERT_TRUE(device.open().has_value());
   HandOptions hand;
@@ -244,10 +245,10 @@ TEST(SimulatedHand, swingsWithTheFrequencyOfItsMassAndSpring) {
     last = device.truePose().p.x;
   }
   // omega^2 = 300 / (0.1 + 0.045 in this direction): 7.24 Hz.
-  EXPECT_NEAR(crossings / 5.0, std::sqrt(300.0 / 0.145) / (2.0 * M_PI), 0.4);
+  EXPECT_NEAR(crossings / 5.0, std::sqrt(300.0 / 0.145) / (2.0 * std::numbers::pi), 0.4);
 }
 
-TEST(SimulatedHand, letsGoOfTheButtonWithTheStylus) {
+TEST(SimulatedHand, LetsGoOfTheButtonWithTheStylus) {
   SimulatedDevice device;
   ASSERT_TRUE(device.open().has_value());
   device.hand().hold(Pose::identity(), 1);
@@ -259,7 +260,7 @@ TEST(SimulatedHand, letsGoOfTheButtonWithTheStylus) {
   EXPECT_EQ(device.handForce(), dvec3(0.0));
 }
 
-TEST(SimulatedHand, followsAJumpingMouseAtAHandsSpeed) {
+TEST(SimulatedHand, FollowsAJumpingMouseAtAHandsSpeed) {
   SimulatedDevice device;
   ASSERT_TRUE(device.open().has_value());
   double fastest = 0.0;
@@ -273,7 +274,7 @@ TEST(SimulatedHand, followsAJumpingMouseAtAHandsSpeed) {
   EXPECT_TRUE(device.truePose().isValid());
 }
 
-TEST(SimulatedHand, ignoresAPoseThatIsNone) {
+TEST(SimulatedHand, IgnoresAPoseThatIsNone) {
   SimulatedDevice device;
   ASSERT_TRUE(device.open().has_value());
   device.hand().hold(Pose::identity(), 1);
@@ -283,7 +284,7 @@ TEST(SimulatedHand, ignoresAPoseThatIsNone) {
   EXPECT_EQ(readingOf(device).buttons, 1u);
 }
 
-TEST(SimulatedDevice, stepsAlikeInVirtualTimeAgain) {
+TEST(SimulatedDevice, StepsAlikeInVirtualTimeAgain) {
   const auto run = [] {
     SimulatedDevice device;
     EXPECT_TRUE(device.open().has_value());

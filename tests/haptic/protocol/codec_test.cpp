@@ -22,7 +22,7 @@ std::vector<std::uint8_t> frameOf(const Message& message) {
 Expected<Message> decodeFrame(std::span<const std::uint8_t> frame) {
   Message message;
   const auto decoded = decode(frame.subspan(kFrameHeaderBytes), message);
-  if (!decoded) return tl::unexpected(decoded.error());
+  HAPTICELL_TRY(decoded);
   return message;
 }
 
@@ -38,26 +38,26 @@ ConstraintSet fullSet() {
   return set;
 }
 
-RC_GTEST_PROP(Codec, every_field_of_every_message_comes_back, ()) {
+RC_GTEST_PROP(Codec, EveryFieldOfEveryMessageComesBack, ()) {
   const Message sent = any::message();
   const auto received = decodeFrame(frameOf(sent));
   RC_ASSERT(received.has_value());
   RC_ASSERT(same(*received, sent));
 }
 
-TEST(Codec, the_frame_begins_with_its_little_endian_length) {
+TEST(Codec, TheFrameBeginsWithItsLittleEndianLength) {
   const auto frame = frameOf(Refusal{"no"});
   const std::size_t length = frame[0] | frame[1] << 8 | frame[2] << 16 | static_cast<std::size_t>(frame[3]) << 24;
   EXPECT_EQ(length, frame.size() - kFrameHeaderBytes);
   EXPECT_EQ(std::string(frame.begin() + 8, frame.begin() + 12), "HCEL");
 }
 
-TEST(Codec, a_full_set_fits_the_limit_and_a_state_is_small) {
+TEST(Codec, AFullSetFitsTheLimitAndAStateIsSmall) {
   EXPECT_LT(frameOf(fullSet()).size(), kMaxFrameBytes / 2);
   EXPECT_LT(frameOf(HapticState{}).size(), 400u);
 }
 
-TEST(Codec, a_buffer_at_an_odd_address_reads_the_same) {
+TEST(Codec, ABufferAtAnOddAddressReadsTheSame) {
   const auto frame = frameOf(fullSet());
   for (std::size_t shift = 0; shift < 8; ++shift) {
     std::vector<std::uint8_t> moved(shift);
@@ -68,13 +68,13 @@ TEST(Codec, a_buffer_at_an_odd_address_reads_the_same) {
   }
 }
 
-TEST(Codec, a_long_text_is_cut) {
+TEST(Codec, ALongTextIsCut) {
   const auto received = decodeFrame(frameOf(Refusal{std::string(5000, 'x')}));
   ASSERT_TRUE(received.has_value());
   EXPECT_EQ(std::get<Refusal>(*received).sentence, std::string(kMaxTextBytes, 'x'));
 }
 
-TEST(Codec, decoding_a_set_after_a_larger_one_leaves_nothing_of_it) {
+TEST(Codec, DecodingASetAfterALargerOneLeavesNothingOfIt) {
   Message message;
   const auto large = frameOf(fullSet());
   ConstraintSet one = fullSet();
@@ -87,7 +87,7 @@ TEST(Codec, decoding_a_set_after_a_larger_one_leaves_nothing_of_it) {
   EXPECT_TRUE(same(message, one));
 }
 
-TEST(Codec, numbers_that_are_none_are_refused_in_words) {
+TEST(Codec, NumbersThatAreNoneAreRefusedInWords) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   const auto refused = [](const Message& message) {
     const auto received = decodeFrame(frameOf(message));
@@ -132,7 +132,7 @@ TEST(Codec, numbers_that_are_none_are_refused_in_words) {
 }
 
 /// Finite numbers that nothing in a workcell and no hand has: each field just beyond its bound, one at a time.
-TEST(Codec, every_number_has_a_bound) {
+TEST(Codec, EveryNumberHasABound) {
   std::vector<Message> beyond;
   const auto set = [&](auto&& change) {
     ConstraintSet wrong = fullSet();
@@ -178,7 +178,7 @@ TEST(Codec, every_number_has_a_bound) {
   EXPECT_TRUE(decodeFrame(frameOf(fullSet())).has_value());
 }
 
-TEST(Codec, every_truncation_is_refused) {
+TEST(Codec, EveryTruncationIsRefused) {
   for (const Message& message : {Message(fullSet()), Message(Hello{}), Message(Welcome{}), Message(HapticState{})}) {
     const auto frame = frameOf(message);
     const std::size_t whole = frame.size() - kFrameHeaderBytes;
@@ -205,7 +205,7 @@ void expectHarmless(std::span<const std::uint8_t> flatbuffer) {
   EXPECT_TRUE(well_formed);
 }
 
-TEST(Codec, mutated_frames_do_no_harm) {
+TEST(Codec, MutatedFramesDoNoHarm) {
   std::mt19937_64 random(20261121);
   const std::vector<std::vector<std::uint8_t>> seeds = {frameOf(fullSet()),          frameOf(Hello{.program = "seed"}),
                                                         frameOf(Welcome{}),          frameOf(HapticState{}),
@@ -225,11 +225,11 @@ TEST(Codec, mutated_frames_do_no_harm) {
   }
 }
 
-RC_GTEST_PROP(Codec, any_bytes_do_no_harm, (const std::vector<std::uint8_t>& bytes)) {
+RC_GTEST_PROP(Codec, AnyBytesDoNoHarm, (const std::vector<std::uint8_t>& bytes)) {
   expectHarmless(bytes);
 }
 
-TEST(Codec, more_constraints_than_a_set_holds_are_refused) {
+TEST(Codec, MoreConstraintsThanASetHoldsAreRefused) {
   // The count of the constraints' vector, made larger in place: the verifier must see that the buffer ends before.
   auto frame = frameOf(fullSet());
   std::size_t changed = 0;
@@ -243,7 +243,7 @@ TEST(Codec, more_constraints_than_a_set_holds_are_refused) {
   EXPECT_GE(changed, 1u);
 }
 
-TEST(FrameReader, cuts_a_stream_that_comes_in_any_pieces) {
+TEST(FrameReader, CutsAStreamThatComesInAnyPieces) {
   std::vector<std::uint8_t> stream;
   std::vector<std::vector<std::uint8_t>> frames;
   for (int i = 0; i < 20; ++i) {
@@ -267,7 +267,7 @@ TEST(FrameReader, cuts_a_stream_that_comes_in_any_pieces) {
   }
 }
 
-TEST(FrameReader, a_length_that_cannot_be_is_an_error_and_stays_one) {
+TEST(FrameReader, ALengthThatCannotBeIsAnErrorAndStaysOne) {
   for (const std::uint32_t length : {std::uint32_t{0}, std::uint32_t{kMaxFrameBytes + 1}, 0xffffffffu, 0x20544547u}) {
     FrameReader reader;
     std::array<std::uint8_t, 4> header;

@@ -28,7 +28,7 @@ struct Exchange {
   }
 };
 
-TEST(Heartbeat, both_sides_learn_the_round_trip) {
+TEST(Heartbeat, BothSidesLearnTheRoundTrip) {
   Exchange exchange{
       .shift = 0, .to_server = 3 * kMillisecond, .to_client = 2 * kMillisecond, .client = {}, .server = {}};
   exchange.run();
@@ -38,7 +38,7 @@ TEST(Heartbeat, both_sides_learn_the_round_trip) {
   EXPECT_NEAR(exchange.server.roundTrip(), 0.005, 1e-12) << "the client's 100 ms of waiting do not count";
 }
 
-TEST(Heartbeat, the_other_clock_is_learnt_exactly_when_both_ways_take_the_same_time) {
+TEST(Heartbeat, TheOtherClockIsLearntExactlyWhenBothWaysTakeTheSameTime) {
   const std::int64_t shift =
       -3'600'000 * kMillisecond;  // The server booted an hour later; its stamps would be negative.
   Exchange exchange{.shift = -shift, .to_server = kMillisecond, .to_client = kMillisecond, .client = {}, .server = {}};
@@ -49,7 +49,7 @@ TEST(Heartbeat, the_other_clock_is_learnt_exactly_when_both_ways_take_the_same_t
   EXPECT_EQ(*exchange.client.fromPeerClock(), shift);
 }
 
-TEST(Heartbeat, a_slow_exchange_does_not_spoil_what_a_quick_one_told) {
+TEST(Heartbeat, ASlowExchangeDoesNotSpoilWhatAQuickOneTold) {
   Exchange exchange{.shift = 0, .to_server = kMillisecond, .to_client = kMillisecond, .client = {}, .server = {}};
   exchange.run();
   exchange.run();
@@ -59,7 +59,7 @@ TEST(Heartbeat, a_slow_exchange_does_not_spoil_what_a_quick_one_told) {
   EXPECT_EQ(*exchange.client.fromPeerClock(), 0) << "the lopsided one would say 39.5 ms";
 }
 
-TEST(Heartbeat, stamps_that_make_no_sense_are_ignored) {
+TEST(Heartbeat, StampsThatMakeNoSenseAreIgnored) {
   const std::int64_t least = std::numeric_limits<std::int64_t>::min(), most = std::numeric_limits<std::int64_t>::max();
   const std::int64_t now = 5'000 * kMillisecond;
   for (const std::int64_t echo : {least, std::int64_t{-1}, std::int64_t{0}, now + 1, most}) {

@@ -97,7 +97,7 @@ class Random {
   std::mt19937_64 engine_{42};
 };
 
-TEST(ActiveSetSolver, keepsAFreeMotionAsItIs) {
+TEST(ActiveSetSolver, KeepsAFreeMotionAsItIs) {
   const Vector6 d0{1e-3, 2e-3, 0, 0, 0, 1e-4};
   const SolverRow far{unit({1, 0, 0, 0, 0, 0}), 0.01, false};
   const SolverResult result = nearestFeasible(std::span(&far, 1), d0);
@@ -107,7 +107,7 @@ TEST(ActiveSetSolver, keepsAFreeMotionAsItIs) {
   EXPECT_EQ(nearestFeasible({}, d0).d, d0);
 }
 
-TEST(ActiveSetSolver, agreesWithTheEnumerationOfAllActiveSets) {
+TEST(ActiveSetSolver, AgreesWithTheEnumerationOfAllActiveSets) {
   Random random;
   int active_total = 0;
   for (int trial = 0; trial < 400; ++trial) {
@@ -127,7 +127,7 @@ TEST(ActiveSetSolver, agreesWithTheEnumerationOfAllActiveSets) {
   EXPECT_GT(active_total, 400);
 }
 
-TEST(ActiveSetSolver, isOptimalWithSixtyFourRandomRows) {
+TEST(ActiveSetSolver, IsOptimalWithSixtyFourRandomRows) {
   Random random;
   for (int trial = 0; trial < 500; ++trial) {
     std::vector<SolverRow> rows(64);
@@ -148,7 +148,7 @@ std::vector<SolverRow> boreTangents(int count, double clearance) {
   return rows;
 }
 
-TEST(ActiveSetSolver, findsThePolygonOfABoresTangents) {
+TEST(ActiveSetSolver, FindsThePolygonOfABoresTangents) {
   const double clearance = 1e-3;
   const auto rows = boreTangents(64, clearance);
   for (int i = 0; i < 100; ++i) {
@@ -163,7 +163,7 @@ TEST(ActiveSetSolver, findsThePolygonOfABoresTangents) {
   }
 }
 
-TEST(ActiveSetSolver, takesDuplicateRowsForOne) {
+TEST(ActiveSetSolver, TakesDuplicateRowsForOne) {
   std::vector<SolverRow> rows(64, SolverRow{unit({0, 0, 1, 0, 0, 0}), 1e-4, false});
   const SolverResult result = nearestFeasible(rows, {1e-3, 0, -3e-3, 0, 0, 0});
   EXPECT_EQ(result.status, SolverStatus::kSolved);
@@ -172,7 +172,7 @@ TEST(ActiveSetSolver, takesDuplicateRowsForOne) {
   EXPECT_DOUBLE_EQ(result.d[0], 1e-3);
 }
 
-TEST(ActiveSetSolver, solvesFacetsWithinADegree) {
+TEST(ActiveSetSolver, SolvesFacetsWithinADegree) {
   Random random;
   for (int trial = 0; trial < 200; ++trial) {
     std::vector<SolverRow> rows(64);
@@ -187,7 +187,7 @@ TEST(ActiveSetSolver, solvesFacetsWithinADegree) {
   }
 }
 
-TEST(ActiveSetSolver, staysInAnAcuteCorner) {
+TEST(ActiveSetSolver, StaysInAnAcuteCorner) {
   // Two walls four degrees apart: their corner is far along the bisector, where the motion pushes.
   const double half = 2.0 * std::numbers::pi / 180.0;
   const std::vector<SolverRow> rows{{unit({-std::sin(half), std::cos(half), 0, 0, 0, 0}), 1e-4, false},
@@ -199,7 +199,7 @@ TEST(ActiveSetSolver, staysInAnAcuteCorner) {
   EXPECT_NEAR(result.d[1], 0.0, 1e-6);
 }
 
-TEST(ActiveSetSolver, answersAnInfeasibleSlotWithItsMiddle) {
+TEST(ActiveSetSolver, AnswersAnInfeasibleSlotWithItsMiddle) {
   const std::vector<SolverRow> rows{{unit({0, 0, 1, 0, 0, 0}), -1e-3, false},      // z >= 1 mm
                                     {unit({0, 0, -1, 0, 0, 0}), -0.5e-3, false}};  // z <= -0.5 mm
   const SolverResult result = nearestFeasible(rows, {2e-3, 0, -3e-3, 0, 0, 0});
@@ -208,7 +208,7 @@ TEST(ActiveSetSolver, answersAnInfeasibleSlotWithItsMiddle) {
   EXPECT_NEAR(result.d[0], 2e-3, 1e-9);
 }
 
-TEST(ActiveSetSolver, givesUpEarlyOnManyContradictions) {
+TEST(ActiveSetSolver, GivesUpEarlyOnManyContradictions) {
   Random random;
   for (int trial = 0; trial < 200; ++trial) {
     std::vector<SolverRow> rows(kMaxRows);
@@ -221,7 +221,7 @@ TEST(ActiveSetSolver, givesUpEarlyOnManyContradictions) {
   }
 }
 
-TEST(ActiveSetSolver, entersNothingWhereRowsContradictEachOther) {
+TEST(ActiveSetSolver, EntersNothingWhereRowsContradictEachOther) {
   Random random;
   int contradictions = 0;
   for (int trial = 0; trial < 2000; ++trial) {
@@ -248,7 +248,7 @@ TEST(ActiveSetSolver, entersNothingWhereRowsContradictEachOther) {
   EXPECT_EQ(contradictions, 2000);
 }
 
-TEST(ActiveSetSolver, answersLikeTheNearestFeasibleWhereThereIsOne) {
+TEST(ActiveSetSolver, AnswersLikeTheNearestFeasibleWhereThereIsOne) {
   Random random;
   for (int trial = 0; trial < 100; ++trial) {
     std::vector<SolverRow> rows(20);
@@ -261,7 +261,7 @@ TEST(ActiveSetSolver, answersLikeTheNearestFeasibleWhereThereIsOne) {
   EXPECT_NEAR(nearestUnentered(slot, {2e-3, 0, -3e-3, 0, 0, 0}).d[2], 0.25e-3, 1e-6) << "entered from both sides";
 }
 
-TEST(ActiveSetSolver, meetsEqualitiesFromBothSides) {
+TEST(ActiveSetSolver, MeetsEqualitiesFromBothSides) {
   const std::vector<SolverRow> rows{{unit({1, 1, 0, 0, 0, 0}), 1e-4, true}, {unit({0, 0, 1, 0, 0, 0}), 1e-4, false}};
   for (const double side : {-5e-3, 5e-3}) {
     const Vector6 d0{side, side, -1e-3, 0, 0, 1e-3};
@@ -271,7 +271,7 @@ TEST(ActiveSetSolver, meetsEqualitiesFromBothSides) {
   }
 }
 
-TEST(ActiveSetSolver, ignoresRowsBeyondItsCapacity) {
+TEST(ActiveSetSolver, IgnoresRowsBeyondItsCapacity) {
   std::vector<SolverRow> rows(kMaxRows + 5, SolverRow{unit({0, 0, 1, 0, 0, 0}), 1.0, false});
   rows.back().slack = -1.0;
   EXPECT_EQ(nearestFeasible(rows, {}).active_count, 0u);

@@ -33,7 +33,7 @@ ConstraintSet boreOfRows(std::uint64_t sequence) {
   return set;
 }
 
-TEST(AllocationGuard, seesAnAllocation) {
+TEST(AllocationGuard, SeesAnAllocation) {
   if (!test::allocationsAreCounted()) GTEST_SKIP() << test::kNotCounted;
   const AllocationGuard guard;
   const auto number = std::make_unique<int>(3);
@@ -41,7 +41,7 @@ TEST(AllocationGuard, seesAnAllocation) {
   EXPECT_EQ(*number, 3);
 }
 
-TEST(ForceLoop, allocatesNothingInTenThousandTicks) {
+TEST(ForceLoop, AllocatesNothingInTenThousandTicks) {
   if (!test::allocationsAreCounted()) GTEST_SKIP() << test::kNotCounted;
   const auto renderer = std::make_unique<ForceRenderer>();
   const auto sets = std::make_unique<TripleBuffer<ConstraintSet>>();

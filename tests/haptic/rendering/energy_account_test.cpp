@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
@@ -15,7 +16,7 @@
 namespace hapticell::haptic {
 namespace {
 
-TEST(ForceRendererEnergy, blendsANewSetInsteadOfSteppingAndLetsNobodyPayForIt) {
+TEST(ForceRendererEnergy, BlendsANewSetInsteadOfSteppingAndLetsNobodyPayForIt) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.005));
   renderer.adopt(floorSet(1));
@@ -51,7 +52,7 @@ RenderResult pressOnARisingFloor(ForceRenderer& renderer, double friction) {
 }
 
 /// The facts' M9: |offset| K / 0.05 N ms, as soon as somebody pays: here friction takes 10 mJ and more a second.
-TEST(ForceRendererEnergy, comesToItsTrueForceAsFastAsAHandThatRubsPaysForIt) {
+TEST(ForceRendererEnergy, ComesToItsTrueForceAsFastAsAHandThatRubsPaysForIt) {
   ForceRenderer renderer;
   RenderResult result = pressOnARisingFloor(renderer, 0.3);
   EXPECT_LT(result.spring_D.z, 1.5);
@@ -66,7 +67,7 @@ TEST(ForceRendererEnergy, comesToItsTrueForceAsFastAsAHandThatRubsPaysForIt) {
   EXPECT_NEAR(result.spring_D.z, 3.0, 0.03);
 }
 
-TEST(ForceRendererEnergy, isTrueAgainAfterTheHandLiftedByWhatWasHeldBack) {
+TEST(ForceRendererEnergy, IsTrueAgainAfterTheHandLiftedByWhatWasHeldBack) {
   for (const double speed : {0.02, 0.1, 0.4}) {
     ForceRenderer renderer;
     RenderResult result = pressOnARisingFloor(renderer, 0.0);
@@ -83,7 +84,7 @@ TEST(ForceRendererEnergy, isTrueAgainAfterTheHandLiftedByWhatWasHeldBack) {
 
 /// A lever of 100 mm that the wrist turns into the floor by 6 mm, the hand at rest: no device of three driven axes
 /// feels the turn, so nobody pays.
-TEST(ForceRendererEnergy, aTurnOfTheWristPaysForNothing) {
+TEST(ForceRendererEnergy, ATurnOfTheWristPaysForNothing) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.001));
   ConstraintSet set = floorSet(1);
@@ -125,7 +126,7 @@ class BookedHand {
 
 /// Sets that say something else each time (3 mm, 17 degrees), a hand that rows about in them unmoved: what is made in a
 /// second stays about what its presses leak through the motors' delay.
-TEST(ForceRendererEnergy, makesNoEnergyOutOfWrongSets) {
+TEST(ForceRendererEnergy, MakesNoEnergyOutOfWrongSets) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> height(-0.003, 0.003), slope(-0.3, 0.3);
   ForceRenderer renderer;
@@ -146,7 +147,7 @@ TEST(ForceRendererEnergy, makesNoEnergyOutOfWrongSets) {
   EXPECT_GT(hand.largest(), 2e-3) << "the hand must have worked";
 }
 
-TEST(ForceRendererEnergy, aProxyThatIsOnlyLatePullsAtNobody) {
+TEST(ForceRendererEnergy, AProxyThatIsOnlyLatePullsAtNobody) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.010));
   ConstraintSet small = floorSet(1, 0.0, dvec3(0, 0, 0.010));
@@ -198,7 +199,7 @@ CaughtUp catchUp(double height) {
   return caught;
 }
 
-TEST(ForceRendererEnergy, aProxyThatCatchesUpDragsNobodyAlong) {
+TEST(ForceRendererEnergy, AProxyThatCatchesUpDragsNobodyAlong) {
   // Along the floor; and through the air to it, where besides the pull of the zone's edge (0.8 N) ends.
   for (const auto& [height, most_step] : {std::pair(0.0, 0.5), std::pair(0.004, 0.8)}) {
     const CaughtUp caught = catchUp(height);
@@ -209,7 +210,7 @@ TEST(ForceRendererEnergy, aProxyThatCatchesUpDragsNobodyAlong) {
   }
 }
 
-TEST(ForceRendererEnergy, dampsWhatAnOverCurvedSetMakes) {
+TEST(ForceRendererEnergy, DampsWhatAnOverCurvedSetMakes) {
   // The obstacle is told too curved, so that every new set pushes the hand along: the observer sees it, damping
   // answers.
   ForceRenderer renderer;
@@ -228,7 +229,7 @@ TEST(ForceRendererEnergy, dampsWhatAnOverCurvedSetMakes) {
   EXPECT_LE(most, 5.0);
 }
 
-TEST(StoredEnergy, isTheWorkOfReleasingALimitedSpring) {
+TEST(StoredEnergy, IsTheWorkOfReleasingALimitedSpring) {
   // Integrated along the release: min(K s, limit) ds.
   for (const double limit : {1.5, 6.4, 100.0}) {
     double work = 0.0;
@@ -238,7 +239,7 @@ TEST(StoredEnergy, isTheWorkOfReleasingALimitedSpring) {
   }
 }
 
-TEST(ForceRendererEnergy, takesADeratedForceForNoLoss) {
+TEST(ForceRendererEnergy, TakesADeratedForceForNoLoss) {
   // Pressed 8 mm deep against warm motors that bear 1.4 N, and released: nobody made energy.
   ForceRenderer renderer;
   renderer.setForceLimit(1.4);
@@ -246,7 +247,7 @@ TEST(ForceRendererEnergy, takesADeratedForceForNoLoss) {
   renderer.adopt(floorSet(1));
   RenderResult result;
   for (int i = 0; i < 3000; ++i) {
-    const double z = 0.005 - 0.013 * std::sin(M_PI * i / 3000.0);
+    const double z = 0.005 - 0.013 * std::sin(std::numbers::pi * i / 3000.0);
     result = renderer.tick(at(0, 0, z), kTick);
     const double size = glm::length(result.force_D);
     renderer.noteApplied(size > 1.4 ? result.force_D * (1.4 / size) : result.force_D);
@@ -272,7 +273,7 @@ double leastEnergyAlong(ForceRenderer& renderer, const std::vector<dvec3>& point
   return hand.worst();
 }
 
-TEST(EnergyAccount, booksTheForceThatActsWhenItActs) {
+TEST(EnergyAccount, BooksTheForceThatActsWhenItActs) {
   // 2 N commanded for one tick and a motor that is two ticks late: only the way of the third tick is work.
   EnergyAccount account(2);
   const MetricVector step{dvec3(0.001, 0, 0), dvec3(0.0)};
@@ -287,7 +288,7 @@ TEST(EnergyAccount, booksTheForceThatActsWhenItActs) {
   EXPECT_NEAR(account.balance(), 0.002, 1e-15);
 }
 
-TEST(EnergyAccount, countsATorqueWithItsTurn) {
+TEST(EnergyAccount, CountsATorqueWithItsTurn) {
   EnergyAccount account;
   const double torque = 0.1, angle = 0.2;
   account.add({dvec3(0.0), dvec3(0, 0, kRotationLever * angle)}, {dvec3(0.0), dvec3(0, 0, -torque / kRotationLever)},
@@ -295,7 +296,7 @@ TEST(EnergyAccount, countsATorqueWithItsTurn) {
   EXPECT_NEAR(account.balance(), torque * angle, 1e-8);
 }
 
-TEST(EnergyAccount, forgetsGainsOnly) {
+TEST(EnergyAccount, ForgetsGainsOnly) {
   EnergyAccount account;
   const MetricVector along{dvec3(0.001, 0, 0), dvec3(0.0)};
   account.add(along, {dvec3(-1.0, 0, 0), dvec3(0.0)}, 1e12);
@@ -306,7 +307,7 @@ TEST(EnergyAccount, forgetsGainsOnly) {
   EXPECT_NEAR(account.balance(), -0.001, 1e-9);
 }
 
-TEST(WorstLoss, isTheDeepestFallWithinItsWindow) {
+TEST(WorstLoss, IsTheDeepestFallWithinItsWindow) {
   // Against all pairs.
   std::mt19937 random(3);
   std::normal_distribution<double> step(0.0, 1e-3);
@@ -322,7 +323,7 @@ TEST(WorstLoss, isTheDeepestFallWithinItsWindow) {
   EXPECT_LE(loss.value(), worst + 1e-12);
 }
 
-TEST(ForceRendererEnergy, givesBackNoMoreThanItsSpringHoldsFromTooDeep) {
+TEST(ForceRendererEnergy, GivesBackNoMoreThanItsSpringHoldsFromTooDeep) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.005));
   ASSERT_EQ(renderer.adopt(floorSet(1)), Adoption::kAdopted);
@@ -331,7 +332,7 @@ TEST(ForceRendererEnergy, givesBackNoMoreThanItsSpringHoldsFromTooDeep) {
 }
 
 /// Round a post, deeper than the motors can push: the rest point that has yielded must turn with the surface.
-TEST(ForceRendererEnergy, yieldsRoundACurveWithoutDrivingTheHand) {
+TEST(ForceRendererEnergy, YieldsRoundACurveWithoutDrivingTheHand) {
   ConstraintSet set;
   set.sequence = 1;
   set.zone_radius = 1.0;
@@ -350,7 +351,7 @@ TEST(ForceRendererEnergy, yieldsRoundACurveWithoutDrivingTheHand) {
   EXPECT_GE(leastEnergyAlong(renderer, path, 0.1), -1e-3 - motorLeak(0.1));
 }
 
-TEST(PassivityController, tellsWhatWasLostWithinTheLastSecond) {
+TEST(PassivityController, TellsWhatWasLostWithinTheLastSecond) {
   std::mt19937 random(7);
   std::normal_distribution<double> step(0.0, 1e-4);
   PassivityController controller;
@@ -368,7 +369,7 @@ TEST(PassivityController, tellsWhatWasLostWithinTheLastSecond) {
   }
 }
 
-TEST(SpringRation, givesNoMoreThanIsLeft) {
+TEST(SpringRation, GivesNoMoreThanIsLeft) {
   for (const double room : {0.0, 0.05e-3, 1.0}) {
     SpringRation ration;
     ration.reset();

@@ -12,7 +12,7 @@
 namespace hapticell::haptic {
 namespace {
 
-TEST(LimitedByDelay, followsTheTrialsTable) {
+TEST(LimitedByDelay, FollowsTheTrialsTable) {
   RendererOptions options;
   options.stiffness = 5000.0;
   EXPECT_NEAR(limitedByDelay(options).stiffness, 1495.0, 1e-9);
@@ -28,7 +28,7 @@ TEST(LimitedByDelay, followsTheTrialsTable) {
   EXPECT_EQ(limitedByDelay(options).damping, 2.0);
 }
 
-TEST(ForceRenderer, followsTheStylusWithoutASet) {
+TEST(ForceRenderer, FollowsTheStylusWithoutASet) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0));
   const RenderResult result = renderer.tick(at(0.3, 0.1, -0.2), kTick);
@@ -36,7 +36,7 @@ TEST(ForceRenderer, followsTheStylusWithoutASet) {
   EXPECT_EQ(result.force_D, dvec3(0.0));
 }
 
-TEST(ForceRenderer, pushesOutOfAFloorWithItsStiffness) {
+TEST(ForceRenderer, PushesOutOfAFloorWithItsStiffness) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.005));
   ASSERT_EQ(renderer.adopt(floorSet(1)), Adoption::kAdopted);
@@ -51,7 +51,7 @@ TEST(ForceRenderer, pushesOutOfAFloorWithItsStiffness) {
   EXPECT_EQ(result.adopted_set, 1u);
 }
 
-TEST(ForceRenderer, neverPulls) {
+TEST(ForceRenderer, NeverPulls) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.005));
   renderer.adopt(floorSet(1));
@@ -64,7 +64,7 @@ TEST(ForceRenderer, neverPulls) {
 
 /// Walls that come up where the hand is already, each turned another way: what of them is held back stands in the
 /// offset, so the spring may point anywhere for a while. What damps must not pull at the hand then either.
-TEST(ForceRenderer, neverPullsWhileAnOffsetFades) {
+TEST(ForceRenderer, NeverPullsWhileAnOffsetFades) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   ForceRenderer renderer;
@@ -93,7 +93,7 @@ TEST(ForceRenderer, neverPullsWhileAnOffsetFades) {
   EXPECT_GT(pressed, 2000);
 }
 
-TEST(ForceRenderer, refusesSetsThatDoNotFit) {
+TEST(ForceRenderer, RefusesSetsThatDoNotFit) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.005));
   EXPECT_EQ(renderer.adopt(floorSet(5)), Adoption::kAdopted);
@@ -106,7 +106,7 @@ TEST(ForceRenderer, refusesSetsThatDoNotFit) {
   EXPECT_EQ(renderer.tick(at(0, 0, 0.005), kTick).adopted_set, 5u);
 }
 
-TEST(ForceRenderer, dropsAForceThatANewSetTakesAwaySlowlyThenExactly) {
+TEST(ForceRenderer, DropsAForceThatANewSetTakesAwaySlowlyThenExactly) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.005));
   renderer.adopt(floorSet(1));
@@ -126,7 +126,7 @@ TEST(ForceRenderer, dropsAForceThatANewSetTakesAwaySlowlyThenExactly) {
 }
 
 /// A hand at 0.2 m/s that leaves the zone in free air before the next set has come, and is let go by it.
-TEST(ForceRenderer, meetsTheEdgeOfAZoneWithoutAStep) {
+TEST(ForceRenderer, MeetsTheEdgeOfAZoneWithoutAStep) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.05));
   ConstraintSet set = floorSet(1, 0.0, dvec3(0, 0, 0.05));
@@ -152,7 +152,7 @@ TEST(ForceRenderer, meetsTheEdgeOfAZoneWithoutAStep) {
 }
 
 /// The zone's edge stops a proxy that slides on a floor: nothing was struck, so no damper answers either.
-TEST(ForceRenderer, dampsNothingAtTheEdgeOfAZone) {
+TEST(ForceRenderer, DampsNothingAtTheEdgeOfAZone) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.005));
   ConstraintSet set = floorSet(1);
@@ -171,7 +171,7 @@ TEST(ForceRenderer, dampsNothingAtTheEdgeOfAZone) {
   EXPECT_LT(worst, 0.05);
 }
 
-TEST(ForceRenderer, softensWhereTheMaterialAsksForIt) {
+TEST(ForceRenderer, SoftensWhereTheMaterialAsksForIt) {
   ConstraintSet set = floorSet(1);
   set.constraints[0].stiffness = 400.0;
   ForceRenderer renderer;
@@ -181,7 +181,7 @@ TEST(ForceRenderer, softensWhereTheMaterialAsksForIt) {
   EXPECT_NEAR(result.force_D.z, 0.8, 1e-3);
 }
 
-TEST(ForceRenderer, survivesWrongPosesAndTimes) {
+TEST(ForceRenderer, SurvivesWrongPosesAndTimes) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.005));
   renderer.adopt(floorSet(1));

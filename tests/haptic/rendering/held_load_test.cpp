@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kTick = 1e-3;
 
-TEST(HeldLoad, nothingHeldIsExactlyNothing) {
+TEST(HeldLoad, NothingHeldIsExactlyNothing) {
   HeldLoad load;
   for (int i = 0; i < 100; ++i) EXPECT_EQ(load.tick(dvec3(0.1 * i), dvec3(1.0), kTick), dvec3(0.0));
 }
 
-TEST(HeldLoad, aWeightComesWithoutAStep) {
+TEST(HeldLoad, AWeightComesWithoutAStep) {
   HeldLoad load;
   load.setOptions({0.0, 0.0, 0.0, dvec3(0, 0, -0.7)});
   dvec3 before(0.0);
@@ -31,7 +31,7 @@ TEST(HeldLoad, aWeightComesWithoutAStep) {
   EXPECT_NEAR(before.z, -0.7, 1e-12);
 }
 
-TEST(HeldLoad, aSteadyAccelerationIsAnsweredByMassTimesIt) {
+TEST(HeldLoad, ASteadyAccelerationIsAnsweredByMassTimesIt) {
   // A stylus on x = 1/2 a t^2: once the spring has settled, the mass lags so that it is pulled by m a.
   const double mass = 0.4, a = 1.5;
   HeldLoad load;
@@ -44,7 +44,7 @@ TEST(HeldLoad, aSteadyAccelerationIsAnsweredByMassTimesIt) {
   EXPECT_NEAR(force.x, -mass * a, 0.02);
 }
 
-TEST(HeldLoad, makesNoEnergyOnAShakenStylus) {
+TEST(HeldLoad, MakesNoEnergyOnAShakenStylus) {
   HeldLoad load;
   load.setOptions({0.3, 0.5, 0.0, dvec3(0.0)});
   double work = 0.0, least = 0.0;
@@ -60,7 +60,7 @@ TEST(HeldLoad, makesNoEnergyOnAShakenStylus) {
   EXPECT_GT(work, 0.0);
 }
 
-TEST(HeldLoad, dryFrictionSticksThenSlips) {
+TEST(HeldLoad, DryFrictionSticksThenSlips) {
   HeldLoad load;
   load.setOptions({0.0, 0.0, 0.4, dvec3(0.0)});
   EXPECT_EQ(load.tick(dvec3(0.0), dvec3(0.0), kTick), dvec3(0.0));
@@ -69,7 +69,7 @@ TEST(HeldLoad, dryFrictionSticksThenSlips) {
   EXPECT_NEAR(load.tick({4e-3, 0, 0}, dvec3(0.0), kTick).x, 0.4, 1e-9) << "and back";
 }
 
-TEST(Pull, drawsTheStylusIntoItsDetent) {
+TEST(Pull, DrawsTheStylusIntoItsDetent) {
   GroupedSet grouped;
   ConstraintSet set;
   set.count = 1;
@@ -89,7 +89,7 @@ TEST(Pull, drawsTheStylusIntoItsDetent) {
   EXPECT_NEAR(renderer.proxy().p.x, 0.05, 1e-9);
 }
 
-TEST(HeldLoad, takesAnyNumbers) {
+TEST(HeldLoad, TakesAnyNumbers) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const LoadOptions load = sane({nan, -3.0, nan, dvec3(nan, 0, 0)});
   EXPECT_EQ(load, LoadOptions{});
@@ -113,7 +113,7 @@ double strikeOf(double mass) {
   return -deepest;
 }
 
-TEST(HeldLoad, aHeavyPartStrikesHarder) {
+TEST(HeldLoad, AHeavyPartStrikesHarder) {
   EXPECT_EQ(strikeOf(0.0), 0.0);
   EXPECT_GT(strikeOf(0.5), 1.5 * strikeOf(0.1));
 }

@@ -116,16 +116,16 @@ void render(const Most& most, bool turning) {
   expectCured(renderer, ++sequence, X_DS);
 }
 
-RC_GTEST_PROP(HostileSets, anyNumbersWithinTheBoundsKeepTheProxyANumber, ()) {
+RC_GTEST_PROP(HostileSets, AnyNumbersWithinTheBoundsKeepTheProxyANumber, ()) {
   render({}, *rc::gen::arbitrary<bool>());
 }
 
-RC_GTEST_PROP(HostileSets, anyFiniteNumbersDo, ()) {
+RC_GTEST_PROP(HostileSets, AnyFiniteNumbersDo, ()) {
   render(Most::ofDouble(), *rc::gen::arbitrary<bool>());
 }
 
 /// The frames that were found: an equality far off that rubs without end, alone and among others.
-TEST(HostileSets, theOnesThatWereFoundHarmNoSetAfterThem) {
+TEST(HostileSets, TheOnesThatWereFoundHarmNoSetAfterThem) {
   for (const double gap : {1e150, 1e10, 1e6, 1.0, 0.0}) {
     for (const double friction : {1e300, 1e10, 1e4, 1.0, 0.0}) {
       for (const double speed : {1e308, 1e160, 1e20, 1e6, 0.0}) {
@@ -157,7 +157,7 @@ TEST(HostileSets, theOnesThatWereFoundHarmNoSetAfterThem) {
 }
 
 /// A coupling whose damping is no wish of anybody's: what it makes is no number, and the tick ends all the same.
-TEST(HostileSets, aTickThatMakesNoNumbersEndsWithTheLastGoodProxyAndWithoutTheSet) {
+TEST(HostileSets, ATickThatMakesNoNumbersEndsWithTheLastGoodProxyAndWithoutTheSet) {
   ForceRenderer renderer(RendererOptions{.damping = 1e308, .adapt = false});
   renderer.reset(at(0, 0, 0.001));
   ASSERT_EQ(renderer.adopt(floorSet(1)), Adoption::kAdopted);
@@ -181,7 +181,7 @@ TEST(HostileSets, aTickThatMakesNoNumbersEndsWithTheLastGoodProxyAndWithoutTheSe
   EXPECT_NEAR(moveTo(renderer, dvec3(0, 0, 0.005), dvec3(0, 0, -0.002)).force_D.z, 2.0, 0.01);
 }
 
-TEST(LimitedByDelay, noClientGetsADampingThatKicks) {
+TEST(LimitedByDelay, NoClientGetsADampingThatKicks) {
   for (const double delay : {0.001, 0.002, 0.004}) {
     RendererOptions options;
     options.delay = delay;

@@ -15,7 +15,7 @@
 namespace hapticell::haptic {
 namespace {
 
-TEST(ProxyMover, holdsTheProxyInTheZoneWithLittleForce) {
+TEST(ProxyMover, HoldsTheProxyInTheZoneWithLittleForce) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0));
   ConstraintSet set = floorSet(1, -1.0);
@@ -28,7 +28,7 @@ TEST(ProxyMover, holdsTheProxyInTheZoneWithLittleForce) {
   EXPECT_NEAR(glm::length(result.force_D), 0.8, 1e-6);
 }
 
-TEST(ProxyMover, keepsTheProxyOffAFloorMetFarOutsideTheZone) {
+TEST(ProxyMover, KeepsTheProxyOffAFloorMetFarOutsideTheZone) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.005));
   ConstraintSet set = floorSet(1);
@@ -50,7 +50,7 @@ double farthestFrom(ForceRenderer& renderer, const Pose& X_DR, double reach) {
   return farthest;
 }
 
-TEST(ProxyMover, neverLeavesAZoneThatIsSmallerThanAStep) {
+TEST(ProxyMover, NeverLeavesAZoneThatIsSmallerThanAStep) {
   // A set of a toothed part: complete for 1.2 mm only, with rows that contradict each other and the zone.
   for (const double zone : {0.0005, 0.0012, 0.02}) {
     for (const bool contradicting : {false, true}) {
@@ -69,7 +69,7 @@ TEST(ProxyMover, neverLeavesAZoneThatIsSmallerThanAStep) {
   }
 }
 
-TEST(ProxyMover, goesSmoothlyRoundTheEdgeOfAZoneThatTheStylusHasLeftFarBehind) {
+TEST(ProxyMover, GoesSmoothlyRoundTheEdgeOfAZoneThatTheStylusHasLeftFarBehind) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0));
   ConstraintSet set = floorSet(1, -1.0);
@@ -86,7 +86,7 @@ TEST(ProxyMover, goesSmoothlyRoundTheEdgeOfAZoneThatTheStylusHasLeftFarBehind) {
   EXPECT_NEAR(std::atan2(before.y, before.x), 3.0, 0.02);
 }
 
-TEST(ProxyMover, feelsAGroupAsOrAndGroupsAsAnd) {
+TEST(ProxyMover, FeelsAGroupAsOrAndGroupsAsAnd) {
   // A block x < 0, z < 0: above it or beside it is free.
   for (const bool together : {true, false}) {
     ForceRenderer renderer;
@@ -105,7 +105,7 @@ TEST(ProxyMover, feelsAGroupAsOrAndGroupsAsAnd) {
   }
 }
 
-TEST(ProxyMover, endsACurvedFaceAtItsTrim) {
+TEST(ProxyMover, EndsACurvedFaceAtItsTrim) {
   // The floor ends at x = 0: beyond, the trim's smaller value says how far inside x < 0 one is.
   ConstraintSet set = floorSet(1, 0.0, dvec3(0, 0, 0.005));
   set.constraints[0].has_trim = true;
@@ -121,7 +121,7 @@ TEST(ProxyMover, endsACurvedFaceAtItsTrim) {
   EXPECT_NEAR(result.X_DP.p.z, -0.01, 1e-6);
 }
 
-TEST(ProxyMover, holdsAGuideFromBothSides) {
+TEST(ProxyMover, HoldsAGuideFromBothSides) {
   for (const double side : {-0.003, 0.003}) {
     ConstraintSet set = floorSet(1);
     set.constraints[0].kind = ConstraintKind::kEquality;
@@ -134,7 +134,7 @@ TEST(ProxyMover, holdsAGuideFromBothSides) {
   }
 }
 
-TEST(ProxyMover, turnsTheProxyInsteadOfPushingWhereTurningIsEasier) {
+TEST(ProxyMover, TurnsTheProxyInsteadOfPushingWhereTurningIsEasier) {
   // A point 100 mm out on the body meets a floor: with the lever of 50 mm the proxy gives way by turning.
   ConstraintSet set;
   set.sequence = 1;
@@ -154,7 +154,7 @@ TEST(ProxyMover, turnsTheProxyInsteadOfPushingWhereTurningIsEasier) {
   EXPECT_NEAR(result.X_DP.p.z, -0.006 + 0.001, 0.2e-3);
 }
 
-RC_GTEST_PROP(ProxyMoverProperty, keepsTheProxyOutOfRandomConvexBlocks, ()) {
+RC_GTEST_PROP(ProxyMoverProperty, KeepsTheProxyOutOfRandomConvexBlocks, ()) {
   // Half-spaces of one group through a sphere's surface: the proxy may touch but not enter.
   const auto seed = *rc::gen::arbitrary<unsigned>();
   std::mt19937 random(seed);
@@ -211,7 +211,7 @@ std::pair<dvec3, double> slideOnTo(double step) {
   return {result.X_DP.p, along};
 }
 
-TEST(ProxyMover, slidesOverAFlushSeamAndStopsAtAStep) {
+TEST(ProxyMover, SlidesOverAFlushSeamAndStopsAtAStep) {
   for (const double step : {0.0, 5e-7, -5e-7}) {
     const auto [p, along] = slideOnTo(step);
     EXPECT_NEAR(p.x, 0.005, 1e-6) << step;
@@ -224,7 +224,7 @@ TEST(ProxyMover, slidesOverAFlushSeamAndStopsAtAStep) {
 }
 
 /// A point may be where two bodies meet without a gap: it does not fall between them.
-TEST(ProxyMover, aSeamIsNoCrack) {
+TEST(ProxyMover, ASeamIsNoCrack) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.001));
   ConstraintSet set = floorSet(1);
@@ -246,7 +246,7 @@ TEST(ProxyMover, aSeamIsNoCrack) {
   }
 }
 
-TEST(ProxyMover, slidesOnWithFrictionHoweverFarTheProxyIsBehind) {
+TEST(ProxyMover, SlidesOnWithFrictionHoweverFarTheProxyIsBehind) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.005));
   ConstraintSet set = floorSet(1);
@@ -258,7 +258,7 @@ TEST(ProxyMover, slidesOnWithFrictionHoweverFarTheProxyIsBehind) {
   EXPECT_NEAR(result.X_DP.p.x, 0.2 - 0.15 * 0.030, 1e-4);
 }
 
-TEST(ProxyMover, rubsOnlyOnWhatItTouches) {
+TEST(ProxyMover, RubsOnlyOnWhatItTouches) {
   // It comes through the air, straight or at a slant, fast or all at once, and stays where it touched if that sticks.
   for (const double friction : {0.15, 0.6, 1e3}) {
     for (const double aside : {0.0, 0.01}) {

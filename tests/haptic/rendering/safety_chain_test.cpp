@@ -45,14 +45,14 @@ int ticksToZero(SafetyChain& chain, SafetyInput input, int limit) {
   return limit + 1;
 }
 
-TEST(SafetyChain, givesNothingBeforeItIsEnabled) {
+TEST(SafetyChain, GivesNothingBeforeItIsEnabled) {
   SafetyChain chain;
   SafetyInput input = wanting(dvec3(0, 0, 3));
   input.enabled = false;
   for (int i = 0; i < 2000; ++i) EXPECT_EQ(chain.tick(input).force_D, dvec3(0.0));
 }
 
-TEST(SafetyChain, opensOnlyFromASmallForceAndRampsWithinASecond) {
+TEST(SafetyChain, OpensOnlyFromASmallForceAndRampsWithinASecond) {
   SafetyChain chain;
   EXPECT_EQ(run(chain, wanting(dvec3(0, 0, 0.3)), 5000), 0.0) << "0.3 N is no small force";
   EXPECT_EQ(chain.tick(wanting(dvec3(0, 0, 0.1))).gate, GateState::kWaiting);
@@ -72,7 +72,7 @@ TEST(SafetyChain, opensOnlyFromASmallForceAndRampsWithinASecond) {
 
 /// A share of the force that grew with the ramp would be given back by the motors: a hand that pressed right after
 /// taking got 4 mJ and more that it had never put in.
-TEST(SafetyChain, rampsByACeilingAndNotByAShare) {
+TEST(SafetyChain, RampsByACeilingAndNotByAShare) {
   SafetyChain chain;
   run(chain, wanting(dvec3(0.0)), 4);
   for (int i = 0; i < 700; ++i) {
@@ -84,7 +84,7 @@ TEST(SafetyChain, rampsByACeilingAndNotByAShare) {
   }
 }
 
-TEST(SafetyChain, aForceBetweenSmallOnesStartsTheCountAnew) {
+TEST(SafetyChain, AForceBetweenSmallOnesStartsTheCountAnew) {
   SafetyChain chain;
   for (int i = 0; i < 50; ++i) {
     for (int k = 0; k < 3; ++k) chain.tick(wanting(dvec3(0.0)));
@@ -92,7 +92,7 @@ TEST(SafetyChain, aForceBetweenSmallOnesStartsTheCountAnew) {
   }
 }
 
-TEST(SafetyChain, dampsTheStylusWhileItRampsOnly) {
+TEST(SafetyChain, DampsTheStylusWhileItRampsOnly) {
   SafetyChain chain;
   SafetyInput input = wanting(dvec3(0.0));
   input.v_DS = dvec3(0.1, 0, 0);
@@ -102,7 +102,7 @@ TEST(SafetyChain, dampsTheStylusWhileItRampsOnly) {
   EXPECT_EQ(run(chain, input, 1100), 0.0);
 }
 
-TEST(SafetyChain, letsHonestForcesThroughUntouched) {
+TEST(SafetyChain, LetsHonestForcesThroughUntouched) {
   SafetyChain chain = openChain();
   for (int i = 0; i < 400; ++i) {
     const dvec3 wanted(0.5 * std::sin(0.02 * i), 0.3 * std::sin(0.05 * i), 0.4 * std::sin(0.01 * i));
@@ -110,7 +110,7 @@ TEST(SafetyChain, letsHonestForcesThroughUntouched) {
   }
 }
 
-TEST(SafetyChain, spreadsAStepOverTheSlewLimit) {
+TEST(SafetyChain, SpreadsAStepOverTheSlewLimit) {
   SafetyChain chain = openChain();
   double last = 0.0;
   for (int i = 1; i <= 4; ++i) {
@@ -122,7 +122,7 @@ TEST(SafetyChain, spreadsAStepOverTheSlewLimit) {
   EXPECT_NEAR(last, 3.5, 1e-12);
 }
 
-TEST(SafetyChain, clampsToThePeakInDirection) {
+TEST(SafetyChain, ClampsToThePeakInDirection) {
   SafetyChain chain = openChain();
   run(chain, wanting(dvec3(30, 0, 40)), 20);
   const SafetyResult result = chain.tick(wanting(dvec3(30, 0, 40)));
@@ -130,7 +130,7 @@ TEST(SafetyChain, clampsToThePeakInDirection) {
   EXPECT_NEAR(result.force_D.x / result.force_D.z, 0.75, 1e-9);
 }
 
-TEST(SafetyChain, deratesToTheContinuousForceAndRecovers) {
+TEST(SafetyChain, DeratesToTheContinuousForceAndRecovers) {
   SafetyChain chain = openChain();
   const double warm = run(chain, wanting(dvec3(0, 0, 6.4)), 300000);
   EXPECT_NEAR(warm, 1.4, 0.02) << "after five minutes at the limit";
@@ -141,14 +141,14 @@ TEST(SafetyChain, deratesToTheContinuousForceAndRecovers) {
   EXPECT_NEAR(run(chain, wanting(dvec3(0, 0, 6.4)), 10), 6.4, 1e-9);
 }
 
-TEST(SafetyChain, takesTheDevicesTemperatureWhenItIsHigher) {
+TEST(SafetyChain, TakesTheDevicesTemperatureWhenItIsHigher) {
   SafetyChain chain = openChain();
   SafetyInput input = wanting(dvec3(0, 0, 6.4));
   input.reported_temperature = 1.0;
   EXPECT_NEAR(run(chain, input, 20), 1.4, 1e-9);
 }
 
-TEST(SafetyChain, oneWrongReportOfTheTemperatureHoldsNothingDown) {
+TEST(SafetyChain, OneWrongReportOfTheTemperatureHoldsNothingDown) {
   SafetyChain chain = openChain();
   SafetyInput input = wanting(dvec3(0, 0, 3.0));
   run(chain, input, 20);
@@ -159,7 +159,7 @@ TEST(SafetyChain, oneWrongReportOfTheTemperatureHoldsNothingDown) {
   EXPECT_NEAR(run(chain, input, 200), 3.0, 1e-9);
 }
 
-TEST(SafetyChain, isSilentWithinFiftyMillisecondsOfAClosedSocket) {
+TEST(SafetyChain, IsSilentWithinFiftyMillisecondsOfAClosedSocket) {
   SafetyChain chain = openChain();
   run(chain, wanting(dvec3(0, 0, 6.4)), 20);
   SafetyInput input = wanting(dvec3(0, 0, 6.4));
@@ -176,7 +176,7 @@ TEST(SafetyChain, isSilentWithinFiftyMillisecondsOfAClosedSocket) {
   EXPECT_NEAR(run(chain, wanting(dvec3(0, 0, 2)), 10), 2.0, 1e-12);
 }
 
-TEST(SafetyChain, isSilentWithinFiftyMillisecondsOfEscape) {
+TEST(SafetyChain, IsSilentWithinFiftyMillisecondsOfEscape) {
   SafetyChain chain = openChain();
   run(chain, wanting(dvec3(3, 0, 0)), 20);
   SafetyInput input = wanting(dvec3(3, 0, 0));
@@ -184,7 +184,7 @@ TEST(SafetyChain, isSilentWithinFiftyMillisecondsOfEscape) {
   EXPECT_LE(ticksToZero(chain, input, 100), 50);
 }
 
-TEST(SafetyChain, holdsThroughShortSilenceAndDecaysAfterALongOne) {
+TEST(SafetyChain, HoldsThroughShortSilenceAndDecaysAfterALongOne) {
   SafetyChain chain = openChain();
   run(chain, wanting(dvec3(0, 0, 3)), 20);
   SafetyInput input = wanting(dvec3(0, 0, 3));
@@ -201,7 +201,7 @@ TEST(SafetyChain, holdsThroughShortSilenceAndDecaysAfterALongOne) {
   EXPECT_NEAR(run(chain, wanting(dvec3(0, 0, 3)), 10), 3.0, 1e-12);
 }
 
-TEST(SafetyChain, comesBackFromAShortDecayWithoutAStep) {
+TEST(SafetyChain, ComesBackFromAShortDecayWithoutAStep) {
   SafetyChain chain = openChain();
   run(chain, wanting(dvec3(0, 0, 3)), 20);
   SafetyInput input = wanting(dvec3(0, 0, 3));
@@ -213,7 +213,7 @@ TEST(SafetyChain, comesBackFromAShortDecayWithoutAStep) {
   EXPECT_NEAR(run(chain, wanting(dvec3(0, 0, 3)), 1000), 3.0, 1e-12);
 }
 
-TEST(SafetyChain, staysShutAfterATripUntilEnabledAnew) {
+TEST(SafetyChain, StaysShutAfterATripUntilEnabledAnew) {
   SafetyChain chain = openChain();
   run(chain, wanting(dvec3(0, 0, 3)), 20);
   chain.trip();
@@ -229,7 +229,7 @@ TEST(SafetyChain, staysShutAfterATripUntilEnabledAnew) {
 
 /// Calibration lost, measurements that do not come: what the device does not exert is not commanded either, and comes
 /// back by the gate, never in one step.
-TEST(SafetyChain, aDeviceThatIsNotReadyBeginsAnewWhenItIs) {
+TEST(SafetyChain, ADeviceThatIsNotReadyBeginsAnewWhenItIs) {
   SafetyChain chain = openChain();
   SafetyInput input = wanting(dvec3(0, 0, 2));
   ASSERT_NEAR(run(chain, input, 10), 2.0, 1e-12);
@@ -251,7 +251,7 @@ TEST(SafetyChain, aDeviceThatIsNotReadyBeginsAnewWhenItIs) {
   EXPECT_NEAR(last, 2.0, 1e-12) << "without being enabled anew";
 }
 
-TEST(SafetyChain, aStylusThatIsFasterThanAHandTrips) {
+TEST(SafetyChain, AStylusThatIsFasterThanAHandTrips) {
   for (const dvec3& v : {dvec3(0, 4.1, 0), dvec3(-40, 0, 0), dvec3(kNan, 0, 0), dvec3(0, 0, kInf)}) {
     SafetyChain chain = openChain();
     SafetyInput input = wanting(dvec3(0, 0, 2));
@@ -271,7 +271,7 @@ TEST(SafetyChain, aStylusThatIsFasterThanAHandTrips) {
   EXPECT_NEAR(run(chain, input, 500), 2.0, 1e-12);
 }
 
-TEST(SafetyChain, aClientOfAQuickHeartIsMissedAsQuickly) {
+TEST(SafetyChain, AClientOfAQuickHeartIsMissedAsQuickly) {
   SafetyOptions options;
   options.close_decay = 0.02;
   SafetyChain chain = openChain(options);
@@ -288,7 +288,7 @@ TEST(SafetyChain, aClientOfAQuickHeartIsMissedAsQuickly) {
   EXPECT_LE(ticksToZero(chain, input, 2000), 1) << "and then it stays";
 }
 
-TEST(SafetyChain, countsAWrongNumberAsZeroAndSaysSo) {
+TEST(SafetyChain, CountsAWrongNumberAsZeroAndSaysSo) {
   for (const double bad : {kNan, kInf, -kInf, 1e300}) {
     SafetyChain chain = openChain();
     run(chain, wanting(dvec3(0, 0, 6.4)), 20);
@@ -299,7 +299,7 @@ TEST(SafetyChain, countsAWrongNumberAsZeroAndSaysSo) {
   }
 }
 
-TEST(SafetyChain, replacesOptionsThatMakeNoSense) {
+TEST(SafetyChain, ReplacesOptionsThatMakeNoSense) {
   SafetyOptions options;
   options.peak_force = kNan;
   options.slew = -1.0;
@@ -340,7 +340,7 @@ rc::Gen<SafetyInput> anyInput() {
       anyVector(), anyVector(), rc::gen::inRange(0, 10000), anyNumber(), anyNumber());
 }
 
-RC_GTEST_PROP(SafetyChainProperty, neverBreaksClampOrSlewWhateverComes, ()) {
+RC_GTEST_PROP(SafetyChainProperty, NeverBreaksClampOrSlewWhateverComes, ()) {
   SafetyChain chain = openChain();
   const auto inputs = *rc::gen::container<std::vector<SafetyInput>>(200, anyInput());
   dvec3 last(0.0);
@@ -353,7 +353,7 @@ RC_GTEST_PROP(SafetyChainProperty, neverBreaksClampOrSlewWhateverComes, ()) {
   }
 }
 
-RC_GTEST_PROP(SafetyChainProperty, reachesZeroWithinItsTimeFromAnywhere, ()) {
+RC_GTEST_PROP(SafetyChainProperty, ReachesZeroWithinItsTimeFromAnywhere, ()) {
   SafetyChain chain = openChain();
   for (const SafetyInput& input : *rc::gen::container<std::vector<SafetyInput>>(60, anyInput())) chain.tick(input);
   SafetyInput closed;

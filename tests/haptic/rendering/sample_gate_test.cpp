@@ -22,7 +22,7 @@ int refusedOf(SampleGate& gate, double (*way)(double), int ticks) {
   return refused;
 }
 
-TEST(SampleGate, whatAHandAndItsMotorsCanDoFollows) {
+TEST(SampleGate, WhatAHandAndItsMotorsCanDoFollows) {
   SampleGate gate;
   EXPECT_EQ(refusedOf(
                 gate, [](double t) { return 0.02 * (1.0 - std::cos(50.0 * t)); }, 2000),
@@ -40,14 +40,14 @@ TEST(SampleGate, whatAHandAndItsMotorsCanDoFollows) {
             0);
 }
 
-TEST(SampleGate, aDeviceThatSaysEachPlaceSeveralTimesFollows) {
+TEST(SampleGate, ADeviceThatSaysEachPlaceSeveralTimesFollows) {
   SampleGate gate;
   int refused = refusedOf(
       gate, [](double t) { return 0.3 * std::floor(250.0 * t) / 250.0; }, 1000);
   EXPECT_LE(refused, 1) << "from rest, once";
 }
 
-TEST(SampleGate, oneWrongSampleIsRefusedOfAnySize) {
+TEST(SampleGate, OneWrongSampleIsRefusedOfAnySize) {
   for (const double size : {0.2e-3, 1e-3, 0.02, 0.5, 1e3}) {
     SampleGate gate;
     for (int i = 0; i < 10; ++i) gate.judge(at(0.01), 0.001);
@@ -61,7 +61,7 @@ TEST(SampleGate, oneWrongSampleIsRefusedOfAnySize) {
       << "a turn";
 }
 
-TEST(SampleGate, aTrueLeapCostsOneTick) {
+TEST(SampleGate, ATrueLeapCostsOneTick) {
   SampleGate gate;
   gate.judge(at(0.0), 0.001);
   EXPECT_EQ(gate.judge(at(0.001), 0.001), Verdict::kRefused);
@@ -69,7 +69,7 @@ TEST(SampleGate, aTrueLeapCostsOneTick) {
 }
 
 /// It may stay, tremble or go on there for as long as it likes: only whoever has switched the motors off believes it.
-TEST(SampleGate, aJumpThatNoHandCanMakeIsNeverBelieved) {
+TEST(SampleGate, AJumpThatNoHandCanMakeIsNeverBelieved) {
   for (const double size : {0.005, 0.015, 0.05, 1e9}) {
     for (const double speed : {0.0, 0.3}) {
       SampleGate gate;
@@ -86,21 +86,21 @@ TEST(SampleGate, aJumpThatNoHandCanMakeIsNeverBelieved) {
   }
 }
 
-TEST(SampleGate, aHandThatIsSeenAgainIsBelieved) {
+TEST(SampleGate, AHandThatIsSeenAgainIsBelieved) {
   SampleGate gate;
   for (int i = 0; i <= 100; ++i) gate.judge(at(3e-4 * i), 0.001);
   for (int i = 101; i <= 115; ++i) EXPECT_EQ(gate.judge(at(3e-4 * i, 0.04), 0.001), Verdict::kRefused);
   EXPECT_EQ(gate.judge(at(3e-4 * 116), 0.001), Verdict::kFollows);
 }
 
-TEST(SampleGate, samplesThatAgreeWithNothingAreNotBelieved) {
+TEST(SampleGate, SamplesThatAgreeWithNothingAreNotBelieved) {
   SampleGate gate;
   gate.judge(at(0.0), 0.001);
   for (int i = 0; i < 19; ++i) EXPECT_EQ(gate.judge(at(i % 2 == 0 ? 0.05 : -0.07), 0.001), Verdict::kRefused) << i;
   EXPECT_EQ(gate.believed().p.x, 0.0);
 }
 
-TEST(SampleGate, ticksThatWereMissedGiveRoom) {
+TEST(SampleGate, TicksThatWereMissedGiveRoom) {
   SampleGate gate;
   gate.judge(at(0.0), 0.001);
   EXPECT_EQ(gate.judge(at(0.01), 0.01), Verdict::kFollows);

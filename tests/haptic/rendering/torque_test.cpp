@@ -29,7 +29,7 @@ ConstraintSet leverSet() {
   return set;
 }
 
-TEST(Torque, isTheLeverTimesTheForce) {
+TEST(Torque, IsTheLeverTimesTheForce) {
   ForceRenderer renderer(turning());
   renderer.reset(turned(0.001, 0.0));
   renderer.adopt(leverSet());
@@ -45,7 +45,7 @@ TEST(Torque, isTheLeverTimesTheForce) {
   EXPECT_NEAR(result.force_D.z, 1000.0 * depth / (1.0 + 0.01 / (l * l)), 0.03 * result.force_D.z);
 }
 
-TEST(Torque, isZeroInFreeMotionAndOnDevicesThatDriveNone) {
+TEST(Torque, IsZeroInFreeMotionAndOnDevicesThatDriveNone) {
   ForceRenderer free(turning());
   free.reset(turned(0.05, 0.0));
   free.adopt(leverSet());
@@ -60,7 +60,7 @@ TEST(Torque, isZeroInFreeMotionAndOnDevicesThatDriveNone) {
   }
 }
 
-TEST(Torque, yieldsAtWhatTheMotorsBear) {
+TEST(Torque, YieldsAtWhatTheMotorsBear) {
   ForceRenderer renderer(turning(0.05));
   renderer.reset(turned(0.001, 0.0));
   renderer.adopt(leverSet());
@@ -74,7 +74,7 @@ TEST(Torque, yieldsAtWhatTheMotorsBear) {
 }
 
 /// A wrist that turns the lever into the floor and out again, slowly and fast.
-TEST(Torque, makesNoEnergy) {
+TEST(Torque, MakesNoEnergy) {
   for (const double rate : {2.0, 6.0}) {
     ForceRenderer renderer(turning());
     Pose last = turned(0.001, 0.0);
@@ -98,7 +98,7 @@ TEST(Torque, makesNoEnergy) {
   }
 }
 
-TEST(Torque, keepsItsPeakAndSlewWhateverIsWanted) {
+TEST(Torque, KeepsItsPeakAndSlewWhateverIsWanted) {
   SafetyOptions options;
   options.peak_torque = 0.188;
   SafetyChain chain(options);

@@ -21,7 +21,7 @@ struct Beating {
   std::int64_t now = 7 * kMillisecond;
 };
 
-TEST(BeatWatch, aQuickHeartOnTheSameMachineIsMissedAfter28Milliseconds) {
+TEST(BeatWatch, AQuickHeartOnTheSameMachineIsMissedAfter28Milliseconds) {
   Beating client;
   for (int i = 0; i < 19; ++i) {
     client.beat(10.0 + 0.1 * (i % 20));
@@ -33,7 +33,7 @@ TEST(BeatWatch, aQuickHeartOnTheSameMachineIsMissedAfter28Milliseconds) {
   }
 }
 
-TEST(BeatWatch, aSlowHeartHasTheServersOwnLimit) {
+TEST(BeatWatch, ASlowHeartHasTheServersOwnLimit) {
   Beating client;
   for (int i = 0; i < 100; ++i) {
     client.beat(100.0);
@@ -43,7 +43,7 @@ TEST(BeatWatch, aSlowHeartHasTheServersOwnLimit) {
   EXPECT_EQ(client.watch.limit(), BeatWatch::kShortest) << "it beats quicker now";
 }
 
-TEST(BeatWatch, aLateBeatGivesMoreTimeForAWhile) {
+TEST(BeatWatch, ALateBeatGivesMoreTimeForAWhile) {
   Beating client;
   for (int i = 0; i < 100; ++i) client.beat(10.0);
   client.beat(25.0);
@@ -54,7 +54,7 @@ TEST(BeatWatch, aLateBeatGivesMoreTimeForAWhile) {
   EXPECT_EQ(client.watch.limit(), BeatWatch::kShortest);
 }
 
-TEST(BeatWatch, aFarMachineHasTheTimeOfItsRoundTrips) {
+TEST(BeatWatch, AFarMachineHasTheTimeOfItsRoundTrips) {
   Beating client;
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> jitter(0.0, 10.0);
@@ -63,7 +63,7 @@ TEST(BeatWatch, aFarMachineHasTheTimeOfItsRoundTrips) {
   EXPECT_LT(client.watch.limit(), 0.180);
 }
 
-TEST(BeatWatch, aClockThatGoesBackAndARoundTripThatIsNoneDoNoHarm) {
+TEST(BeatWatch, AClockThatGoesBackAndARoundTripThatIsNoneDoNoHarm) {
   Beating client;
   for (int i = 0; i < 100; ++i) client.beat(i % 7 == 0 ? -3.6e6 : 10.0, i % 5 == 0 ? std::nan("") : 0.001);
   EXPECT_GE(client.watch.limit(), 0.0);
@@ -72,7 +72,7 @@ TEST(BeatWatch, aClockThatGoesBackAndARoundTripThatIsNoneDoNoHarm) {
 
 /// A client that presses, beats every 10 ms and is gone with its socket open, as one of four gigabytes that is killed:
 /// whenever that is between two beats, the device's own last command is zero 50 ms later.
-TEST(ForceLoop, a_client_of_a_quick_heart_that_dies_leaves_no_force_after_50_ms) {
+TEST(ForceLoop, AClientOfAQuickHeartThatDiesLeavesNoForceAfter50Ms) {
   for (int phase = 0; phase < 10; ++phase) {
     VirtualSession session;
     session.press();

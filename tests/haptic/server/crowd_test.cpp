@@ -108,7 +108,7 @@ TcpLinkOptions to(std::uint16_t port, const std::optional<PairingKey>& key, Clie
 
 class Crowded : public ::testing::TestWithParam<bool> {};
 
-TEST_P(Crowded, the_rightful_owner_gets_in_and_comes_back_through_silent_sockets) {
+TEST_P(Crowded, TheRightfulOwnerGetsInAndComesBackThroughSilentSockets) {
   const auto key = GetParam() ? std::optional(*PairingKey::make()) : std::nullopt;
   LiveServer server(patient(key));
   const Crowd crowd(server.port(), 200);
@@ -124,7 +124,7 @@ TEST_P(Crowded, the_rightful_owner_gets_in_and_comes_back_through_silent_sockets
 INSTANTIATE_TEST_SUITE_P(Links, Crowded, ::testing::Bool(),
                          [](const auto& entry) { return entry.param ? "keyed" : "plain"; });
 
-TEST(Crowd, makes_room_at_the_cost_of_the_address_with_most_connections) {
+TEST(Crowd, MakesRoomAtTheCostOfTheAddressWithMostConnections) {
   NetworkOptions options = patient();
   options.max_waiting = 8;
   options.max_waiting_of_address = 6;
@@ -138,7 +138,7 @@ TEST(Crowd, makes_room_at_the_cost_of_the_address_with_most_connections) {
   EXPECT_FALSE(honest.ended()) << "it was there first and is alone";
 }
 
-TEST(Crowd, whoever_may_control_has_a_place_however_many_watch) {
+TEST(Crowd, WhoeverMayControlHasAPlaceHoweverManyWatch) {
   LiveServer server({.max_clients = 2});
   RawClient one(server.port()), two(server.port()), three(server.port());
   ASSERT_TRUE(one.hello(ClientKind::kWatcher) && two.hello(ClientKind::kWatcher));
@@ -154,7 +154,7 @@ TEST(Crowd, whoever_may_control_has_a_place_however_many_watch) {
   }
 }
 
-TEST(Crowd, another_machine_has_its_share_of_those_that_watch) {
+TEST(Crowd, AnotherMachineHasItsShareOfThoseThatWatch) {
   // 127.0.0.0/8 counts as this machine, whose programs are not limited to a share.
   LiveServer server({.max_clients = 6, .max_clients_of_address = 1});
   RawClient one(server.port()), two(server.port());
@@ -163,7 +163,7 @@ TEST(Crowd, another_machine_has_its_share_of_those_that_watch) {
   EXPECT_TRUE(answer && std::holds_alternative<Welcome>(*answer));
 }
 
-TEST(Crowd, a_thousand_refusals_are_few_lines) {
+TEST(Crowd, AThousandRefusalsAreFewLines) {
   LiveServer server;
   for (int i = 0; i < 1000; ++i) {
     RawClient stranger(server.port());
@@ -175,7 +175,7 @@ TEST(Crowd, a_thousand_refusals_are_few_lines) {
   EXPECT_LE(server.reports.size(), 60u) << "ten at once, one in five seconds, a summary in ten";
 }
 
-TEST(Crowd, what_a_client_calls_itself_is_one_short_line) {
+TEST(Crowd, WhatAClientCallsItselfIsOneShortLine) {
   LiveServer server;
   RawClient forger(server.port());
   const std::string name = "x\n12:00:00.000 warning: FORGED: your licence \x1B[2J has expired" + std::string(900, 'y');
@@ -222,7 +222,7 @@ class Closer {
   std::thread thread_;
 };
 
-TEST(Crowd, a_server_without_room_is_no_reason_to_pair_anew) {
+TEST(Crowd, AServerWithoutRoomIsNoReasonToPairAnew) {
   const Closer closer;
   TcpLink link(to(closer.port, *PairingKey::make(), ClientKind::kController));
   ASSERT_TRUE(eventually([&] { return link.problem().find("tries again by itself") != std::string::npos; }))

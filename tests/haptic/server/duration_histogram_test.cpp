@@ -14,7 +14,7 @@
 namespace hapticell::haptic {
 namespace {
 
-TEST(DurationHistogram, percentiles_are_those_of_the_sorted_list_within_a_bucket) {
+TEST(DurationHistogram, PercentilesAreThoseOfTheSortedListWithinABucket) {
   std::mt19937_64 random(1);
   std::lognormal_distribution<double> spread(11.0, 2.5);  // Around 60 us, up to seconds.
   DurationHistogram histogram;
@@ -35,7 +35,7 @@ TEST(DurationHistogram, percentiles_are_those_of_the_sorted_list_within_a_bucket
   EXPECT_EQ(histogram.countBelow(1.024e-3), static_cast<std::uint64_t>(below));
 }
 
-TEST(DurationHistogram, merging_is_adding_both) {
+TEST(DurationHistogram, MergingIsAddingBoth) {
   DurationHistogram a, b, both;
   for (int i = 0; i < 1000; ++i) {
     DurationHistogram& one = i % 3 ? a : b;
@@ -47,7 +47,7 @@ TEST(DurationHistogram, merging_is_adding_both) {
   EXPECT_EQ(a.count(), both.count());
 }
 
-TEST(DurationHistogram, takes_any_duration) {
+TEST(DurationHistogram, TakesAnyDuration) {
   DurationHistogram histogram;
   EXPECT_EQ(histogram.percentile(0.5), 0.0);
   histogram.add(-5);
@@ -57,7 +57,7 @@ TEST(DurationHistogram, takes_any_duration) {
   EXPECT_GT(histogram.percentile(1.0), 60.0);
 }
 
-TEST(LoopStatistics, count_rate_misses_and_forget_old_lateness) {
+TEST(LoopStatistics, CountRateMissesAndForgetOldLateness) {
   LoopStatistics statistics(1000.0);
   LoopFigures figures;
   std::int64_t now = 0;
@@ -81,7 +81,7 @@ TEST(LoopStatistics, count_rate_misses_and_forget_old_lateness) {
   EXPECT_NE(report.find("max 10.000"), std::string::npos) << report;
 }
 
-TEST(LoopStatistics, count_late_and_refused_sets_and_tell_the_clocks) {
+TEST(LoopStatistics, CountLateAndRefusedSetsAndTellTheClocks) {
   LoopStatistics statistics(1000.0);
   LoopFigures figures;
   statistics.addTick(1, 0, 0);

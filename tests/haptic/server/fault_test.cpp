@@ -16,7 +16,7 @@
 namespace hapticell::haptic {
 namespace {
 
-TEST(Faults, twentyMissedTicksSwitchTheMotorsOffUntilReArmed) {
+TEST(Faults, TwentyMissedTicksSwitchTheMotorsOffUntilReArmed) {
   Hardware hardware;
   hardware.press();
   ASSERT_GT(glm::length(hardware.device.force), 1.0);
@@ -39,7 +39,7 @@ TEST(Faults, twentyMissedTicksSwitchTheMotorsOffUntilReArmed) {
 }
 
 /// A single failed reading takes the force away; it must not come back by itself in the tick after.
-TEST(Faults, aDeviceThatFailsForOneTickStaysWithoutForce) {
+TEST(Faults, ADeviceThatFailsForOneTickStaysWithoutForce) {
   Hardware hardware;
   hardware.press();
   ASSERT_GT(glm::length(hardware.device.force), 1.0);
@@ -52,7 +52,7 @@ TEST(Faults, aDeviceThatFailsForOneTickStaysWithoutForce) {
   }
 }
 
-TEST(Faults, aSimulatedDeviceOnlyCountsTheStall) {
+TEST(Faults, ASimulatedDeviceOnlyCountsTheStall) {
   VirtualSession session;
   session.press();
   session.loop().tick({0, 50});
@@ -60,7 +60,7 @@ TEST(Faults, aSimulatedDeviceOnlyCountsTheStall) {
   EXPECT_FALSE(session.loop().motorsOff());
 }
 
-TEST(Faults, aTeleportingStylusKeepsClampAndSlew) {
+TEST(Faults, ATeleportingStylusKeepsClampAndSlew) {
   Hardware hardware;
   for (int i = 0; i < 400; ++i) {
     hardware.device.X_DS.p = dvec3(0.05 * std::sin(1e3 * i), 0.05 * std::cos(7e2 * i), 0.04 * std::sin(5e2 * i));
@@ -71,7 +71,7 @@ TEST(Faults, aTeleportingStylusKeepsClampAndSlew) {
 }
 
 /// Somebody calibrates it, or takes it up quickly: nobody has to enable anything anew for that.
-TEST(Faults, aJumpWhileNothingPushesIsNoFault) {
+TEST(Faults, AJumpWhileNothingPushesIsNoFault) {
   ScriptedDevice device;
   VirtualClock clock;
   ForceLoop loop(device, clock, patientOptionsFor(device));
@@ -96,7 +96,7 @@ TEST(Faults, aJumpWhileNothingPushesIsNoFault) {
   EXPECT_FALSE(loop.current().forces_on) << "with forces on it is one";
 }
 
-TEST(Faults, numbersThatAreNoneAreNotBelieved) {
+TEST(Faults, NumbersThatAreNoneAreNotBelieved) {
   Hardware hardware;
   hardware.press();
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {
@@ -111,7 +111,7 @@ TEST(Faults, numbersThatAreNoneAreNotBelieved) {
   EXPECT_LE(hardware.worst_step, 1.0 + 1e-9);
 }
 
-TEST(Faults, aJumpOfTheClockKeepsClampAndSlew) {
+TEST(Faults, AJumpOfTheClockKeepsClampAndSlew) {
   Hardware hardware;
   hardware.press();
   hardware.clock.advance(3'600'000'000'000);
@@ -123,7 +123,7 @@ TEST(Faults, aJumpOfTheClockKeepsClampAndSlew) {
   EXPECT_LE(hardware.worst_step, 1.0 + 1e-9);
 }
 
-TEST(Faults, theLastTwoSecondsAreKeptAndWritten) {
+TEST(Faults, TheLastTwoSecondsAreKeptAndWritten) {
   Hardware hardware;
   hardware.press();
   EXPECT_FALSE(hardware.loop.faults().pending());
@@ -153,7 +153,7 @@ TEST(Faults, theLastTwoSecondsAreKeptAndWritten) {
   EXPECT_FALSE(writeFault(record, "/proc/no/such/place").has_value());
 }
 
-TEST(Faults, whoMakesFaultsWithoutEndFillsNoDisk) {
+TEST(Faults, WhoMakesFaultsWithoutEndFillsNoDisk) {
   const test::TemporaryFolder folder;
   const auto filesThere = [&] {
     return std::distance(std::filesystem::directory_iterator(folder.path()), std::filesystem::directory_iterator());
@@ -178,18 +178,18 @@ TEST(Faults, whoMakesFaultsWithoutEndFillsNoDisk) {
   EXPECT_EQ(filesThere(), 2) << "the newest stays, however large";
 }
 
-TEST(Faults, goIntoNoFolderThatOthersMayWriteTo) {
+TEST(Faults, GoIntoNoFolderThatOthersMayWriteTo) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "open");
   std::filesystem::permissions(folder.path() / "open", std::filesystem::perms::all);
   const auto refused = writeFault({FaultKind::kInput, 1, {}}, folder.path() / "open");
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message().find("other users may write to it"), std::string::npos);
-  FaultFiles homeless(makeError({"", "", "HOME is not set", "", ""}));
+  FaultFiles homeless(makeError({.found = "HOME is not set"}));
   EXPECT_FALSE(homeless.write({FaultKind::kInput, 1, {}}, 1)) << "nothing is written into the current folder";
 }
 
-TEST(Faults, aSecondFaultWhileTheFirstIsReadIsOnlyCounted) {
+TEST(Faults, ASecondFaultWhileTheFirstIsReadIsOnlyCounted) {
   FaultRecorder recorder(10, 2);
   const auto add = [&](int count) {
     for (int i = 0; i < count; ++i) recorder.add({});

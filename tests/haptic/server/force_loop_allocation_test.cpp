@@ -10,7 +10,7 @@
 namespace hapticell::haptic {
 namespace {
 
-TEST(ForceLoopTick, allocates_nothing_whatever_arrives) {
+TEST(ForceLoopTick, AllocatesNothingWhateverArrives) {
   if (!test::allocationsAreCounted()) GTEST_SKIP() << test::kNotCounted;
   VirtualClock clock;
   SimulatedDevice device;

@@ -32,7 +32,7 @@ class FailingDevice final : public Device {
   bool failing = false, closed = false;
 };
 
-TEST(ForceLoop, a_device_that_fails_gets_no_force_and_must_be_enabled_anew) {
+TEST(ForceLoop, ADeviceThatFailsGetsNoForceAndMustBeEnabledAnew) {
   VirtualClock clock;
   FailingDevice device;
   ASSERT_TRUE(device.open());
@@ -61,7 +61,7 @@ TEST(ForceLoop, a_device_that_fails_gets_no_force_and_must_be_enabled_anew) {
   EXPECT_FALSE(loop.current().device_fault);
 }
 
-TEST(ForceLoop, shutting_down_stops_the_motors_for_good) {
+TEST(ForceLoop, ShuttingDownStopsTheMotorsForGood) {
   VirtualClock clock;
   FailingDevice device;
   ASSERT_TRUE(device.open());
@@ -75,7 +75,7 @@ TEST(ForceLoop, shutting_down_stops_the_motors_for_good) {
   EXPECT_EQ(device.written, dvec3(7.0)) << "no tick after the end";
 }
 
-RC_GTEST_PROP(ForceLoop, nothing_that_happens_to_the_link_breaks_clamp_or_slew, ()) {
+RC_GTEST_PROP(ForceLoop, NothingThatHappensToTheLinkBreaksClampOrSlew, ()) {
   VirtualSession session({.latency = 0.001 * *rc::gen::inRange(0, 60), .jitter = 0.02, .loss = 0.2});
   session.engage();
   const int events = *rc::gen::inRange(5, 40);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kWithin50Milliseconds = 50;  // Ticks.
 
-TEST(ForceLoop, a_set_is_held_while_the_link_lives_however_old) {
+TEST(ForceLoop, ASetIsHeldWhileTheLinkLivesHoweverOld) {
   VirtualSession session;
   session.engage();
   session.holdAt(-0.004);  // 0.9 N: less than the motors bear for ever.
@@ -21,7 +21,7 @@ TEST(ForceLoop, a_set_is_held_while_the_link_lives_however_old) {
   EXPECT_NEAR(session.force(), force, 0.03);
 }
 
-TEST(ForceLoop, a_closed_link_takes_the_force_to_zero_within_50_ms) {
+TEST(ForceLoop, AClosedLinkTakesTheForceToZeroWithin50Ms) {
   VirtualSession session;
   session.press();
   ASSERT_GT(session.force(), 2.0);
@@ -37,7 +37,7 @@ TEST(ForceLoop, a_closed_link_takes_the_force_to_zero_within_50_ms) {
   EXPECT_EQ(session.state().adopted_set, 0u);
 }
 
-TEST(ForceLoop, a_silent_link_is_held_for_600_ms_and_then_fades_in_200) {
+TEST(ForceLoop, ASilentLinkIsHeldFor600MsAndThenFadesIn200) {
   VirtualSession session;
   session.press();
   const double force = session.force();
@@ -58,7 +58,7 @@ TEST(ForceLoop, a_silent_link_is_held_for_600_ms_and_then_fades_in_200) {
   EXPECT_EQ(session.force(), 0.0);
 }
 
-TEST(ForceLoop, after_a_silence_the_force_comes_back_through_the_gate_only) {
+TEST(ForceLoop, AfterASilenceTheForceComesBackThroughTheGateOnly) {
   VirtualSession session;
   session.press();
   session.link().setSilent(true);
@@ -77,7 +77,7 @@ TEST(ForceLoop, after_a_silence_the_force_comes_back_through_the_gate_only) {
   EXPECT_LT(session.max_step, 0.1);
 }
 
-TEST(ForceLoop, a_client_that_lives_but_says_no_set_for_two_seconds_loses_its_force) {
+TEST(ForceLoop, AClientThatLivesButSaysNoSetForTwoSecondsLosesItsForce) {
   VirtualSession session({}, 1000.0, SafetyOptions{}.set_silence_limit);
   const auto saySets = [&](int ticks, double height_step = 0.0) { session.saySets(ticks, 100, height_step); };
   session.holdAt(0.005);
@@ -108,7 +108,7 @@ TEST(ForceLoop, a_client_that_lives_but_says_no_set_for_two_seconds_loses_its_fo
   EXPECT_LT(session.max_step, 0.1);
 }
 
-TEST(ForceLoop, sets_that_are_refused_keep_no_force_alive) {
+TEST(ForceLoop, SetsThatAreRefusedKeepNoForceAlive) {
   constexpr std::uint64_t kFarAhead = std::uint64_t{1} << 62;
   VirtualSession session({}, 1000.0, SafetyOptions{}.set_silence_limit);
   const auto saySets = [&](int ticks, double height_step = 0.0) { session.saySets(ticks, 50, height_step); };
@@ -142,7 +142,7 @@ TEST(ForceLoop, sets_that_are_refused_keep_no_force_alive) {
   EXPECT_LT(session.max_step, 0.1);
 }
 
-TEST(ForceLoop, short_silences_are_not_felt) {
+TEST(ForceLoop, ShortSilencesAreNotFelt) {
   VirtualSession session;
   session.press();
   session.max_step = 0.0;
@@ -156,7 +156,7 @@ TEST(ForceLoop, short_silences_are_not_felt) {
   EXPECT_GT(session.force(), 2.0);
 }
 
-TEST(ForceLoop, a_new_client_begins_from_nothing) {
+TEST(ForceLoop, ANewClientBeginsFromNothing) {
   VirtualSession session;
   session.press();
   session.link().disconnect();
@@ -169,7 +169,7 @@ TEST(ForceLoop, a_new_client_begins_from_nothing) {
   EXPECT_EQ(session.state().adopted_set, 1u) << "and its sequence numbers neither";
 }
 
-TEST(ForceLoop, a_message_of_an_earlier_client_is_not_taken) {
+TEST(ForceLoop, AMessageOfAnEarlierClientIsNotTaken) {
   VirtualClock clock;
   SimulatedDevice device;
   ASSERT_TRUE(device.open());
@@ -183,7 +183,7 @@ TEST(ForceLoop, a_message_of_an_earlier_client_is_not_taken) {
   EXPECT_FALSE(loop.current().forces_on);
 }
 
-TEST(ForceLoop, messages_sent_together_with_the_new_link_are_taken) {
+TEST(ForceLoop, MessagesSentTogetherWithTheNewLinkAreTaken) {
   VirtualSession session;
   session.link().sendControl({.forces_enabled = true});
   session.run(2000);

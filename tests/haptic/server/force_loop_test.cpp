@@ -8,7 +8,7 @@
 namespace hapticell::haptic {
 namespace {
 
-TEST(ForceLoop, makes_no_force_until_a_client_enables_it) {
+TEST(ForceLoop, MakesNoForceUntilAClientEnablesIt) {
   VirtualSession session;
   session.holdAt(-0.010);
   session.link().sendSet(floorSet(1));
@@ -18,7 +18,7 @@ TEST(ForceLoop, makes_no_force_until_a_client_enables_it) {
   EXPECT_LT(session.state().X_DS.p.z, -0.009) << "the hand goes through the floor that is not felt";
 }
 
-TEST(ForceLoop, free_motion_is_free) {
+TEST(ForceLoop, FreeMotionIsFree) {
   VirtualSession session;
   session.engage();
   EXPECT_TRUE(session.state().forces_on);
@@ -31,7 +31,7 @@ TEST(ForceLoop, free_motion_is_free) {
   EXPECT_EQ(session.max_force, 0.0);
 }
 
-TEST(ForceLoop, a_pressed_floor_answers_with_stiffness_times_depth) {
+TEST(ForceLoop, APressedFloorAnswersWithStiffnessTimesDepth) {
   VirtualSession session;
   session.press();
   const double depth = -session.state().X_DS.p.z;
@@ -42,7 +42,7 @@ TEST(ForceLoop, a_pressed_floor_answers_with_stiffness_times_depth) {
   EXPECT_EQ(session.state().adopted_set, 1u);
 }
 
-TEST(ForceLoop, the_same_session_twice_is_the_same_to_the_last_bit) {
+TEST(ForceLoop, TheSameSessionTwiceIsTheSameToTheLastBit) {
   const auto trace = [] {
     VirtualSession session({.latency = 0.01, .jitter = 0.02, .loss = 0.1, .seed = 5});
     std::vector<dvec3> forces;
@@ -58,7 +58,7 @@ TEST(ForceLoop, the_same_session_twice_is_the_same_to_the_last_bit) {
   EXPECT_EQ(trace(), trace());
 }
 
-TEST(ForceLoop, the_feel_does_not_depend_on_the_clients_rate) {
+TEST(ForceLoop, TheFeelDoesNotDependOnTheClientsRate) {
   struct Client {
     int period_ticks;
     double latency;
@@ -83,7 +83,7 @@ TEST(ForceLoop, the_feel_does_not_depend_on_the_clients_rate) {
   EXPECT_NEAR(forces[2], forces[0], 0.02 * forces[0]);
 }
 
-TEST(ForceLoop, skipped_ticks_are_counted_and_the_physics_catches_up) {
+TEST(ForceLoop, SkippedTicksAreCountedAndThePhysicsCatchesUp) {
   VirtualSession smooth, rough;
   for (VirtualSession* session : {&smooth, &rough}) {
     session->link().sendHandTarget(HandTarget{});
@@ -103,7 +103,7 @@ TEST(ForceLoop, skipped_ticks_are_counted_and_the_physics_catches_up) {
   EXPECT_EQ(smooth.loop().report().missed, 0u);
 }
 
-TEST(ForceLoop, other_rates_feel_the_same) {
+TEST(ForceLoop, OtherRatesFeelTheSame) {
   for (const double rate : {500.0, 2000.0}) {
     VirtualSession session({}, rate);
     session.holdAt(0.005);
@@ -116,7 +116,7 @@ TEST(ForceLoop, other_rates_feel_the_same) {
   }
 }
 
-TEST(ForceLoop, the_client_may_ask_for_another_stiffness) {
+TEST(ForceLoop, TheClientMayAskForAnotherStiffness) {
   VirtualSession session;
   session.engage();
   session.link().sendControl({.forces_enabled = true, .stiffness = 400.0});
@@ -126,7 +126,7 @@ TEST(ForceLoop, the_client_may_ask_for_another_stiffness) {
   EXPECT_NEAR(session.force(), 10e-3 / (1.0 / 300.0 + 1.0 / 400.0), 0.15);
 }
 
-TEST(ForceLoop, an_outdated_set_and_one_elsewhere_change_nothing) {
+TEST(ForceLoop, AnOutdatedSetAndOneElsewhereChangeNothing) {
   VirtualSession session;
   session.press();
   session.link().sendSet(floorSet(1));  // Anew: its number counts for 2.5 s.
@@ -145,7 +145,7 @@ TEST(ForceLoop, an_outdated_set_and_one_elsewhere_change_nothing) {
   EXPECT_EQ(session.link().latestStatistics().value_or(ServerStatistics{}).refused_sets, 2u);
 }
 
-TEST(ForceLoop, counts_the_sets_that_are_late_and_takes_them) {
+TEST(ForceLoop, CountsTheSetsThatAreLateAndTakesThem) {
   VirtualSession session({.latency = 0.150});
   for (std::uint64_t sequence = 1; sequence <= 3; ++sequence) {
     ConstraintSet set = floorSet(sequence);
@@ -160,7 +160,7 @@ TEST(ForceLoop, counts_the_sets_that_are_late_and_takes_them) {
   EXPECT_EQ(statistics->refused_sets, 0u);
 }
 
-TEST(ForceLoop, tells_the_age_of_sets) {
+TEST(ForceLoop, TellsTheAgeOfSets) {
   VirtualSession session({.latency = 0.050});
   for (int i = 0; i < 1000; ++i) {
     ConstraintSet set = floorSet(1 + static_cast<std::uint64_t>(i));

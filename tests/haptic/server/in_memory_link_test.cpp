@@ -8,7 +8,7 @@
 namespace hapticell::haptic {
 namespace {
 
-TEST(InMemoryLink, tells_the_device_and_is_connected_from_the_start) {
+TEST(InMemoryLink, TellsTheDeviceAndIsConnectedFromTheStart) {
   VirtualSession session;
   EXPECT_EQ(session.link().linkState(), LinkState::kConnected);
   EXPECT_EQ(session.link().problem(), "");
@@ -21,7 +21,7 @@ TEST(InMemoryLink, tells_the_device_and_is_connected_from_the_start) {
   EXPECT_FALSE(session.link().device().has_value());
 }
 
-TEST(InMemoryLink, a_state_arrives_after_the_latency_and_only_once) {
+TEST(InMemoryLink, AStateArrivesAfterTheLatencyAndOnlyOnce) {
   VirtualSession session({.latency = 0.020});
   session.run(20);
   EXPECT_FALSE(session.link().latestState().has_value());
@@ -34,7 +34,7 @@ TEST(InMemoryLink, a_state_arrives_after_the_latency_and_only_once) {
   EXPECT_EQ(session.link().latestState()->tick, 31u) << "the newest that has arrived, the others are dropped";
 }
 
-TEST(InMemoryLink, a_press_between_two_looks_is_seen_once) {
+TEST(InMemoryLink, APressBetweenTwoLooksIsSeenOnce) {
   VirtualSession session;
   session.run(5);
   EXPECT_EQ(session.link().latestState()->buttons, 0u);
@@ -65,7 +65,7 @@ TEST(PressLatch, ForgetsWhatWasPressedBeforeAnotherConnection) {
   EXPECT_EQ(latch.take(0), 0u);
 }
 
-TEST(InMemoryLink, a_set_reaches_the_loop_after_the_latency) {
+TEST(InMemoryLink, ASetReachesTheLoopAfterTheLatency) {
   VirtualSession session({.latency = 0.020});
   session.run(100);
   session.link().sendSet(floorSet(3));
@@ -75,7 +75,7 @@ TEST(InMemoryLink, a_set_reaches_the_loop_after_the_latency) {
   EXPECT_EQ(session.state().adopted_set, 3u);
 }
 
-TEST(InMemoryLink, without_latency_a_set_counts_at_the_next_tick) {
+TEST(InMemoryLink, WithoutLatencyASetCountsAtTheNextTick) {
   VirtualSession session;
   session.run(10);
   session.link().sendSet(floorSet(3));
@@ -84,7 +84,7 @@ TEST(InMemoryLink, without_latency_a_set_counts_at_the_next_tick) {
   EXPECT_EQ(session.link().latestState()->adopted_set, 3u);
 }
 
-TEST(InMemoryLink, jitter_keeps_the_order) {
+TEST(InMemoryLink, JitterKeepsTheOrder) {
   VirtualSession session({.latency = 0.001, .jitter = 0.050, .seed = 3});
   std::uint64_t last = 0, ticks_with_news = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -99,7 +99,7 @@ TEST(InMemoryLink, jitter_keeps_the_order) {
   EXPECT_LT(ticks_with_news, 1500u) << "jitter bunches them";
 }
 
-TEST(InMemoryLink, loses_the_share_it_was_told_and_never_a_control) {
+TEST(InMemoryLink, LosesTheShareItWasToldAndNeverAControl) {
   VirtualSession session({.loss = 0.3});
   int heard = 0;
   for (int i = 0; i < 4000; ++i) {

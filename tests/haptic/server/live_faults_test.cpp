@@ -261,7 +261,7 @@ bool LiveFaults::forceComesBack() {
   });
 }
 
-TEST_F(LiveFaults, keepClampAndSlewAndTheForceComesBack) {
+TEST_F(LiveFaults, KeepClampAndSlewAndTheForceComesBack) {
   const char* const asked = std::getenv("HAPTICELL_LIVE_FAULTS");
   const int faults = asked ? std::max(1, std::atoi(asked)) : 40;
   for (int i = 0; i < faults && !HasFatalFailure(); ++i) {

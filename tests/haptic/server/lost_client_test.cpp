@@ -93,7 +93,7 @@ struct LostClient : ::testing::Test {
   std::optional<TcpLink> watcher;
 };
 
-TEST_F(LostClient, killed_the_force_is_zero_within_50_ticks) {
+TEST_F(LostClient, KilledTheForceIsZeroWithin50Ticks) {
   ASSERT_TRUE(client.waitUntilPressing());
   const std::int64_t killed = server.clock.now();
   client.signal(SIGKILL);
@@ -111,7 +111,7 @@ TEST_F(LostClient, killed_the_force_is_zero_within_50_ticks) {
 
 /// As one that dies and whose memory takes long to be freed: its socket stays open and says nothing. TcpLink's heart
 /// beats every 10 ms while forces are on, so it is missed long before 600 ms, by as much as its beats came late before.
-TEST_F(LostClient, stopped_it_is_missed_by_its_heart_beats) {
+TEST_F(LostClient, StoppedItIsMissedByItsHeartBeats) {
   ASSERT_TRUE(client.waitUntilPressing());
   const std::int64_t stopped = server.clock.now();
   client.signal(SIGSTOP);
@@ -163,7 +163,7 @@ struct Other {
   std::string client;
 };
 
-TEST(PeerProcess, isFoundAndTellsThatItDies) {
+TEST(PeerProcess, IsFoundAndTellsThatItDies) {
   const Other other;
   const auto found = PeerProcess::find(other.client, other.port);
   ASSERT_TRUE(found);
@@ -175,7 +175,7 @@ TEST(PeerProcess, isFoundAndTellsThatItDies) {
   EXPECT_TRUE(eventually([&] { return found->isDying(); }));
 }
 
-TEST(PeerProcess, nobodyIsAtAPortThatNobodyHas) {
+TEST(PeerProcess, NobodyIsAtAPortThatNobodyHas) {
   EXPECT_FALSE(PeerProcess::find("127.0.0.1:1", 2));
   EXPECT_FALSE(PeerProcess::find("", 2));
   EXPECT_FALSE(PeerProcess::find("192.0.2.1:4747", 4747));

@@ -30,7 +30,7 @@ void expectServing(RawClient& controller, std::uint64_t sequence) {
   }
 }
 
-TEST(NetworkServer, welcomes_a_controller_and_tells_it_the_device) {
+TEST(NetworkServer, WelcomesAControllerAndTellsItTheDevice) {
   LiveServer server;
   RawClient client(server.port());
   const auto answer = client.hello();
@@ -47,7 +47,7 @@ TEST(NetworkServer, welcomes_a_controller_and_tells_it_the_device) {
   EXPECT_GT(statistics->ticks, 0u);
 }
 
-TEST(NetworkServer, states_come_in_order_and_never_twice) {
+TEST(NetworkServer, StatesComeInOrderAndNeverTwice) {
   LiveServer server;
   RawClient client(server.port());
   ASSERT_TRUE(is<Welcome>(client.hello(ClientKind::kWatcher)));
@@ -61,7 +61,7 @@ TEST(NetworkServer, states_come_in_order_and_never_twice) {
 }
 
 /// Counted in the server's ticks, a thousand a second: how fast the machine is does not matter.
-TEST(NetworkServer, a_stylus_that_lies_still_without_forces_is_told_of_seldom_and_at_once_when_it_moves) {
+TEST(NetworkServer, AStylusThatLiesStillWithoutForcesIsToldOfSeldomAndAtOnceWhenItMoves) {
   LiveServer server;
   RawClient client(server.port());
   ASSERT_TRUE(is<Welcome>(client.hello()));
@@ -88,7 +88,7 @@ TEST(NetworkServer, a_stylus_that_lies_still_without_forces_is_told_of_seldom_an
   EXPECT_EQ(state->buttons, 1u);
 }
 
-TEST(NetworkServer, answers_heartbeats_with_the_stamp_it_heard) {
+TEST(NetworkServer, AnswersHeartbeatsWithTheStampItHeard) {
   LiveServer server;
   RawClient client(server.port());
   ASSERT_TRUE(is<Welcome>(client.hello()));
@@ -133,7 +133,7 @@ std::vector<BadInput> badInputs() {
           {"not a number", hello + frameText(not_a_number), "finite"}};
 }
 
-TEST(NetworkServer, bad_input_is_refused_with_a_sentence_and_the_server_goes_on) {
+TEST(NetworkServer, BadInputIsRefusedWithASentenceAndTheServerGoesOn) {
   LiveServer server;
   RawClient good(server.port());
   ASSERT_TRUE(is<Welcome>(good.hello()));
@@ -147,7 +147,7 @@ TEST(NetworkServer, bad_input_is_refused_with_a_sentence_and_the_server_goes_on)
   }
 }
 
-TEST(NetworkServer, bad_input_cut_anywhere_and_then_the_end_does_no_harm) {
+TEST(NetworkServer, BadInputCutAnywhereAndThenTheEndDoesNoHarm) {
   LiveServer server;
   RawClient good(server.port());
   ASSERT_TRUE(is<Welcome>(good.hello()));
@@ -159,7 +159,7 @@ TEST(NetworkServer, bad_input_cut_anywhere_and_then_the_end_does_no_harm) {
   expectServing(good, 1);
 }
 
-TEST(NetworkServer, a_controller_that_turns_to_garbage_loses_control_at_once) {
+TEST(NetworkServer, AControllerThatTurnsToGarbageLosesControlAtOnce) {
   LiveServer server;
   RawClient bad(server.port());
   ASSERT_TRUE(is<Welcome>(bad.hello()));
@@ -169,21 +169,21 @@ TEST(NetworkServer, a_controller_that_turns_to_garbage_loses_control_at_once) {
   EXPECT_TRUE(is<Welcome>(next.hello()));
 }
 
-TEST(NetworkServer, a_client_that_says_hello_too_slowly_is_refused) {
+TEST(NetworkServer, AClientThatSaysHelloTooSlowlyIsRefused) {
   LiveServer server({.hello_time = 0.2});
   RawClient slow(server.port());
   ASSERT_TRUE(slow.sendBytes(frameText(Hello{}).substr(0, 9)));
   EXPECT_THAT(slow.refusalThenEnd(), HasSubstr("No Hello"));
 }
 
-TEST(NetworkServer, a_message_may_come_byte_by_byte) {
+TEST(NetworkServer, AMessageMayComeByteByByte) {
   LiveServer server;
   RawClient client(server.port());
   for (const char byte : frameText(Hello{})) ASSERT_TRUE(client.sendBytes(std::string_view(&byte, 1)));
   EXPECT_TRUE(is<Welcome>(client.receive()));
 }
 
-TEST(NetworkServer, a_second_controller_is_refused_or_watches_as_it_asked) {
+TEST(NetworkServer, ASecondControllerIsRefusedOrWatchesAsItAsked) {
   LiveServer server;
   RawClient first(server.port());
   ASSERT_TRUE(is<Welcome>(first.hello(ClientKind::kController, false, "first program")));
@@ -203,7 +203,7 @@ TEST(NetworkServer, a_second_controller_is_refused_or_watches_as_it_asked) {
   }));
 }
 
-TEST(NetworkServer, a_controller_that_fell_silent_makes_room_for_another) {
+TEST(NetworkServer, AControllerThatFellSilentMakesRoomForAnother) {
   LiveServer server({.takeover_time = 0.05});
   RawClient silent(server.port());
   ASSERT_TRUE(is<Welcome>(silent.hello()));
@@ -214,7 +214,7 @@ TEST(NetworkServer, a_controller_that_fell_silent_makes_room_for_another) {
   EXPECT_THAT(silent.refusalThenEnd(), HasSubstr("Silent for too long"));
 }
 
-TEST(NetworkServer, a_client_that_is_silent_for_long_is_given_up) {
+TEST(NetworkServer, AClientThatIsSilentForLongIsGivenUp) {
   LiveServer server({.silence_time = 0.2});
   RawClient silent(server.port());
   ASSERT_TRUE(is<Welcome>(silent.hello()));
@@ -222,7 +222,7 @@ TEST(NetworkServer, a_client_that_is_silent_for_long_is_given_up) {
   EXPECT_TRUE(eventually([&] { return server.reported("was silent for too long"); }));
 }
 
-TEST(NetworkServer, connections_are_limited_and_free_again_when_closed) {
+TEST(NetworkServer, ConnectionsAreLimitedAndFreeAgainWhenClosed) {
   LiveServer server({.max_clients = 3});
   RawClient one(server.port()), two(server.port()), three(server.port());
   for (RawClient* client : {&one, &two, &three}) ASSERT_TRUE(is<Welcome>(client->hello(ClientKind::kWatcher)));
@@ -236,7 +236,7 @@ TEST(NetworkServer, connections_are_limited_and_free_again_when_closed) {
   }));
 }
 
-TEST(NetworkServer, a_watcher_that_never_reads_holds_nobody_up) {
+TEST(NetworkServer, AWatcherThatNeverReadsHoldsNobodyUp) {
   LiveServer server;
   RawClient lazy(server.port());
   ASSERT_TRUE(lazy.send(Hello{.kind = ClientKind::kWatcher}));
@@ -245,7 +245,7 @@ TEST(NetworkServer, a_watcher_that_never_reads_holds_nobody_up) {
   for (std::uint64_t sequence = 1; sequence <= 100; ++sequence) expectServing(good, sequence);
 }
 
-TEST(NetworkServer, the_newest_of_many_sets_wins) {
+TEST(NetworkServer, TheNewestOfManySetsWins) {
   LiveServer server;
   RawClient client(server.port());
   ASSERT_TRUE(is<Welcome>(client.hello()));
@@ -257,7 +257,7 @@ Expected<std::unique_ptr<NetworkServer>> tryToListen(LiveServer& other, const Ne
   return NetworkServer::start(other.loop, other.clock, describe(other.device), options);
 }
 
-TEST(NetworkServer, listens_beyond_this_machine_only_with_a_key) {
+TEST(NetworkServer, ListensBeyondThisMachineOnlyWithAKey) {
   LiveServer server;
   const auto open = tryToListen(server, {.address = "0.0.0.0", .port = 0});
   ASSERT_FALSE(open.has_value());
@@ -267,7 +267,7 @@ TEST(NetworkServer, listens_beyond_this_machine_only_with_a_key) {
   EXPECT_TRUE(tryToListen(server, {.address = "localhost", .port = 0}).has_value());
 }
 
-TEST(NetworkServer, cannot_listen_where_another_does_or_there_is_no_address) {
+TEST(NetworkServer, CannotListenWhereAnotherDoesOrThereIsNoAddress) {
   LiveServer server;
   const auto taken = tryToListen(server, {.port = server.port()});
   ASSERT_FALSE(taken.has_value());

@@ -122,7 +122,7 @@ Pose anyWrong(const Pose& X_DS) {
   return wrong;
 }
 
-RC_GTEST_PROP(OneWrongSample, isForgottenWithinATenthOfASecond, ()) {
+RC_GTEST_PROP(OneWrongSample, IsForgottenWithinATenthOfASecond, ()) {
   const Contact contact = anyContact();
   Rig undisturbed(contact), disturbed(contact);
   undisturbed.press();
@@ -150,7 +150,7 @@ RC_GTEST_PROP(OneWrongSample, isForgottenWithinATenthOfASecond, ()) {
 }
 
 /// The cases of the trial: 20 and 50 mm deeper, sideways and higher, on a floor that is pressed with 3 N.
-TEST(OneWrongSample, neitherTakesTheFloorAwayNorKicks) {
+TEST(OneWrongSample, NeitherTakesTheFloorAwayNorKicks) {
   for (const dvec3& off : {dvec3(0, 0, -0.05), dvec3(0, 0, -0.02), dvec3(0.05, 0, 0), dvec3(0, 0, 0.05)}) {
     Rig rig({sceneOf(0), 0.003, 16, 0});
     rig.press();
@@ -164,7 +164,7 @@ TEST(OneWrongSample, neitherTakesTheFloorAwayNorKicks) {
 }
 
 /// A device that says each sample several times gives the wrong one as often: the floor is back all the same.
-TEST(OneWrongSample, maySayItSeveralTimes) {
+TEST(OneWrongSample, MaySayItSeveralTimes) {
   for (const int times : {2, 4, 10}) {
     Rig rig({sceneOf(0), 0.003, 16, 0});
     rig.press();
@@ -194,7 +194,7 @@ double overload(Rig& rig, const Pose& right) {
 }
 
 /// What the hand put in pays for it: the true force is back within two seconds, and by no kick.
-TEST(YieldedSpring, comesBackWithinTwoSecondsUnderAHandThatRests) {
+TEST(YieldedSpring, ComesBackWithinTwoSecondsUnderAHandThatRests) {
   for (const double depth : {0.0012, 0.003, 0.005}) {
     Rig rig({sceneOf(0), depth, 16, 0});
     rig.press();
@@ -215,7 +215,7 @@ TEST(YieldedSpring, comesBackWithinTwoSecondsUnderAHandThatRests) {
 }
 
 /// A hand that gives way to what comes back still rests, and gets no energy out of the whole: lifted, it has put in.
-TEST(YieldedSpring, comesBackUnderAHandThatGivesWay) {
+TEST(YieldedSpring, ComesBackUnderAHandThatGivesWay) {
   constexpr double kHand = 2000.0, kDepth = 0.004;  // N/m
   Rig rig({sceneOf(0), kDepth, 16, 0});
   rig.press();

@@ -73,7 +73,8 @@ void FaultyLife::tick(TickTiming timing) {
   const double step = glm::distance(now, before);
   const double milliseconds = 1.0 + std::min(timing.skipped, ForceLoop::kStall);
   if (step > kSlew * milliseconds + kRounding) {
-    ASSERT_EQ(now, dvec3(0.0)) << "only a cut may be quicker than the slew limit: " << glm::length(before) << " N before, " << glm::length(now) << " N now, " << timing.skipped << " ticks skipped";
+    ASSERT_EQ(now, dvec3(0.0)) << "only a cut may be quicker than the slew limit: " << glm::length(before)
+                               << " N before, " << glm::length(now) << " N now, " << timing.skipped << " ticks skipped";
     ++cuts;
   }
   if (hardware.loop.motorsOff()) {
@@ -210,7 +211,7 @@ void FaultyLife::recover() {
   wait(static_cast<int>(draw(4)) == 0 ? 3000 : 30);
 }
 
-TEST(RandomFaults, tenThousandKeepClampAndSlewAndTheForceComesBack) {
+TEST(RandomFaults, TenThousandKeepClampAndSlewAndTheForceComesBack) {
   FaultyLife life(20261121);
   for (int i = 0; i < kFaults && !testing::Test::HasFatalFailure(); ++i) {
     life.fault();

@@ -19,14 +19,14 @@ struct Log {
   ReportBudget budget{[this](const std::string& line) { lines.push_back(line); }};
 };
 
-TEST(ReportBudget, a_few_events_are_all_told) {
+TEST(ReportBudget, AFewEventsAreAllTold) {
   Log log;
   for (int i = 0; i < 10; ++i) log.budget.tell(Kind::kRefused, "line " + std::to_string(i), toNanoseconds(1.0 + i));
   log.budget.summarize(toNanoseconds(100.0));
   EXPECT_EQ(log.lines.size(), 10u);
 }
 
-TEST(ReportBudget, a_minute_of_refusals_is_a_few_lines_that_say_how_many) {
+TEST(ReportBudget, AMinuteOfRefusalsIsAFewLinesThatSayHowMany) {
   Log log;
   std::size_t told = 0, bytes = 0;
   for (int ms = 0; ms < 60'000; ++ms) {
@@ -50,7 +50,7 @@ TEST(ReportBudget, a_minute_of_refusals_is_a_few_lines_that_say_how_many) {
   EXPECT_LT(bytes, 5000u);
 }
 
-TEST(ReportBudget, watchers_that_come_and_go_hide_nothing_of_the_controller) {
+TEST(ReportBudget, WatchersThatComeAndGoHideNothingOfTheController) {
   Log log;
   for (int i = 0; i < 1000; ++i) log.budget.tell(Kind::kWatcher, "w watches.", toNanoseconds(5.0));
   log.budget.tell(Kind::kController, "c controls the stylus.", toNanoseconds(5.0));

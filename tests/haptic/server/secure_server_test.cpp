@@ -58,12 +58,12 @@ void expectServes(LiveServer& server) {
   }));
 }
 
-TEST(SecureServer, a_paired_station_feels_the_floor) {
+TEST(SecureServer, APairedStationFeelsTheFloor) {
   LiveServer server(keyed());
   expectServes(server);
 }
 
-TEST(SecureServer, another_key_is_refused_and_both_sides_say_so) {
+TEST(SecureServer, AnotherKeyIsRefusedAndBothSidesSaySo) {
   LiveServer server(keyed());
   TcpLink stranger(to(server.port(), *PairingKey::make()));
   EXPECT_TRUE(failsFor(stranger, "do not have the same key")) << stranger.problem();
@@ -72,7 +72,7 @@ TEST(SecureServer, another_key_is_refused_and_both_sides_say_so) {
   expectServes(server);
 }
 
-TEST(SecureServer, plain_text_is_refused) {
+TEST(SecureServer, PlainTextIsRefused) {
   LiveServer server(keyed());
   RawClient plain(server.port());
   EXPECT_FALSE(plain.hello().has_value());
@@ -82,14 +82,14 @@ TEST(SecureServer, plain_text_is_refused) {
   expectServes(server);
 }
 
-TEST(SecureServer, a_keyed_client_tells_nothing_to_a_plain_server) {
+TEST(SecureServer, AKeyedClientTellsNothingToAPlainServer) {
   LiveServer plain;
   TcpLink link(to(plain.port(), ourKey()));
   EXPECT_TRUE(failsFor(link, "do not have the same key")) << link.problem();
   EXPECT_FALSE(plain.reported("controls the stylus"));
 }
 
-TEST(SecureServer, a_recorded_connection_played_again_is_worth_nothing) {
+TEST(SecureServer, ARecordedConnectionPlayedAgainIsWorthNothing) {
   LiveServer server(keyed());
   std::string recorded;
   {
@@ -131,7 +131,7 @@ bool handshake(std::uint16_t port, int version, const char* older_ciphers) {
   return BIO_do_connect(bio.get()) == 1;
 }
 
-TEST(SecureServer, older_versions_of_tls_are_refused_even_with_the_key) {
+TEST(SecureServer, OlderVersionsOfTlsAreRefusedEvenWithTheKey) {
   LiveServer server(keyed());
   EXPECT_TRUE(handshake(server.port(), TLS1_3_VERSION, "PSK")) << "the key is the one";
   EXPECT_FALSE(handshake(server.port(), TLS1_2_VERSION, "PSK:@SECLEVEL=0"));
@@ -139,7 +139,7 @@ TEST(SecureServer, older_versions_of_tls_are_refused_even_with_the_key) {
   expectServes(server);
 }
 
-TEST(SecureServer, a_paired_controller_keeps_the_stylus_through_a_flood_and_slow_talkers) {
+TEST(SecureServer, APairedControllerKeepsTheStylusThroughAFloodAndSlowTalkers) {
   NetworkOptions options = keyed();
   options.hello_time = 0.3;
   LiveServer server(options);
@@ -167,7 +167,7 @@ TEST(SecureServer, a_paired_controller_keeps_the_stylus_through_a_flood_and_slow
   EXPECT_TRUE(connects(watcher)) << watcher.problem();
 }
 
-TEST(SecureServer, a_second_paired_controller_is_told_who_has_the_stylus) {
+TEST(SecureServer, ASecondPairedControllerIsToldWhoHasTheStylus) {
   LiveServer server(keyed());
   TcpLink first(to(server.port(), ourKey()));
   ASSERT_TRUE(connects(first));
@@ -179,7 +179,7 @@ TEST(SecureServer, a_second_paired_controller_is_told_who_has_the_stylus) {
 class SlowLink : public ::testing::TestWithParam<double> {};
 
 /// The link between two stations may be slow, jitter and lose: what arrives is still felt, and the round trip is told.
-TEST_P(SlowLink, the_floor_is_felt_and_the_round_trip_is_told) {
+TEST_P(SlowLink, TheFloorIsFeltAndTheRoundTripIsTold) {
   LiveServer server(keyed());
   const double delay = GetParam();
   LinkProxy proxy(server.port(), {.delay = delay, .jitter = 0.5 * delay, .loss = 0.01});

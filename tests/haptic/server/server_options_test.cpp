@@ -12,7 +12,7 @@ Expected<ServerOptions> parse(const std::vector<std::string_view>& words) {
   return parseServerOptions(words);
 }
 
-TEST(ServerOptions, all_of_them) {
+TEST(ServerOptions, AllOfThem) {
   const auto options = parse({"--device", "touch", "--listen=::1", "--port", "0", "--config", "my.toml",
                               "--seconds=2.5", "--state-rate", "60", "--no-real-time", "--key=a.key", "--pair"});
   ASSERT_TRUE(options.has_value());
@@ -27,7 +27,7 @@ TEST(ServerOptions, all_of_them) {
   EXPECT_TRUE(options->pair);
 }
 
-TEST(ServerOptions, none_is_loopback_and_as_configured) {
+TEST(ServerOptions, NoneIsLoopbackAndAsConfigured) {
   const auto options = parse({});
   ASSERT_TRUE(options.has_value());
   EXPECT_EQ(options->listen, "127.0.0.1");
@@ -38,7 +38,7 @@ TEST(ServerOptions, none_is_loopback_and_as_configured) {
   EXPECT_FALSE(options->pair);
 }
 
-TEST(ServerOptions, bad_words_are_named) {
+TEST(ServerOptions, BadWordsAreNamed) {
   const std::vector<std::vector<std::string_view>> bad = {{"--port"},
                                                           {"--port", "66000"},
                                                           {"--port", "-1"},

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::Not;
 
-TEST(PairingKey, its_code_reads_back_however_it_is_typed) {
+TEST(PairingKey, ItsCodeReadsBackHoweverItIsTyped) {
   for (int i = 0; i < 200; ++i) {
     const PairingKey key = *PairingKey::make();
     std::string code = key.code();
@@ -33,7 +33,7 @@ TEST(PairingKey, its_code_reads_back_however_it_is_typed) {
   }
 }
 
-TEST(PairingKey, no_two_are_alike_and_the_name_does_not_tell_the_secret) {
+TEST(PairingKey, NoTwoAreAlikeAndTheNameDoesNotTellTheSecret) {
   const PairingKey one = *PairingKey::make(), other = *PairingKey::make();
   EXPECT_NE(one.code(), other.code());
   EXPECT_NE(one.secret(), other.secret());
@@ -43,7 +43,7 @@ TEST(PairingKey, no_two_are_alike_and_the_name_does_not_tell_the_secret) {
   EXPECT_THAT(one.identity(), Not(HasSubstr(secret.substr(0, 4))));
 }
 
-TEST(PairingKey, a_single_mistyped_sign_is_found) {
+TEST(PairingKey, ASingleMistypedSignIsFound) {
   const std::string code = PairingKey::parse(PairingKey::make()->code())->code();
   int found = 0, tried = 0;
   for (std::size_t at = 0; at < code.size(); ++at) {
@@ -59,7 +59,7 @@ TEST(PairingKey, a_single_mistyped_sign_is_found) {
   EXPECT_GE(found, tried - 2) << "twelve bits of check sum let one of 4096 through";
 }
 
-TEST(PairingKey, what_is_no_code_is_refused) {
+TEST(PairingKey, WhatIsNoCodeIsRefused) {
   const std::string code = PairingKey::make()->code();
   EXPECT_THAT(PairingKey::parse("").error().message(), HasSubstr("0 signs"));
   EXPECT_THAT(PairingKey::parse(code.substr(1)).error().message(), HasSubstr("27 signs"));
@@ -68,7 +68,7 @@ TEST(PairingKey, what_is_no_code_is_refused) {
   EXPECT_THAT(PairingKey::parse(std::string(100'000, '7')).error().message(), HasSubstr("signs"));
 }
 
-TEST(PairingKey, a_file_is_for_its_owner_only) {
+TEST(PairingKey, AFileIsForItsOwnerOnly) {
   const test::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "deep" / "server.key";
   const PairingKey key = *PairingKey::make();
@@ -85,7 +85,7 @@ TEST(PairingKey, a_file_is_for_its_owner_only) {
   EXPECT_FALSE(loadKey(folder.path() / "none.key").has_value());
 }
 
-TEST(PairingKey, a_file_of_something_else_is_said_so) {
+TEST(PairingKey, AFileOfSomethingElseIsSaidSo) {
   const test::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "server.key";
   std::ofstream(file) << std::string(1000, 'x');
@@ -94,7 +94,7 @@ TEST(PairingKey, a_file_of_something_else_is_said_so) {
   EXPECT_FALSE(saveKey(*PairingKey::make(), "/proc/nowhere/server.key").has_value());
 }
 
-TEST(PairingKey, a_server_on_another_machine_has_a_file_of_its_own) {
+TEST(PairingKey, AServerOnAnotherMachineHasAFileOfItsOwn) {
   EXPECT_EQ(knownServerKeyFile("10.0.0.7", 4747).filename(), "10.0.0.7_4747.key");
   EXPECT_EQ(knownServerKeyFile("../../etc/passwd", 1).filename(), ".._.._etc_passwd_1.key");
   EXPECT_EQ(knownServerKeyFile("fe80::1%eth0", 1).filename(), "fe80__1_eth0_1.key");

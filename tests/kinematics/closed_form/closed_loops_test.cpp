@@ -2,12 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
+#include "kinematics/closed_form/inverse_factory.h"
 #include "kinematics/closures/arm_builder.h"
 #include "kinematics/closures/delta_robot.h"
 #include "kinematics/closures/hexapod_robot.h"
-#include "kinematics/closed_form/inverse_factory.h"
 #include "kinematics/closures/joint_graph.h"
 #include "kinematics/closures/loop_closure.h"
 
@@ -124,8 +125,8 @@ HexapodGeometry platform() {
   HexapodGeometry g;
   const double low[] = {50, 70, 170, 190, 290, 310}, high[] = {10, 110, 130, 230, 250, 350};
   for (std::size_t i = 0; i < 6; ++i) {
-    g.p_BA[i] = 0.8 * dvec3(std::cos(low[i] * M_PI / 180), std::sin(low[i] * M_PI / 180), 0);
-    g.p_PC[i] = 0.5 * dvec3(std::cos(high[i] * M_PI / 180), std::sin(high[i] * M_PI / 180), 0);
+    g.p_BA[i] = 0.8 * dvec3(std::cos(low[i] * std::numbers::pi / 180), std::sin(low[i] * std::numbers::pi / 180), 0);
+    g.p_PC[i] = 0.5 * dvec3(std::cos(high[i] * std::numbers::pi / 180), std::sin(high[i] * std::numbers::pi / 180), 0);
   }
   return g;
 }
@@ -314,10 +315,12 @@ TEST(ArmBuilder, OpwStandsStraightUpAtItsZeroAndDhConventionsAgree) {
   const auto inverse = createInverse(arm, arm.defaultTip()).value();
   EXPECT_EQ(inverse->name(), "opw");
   // A planar arm of two links, said in both conventions.
-  const RobotModel standard = buildDh("standard", DhConvention::kStandard,
-                                      {{0.1, 0.2, 0.5, 0.0}, {0.3, 0.0, 0.4, M_PI / 2}}, joints(2, -3, 3), {});
-  const RobotModel modified = buildDh("modified", DhConvention::kModified, {{0.1, 0.2, 0.0, 0.0}, {0.3, 0.0, 0.5, 0.0}},
-                                      joints(2, -3, 3), {{0.4, 0, 0}, glm::angleAxis(M_PI / 2, dvec3(1, 0, 0))});
+  const RobotModel standard =
+      buildDh("standard", DhConvention::kStandard, {{0.1, 0.2, 0.5, 0.0}, {0.3, 0.0, 0.4, std::numbers::pi / 2}},
+              joints(2, -3, 3), {});
+  const RobotModel modified =
+      buildDh("modified", DhConvention::kModified, {{0.1, 0.2, 0.0, 0.0}, {0.3, 0.0, 0.5, 0.0}}, joints(2, -3, 3),
+              {{0.4, 0, 0}, glm::angleAxis(std::numbers::pi / 2, dvec3(1, 0, 0))});
   std::vector<Pose> X_Other;
   forwardKinematics(standard, {0.4, -0.9}, X_BL);
   forwardKinematics(modified, {0.4, -0.9}, X_Other);

@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "kinematics/closed_form/inverse_factory.h"
-#include "kinematics/kernels/lane_math.h"
 #include "kinematics/closed_form/trigonometric_roots.h"
+#include "kinematics/kernels/lane_math.h"
 #include "kinematics/model/turns.h"
 #include "tests/kinematics/model/test_robots.h"
 
@@ -95,7 +96,7 @@ TEST(TrigonometricRoots, AreAllFound) {
     int crossings = 0;
     constexpr int kSteps = 400;
     for (int k = 0; k < kSteps; ++k) {
-      const double a = -M_PI + 2.0 * M_PI * k / kSteps, b = a + 2.0 * M_PI / kSteps;
+      const double a = -std::numbers::pi + 2.0 * std::numbers::pi * k / kSteps, b = a + 2.0 * std::numbers::pi / kSteps;
       if (f(a) * f(b) >= 0.0) continue;
       ++crossings;
       bool inside = false;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -38,7 +39,7 @@ TEST(ConfigurationFlags, KukaHomeIsStatusTwoTurnTwo) {
 TEST(ConfigurationFlags, OfAStraightWristRoundingDoesNotChooseTheName) {
   const RobotModel model = test::kr120();
   for (const double rest : {-1e-8, 0.0, 1e-8}) {
-    const std::array<double, 6> q{0.0, -M_PI / 2.0, M_PI / 2.0, 0.0, rest, 0.0};
+    const std::array<double, 6> q{0.0, -std::numbers::pi / 2.0, std::numbers::pi / 2.0, 0.0, rest, 0.0};
     EXPECT_EQ(toString(shapeOf(model, q)), "front, elbow up, wrist not flipped") << rest;
   }
 }

@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/kinematics/model/test_robots.h"
 
 namespace hapticell::kinematics {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// exp of a screw axis (unit direction w through the point r; or a translation) by Rodrigues' formula on 4 x 4
 /// matrices: the product-of-exponentials way (Brockett 1984), with nothing in common with the frame by frame product
@@ -51,11 +50,11 @@ TEST(ForwardKinematics, Kr120StandsWhereItsDataSheetSays) {
   const RobotModel model = test::kr120();
   const int flange = model.findLink("flange");
   // Upright: A2 = -90 deg, A3 = +90 deg: forearm level at 675 + 1150 + 41... the 41 mm offset points down at zero.
-  const Pose upright = test::tipPose(model, {0, -kPi / 2, kPi / 2, 0, 0, 0}, flange);
+  const Pose upright = test::tipPose(model, {0, -std::numbers::pi / 2, std::numbers::pi / 2, 0, 0, 0}, flange);
   EXPECT_NEAR(upright.p.x, 0.35 + 1.0 + 0.215, 1e-12);
   EXPECT_NEAR(upright.p.z, 0.675 + 1.15 - 0.041, 1e-12);
   // A1 turns against z: +90 deg looks to -y.
-  const Pose turned = test::tipPose(model, {kPi / 2, 0, 0, 0, 0, 0}, flange);
+  const Pose turned = test::tipPose(model, {std::numbers::pi / 2, 0, 0, 0, 0, 0}, flange);
   EXPECT_NEAR(turned.p.y, -2.715, 1e-12);
 }
 
@@ -76,7 +75,7 @@ TEST(ForwardKinematics, PrismaticContinuousAndMimic) {
   follower.mimic = Mimic{0, -2.0, 0.1};
   model.moving.pop_back();
   std::vector<Pose> X_BL;
-  forwardKinematics(model, {0.3, kPi / 2 + 4 * kPi}, X_BL);
+  forwardKinematics(model, {0.3, std::numbers::pi / 2 + 4 * std::numbers::pi}, X_BL);
   EXPECT_LT(glm::length(X_BL[1].p - dvec3(1, 0.3, 0)), 1e-12);
   EXPECT_LT(glm::length(X_BL[2].p - dvec3(1, 0.3, 0.5)), 1e-12);
   // The follower slides by -2 * 0.3 + 0.1 along the turned x axis, which is y now.

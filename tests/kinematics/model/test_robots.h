@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <string>
 #include <utility>
@@ -76,7 +77,7 @@ inline RobotModel fromDh(const std::vector<DhRow>& rows) {
 
 /// UR5e, standard DH as the maker publishes it (metres).
 inline RobotModel ur5e() {
-  constexpr double kHalfPi = 1.57079632679489661923;
+  constexpr double kHalfPi = 0.5 * std::numbers::pi;
   RobotModel model = fromDh({{0, 0.1625, 0, kHalfPi},
                              {0, 0, -0.425, 0},
                              {0, 0, -0.3922, 0},
@@ -84,11 +85,11 @@ inline RobotModel ur5e() {
                              {0, 0.0997, 0, -kHalfPi},
                              {0, 0.0996, 0, 0}});
   for (Joint& joint : model.joints) {
-    joint.lower = -6.283185307179586;
-    joint.upper = 6.283185307179586;
+    joint.lower = -2.0 * std::numbers::pi;
+    joint.upper = 2.0 * std::numbers::pi;
   }
-  model.joints[2].lower = -3.14159265358979;
-  model.joints[2].upper = 3.14159265358979;
+  model.joints[2].lower = -std::numbers::pi;
+  model.joints[2].upper = std::numbers::pi;
   return model;
 }
 
@@ -110,14 +111,14 @@ inline RobotModel kr120() {
     joint.upper = degrees(axes[i].upper);
   }
   addJoint(model, 6, "to_flange", JointType::kFixed, {0, 0, 1},
-           {{0.215, 0, 0}, glm::angleAxis(1.57079632679489661923, dvec3(0, 1, 0))});
+           {{0.215, 0, 0}, glm::angleAxis(0.5 * std::numbers::pi, dvec3(0, 1, 0))});
   model.links.back().name = "flange";
   return model;
 }
 
 /// Franka Panda (FER) from the maker's modified DH table (Craig), flange at 107 mm.
 inline RobotModel panda() {
-  constexpr double kHalfPi = 1.57079632679489661923;
+  constexpr double kHalfPi = 0.5 * std::numbers::pi;
   RobotModel model = emptyModel();
   struct Row {
     double a, d, alpha, lower, upper;
@@ -155,7 +156,7 @@ inline RobotModel scara() {
 
 /// An S-R-S arm in the measures of KUKA's LBR iiwa 14: 360, 420, 400, 126 mm.
 inline RobotModel iiwa() {
-  constexpr double kHalfPi = 1.57079632679489661923;
+  constexpr double kHalfPi = 0.5 * std::numbers::pi;
   RobotModel model = fromDh({{0, 0.36, 0, -kHalfPi},
                              {0, 0, 0, kHalfPi},
                              {0, 0.42, 0, kHalfPi},

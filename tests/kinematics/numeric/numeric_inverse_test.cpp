@@ -6,14 +6,13 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include "tests/kinematics/model/test_robots.h"
 
 namespace hapticell::kinematics {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 std::unique_ptr<NumericInverse> inverseOf(const RobotModel& model) {
   auto inverse = NumericInverse::create(model, model.defaultTip());
@@ -70,7 +69,7 @@ TEST(NumericInverse, NearestTurnWithinLimits) {
   const Pose X_BT = test::tipPose(model, q, model.defaultTip());
   EXPECT_LT(test::largestStep(inverse->solve(X_BT, {0.4, -1.1, 1.3, 0.7, 0.9, 5.0}).q, q), 1e-7);
   std::vector<double> turned = q;
-  turned[5] -= 2 * kPi;
+  turned[5] -= 2 * std::numbers::pi;
   EXPECT_LT(test::largestStep(inverse->solve(X_BT, {0.4, -1.1, 1.3, 0.7, 0.9, -0.1}).q, turned), 1e-7);
   const RobotModel endless = test::scara();
   std::vector<double> far = {0.3, 1.0, 0.1, 40.0};
@@ -144,9 +143,9 @@ TEST(NumericInverse, GlidesAlongTheBoundaryOutsideTheWorkspace) {
     double largest_tip_step = 0.0, farthest = 0.0;
     for (int i = 0; i <= 10500; ++i) {
       const double s = std::min(1.0, i * 1e-4);
-      const double out = std::sin(kPi * s);
+      const double out = std::sin(std::numbers::pi * s);
       X_BT.p = X_start.p + out * glm::normalize(dvec3(X_start.p.x, X_start.p.y, 0.1)) * 1.5 +
-               dvec3(0, 0.4 * std::sin(4 * kPi * s) * out, 0);
+               dvec3(0, 0.4 * std::sin(4 * std::numbers::pi * s) * out, 0);
       const std::vector<double> before = solution.q;
       inverse->solveNearest(X_BT, before, 1e-3, solution);
       ASSERT_TRUE(withinLimits(model, solution.q));
@@ -175,7 +174,7 @@ TEST(NumericInverse, ComesBackWithTheElbowOnItsSide) {
     solution.q = q;
     for (int i = 0; i <= 6500; ++i) {
       Pose X_BT = X_0;
-      X_BT.p += 1.5 * std::sin(kPi * std::min(1.0, i / 6000.0)) * glm::normalize(X_0.p);
+      X_BT.p += 1.5 * std::sin(std::numbers::pi * std::min(1.0, i / 6000.0)) * glm::normalize(X_0.p);
       const std::vector<double> before = solution.q;
       inverse->solveNearest(X_BT, before, 1e-3, solution);
     }

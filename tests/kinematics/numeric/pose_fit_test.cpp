@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "kinematics/model/chain_report.h"
 #include "tests/kinematics/model/test_robots.h"
@@ -82,7 +83,7 @@ TEST(Elbow, StandsStraightWhereTheWristIsFarthest) {
     };
     for (const double bend : {-2.0, -0.3, -0.01, 0.01, 0.3, 2.0}) {
       EXPECT_LT(reachAt(bend), reachAt(0.0));
-      EXPECT_GT(reachAt(3.14159265358979 + bend), reachAt(3.14159265358979));
+      EXPECT_GT(reachAt(std::numbers::pi + bend), reachAt(std::numbers::pi));
     }
   }
   EXPECT_FALSE(findElbow(*Chain::create(test::panda(), 8, {})));

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "kinematics/closed_form/inverse_factory.h"
-#include "manipulation/manipulators/arm_configuration.h"
+
+#include <numbers>
 #include "manipulation/checks/kept_free.h"
 #include "manipulation/checks/motion_replay.h"
 #include "manipulation/engine/take_recorder.h"
+#include "manipulation/manipulators/arm_configuration.h"
 #include "tests/manipulation/session/test_cells.h"
 #include "tests/support/test_data.h"
 #include "trajectory/editing/smoothing.h"
@@ -211,7 +213,7 @@ TEST(MotionReplay, PlacesASolidByItsMovedFrame) {
   motion->entity = "box";
   motion->moved = "frame:grip";
   motion->addFrame({0.0, Pose::translation({2, 0, 0.05})});
-  motion->addFrame({1.0, {{2, 0, 0.05}, quaternionFromRotationVector({0, M_PI / 2, 0})}});
+  motion->addFrame({1.0, {{2, 0, 0.05}, quaternionFromRotationVector({0, std::numbers::pi / 2, 0})}});
   const auto replay = MotionReplay::create(cell, "box", motion);
   ASSERT_TRUE(replay.has_value());
   EXPECT_LT(glm::distance(replay->at(0.0).X_WE.p, dvec3(2, 0, 0)), 1e-12);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "geometry/shapes/shapes.h"
@@ -104,7 +105,7 @@ TEST(FreeMotionWithLinks, AnswersAsIfItHadKeptNothing) {
   const auto box = collision::MeshCollider::build(geometry::makeBox({0.08, 0.1, 0.06}));
   std::vector<Obstacle> obstacles;
   for (int i = 0; i < 14; ++i) {
-    const double around = 2.0 * M_PI * i / 14.0, away = 0.3 + 0.25 * std::abs(unit(random));
+    const double around = 2.0 * std::numbers::pi * i / 14.0, away = 0.3 + 0.25 * std::abs(unit(random));
     obstacles.push_back({box,
                          {{away * std::cos(around), away * std::sin(around), 0.6 * unit(random)},
                           quaternionFromRotationVector({unit(random), unit(random), unit(random)})}});

@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "manipulation/manipulators/symmetric.h"
 
@@ -47,7 +48,7 @@ haptic::Vector6 vectorOf(const Twist& t) {
 
 TEST(MotionMapping, ScreenAxesFollowTheCamera) {
   // A camera that looks along +y with z up is the device's own arrangement.
-  const Pose front{dvec3(0.0, -2.0, 0.0), quaternionFromRotationVector(dvec3(M_PI / 2.0, 0.0, 0.0))};
+  const Pose front{dvec3(0.0, -2.0, 0.0), quaternionFromRotationVector(dvec3(std::numbers::pi / 2.0, 0.0, 0.0))};
   const dquat q = deviceAxes(AxesMode::kScreen, front, {});
   EXPECT_NEAR(glm::length(q * dvec3(1, 0, 0) - dvec3(1, 0, 0)), 0.0, 1e-12);
   EXPECT_NEAR(glm::length(q * dvec3(0, 0, 1) - dvec3(0, 0, 1)), 0.0, 1e-12);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "kinematics/closed_form/inverse_factory.h"
 #include "tests/kinematics/model/test_robots.h"
@@ -45,7 +46,8 @@ TEST(RobotManipulator, SwingsTheWristRoundWithoutAJump) {
   double worst_position = 0.0;
   for (int i = 0; i <= 1000; ++i) {
     const double s = std::min(1.0, i / 500.0);
-    const Pose X_WM = displaced(X_0, {dvec3(0.0), s * dvec3(0.0, -0.12, 0.0) + std::sin(M_PI * s) * dvec3(0, 0, 2e-3)});
+    const Pose X_WM =
+        displaced(X_0, {dvec3(0.0), s * dvec3(0.0, -0.12, 0.0) + std::sin(std::numbers::pi * s) * dvec3(0, 0, 2e-3)});
     const EntityConfiguration next = manipulator.propose(now, X_WM, 5e-3);
     ASSERT_LE(largestStep(now, next), 3.0 * 5e-3 + 1e-12) << i;
     ASSERT_LE(manipulator.leastTime(now, next).seconds, 5e-3 + 1e-12);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "manipulation/session/session.h"
 #include "tests/manipulation/session/test_cells.h"
@@ -41,7 +42,7 @@ std::vector<Case> cases() {
   std::vector<Case> all;
   all.push_back({"point", guideOf(GuideKind::kPoint), [](const Pose& X) { return glm::length(X.p); }, 0.0});
   Guide line = guideOf(GuideKind::kLine);
-  line.X_WG.q = quaternionFromRotationVector({0.0, M_PI / 2, 0.0});
+  line.X_WG.q = quaternionFromRotationVector({0.0, std::numbers::pi / 2, 0.0});
   line.upper = 0.02;
   all.push_back({"line", line, [](const Pose& X) { return std::max(std::hypot(X.p.y, X.p.z), X.p.x - 0.02); }});
   all.push_back({"plane", guideOf(GuideKind::kPlane), [](const Pose& X) { return std::abs(X.p.z); }});
@@ -52,14 +53,14 @@ std::vector<Case> cases() {
                    return std::max(std::abs(std::hypot(X.p.x + 0.08, X.p.y) - 0.08), std::abs(X.p.z));
                  }});
   Guide slider = guideOf(GuideKind::kSlider);
-  slider.X_WG.q = quaternionFromRotationVector({-M_PI / 2, 0.0, 0.0});  // Along y.
+  slider.X_WG.q = quaternionFromRotationVector({-std::numbers::pi / 2, 0.0, 0.0});  // Along y.
   all.push_back({"slider", slider, [](const Pose& X) { return std::max(std::hypot(X.p.x, X.p.z), turnOf(X)); }});
   Guide screw = guideOf(GuideKind::kScrew);
   screw.pitch = 0.02;
   all.push_back({"screw", screw,
                  [](const Pose& X) {
                    const double angle = rotationVector(X.q).z;
-                   return std::max(std::hypot(X.p.x, X.p.y), std::abs(X.p.z - 0.02 * angle / (2.0 * M_PI)));
+                   return std::max(std::hypot(X.p.x, X.p.y), std::abs(X.p.z - 0.02 * angle / (2.0 * std::numbers::pi)));
                  },
                  0.0005});
   Guide tube = guideOf(GuideKind::kTube);
@@ -99,7 +100,7 @@ SessionOptions guided(const Case& c, double rate, double latency) {
   return options;
 }
 
-TEST(GuideKinds, eachHoldsWhatIsShownAndIsFelt) {
+TEST(GuideKinds, EachHoldsWhatIsShownAndIsFelt) {
   for (const Case& c : cases()) {
     for (const auto& [rate, latency] : {std::pair{10.0, 0.05}, {60.0, 0.01}}) {
       SCOPED_TRACE(std::string(c.name) + " at " + std::to_string(rate));
@@ -120,7 +121,7 @@ TEST(GuideKinds, eachHoldsWhatIsShownAndIsFelt) {
 }
 
 /// The example of a car door as it ships: resists, meets its stop, snaps shut.
-TEST(GuideKinds, theCarDoorOpensToItsStopAndSnapsShut) {
+TEST(GuideKinds, TheCarDoorOpensToItsStopAndSnapsShut) {
   Diagnostics diagnostics;
   const auto document =
       workcell::loadDocument(hapticell::test::sourceFile("config/workcells/car_door.hcell"), diagnostics);

@@ -41,7 +41,7 @@ Pose moved(const Pose& X, const haptic::Vector6& xi) {
   return displaced(X, {{xi[0], xi[1], xi[2]}, {xi[3], xi[4], xi[5]}});
 }
 
-TEST(GuideConstraints, theirGradientsAreThoseOfTheirGaps) {
+TEST(GuideConstraints, TheirGradientsAreThoseOfTheirGaps) {
   const Pose X_WM0{dvec3(0.11, 0.04, 0.06), quaternionFromRotationVector({0.1, 0.0, 0.2})};
   const Pose X_WM = moved(X_WM0, {0.004, -0.003, 0.002, 0.01, 0.02, -0.01});
   const double h = 1e-6;
@@ -62,7 +62,7 @@ TEST(GuideConstraints, theirGradientsAreThoseOfTheirGaps) {
   }
 }
 
-TEST(GuideConstraints, aCircleIsExactFarFromItsReference) {
+TEST(GuideConstraints, ACircleIsExactFarFromItsReference) {
   Guide guide = placedGuide(GuideKind::kCircle);
   guide.X_WG = Pose::identity();
   guide.radius = 0.1;
@@ -74,7 +74,7 @@ TEST(GuideConstraints, aCircleIsExactFarFromItsReference) {
   }
 }
 
-TEST(GuideConstraints, aSlavedTurnIsThatOfTheDoor) {
+TEST(GuideConstraints, ASlavedTurnIsThatOfTheDoor) {
   Guide guide = placedGuide(GuideKind::kHinge);
   const Pose X_WM0 = Pose::translation({0.11, 0.04, 0.06});
   const Pose X_WM = Pose::translation({0.10, 0.06, 0.06});
@@ -99,7 +99,7 @@ TEST(GuideConstraints, aSlavedTurnIsThatOfTheDoor) {
               1e-12);
 }
 
-TEST(GuideConstraints, aTubeIsFreeInsideAndNotOutside) {
+TEST(GuideConstraints, ATubeIsFreeInsideAndNotOutside) {
   Guide guide = placedGuide(GuideKind::kTube);
   guide.radius = 0.02;
   guide.help = 0.0;
@@ -125,7 +125,7 @@ SessionOptions doorSession(std::vector<test::Waypoint> way, double rate, double 
   return options;
 }
 
-TEST(GuideSession, aDoorTurnsOnItsHingeAndMeetsItsStop) {
+TEST(GuideSession, ADoorTurnsOnItsHingeAndMeetsItsStop) {
   for (const auto& [rate, latency] : {std::pair{10.0, 0.05}, {100.0, 0.01}}) {
     SessionOptions options = doorSession(
         {{0.0, {0, 0, 0}}, {1.5, {0, 0, 0}}, {2.5, {0.01, 0.055, 0.004}}, {3.0, {0.01, 0.055, 0.004}}}, rate, latency);
@@ -148,7 +148,7 @@ TEST(GuideSession, aDoorTurnsOnItsHingeAndMeetsItsStop) {
   }
 }
 
-TEST(GuideSession, withoutTheGuideItGoesAnywhere) {
+TEST(GuideSession, WithoutTheGuideItGoesAnywhere) {
   SessionOptions options = doorSession({{0.0, {0, 0, 0}}, {1.5, {0, 0, 0}}, {2.5, {0.02, 0.05, 0.0}}}, 60.0, 0.01);
   options.guides[0].enabled = false;
   const auto report = runSession(options);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "tests/manipulation/session/test_cells.h"
 #include "tests/support/test_data.h"
@@ -76,8 +77,8 @@ haptic::HandPath handIntoTheHole() {
     const double t = 0.01 * i;
     const double z = 0.02 - 0.0104 * smooth(t, 0.8, 2.0) - 0.0076 * smooth(t, 4.5, 6.5) + 0.028 * smooth(t, 8.0, 9.4);
     const double radius = 0.0006 * std::min(std::max(0.0, t - 2.0) / 0.3, 1.0 - smooth(t, 2.3, 4.3));
-    const double angle = 4.0 * M_PI * std::max(0.0, t - 2.0);
-    const double shift = t > 6.5 && t < 8.0 ? 0.004 * std::sin(2.0 * M_PI * (t - 6.5) / 1.5) : 0.0;
+    const double angle = 4.0 * std::numbers::pi * std::max(0.0, t - 2.0);
+    const double shift = t > 6.5 && t < 8.0 ? 0.004 * std::sin(2.0 * std::numbers::pi * (t - 6.5) / 1.5) : 0.0;
     samples.push_back({t, Pose::translation({radius * std::cos(angle) + shift, radius * std::sin(angle), z}),
                        t >= 0.3 && t < 0.4 ? 1U : 0U});
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,7 @@ using test::sessionOf;
 /// A box under the stylus that taps the table three times a second with 0.25 m/s of hand.
 haptic::HandPath tappingHand(double speed) {
   std::vector<haptic::HandSample> samples;
-  const double omega = 6.0 * M_PI, swing = speed / omega;
+  const double omega = 6.0 * std::numbers::pi, swing = speed / omega;
   for (int i = 0; i <= 500; ++i) {
     const double t = 0.01 * i, share = std::clamp(t - 1.2, 0.0, 1.0);
     const dvec3 p(0, 0, swing * (share * std::cos(omega * (t - 1.2)) - share));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include "tests/manipulation/session/test_cells.h"
 #include "tests/support/test_data.h"
@@ -42,7 +43,7 @@ TEST_P(SharedRobot, IsDraggedAtItsJointsSpeedAndTellsWhyItStops) {
   // A circle, a turn, then straight out until it can go no further, and back.
   std::vector<test::Waypoint> way{{0.0, {0, 0, 0}}, {0.2, {0, 0, 0}}};
   for (int k = 0; k <= 8; ++k) {
-    const double angle = M_PI / 4.0 * k;
+    const double angle = std::numbers::pi / 4.0 * k;
     way.push_back(
         {0.3 + 0.08 * k, 0.03 * dvec3(std::cos(angle) - 1.0, std::sin(angle), 0.0), {0, 0, 0.1 * std::sin(angle)}});
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,7 @@ inline haptic::HandPath handThrough(const std::vector<Waypoint>& points, double 
     while (k + 2 < points.size() && points[k + 1].t < t) ++k;
     const Waypoint &a = points[k], &b = points[k + 1];
     const double u = std::clamp((t - a.t) / (b.t - a.t), 0.0, 1.0);
-    const double s = 0.5 - 0.5 * std::cos(M_PI * u);
+    const double s = 0.5 - 0.5 * std::cos(std::numbers::pi * u);
     const Pose X_DH{a.p + s * (b.p - a.p), quaternionFromRotationVector(a.turn + s * (b.turn - a.turn))};
     samples.push_back({t, X_DH, t >= press && t < press + 0.1 ? 1U : 0U});
   }

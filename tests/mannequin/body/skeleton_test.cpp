@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -35,7 +36,7 @@ TEST(Skeleton, SpineLimitsAddUpToTheClinicalRangesOfTheTrunk) {
   const auto sum = [](std::initializer_list<Dof> dofs, bool upper) {
     double total = 0.0;
     for (const Dof dof : dofs) total += upper ? dofInfo(dof).upper : -dofInfo(dof).lower;
-    return total * 180.0 / 3.14159265358979323846;
+    return total * 180.0 / std::numbers::pi;
   };
   // AAOS thoracolumbar 80/25/35/45, neck 45/60/45/80 (flexion, extension, side, turn).
   EXPECT_NEAR(sum({Dof::kVl5Flexion, Dof::kVl1Flexion, Dof::kVt6Flexion}, true), 80.0, 1e-9);

@@ -11,8 +11,8 @@
 #include <optional>
 #include <sstream>
 
-#include "tests/mannequin/motion/c3d_text.h"
 #include "mannequin/motion/marker_clip.h"
+#include "tests/mannequin/motion/c3d_text.h"
 #include "tests/mannequin/motion/second_c3d_reader.h"
 #include "tests/support/test_data.h"
 
@@ -73,7 +73,7 @@ std::string smallFile(int processor, bool real, const char* up = "+Z", const std
 
 class AnyProcessor : public ::testing::TestWithParam<std::tuple<int, bool>> {};
 
-TEST_P(AnyProcessor, hasTheSameMarkers) {
+TEST_P(AnyProcessor, HasTheSameMarkers) {
   const auto [processor, real] = GetParam();
   const auto clip = parseC3d(smallFile(processor, real), "small.c3d");
   ASSERT_TRUE(clip) << clip.error().message();

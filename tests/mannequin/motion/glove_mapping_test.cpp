@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace hapticell::mannequin {
@@ -23,12 +24,12 @@ TEST(Glove, TheCalibrationPosesGiveTheirOwnAnglesBack) {
   const auto calibration = calibrateGlove(p);
   ASSERT_TRUE(calibration.has_value());
   EXPECT_NEAR(gloveAngles(*calibration, p.flat)[4], 0.0, 1e-12);
-  EXPECT_NEAR(gloveAngles(*calibration, p.fist)[4], M_PI / 2, 1e-12);
-  EXPECT_NEAR(gloveAngles(*calibration, p.spread)[10], 20.0 * M_PI / 180.0, 1e-12);
-  EXPECT_NEAR(gloveAngles(*calibration, p.thumb_under)[0], M_PI / 3, 1e-12);
+  EXPECT_NEAR(gloveAngles(*calibration, p.fist)[4], std::numbers::pi / 2, 1e-12);
+  EXPECT_NEAR(gloveAngles(*calibration, p.spread)[10], 20.0 * std::numbers::pi / 180.0, 1e-12);
+  EXPECT_NEAR(gloveAngles(*calibration, p.thumb_under)[0], std::numbers::pi / 3, 1e-12);
   Posture posture;
   setHandFromGlove(gloveAngles(*calibration, p.fist), Side::kRight, posture);
-  EXPECT_NEAR(posture[Dof::kRightFingersCurl], M_PI / 2, 1e-9);
+  EXPECT_NEAR(posture[Dof::kRightFingersCurl], std::numbers::pi / 2, 1e-9);
   EXPECT_EQ(posture[Dof::kLeftFingersCurl], 0.0);
   setHandFromGlove(gloveAngles(*calibration, p.flat), Side::kRight, posture);
   EXPECT_NEAR(posture[Dof::kRightFingersCurl], 0.0, 1e-9);

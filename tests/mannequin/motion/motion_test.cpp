@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <random>
 
 #include "bench/mannequin_recorded.h"
-#include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/body/joint_names.h"
-#include "mannequin/posture/limb_inverse.h"
 #include "mannequin/motion/motion_clip.h"
 #include "mannequin/motion/motion_writer.h"
 #include "mannequin/motion/retarget.h"
+#include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/posture/limb_inverse.h"
 #include "tests/mannequin/posture/random_postures.h"
 #include "tests/support/test_data.h"
 
@@ -448,7 +449,7 @@ SwivelError swivelError(const MotionClip& clip) {
       const SegmentPlace thorax{body.R_thorax, body.shoulder[i]}, hand{body.R_hand[i], body.hand[i]};
       const ArmProblem problem(figure, side, thorax, thorax, hand);
       const double real = problem.swivelOf(body.elbow[i]), ours = problem.preferredSwivel(48);
-      const double off = std::abs(std::remainder(ours - real, 2.0 * M_PI));
+      const double off = std::abs(std::remainder(ours - real, 2.0 * std::numbers::pi));
       const dvec3 along = glm::normalize(body.hand[i] - body.shoulder[i]);
       const dvec3 arm = body.elbow[i] - body.shoulder[i];
       const double radius = glm::length(arm - glm::dot(arm, along) * along);

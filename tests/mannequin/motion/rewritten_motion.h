@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -204,7 +205,8 @@ inline MotionClip workingPerson() {
     joint((s + "thumb_end").c_str(), (s + "thumb").c_str(), {0.03 * out, 0, 0.03}, true);
   }
   for (int f = 0; f < 120; ++f) {
-    const double t = f / 119.0, wave = std::sin(2.0 * M_PI * t), slow = 0.5 - 0.5 * std::cos(2.0 * M_PI * t);
+    const double t = f / 119.0, wave = std::sin(2.0 * std::numbers::pi * t),
+                 slow = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * t);
     ClipFrame frame;
     frame.p_root = {0.3 * t, 0.9, 0.5 * t};
     frame.turns.assign(clip.joints.size(), dquat(1.0, 0.0, 0.0, 0.0));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "mannequin/posture/sine_cosine.h"
@@ -105,7 +106,7 @@ TEST(ForwardKinematics, AnglesOfARotationGiveTheRotationBack) {
   std::uniform_real_distribution<double> angle(-3.1, 3.1);
   for (int n = 0; n < 500; ++n) {
     dvec3 angles(angle(random), angle(random), angle(random));
-    if (n % 10 == 0) angles.x = M_PI / 2;  // gimbal
+    if (n % 10 == 0) angles.x = std::numbers::pi / 2;  // gimbal
     const dmat3 R = rotationYXZ(angles);
     const dmat3 again = rotationYXZ(anglesYXZ(R));
     for (int c = 0; c < 3; ++c) EXPECT_LT(glm::length(R[c] - again[c]), 1e-9);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mannequin/posture/hands_to.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
@@ -29,7 +31,7 @@ TEST(HandsTo, OppositeSidesAreOnTheSurfaceWhereALineThroughThePickedPointLeavesI
 
 TEST(HandsTo, ATurnedPartIsTakenAtItsOwnSidesTheLeftHandAtTheLeft) {
   const auto box = geometry::makeBox({0.4, 0.3, 0.2});
-  const double turn = M_PI / 2.0 + 0.3;
+  const double turn = std::numbers::pi / 2.0 + 0.3;
   const Pose X_WM{{0.5, 0.0, 1.0}, quaternionFromRotationVector({0.0, 0.0, -turn})};
   const auto sides = oppositeSides(box, X_WM, X_WM * dvec3(0.0, 0.0, 0.1), kUpwards, kLeftwards);
   ASSERT_TRUE(sides);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "mannequin/posture/forward_kinematics.h"
@@ -91,7 +92,7 @@ TEST(PostureFile, ReadsDegreesAndRefusesWhatItDoesNotKnow) {
   const std::string head = R"({"format":"hapticell-posture","version":1,)";
   const auto read = [&](const std::string& rest) { return parsePosture(head + rest + "}", "p.json"); };
   EXPECT_NEAR(read(R"("unit":"deg","joints":{"l_elbow_flexion":90})")->angles[indexOf(Dof::kLeftElbowFlexion)],
-              M_PI / 2, 1e-12);
+              std::numbers::pi / 2, 1e-12);
   for (const char* bad :
        {R"("joints":{"l_tail":1})", R"("joints":{"l_elbow_flexion":"x"})", R"("joints":{"l_elbow_flexion":99})",
         R"("joints":[1])", R"("unit":"grad")", R"("root":{"position":[1,2]})", R"("root":{"orientation":[1,1,1,1]})",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <numbers>
 #include <random>
 #include <string_view>
 
@@ -12,7 +13,7 @@ namespace hapticell::mannequin {
 /// A random orientation of a ball joint inside `share` of its limits.
 inline dmat3 randomBall(std::mt19937_64& random, BallJoint joint, Side side, double share) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  const double psi = 2.0 * M_PI * unit(random) - M_PI;
+  const double psi = 2.0 * std::numbers::pi * unit(random) - std::numbers::pi;
   const double limit = ballState(joint, side, ballRotation(joint, side, 0.2, psi, 0.0)).rho_max;
   const double twist =
       twistLower(joint) + (0.5 + share * (unit(random) - 0.5)) * (twistUpper(joint) - twistLower(joint));

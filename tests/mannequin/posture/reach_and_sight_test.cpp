@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/mass_properties.h"
+
+#include <numbers>
 #include "mannequin/posture/reach_envelope.h"
 #include "mannequin/posture/vision.h"
 
@@ -14,7 +16,7 @@ TEST(Vision, ZonesAreThoseOfTheCones) {
   const dvec3 eyes = sightOf(figure, pose, {1, 0, 1}).p_WEyes;
   EXPECT_NEAR(eyes.z, measuresOf(figure).at("eye_height"), 1e-9);
   const auto zone = [&](double azimuth_deg, double elevation_deg) {
-    const double a = azimuth_deg * M_PI / 180.0, e = elevation_deg * M_PI / 180.0;
+    const double a = azimuth_deg * std::numbers::pi / 180.0, e = elevation_deg * std::numbers::pi / 180.0;
     const dvec3 target = eyes + 0.7 * dvec3(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
     return sightOf(figure, pose, target).zone;
   };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -76,7 +77,8 @@ TEST(FigureSkin, SeamsStayClosedAndSmoothInRandomPosturesWithinTheLimits) {
     }
   }
   EXPECT_LT(gap, 0.5e-3f) << "m between neighbours";
-  EXPECT_GT(bend, std::cos(1.0f * float(M_PI) / 180.0f)) << "normals of neighbours are the same within a degree";
+  EXPECT_GT(bend, std::cos(1.0f * float(std::numbers::pi) / 180.0f))
+      << "normals of neighbours are the same within a degree";
 }
 
 TEST(FigureSkin, EveryStepOfDetailHasTheSameBorders) {
@@ -97,7 +99,7 @@ double tapeAround(const Field& distance, const dvec3& centre, const dvec3& u, co
   constexpr int kRays = 180;
   std::vector<glm::dvec2> points;
   for (int i = 0; i < kRays; ++i) {
-    const double angle = 2.0 * M_PI * i / kRays, c = std::cos(angle), s = std::sin(angle);
+    const double angle = 2.0 * std::numbers::pi * i / kRays, c = std::cos(angle), s = std::sin(angle);
     double inside = 0.0, outside = 0.005;
     while (distance(centre + outside * (c * u + s * v)) < 0.0 && outside < 0.5) outside += 0.005;
     inside = outside - 0.005;
@@ -133,14 +135,14 @@ TEST(Girths, AreThoseOfTheMeanSoldierAtItsStatureAndMass) {
     Girth girth;
     double man, woman;  // mm
   };
-  constexpr Mean kMeans[] = {{Girth::kNeck, 397.6, 329.8},         {Girth::kChest, 1058.7, 946.9},
-                             {Girth::kWaist, 940.6, 860.9},        {Girth::kButtock, 1019.5, 1021.2},
-                             {Girth::kThigh, 625.1, 616.1},        {Girth::kLowerThigh, 409.3, 400.7},
-                             {Girth::kCalf, 392.3, 373.3},         {Girth::kAnkle, 229.3, 215.7},
-                             {Girth::kBicepsFlexed, 358.1, 305.6}, {Girth::kForearmFlexed, 310.1, 264.1},
-                             {Girth::kWrist, 175.9, 154.8},        {Girth::kHead, 574.4, 561.1}};
+  constexpr Mean kMeans[] = {
+      {Girth::kNeck, 397.6, 329.8},          {Girth::kChest, 1058.7, 946.9}, {Girth::kWaist, 940.6, 860.9},
+      {Girth::kButtock, 1019.5, 1021.2},     {Girth::kThigh, 625.1, 616.1},  {Girth::kLowerThigh, 409.3, 400.7},
+      {Girth::kCalf, 392.3, 373.3},          {Girth::kAnkle, 229.3, 215.7},  {Girth::kBicepsFlexed, 358.1, 305.6},
+      {Girth::kForearmFlexed, 310.1, 264.1}, {Girth::kWrist, 175.9, 154.8},  {Girth::kHead, 574.4, 561.1}};
   for (const Mean& mean : kMeans) {
-    const auto man = *bodyDimensions({Sex::kMale, 1.7562, 85.52}), woman = *bodyDimensions({Sex::kFemale, 1.6285, 67.76});
+    const auto man = *bodyDimensions({Sex::kMale, 1.7562, 85.52}),
+               woman = *bodyDimensions({Sex::kFemale, 1.6285, 67.76});
     EXPECT_NEAR(1000.0 * girthOf(Sex::kMale, man, mean.girth), mean.man, 1.0) << nameOf(mean.girth);
     EXPECT_NEAR(1000.0 * girthOf(Sex::kFemale, woman, mean.girth), mean.woman, 1.0) << nameOf(mean.girth);
   }
@@ -200,8 +202,8 @@ TEST(SkinShape, GirthsOfTheBodyAreWithinAStandardErrorOfThePublishedTable) {
     const double t = figure.p_PS[0].z - b[Dimension::kCrotchHeight] + 0.015;
     const SegmentPlace& place = shape.places()[indexOf(Segment::kLeftThigh)];
     const TubeSection section = shape.leg(Side::kLeft).at(t);
-    check(Girth::kThigh, tapeAround(thighs, shape.leg(Side::kLeft).place(t, section.u, section.v), place.R_WS[0],
-                                    place.R_WS[1]));
+    check(Girth::kThigh,
+          tapeAround(thighs, shape.leg(Side::kLeft).place(t, section.u, section.v), place.R_WS[0], place.R_WS[1]));
   }
 }
 
@@ -218,7 +220,8 @@ TEST(FigureSkin, HipsAndShouldersAreAsBroadAsTheTableSaysWhenItStands) {
         const fvec3& p = posed.places[v];
         if (body == Segment::kPelvis || body == Segment::kLeftThigh || body == Segment::kRightThigh)
           hips = std::max(hips, std::abs(p.y));
-        if (body == Segment::kLeftUpperArm || body == Segment::kRightUpperArm) shoulders = std::max(shoulders, std::abs(p.y));
+        if (body == Segment::kLeftUpperArm || body == Segment::kRightUpperArm)
+          shoulders = std::max(shoulders, std::abs(p.y));
         low = std::min(low, p.z);
         high = std::max(high, p.z);
       }
@@ -297,8 +300,9 @@ TEST(FigureSkin, HandsAndFeetDoNotStandInTheRestOfTheBodyAtRest) {
     const Posed posed(skin, *libraryPosture(named.figure, "standing"));
     const auto isOut = [](std::size_t body) {  // Hands, fingers, shanks and feet.
       using S = Segment;
-      static const std::set<std::size_t> outer = {indexOf(S::kLeftHand),   indexOf(S::kRightHand), indexOf(S::kLeftShank),
-                                                  indexOf(S::kRightShank), indexOf(S::kLeftFoot),  indexOf(S::kRightFoot)};
+      static const std::set<std::size_t> outer = {indexOf(S::kLeftHand),  indexOf(S::kRightHand),
+                                                  indexOf(S::kLeftShank), indexOf(S::kRightShank),
+                                                  indexOf(S::kLeftFoot),  indexOf(S::kRightFoot)};
       return body >= kSegmentCount || outer.contains(body);
     };
     const auto isTrunk = [](std::size_t body) { return body < indexOf(Segment::kLeftClavicle); };
@@ -318,7 +322,8 @@ TEST(FigureSkin, HandsAndFeetDoNotStandInTheRestOfTheBodyAtRest) {
         for (const auto& t : one.steps.back()) {
           for (std::size_t i = 0; i < 3; ++i) {
             const fvec3 &from = posed.places[one.first + t[i]], &to = posed.places[one.first + t[(i + 1) % 3]];
-            if (glm::any(glm::lessThan(glm::max(from, to), low)) || glm::any(glm::greaterThan(glm::min(from, to), high)))
+            if (glm::any(glm::lessThan(glm::max(from, to), low)) ||
+                glm::any(glm::greaterThan(glm::min(from, to), high)))
               continue;
             for (const auto& u : other.steps.back())
               crossings += pierces(from, to, posed.places[other.first + u[0]], posed.places[other.first + u[1]],
@@ -361,8 +366,8 @@ TEST(FigureSkin, RaisedArmsKeepTheirThickness) {
   const FigureSkin& skin = skinOfMedianMan();
   for (const double degrees : {0.0, 90.0, 150.0}) {
     Posture posture;
-    posture[Dof::kLeftShoulderAbduction] = degrees * M_PI / 180.0;
-    posture[Dof::kLeftClavicleElevation] = std::max(0.0, 0.22 * (degrees - 30.0)) * M_PI / 180.0;
+    posture[Dof::kLeftShoulderAbduction] = degrees * std::numbers::pi / 180.0;
+    posture[Dof::kLeftClavicleElevation] = std::max(0.0, 0.22 * (degrees - 30.0)) * std::numbers::pi / 180.0;
     const Posed posed(skin, posture);
     const FigurePose pose = forwardKinematics(medianMan(), posture);
     const dvec3 shoulder = pose[Segment::kLeftUpperArm].p_WS, down = -pose[Segment::kLeftUpperArm].R_WS[2];

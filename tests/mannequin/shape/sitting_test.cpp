@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mannequin/shape/sitting.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/shape/figure_model.h"
 #include "tests/mannequin/body/median_man.h"
 
 namespace hapticell::mannequin {
@@ -35,7 +37,7 @@ TEST(Sitting, FeetStandOnTheFloorBeforeAChairThatSuits) {
 
 TEST(Sitting, LooksWhereItIsTold) {
   const Figure figure = medianMan();
-  const Sitting sitting = sitOn(figure, *figureModel(figure), {0.0, 0.0, 0.45}, -0.5 * M_PI);
+  const Sitting sitting = sitOn(figure, *figureModel(figure), {0.0, 0.0, 0.45}, -0.5 * std::numbers::pi);
   EXPECT_LT(footPose(forwardKinematics(figure, sitting.posture), Side::kLeft).p.y, -0.2);
 }
 

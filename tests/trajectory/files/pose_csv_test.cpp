@@ -26,7 +26,7 @@ class PoseCsv : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-TEST_F(PoseCsv, readsColumnsByNameInAnyOrder) {
+TEST_F(PoseCsv, ReadsColumnsByNameInAnyOrder) {
   const auto poses = readPoseCsv(folder_.write(
       "poses.csv", "\xEF\xBB\xBFqw, qx,qy,qz,z,note,y,x\r\n1,0,0,0,0.3,7,-2e-1,+.1\r\n\r\n# aside\r\n0,1,0,0,3,7,2,1"));
   ASSERT_TRUE(poses) << poses.error().message();
@@ -35,7 +35,7 @@ TEST_F(PoseCsv, readsColumnsByNameInAnyOrder) {
   EXPECT_EQ((*poses)[1].q, dquat(0, 1, 0, 0));
 }
 
-TEST_F(PoseCsv, pointIsThePointInEveryLocale) {
+TEST_F(PoseCsv, PointIsThePointInEveryLocale) {
   const char* set = std::setlocale(LC_ALL, "de_DE.UTF-8");
   const auto poses = readPoseCsv(folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n0.5,0,0,1,0,0,0\n"));
   if (set) std::setlocale(LC_ALL, "C");
@@ -43,7 +43,7 @@ TEST_F(PoseCsv, pointIsThePointInEveryLocale) {
   EXPECT_EQ(poses->front().p.x, 0.5);
 }
 
-TEST_F(PoseCsv, normalisesNearlyUnitQuaternionsAndRefusesOthers) {
+TEST_F(PoseCsv, NormalisesNearlyUnitQuaternionsAndRefusesOthers) {
   const auto poses = readPoseCsv(folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n0,0,0,0.7071,0,0,0.7072\n"));
   ASSERT_TRUE(poses);
   EXPECT_NEAR(glm::length(poses->front().q), 1.0, 1e-15);
@@ -51,7 +51,7 @@ TEST_F(PoseCsv, normalisesNearlyUnitQuaternionsAndRefusesOthers) {
   EXPECT_THAT(poseError("x,y,z,qw,qx,qy,qz\n0,0,0,0,0,0,0\n"), HasSubstr("length 0.000000"));
 }
 
-TEST_F(PoseCsv, errorsNameLineAndColumn) {
+TEST_F(PoseCsv, ErrorsNameLineAndColumn) {
   EXPECT_THAT(poseError("x,y,z,qw,qx,qy,qz\n0,0,nan,1,0,0,0\n"), HasSubstr("line 2, column 'z': 'nan'"));
   EXPECT_THAT(poseError("x,y,z,qw,qx,qy,qz\n0,0,1e999,1,0,0,0\n"), HasSubstr("column 'z'"));
   EXPECT_THAT(poseError("x,y,z,qw,qx,qy,qz\n0,0,,1,0,0,0\n"), HasSubstr("nothing"));
@@ -62,12 +62,11 @@ TEST_F(PoseCsv, errorsNameLineAndColumn) {
   EXPECT_THAT(poseError(""), HasSubstr("an empty file"));
   EXPECT_THAT(poseError("x,y,z,qw,qx,qy,qz\n# nothing\n"), HasSubstr("no row behind the header"));
   EXPECT_THAT(poseError(std::string(100000, 'x')), HasSubstr("endless"));
-  EXPECT_THAT(readPoseCsv(folder_.path() / "none.csv").error().message(),
-              HasSubstr("none.csv: there is no such file"));
+  EXPECT_THAT(readPoseCsv(folder_.path() / "none.csv").error().message(), HasSubstr("none.csv: there is no such file"));
   EXPECT_THAT(readPoseCsv(folder_.path()).error().message(), HasSubstr("a folder"));
 }
 
-TEST_F(PoseCsv, handFilesHaveTimesAndAButton) {
+TEST_F(PoseCsv, HandFilesHaveTimesAndAButton) {
   const auto samples =
       readHandCsv(folder_.write("hand.csv", "t,x,y,z,qw,qx,qy,qz,button\n0,0,0,0,1,0,0,0,0\n0.5,0.1,0,0,1,0,0,0,1\n"));
   ASSERT_TRUE(samples) << samples.error().message();
@@ -81,7 +80,7 @@ TEST_F(PoseCsv, handFilesHaveTimesAndAButton) {
   EXPECT_THAT(handError("t,x,y,z,qw,qx,qy,qz,button\n1,0,0,0,1,0,0,0,2\n"), HasSubstr("column 'button'"));
 }
 
-TEST_F(PoseCsv, jointsComeInTheOrderAskedFor) {
+TEST_F(PoseCsv, JointsComeInTheOrderAskedFor) {
   const auto file = folder_.write("joints.csv", "joint_2,joint_1\n0.2,0.1\n-2,-1\n");
   const auto rows = readJointCsv(file, {"joint_1", "joint_2"});
   ASSERT_TRUE(rows);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "trajectory/motion/trajectory.h"
@@ -26,7 +27,7 @@ inline trajectory::Trajectory recordedGesture(double seconds, double rate_hz, do
   for (int i = 0; i <= count; ++i) {
     const double t = i / rate_hz;
     Pose X = gestureAt(t);
-    const double wave = std::sin(2.0 * 3.14159265358979 * 9.0 * t);
+    const double wave = std::sin(2.0 * std::numbers::pi * 9.0 * t);
     X.p += tremor * wave * glm::normalize(dvec3(std::cos(t), std::sin(t), 0.5));
     X.p += noise * dvec3(normal(random), normal(random), normal(random));
     result.addFrame({t, X});

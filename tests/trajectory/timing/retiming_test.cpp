@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "tests/trajectory/motion/motions.h"
@@ -230,7 +231,7 @@ TEST(Retiming, PassesEveryFrameHoweverFewAndSharp) {
   for (const int corners : {3, 5, 8, 13, 24, 60}) {
     std::vector<dvec3> polygon;
     for (int i = 0; i <= corners; ++i) {
-      const double a = 6.283185307179586 * i / corners;
+      const double a = 2.0 * std::numbers::pi * i / corners;
       polygon.push_back({0.3 * std::cos(a), 0.3 * std::sin(a), 0.01 * i});
     }
     ways.push_back(polygon);

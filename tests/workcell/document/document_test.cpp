@@ -32,7 +32,7 @@ std::string bytes(const Document& document) {
   return documentText(document.state(), "/cell");
 }
 
-TEST(Document, addsFindsAndRemovesWithUndo) {
+TEST(Document, AddsFindsAndRemovesWithUndo) {
   Document document;
   const EntityId table = add(document, makeSolid("table")), part = add(document, makeSolid("part"));
   EXPECT_NE(table, part);
@@ -47,7 +47,7 @@ TEST(Document, addsFindsAndRemovesWithUndo) {
   EXPECT_EQ(document.redoText(), "Remove table");
 }
 
-TEST(Document, refusesInASentenceWhatLiesTooFarFromTheOrigin) {
+TEST(Document, RefusesInASentenceWhatLiesTooFarFromTheOrigin) {
   Document document;
   Entity far = makeSolid("far");
   auto mesh = std::make_shared<geometry::TriangleMesh>(*far.mesh);
@@ -64,7 +64,7 @@ TEST(Document, refusesInASentenceWhatLiesTooFarFromTheOrigin) {
   EXPECT_EQ(document.find(part)->X_WE.p.y, 1990.0) << "a refused command changes nothing";
 }
 
-TEST(Document, namesAreUniqueAndIdsNeverReused) {
+TEST(Document, NamesAreUniqueAndIdsNeverReused) {
   Document document;
   const EntityId first = add(document, makeSolid("part"));
   EXPECT_FALSE(document.execute(AddEntity{makeSolid("part")}).has_value());
@@ -78,7 +78,7 @@ TEST(Document, namesAreUniqueAndIdsNeverReused) {
   EXPECT_TRUE(document.execute(RenameEntity{first, "part"}).has_value());
 }
 
-TEST(Document, robotJointsStartWithinTheirLimits) {
+TEST(Document, RobotJointsStartWithinTheirLimits) {
   Document document;
   const EntityId arm = add(document, makeArm("arm"));
   EXPECT_THAT(document.find(arm)->joints, ElementsAre(0.5));
@@ -90,7 +90,7 @@ TEST(Document, robotJointsStartWithinTheirLimits) {
   EXPECT_THAT(document.find(arm)->joints, ElementsAre(0.7));
 }
 
-TEST(Document, refusedCommandsChangeNothing) {
+TEST(Document, RefusedCommandsChangeNothing) {
   Document document;
   const EntityId part = add(document, makeSolid("part"));
   document.execute(SetProperties{.id = part, .locked = true});
@@ -125,7 +125,7 @@ TEST(Document, refusedCommandsChangeNothing) {
   EXPECT_EQ(document.undoText(), "Lock part");
 }
 
-TEST(Document, aDragIsOneStep) {
+TEST(Document, ADragIsOneStep) {
   Document document;
   const EntityId part = add(document, makeSolid("part"));
   document.beginCompound("Move part");
@@ -150,7 +150,7 @@ TEST(Document, aDragIsOneStep) {
   EXPECT_FALSE(document.inCompound());
 }
 
-TEST(Document, isDirtyUntilItStandsWhereItWasSaved) {
+TEST(Document, IsDirtyUntilItStandsWhereItWasSaved) {
   Document document;
   EXPECT_FALSE(document.isDirty());
   const EntityId part = add(document, makeSolid("part"));
@@ -168,7 +168,7 @@ TEST(Document, isDirtyUntilItStandsWhereItWasSaved) {
   EXPECT_TRUE(document.isDirty());
 }
 
-TEST(Document, pairSetsFollowNames) {
+TEST(Document, PairSetsFollowNames) {
   Document document;
   const EntityId part = add(document, makeSolid("part")), table = add(document, makeSolid("table"));
   document.execute(AddPairSet{{.name = "both", .first = {"part"}, .second = {"table"}}});
@@ -180,7 +180,7 @@ TEST(Document, pairSetsFollowNames) {
   EXPECT_THAT(document.state().pair_sets[0].first, ElementsAre("part"));
 }
 
-TEST(Document, rulesOfSinglePairsReplaceEachOtherFollowNamesAndGoWithTheirEntity) {
+TEST(Document, RulesOfSinglePairsReplaceEachOtherFollowNamesAndGoWithTheirEntity) {
   Document document;
   const EntityId part = add(document, makeSolid("part")), table = add(document, makeSolid("table"));
   ASSERT_TRUE(document.execute(SetPairRules{{{.first = "part", .second = "table", .checked = false}}}));
@@ -203,7 +203,7 @@ TEST(Document, rulesOfSinglePairsReplaceEachOtherFollowNamesAndGoWithTheirEntity
   EXPECT_EQ(document.state().pair_rules.size(), 1u) << "what is refused changes nothing";
 }
 
-TEST(Document, aSnapshotSharesMeshesAndStaysAsItWas) {
+TEST(Document, ASnapshotSharesMeshesAndStaysAsItWas) {
   Document document;
   const EntityId part = add(document, makeSolid("part"));
   const std::vector<Entity> snapshot = document.snapshotEntities();
@@ -250,7 +250,7 @@ Command anyCommand(int entities) {
   }
 }
 
-RC_GTEST_PROP(Document, undoingAllGivesTheSameBytesAndRedoingAllTheOthers, ()) {
+RC_GTEST_PROP(Document, UndoingAllGivesTheSameBytesAndRedoingAllTheOthers, ()) {
   Document document;
   const std::string empty = bytes(document);
   std::vector<std::string> states{empty};

@@ -33,7 +33,7 @@ Guide hinge() {
   return guide;
 }
 
-TEST(Guide, isAddedChangedRemovedAndUndone) {
+TEST(Guide, IsAddedChangedRemovedAndUndone) {
   Document document;
   addBox(document, "door");
   ASSERT_TRUE(document.execute(AddGuide{hinge()}).has_value());
@@ -51,7 +51,7 @@ TEST(Guide, isAddedChangedRemovedAndUndone) {
   EXPECT_NE(document.state().findGuide("door hinge"), nullptr);
 }
 
-TEST(Guide, goesWithItsEntity) {
+TEST(Guide, GoesWithItsEntity) {
   Document document;
   const EntityId door = addBox(document, "door");
   ASSERT_TRUE(document.execute(AddGuide{hinge()}).has_value());
@@ -61,7 +61,7 @@ TEST(Guide, goesWithItsEntity) {
   EXPECT_TRUE(document.state().guides.empty());
 }
 
-TEST(Guide, refusesNonsenseAndLeavesTheDocument) {
+TEST(Guide, RefusesNonsenseAndLeavesTheDocument) {
   Document document;
   addBox(document, "door");
   std::vector<Guide> bad(7, hinge());
@@ -78,7 +78,7 @@ TEST(Guide, refusesNonsenseAndLeavesTheDocument) {
   EXPECT_FALSE(document.execute(AddGuide{hinge()}).has_value()) << "the name is taken";
 }
 
-TEST(Guide, isSavedAndReadAgain) {
+TEST(Guide, IsSavedAndReadAgain) {
   const test::TemporaryFolder folder;
   Document document;
   addBox(document, "door");

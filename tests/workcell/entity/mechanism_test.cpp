@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "geometry/shapes/shapes.h"
 #include "tests/support/test_data.h"
@@ -61,7 +62,7 @@ TEST(Mechanism, ADoorTurnsAboutItsHingeAndNotItsOrigin) {
   ASSERT_TRUE(model) << model.error().message();
   ASSERT_EQ(model->dof(), 1u);
   EXPECT_EQ(model->links[static_cast<std::size_t>(model->defaultTip())].name, "leaf");
-  const Pose X = poseOf(*model, {M_PI / 2}, "leaf");
+  const Pose X = poseOf(*model, {std::numbers::pi / 2}, "leaf");
   EXPECT_NEAR(glm::length(X.p - dvec3(0.1, 0.4, 0.0)), 0.0, 1e-12);
   EXPECT_NEAR(glm::length(X.rotate({1, 0, 0}) - dvec3(0, 1, 0)), 0.0, 1e-12);
 }
@@ -78,10 +79,10 @@ TEST(Mechanism, AScrewSlidesByItsPitchATurnAndACoupledJointFollows) {
   const auto model = buildMechanism("vice", vice);
   ASSERT_TRUE(model) << model.error().message();
   ASSERT_EQ(model->dof(), 1u);
-  const Pose nut = poseOf(*model, {4.0 * M_PI}, "nut");
+  const Pose nut = poseOf(*model, {4.0 * std::numbers::pi}, "nut");
   EXPECT_NEAR(nut.p.z, 0.010, 1e-12);
   EXPECT_NEAR(glm::length(rotationVector(nut.q)), 0.0, 1e-9);
-  EXPECT_NEAR(poseOf(*model, {4.0 * M_PI}, "jaw").p.x, 0.3 - 0.04 * M_PI + 0.02, 1e-12);
+  EXPECT_NEAR(poseOf(*model, {4.0 * std::numbers::pi}, "jaw").p.x, 0.3 - 0.04 * std::numbers::pi + 0.02, 1e-12);
 }
 
 // A parallelogram: the coupler stays parallel to the ground and circles; known in closed form.
@@ -147,7 +148,7 @@ TEST(MechanismCommands, MakingMovingAndTakingApartCanBeUndone) {
   ASSERT_TRUE(door) << door.error().message();
   EXPECT_EQ(document.state().entities.size(), 2u);
   EXPECT_EQ(document.state().pair_sets.at(0).first, std::vector<std::string>{"door"});
-  ASSERT_TRUE(document.execute(SetJoints{*door, {M_PI / 2}}));
+  ASSERT_TRUE(document.execute(SetJoints{*door, {std::numbers::pi / 2}}));
   EXPECT_NEAR(glm::length(carrierPose(*document.find(*door), "leaf").p - dvec3(1.1, 0.4, 0.0)), 0.0, 1e-12);
   auto tighter = document.find(*door)->mechanism->joints;
   tighter[0].upper = 1.0;
@@ -198,7 +199,7 @@ TEST(Attachment, WhatHangsOnALinkGoesWithItAndUndoBringsItBack) {
   EXPECT_FALSE(document.execute(Attach{box, robot, "no such link"}));
   const Pose before = document.find(lid)->X_WE;
   std::vector<double> q(document.find(robot)->robot->dof(), 0.0);
-  q[0] = M_PI / 2;
+  q[0] = std::numbers::pi / 2;
   ASSERT_TRUE(document.execute(SetJoints{robot, q}));
   EXPECT_NEAR(glm::length(document.find(lid)->X_WE.p - dvec3(-before.p.y, before.p.x, before.p.z)), 0.0, 1e-9);
   ASSERT_TRUE(document.undo());

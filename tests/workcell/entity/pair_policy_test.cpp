@@ -17,7 +17,7 @@ std::vector<Entity> named(const std::vector<std::string>& names) {
   return entities;
 }
 
-TEST(PairPolicy, withoutSetsEverythingIsCheckedAgainstTheMovedOne) {
+TEST(PairPolicy, WithoutSetsEverythingIsCheckedAgainstTheMovedOne) {
   const auto entities = named({"part", "table", "robot"});
   const auto pairs = effectivePairs(entities, {}, 1, {0.002, 0.03});
   ASSERT_EQ(pairs.size(), 2u);
@@ -28,7 +28,7 @@ TEST(PairPolicy, withoutSetsEverythingIsCheckedAgainstTheMovedOne) {
   EXPECT_EQ(pairs[1].near_miss, 0.03);
 }
 
-TEST(PairPolicy, withSetsOnlyTheirPairsCountEitherWayRound) {
+TEST(PairPolicy, WithSetsOnlyTheirPairsCountEitherWayRound) {
   const auto entities = named({"part", "table", "robot", "fence"});
   const std::vector<PairSet> sets = {{.name = "a", .first = {"part"}, .second = {"table"}, .safety_distance = 0.004},
                                      {.name = "b", .first = {"robot"}, .second = {"part", "fence"}, .near_miss = 0.05}};
@@ -42,7 +42,7 @@ TEST(PairPolicy, withSetsOnlyTheirPairsCountEitherWayRound) {
   EXPECT_EQ(effectivePairs(entities, sets, 4)[0].other, 3u);
 }
 
-TEST(PairPolicy, anAssemblyIsCheckedAgainstWhatDoesNotGoAlong) {
+TEST(PairPolicy, AnAssemblyIsCheckedAgainstWhatDoesNotGoAlong) {
   auto entities = named({"bolt", "clamp", "rig", "plate", "table"});
   entities[1].kind = entities[2].kind = EntityKind::kAssembly;
   entities[0].parent = "clamp";  // Before what it stands below.
@@ -59,14 +59,14 @@ TEST(PairPolicy, anAssemblyIsCheckedAgainstWhatDoesNotGoAlong) {
   EXPECT_EQ(effectivePairs(entities, std::vector<PairSet>{{.name = "all"}}, 3).size(), 1u);
 }
 
-TEST(PairPolicy, anEmptySideMeansEverything) {
+TEST(PairPolicy, AnEmptySideMeansEverything) {
   const auto entities = named({"part", "table", "robot"});
   const std::vector<PairSet> sets = {{.name = "a", .first = {"part"}}};
   EXPECT_EQ(effectivePairs(entities, sets, 1).size(), 2u);
   EXPECT_EQ(effectivePairs(entities, sets, 2).size(), 1u);
 }
 
-TEST(PairPolicy, severalSetsForOnePairGiveTheLargerDistances) {
+TEST(PairPolicy, SeveralSetsForOnePairGiveTheLargerDistances) {
   const auto entities = named({"part", "table"});
   const std::vector<PairSet> sets = {
       {.name = "a", .first = {"part"}, .safety_distance = 0.004, .near_miss = 0.02, .on_contact = OnContact::kStop},
@@ -78,7 +78,7 @@ TEST(PairPolicy, severalSetsForOnePairGiveTheLargerDistances) {
   EXPECT_EQ(pairs[0].on_contact, OnContact::kStop);
 }
 
-TEST(PairPolicy, leavesOutWhatIsNotChecked) {
+TEST(PairPolicy, LeavesOutWhatIsNotChecked) {
   auto entities = named({"part", "table", "robot"});
   entities[1].checked = false;
   EXPECT_EQ(effectivePairs(entities, {}, 1).size(), 1u);
@@ -88,7 +88,7 @@ TEST(PairPolicy, leavesOutWhatIsNotChecked) {
   EXPECT_TRUE(effectivePairs(entities, off, 1).empty());
 }
 
-TEST(PairPolicy, aRuleIsFoundEitherWayRoundAndTheOneThatNamesLinksCountsMore) {
+TEST(PairPolicy, ARuleIsFoundEitherWayRoundAndTheOneThatNamesLinksCountsMore) {
   const std::vector<PairRule> rules = {
       {.first = "robot", .second = "table", .checked = false},
       {.first = "table", .second = "robot", .second_part = "flange", .on_contact = OnContact::kStop}};
@@ -105,7 +105,7 @@ TEST(PairPolicy, aRuleIsFoundEitherWayRoundAndTheOneThatNamesLinksCountsMore) {
   EXPECT_FALSE(samePair({.first = "a", .first_part = "x", .second = "b"}, {.first = "b", .second = "a"}));
 }
 
-TEST(PairPolicy, whatIsAttachedIsOneBodyWithTheLinkItIsAttachedTo) {
+TEST(PairPolicy, WhatIsAttachedIsOneBodyWithTheLinkItIsAttachedTo) {
   auto entities = named({"robot", "gripper", "part", "table"});
   auto model = std::make_shared<kinematics::RobotModel>();
   model->links = {{"base", -1, {}, {}}, {"wrist", 0, {}, {}}, {"flange", 1, {}, {}}};

@@ -20,7 +20,7 @@ ScriptedMotion shuttle(MotionRepeat repeat) {
   return motion;
 }
 
-TEST(ScriptedMotion, goesFromPointToPointAndRepeatsAsAsked) {
+TEST(ScriptedMotion, GoesFromPointToPointAndRepeatsAsAsked) {
   const ScriptedMotion once = shuttle(MotionRepeat::kOnce), loop = shuttle(MotionRepeat::kLoop),
                        back = shuttle(MotionRepeat::kBack);
   EXPECT_EQ(once.displacementAt(-1.0), dvec3(0.0));
@@ -33,7 +33,7 @@ TEST(ScriptedMotion, goesFromPointToPointAndRepeatsAsAsked) {
   EXPECT_NEAR(back.displacementAt(6.5).x, 0.1, 1e-12) << "and there again";
 }
 
-TEST(ScriptedMotion, itsVelocityIsTheSlopeOfItsWay) {
+TEST(ScriptedMotion, ItsVelocityIsTheSlopeOfItsWay) {
   for (const MotionRepeat repeat : {MotionRepeat::kOnce, MotionRepeat::kLoop, MotionRepeat::kBack}) {
     const ScriptedMotion motion = shuttle(repeat);
     for (double t = 0.05; t < 8.0; t += 0.1) {
@@ -43,7 +43,7 @@ TEST(ScriptedMotion, itsVelocityIsTheSlopeOfItsWay) {
   }
 }
 
-TEST(ScriptedMotion, refusesWhatIsNoPath) {
+TEST(ScriptedMotion, RefusesWhatIsNoPath) {
   ScriptedMotion motion = shuttle(MotionRepeat::kOnce);
   EXPECT_TRUE(checkMotion(motion).has_value());
   motion.points[2].t = 1.0;
@@ -56,7 +56,7 @@ TEST(ScriptedMotion, refusesWhatIsNoPath) {
   EXPECT_FALSE(checkMotion(motion).has_value());
 }
 
-TEST(ScriptedMotion, isSavedAndReadAgainWithItsEntity) {
+TEST(ScriptedMotion, IsSavedAndReadAgainWithItsEntity) {
   const test::TemporaryFolder folder;
   Document document;
   Diagnostics diagnostics;

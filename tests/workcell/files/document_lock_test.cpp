@@ -57,7 +57,7 @@ class DocumentLockTest : public ::testing::Test {
   };
 };
 
-TEST_F(DocumentLockTest, theSecondProgramIsToldWhoHasIt) {
+TEST_F(DocumentLockTest, TheSecondProgramIsToldWhoHasIt) {
   OtherProgram other(file());
   DocumentLock lock = DocumentLock::take(file());
   EXPECT_FALSE(lock.isHeld());
@@ -76,7 +76,7 @@ TEST_F(DocumentLockTest, theSecondProgramIsToldWhoHasIt) {
   EXPECT_TRUE(lock.isHeld());
 }
 
-TEST_F(DocumentLockTest, goesWithItsOwner) {
+TEST_F(DocumentLockTest, GoesWithItsOwner) {
   {
     const DocumentLock lock = DocumentLock::take(file());
     EXPECT_TRUE(lock.isHeld());
@@ -86,7 +86,7 @@ TEST_F(DocumentLockTest, goesWithItsOwner) {
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
-TEST_F(DocumentLockTest, whatDeadProgramsLeftForOtherDocumentsIsRemoved) {
+TEST_F(DocumentLockTest, WhatDeadProgramsLeftForOtherDocumentsIsRemoved) {
   const fs::path other = folder_.path() / "other.hcell", living = folder_.path() / "living.hcell";
   OtherProgram dead(other), alive(living);
   dead.kill();
@@ -102,7 +102,7 @@ TEST_F(DocumentLockTest, whatDeadProgramsLeftForOtherDocumentsIsRemoved) {
   alive.kill();
 }
 
-TEST_F(DocumentLockTest, anotherMachinesLockCountsUntilItIsTakenOver) {
+TEST_F(DocumentLockTest, AnotherMachinesLockCountsUntilItIsTakenOver) {
   std::ofstream(lockOf(file())) << R"({"user": "anna\nx", "host": "far", "process": 12, "since": "2026-11-26 09:30"})";
   DocumentLock lock = DocumentLock::take(file());
   ASSERT_TRUE(lock.owner());
@@ -113,7 +113,7 @@ TEST_F(DocumentLockTest, anotherMachinesLockCountsUntilItIsTakenOver) {
   EXPECT_FALSE(lock.owner());
 }
 
-TEST_F(DocumentLockTest, nonsenseAndLinksDoNoHarm) {
+TEST_F(DocumentLockTest, NonsenseAndLinksDoNoHarm) {
   std::ofstream(lockOf(file())) << "[1, 2";
   { EXPECT_TRUE(DocumentLock::take(file()).isHeld()); }
   const fs::path precious = folder_.write("precious", "kept");
@@ -155,7 +155,7 @@ class LeftCopy : public DocumentLockTest {
   std::string saved_;
 };
 
-TEST_F(LeftCopy, isOfferedWhateverTheClocksSay) {
+TEST_F(LeftCopy, IsOfferedWhateverTheClocksSay) {
   using namespace std::chrono_literals;
   const auto now = fs::file_time_type::clock::now();
   for (const auto document_time : {now - 48h, now, now + 48h}) {
@@ -170,7 +170,7 @@ TEST_F(LeftCopy, isOfferedWhateverTheClocksSay) {
   EXPECT_NE(facts.as_saved, facts.base);
 }
 
-TEST_F(LeftCopy, isNotOfferedWhereTheDocumentHoldsTheSame) {
+TEST_F(LeftCopy, IsNotOfferedWhereTheDocumentHoldsTheSame) {
   ASSERT_TRUE(saveDocument(document_, file()));  // The run saved, and died before it could remove the copy.
   using namespace std::chrono_literals;
   fs::last_write_time(file(), fs::file_time_type::clock::now() - 48h);
@@ -178,7 +178,7 @@ TEST_F(LeftCopy, isNotOfferedWhereTheDocumentHoldsTheSame) {
   EXPECT_TRUE(fs::is_empty(runsFolder()));
 }
 
-TEST_F(LeftCopy, saysThatOthersChangedTheDocumentSince) {
+TEST_F(LeftCopy, SaysThatOthersChangedTheDocumentSince) {
   Diagnostics notes;
   auto other = loadDocument(file(), notes);
   ASSERT_TRUE(other);
@@ -190,7 +190,7 @@ TEST_F(LeftCopy, saysThatOthersChangedTheDocumentSince) {
   EXPECT_TRUE(changedOnDisk(file(), saved_)) << "and saving must ask";
 }
 
-TEST_F(LeftCopy, theLaterOneComesFirstWhateverTheClocksSay) {
+TEST_F(LeftCopy, TheLaterOneComesFirstWhateverTheClocksSay) {
   add(document_, "later");
   leave(document_);
   using namespace std::chrono_literals;
@@ -203,7 +203,7 @@ TEST_F(LeftCopy, theLaterOneComesFirstWhateverTheClocksSay) {
   EXPECT_TRUE(loadDocument(left[0].copy, notes)->findByName("later"));
 }
 
-TEST_F(LeftCopy, ofAnEarlierProgramIsOfferedToo) {
+TEST_F(LeftCopy, OfAnEarlierProgramIsOfferedToo) {
   const auto run = findLeftWork()[0].run;
   fs::remove(run / "copy.json");
   ASSERT_EQ(findLeftWork().size(), 1u);
@@ -211,7 +211,7 @@ TEST_F(LeftCopy, ofAnEarlierProgramIsOfferedToo) {
   EXPECT_EQ(findLeftWork().size(), 1u) << "nonsense";
 }
 
-TEST_F(LeftCopy, aTouchedFileIsNotAChangedOne) {
+TEST_F(LeftCopy, ATouchedFileIsNotAChangedOne) {
   fs::last_write_time(file(), fs::file_time_type::clock::now() + std::chrono::hours(3));
   EXPECT_FALSE(changedOnDisk(file(), saved_));
   const std::string text = *readFileContent(file());

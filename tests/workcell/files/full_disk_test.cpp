@@ -10,10 +10,10 @@
 #include "tests/support/test_data.h"
 #include "workcell/files/archive.h"
 #include "workcell/files/autosave.h"
+#include "workcell/files/scene_export.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
 #include "workcell/text/file_content.h"
-#include "workcell/files/scene_export.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -64,7 +64,7 @@ class FullDiskTest : public ::testing::Test {
   Document document_;
 };
 
-TEST_F(FullDiskTest, savingLeavesTheOldFileAndStaysDirty) {
+TEST_F(FullDiskTest, SavingLeavesTheOldFileAndStaysDirty) {
   const fs::path file = folder_.path() / "cell.hcell";
   ASSERT_TRUE(saveDocument(document_, file));
   const std::string before = *readFileContent(file);
@@ -79,7 +79,7 @@ TEST_F(FullDiskTest, savingLeavesTheOldFileAndStaysDirty) {
   EXPECT_TRUE(saveDocument(document_, file)) << "there is room again";
 }
 
-TEST_F(FullDiskTest, autosavingTellsAndLeavesTheOlderCopy) {
+TEST_F(FullDiskTest, AutosavingTellsAndLeavesTheOlderCopy) {
   const fs::path file = folder_.path() / "cell.hcell";
   ASSERT_TRUE(saveDocument(document_, file));
   ASSERT_TRUE(document_.execute(RenameEntity{document_.state().entities[0]->id, "moved"}));
@@ -93,7 +93,7 @@ TEST_F(FullDiskTest, autosavingTellsAndLeavesTheOlderCopy) {
   EXPECT_EQ(*readFileContent(copyIn(folder_.path())), copy);
 }
 
-TEST_F(FullDiskTest, exportsAndArchivesLeaveWhatStoodThere) {
+TEST_F(FullDiskTest, ExportsAndArchivesLeaveWhatStoodThere) {
   Diagnostics diagnostics;
   for (const char* name : {"out.stl", "out.obj", "out.glb", "out.step"}) {
     const fs::path file = folder_.write(name, "old");

@@ -9,11 +9,11 @@
 #include "tests/support/test_data.h"
 #include "trajectory/files/trajectory_io.h"
 #include "workcell/files/archive.h"
+#include "workcell/files/pack.h"
+#include "workcell/files/pack_check.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
 #include "workcell/text/file_content.h"
-#include "workcell/files/pack.h"
-#include "workcell/files/pack_check.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -40,7 +40,7 @@ std::map<std::string, std::string> contentOf(const fs::path& file) {
   return files;
 }
 
-TEST(PackArchive, holdsTheDocumentAndItsFiles) {
+TEST(PackArchive, HoldsTheDocumentAndItsFiles) {
   test::TemporaryFolder folder;
   folder.write("part.obj", kTriangle);
   Diagnostics notes;
@@ -110,34 +110,35 @@ class PackCheck : public ::testing::Test {
   DocumentState state_;
 };
 
-TEST_F(PackCheck, findsWhatStandsElsewhere) {
+TEST_F(PackCheck, FindsWhatStandsElsewhere) {
   replace("-0.7", "-0.70001");
   expectMiss("shoulder_lift_joint -0.7 -> -0.70001");
 }
 
-TEST_F(PackCheck, findsWhatIsMissing) {
+TEST_F(PackCheck, FindsWhatIsMissing) {
   replace("\"name\": \"way\"", "\"name\": \"walk\"");
   expectMiss("trajectories: 1 read back, or others; expected the 1 that were packed");
 }
 
-TEST_F(PackCheck, findsAFileOutsideOfThePack) {
+TEST_F(PackCheck, FindsAFileOutsideOfThePack) {
   replace("files/part.obj", "../part.obj");
   expectMiss("it lies outside of the pack");
 }
 
-TEST_F(PackCheck, findsALinkThatLeadsOut) {
+TEST_F(PackCheck, FindsALinkThatLeadsOut) {
   fs::remove(pack_ / "files/way.htraj");
   fs::create_symlink(folder_.path() / "way.htraj", pack_ / "files/way.htraj");
   expectMiss("trajectory 'way': it lies outside of the pack");
 }
 
-TEST(PackArchive, takesThePackagesThatARobotNames) {
+TEST(PackArchive, TakesThePackagesThatARobotNames) {
   const test::TemporaryFolder folder;
   folder.write("arm/package.xml", "<package><name>arm</name></package>");
   folder.write("shapes/package.xml", "<package><name>shapes</name></package>");
   folder.write("shapes/meshes/part.obj", kTriangle);
   const std::string urdf =
-      "<robot name='arm'><link name='base'><visual><geometry><mesh filename='MESH'/></geometry></visual></link></robot>";
+      "<robot name='arm'><link name='base'><visual><geometry><mesh "
+      "filename='MESH'/></geometry></visual></link></robot>";
   const auto packed = [&](const std::string& mesh) -> Expected<PackReport> {
     std::string text = urdf;
     folder.write("arm/arm.urdf", text.replace(text.find("MESH"), 4, mesh));
@@ -159,14 +160,14 @@ TEST(PackArchive, takesThePackagesThatARobotNames) {
   EXPECT_TRUE(fs::is_empty(folder.path() / "packs"));
 }
 
-TEST_F(PackCheck, findsADamagedShape) {
+TEST_F(PackCheck, FindsADamagedShape) {
   ASSERT_TRUE(writeFileAtomically(pack_ / "files/part.obj", "v 0 0 0\nv 1 0 0\nv 0 1.00001 0\nf 1 2 3\n"));
   expectMiss("entity 'part' read back from the pack: a shape whose box is off by 1e-05 m");
   ASSERT_TRUE(writeFileAtomically(pack_ / "files/part.obj", "v 0 0 0\n"));
   expectMiss("entity 'part' read back from the pack");
 }
 
-TEST_F(PackCheck, findsACopyThatIsCutShort) {
+TEST_F(PackCheck, FindsACopyThatIsCutShort) {
   const fs::path original = folder_.path() / "part.obj", copy = pack_ / "files/part.obj";
   EXPECT_TRUE(checkCopy(copy, original));
   fs::resize_file(copy, fs::file_size(copy) - 1);
@@ -174,7 +175,7 @@ TEST_F(PackCheck, findsACopyThatIsCutShort) {
   EXPECT_FALSE(checkCopy(pack_ / "none", original));
 }
 
-TEST_F(PackCheck, findsWhatAnArchiveLost) {
+TEST_F(PackCheck, FindsWhatAnArchiveLost) {
   for (const char* name : {"cell.zip", "cell.tar.gz"}) {
     const fs::path archive = folder_.path() / name;
     ASSERT_TRUE(writeArchive(pack_, archive));
@@ -202,7 +203,7 @@ TEST_F(PackCheck, findsWhatAnArchiveLost) {
   }
 }
 
-TEST(PackArchive, whereItCannotBeWrittenNothingIsLeft) {
+TEST(PackArchive, WhereItCannotBeWrittenNothingIsLeft) {
   test::TemporaryFolder folder;
   Diagnostics notes;
   EXPECT_FALSE(pack({}, folder.path() / "nowhere" / "cell.zip", "cell.hcell", {folder.path()}, notes));

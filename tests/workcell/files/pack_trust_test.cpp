@@ -8,10 +8,10 @@
 #include "tests/support/test_data.h"
 #include "trajectory/files/trajectory_io.h"
 #include "workcell/files/claimed_content.h"
-#include "workcell/format/document_io.h"
-#include "workcell/text/file_content.h"
 #include "workcell/files/pack.h"
+#include "workcell/format/document_io.h"
 #include "workcell/format/recordings.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -38,7 +38,7 @@ class PackTrust : public ::testing::Test {
   }
   Expected<PackReport> packed(bool allow_outside = false) {
     const auto document = loadDocument(folder_.path() / "cell/cell.hcell", notes_, {.keep_unloaded = true});
-    if (!document) return makeError(document.error());
+    HAPTICELL_TRY(document);
     std::error_code ignored;
     fs::remove_all(pack_, ignored);
     return packDocument(document->state(), pack_, "cell.hcell", {folder_.path() / "cell", allow_outside}, notes_);
@@ -69,21 +69,21 @@ std::string part(const std::string& file, const std::string& kind = "solid", con
   return R"({"name":")" + name + R"(","kind":")" + kind + R"(","source":{"file":")" + file + R"("}})";
 }
 
-TEST_F(PackTrust, anAssemblyTakesNoFileThatIsNoShape) {
+TEST_F(PackTrust, AnAssemblyTakesNoFileThatIsNoShape) {
   cell(part("part.obj", "solid", "b") + "," + part("../private/shadow", "assembly"));
   expectRefused("assembly 'a'");
   cell(part("part.obj", "solid", "b") + "," + part("../private/id_rsa.obj", "assembly"));
   expectRefused("assembly 'a'");
 }
 
-TEST_F(PackTrust, aTrajectoryTakesNoFileThatIsNone) {
+TEST_F(PackTrust, ATrajectoryTakesNoFileThatIsNone) {
   for (const char* file : {"../private/shadow", "../private/id_rsa.obj", "part.obj"}) {
     cell(part("part.obj"), R"({"name":"way","file":")" + std::string(file) + "\"}");
     expectRefused("trajectory 'way'");
   }
 }
 
-TEST_F(PackTrust, aSolidThatCouldNotBeReadTakesNothing) {
+TEST_F(PackTrust, ASolidThatCouldNotBeReadTakesNothing) {
   cell(part("part.obj") + "," + part("../private/id_rsa.obj", "solid", "key"));
   const auto report = packed(true);
   ASSERT_TRUE(report) << report.error().message();
@@ -91,7 +91,7 @@ TEST_F(PackTrust, aSolidThatCouldNotBeReadTakesNothing) {
   expectNoSecret();
 }
 
-TEST_F(PackTrust, whatAMeshNamesBesideItMustBeWhatItClaims) {
+TEST_F(PackTrust, WhatAMeshNamesBesideItMustBeWhatItClaims) {
   folder_.write("cell/part.obj", std::string("mtllib paint.mtl\nmtllib keys.mtl\nmtllib link.mtl\n") + kOneTriangle);
   folder_.write("cell/paint.mtl", "# colours\nnewmtl red\nKd 1 0 0\n");
   folder_.write("cell/keys.mtl", kSecret);
@@ -103,7 +103,7 @@ TEST_F(PackTrust, whatAMeshNamesBesideItMustBeWhatItClaims) {
   expectNoSecret();
 }
 
-TEST_F(PackTrust, whatLiesOutsideIsListedAndNothingWritten) {
+TEST_F(PackTrust, WhatLiesOutsideIsListedAndNothingWritten) {
   folder_.write("private/house.obj", kOneTriangle);
   fs::create_symlink(folder_.path() / "private/house.obj", folder_.path() / "cell/link.obj");
   for (const char* file : {"../private/house.obj", "link.obj"}) {
@@ -121,7 +121,7 @@ TEST_F(PackTrust, whatLiesOutsideIsListedAndNothingWritten) {
   }
 }
 
-TEST_F(PackTrust, aRobotTakesWhatWasReadForItAndNothingBesideIt) {
+TEST_F(PackTrust, ARobotTakesWhatWasReadForItAndNothingBesideIt) {
   folder_.write("cell/arm.urdf",
                 "<robot name='arm'><link name='base'><visual><geometry><mesh filename='part.obj'/></geometry></visual>"
                 "</link></robot>");
@@ -135,7 +135,7 @@ TEST_F(PackTrust, aRobotTakesWhatWasReadForItAndNothingBesideIt) {
   expectNoSecret();
 }
 
-TEST_F(PackTrust, aRobotWithIncludesMeshesAboveItAndPackagesStillPacksWithLeave) {
+TEST_F(PackTrust, ARobotWithIncludesMeshesAboveItAndPackagesStillPacksWithLeave) {
   folder_.write("robots/arm/package.xml", "<package><name>arm</name></package>");
   folder_.write("robots/arm/notes.txt", kSecret);
   folder_.write("robots/arm/urdf/arm.urdf.xacro",
@@ -166,14 +166,14 @@ TEST_F(PackTrust, aRobotWithIncludesMeshesAboveItAndPackagesStillPacksWithLeave)
   EXPECT_TRUE(again) << again.error().message();
 }
 
-TEST_F(PackTrust, savingBringsNoFileHereThatIsNoRecording) {
+TEST_F(PackTrust, SavingBringsNoFileHereThatIsNoRecording) {
   cell(part("part.obj"), R"({"name":"way","file":"../private/shadow"})");
   const auto document = loadDocument(folder_.path() / "cell/cell.hcell", notes_);
   ASSERT_TRUE(document);
   EXPECT_TRUE(gatherRecordings(document->state(), folder_.path() / "elsewhere/cell.hcell").moved.empty());
 }
 
-TEST(ClaimedContent, isToldByTheFirstBytes) {
+TEST(ClaimedContent, IsToldByTheFirstBytes) {
   const test::TemporaryFolder folder;
   EXPECT_TRUE(isWhatItClaims(folder.write("a.png", std::string("\x89PNG\r\n\x1A\n", 8) + "x")));
   EXPECT_FALSE(isWhatItClaims(folder.write("b.png", kSecret)));

@@ -33,16 +33,18 @@ class Demonstration : public ::testing::Test {
   std::vector<Pose> X_BL_;
 };
 
-TEST_F(Demonstration, opensWithoutAWord) { EXPECT_TRUE(diagnostics_.warnings.empty()) << diagnostics_.warnings.front(); }
+TEST_F(Demonstration, OpensWithoutAWord) {
+  EXPECT_TRUE(diagnostics_.warnings.empty()) << diagnostics_.warnings.front();
+}
 
-TEST_F(Demonstration, savingItChangesNoByte) {
+TEST_F(Demonstration, SavingItChangesNoByte) {
   const auto path = test::sourceFile("config/workcells/demo.hcell");
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(documentText(document_.state(), path.parent_path()), text);
 }
 
-TEST_F(Demonstration, robotHoldsThePartThirtyMillimetresOverItsSeatWithTheToolDown) {
+TEST_F(Demonstration, RobotHoldsThePartThirtyMillimetresOverItsSeatWithTheToolDown) {
   EXPECT_EQ(robot_->robot->dof(), 6u);
   const Pose X_WT = linkInWorld("tcp");
   EXPECT_NEAR(glm::distance(X_WT.p, dvec3(0.99, 0.0, 0.75 + 0.055 + 0.030)), 0.0, 1e-6);
@@ -50,7 +52,7 @@ TEST_F(Demonstration, robotHoldsThePartThirtyMillimetresOverItsSeatWithTheToolDo
   EXPECT_NEAR(linkInWorld("housing_4711").p.z, 0.78, 1e-6);
 }
 
-TEST_F(Demonstration, nothingTouchesTheRobotAtTheStart) {
+TEST_F(Demonstration, NothingTouchesTheRobotAtTheStart) {
   for (const auto& other : document_.state().entities) {
     if (other->id == robot_->id || other->name == "Pedestal" || !other->mesh) continue;
     const auto obstacle = collision::MeshCollider::build(*other->mesh);
@@ -64,7 +66,7 @@ TEST_F(Demonstration, nothingTouchesTheRobotAtTheStart) {
   }
 }
 
-TEST_F(Demonstration, everySolidIsClosed) {
+TEST_F(Demonstration, EverySolidIsClosed) {
   for (const auto& entity : document_.state().entities) {
     if (!entity->mesh) continue;
     EXPECT_GT(geometry::massProperties(*entity->mesh).volume, 1e-6) << entity->name;

@@ -104,7 +104,7 @@ TEST_F(DocumentFile, AFreeHandIsSavedWithItsFingersAndIsOneAgain) {
   EXPECT_EQ(read.robot->findLink("l_index3"), hand->robot->findLink("l_index3"));
 }
 
-TEST_F(DocumentFile, loadThenSaveChangesNoByte) {
+TEST_F(DocumentFile, LoadThenSaveChangesNoByte) {
   Document first = made();
   ASSERT_TRUE(saveDocument(first, path).has_value());
   EXPECT_FALSE(first.isDirty());
@@ -119,7 +119,7 @@ TEST_F(DocumentFile, loadThenSaveChangesNoByte) {
   EXPECT_EQ(contentOf(path), written);
 }
 
-TEST_F(DocumentFile, keepsWhatTheDocumentHeld) {
+TEST_F(DocumentFile, KeepsWhatTheDocumentHeld) {
   Document first = made();
   ASSERT_TRUE(saveDocument(first, path).has_value());
   Diagnostics notes;
@@ -147,7 +147,7 @@ TEST_F(DocumentFile, keepsWhatTheDocumentHeld) {
   EXPECT_FALSE(second->state().pair_sets[0].contact_color.has_value());
 }
 
-TEST_F(DocumentFile, namesAreRelativeSoThatFoldersCanMove) {
+TEST_F(DocumentFile, NamesAreRelativeSoThatFoldersCanMove) {
   Document first = made();
   ASSERT_TRUE(saveDocument(first, path).has_value());
   const std::string text = contentOf(path);
@@ -162,7 +162,7 @@ TEST_F(DocumentFile, namesAreRelativeSoThatFoldersCanMove) {
   EXPECT_THAT(moved->findByName("part")->source.path, HasSubstr("moved"));
 }
 
-TEST_F(DocumentFile, aMissingMeshNamesFileAndEntity) {
+TEST_F(DocumentFile, AMissingMeshNamesFileAndEntity) {
   Document first = made();
   ASSERT_TRUE(saveDocument(first, path).has_value());
   fs::remove(folder.path() / "part.stl");
@@ -173,7 +173,7 @@ TEST_F(DocumentFile, aMissingMeshNamesFileAndEntity) {
   EXPECT_THAT(second.error().message(), HasSubstr("part.stl: there is no such file"));
 }
 
-TEST_F(DocumentFile, aFailedSaveLeavesTheOldFile) {
+TEST_F(DocumentFile, AFailedSaveLeavesTheOldFile) {
   Document first = made();
   ASSERT_TRUE(saveDocument(first, path).has_value());
   const std::string written = contentOf(path);
@@ -189,7 +189,7 @@ TEST_F(DocumentFile, aFailedSaveLeavesTheOldFile) {
   EXPECT_EQ(files, 2u);  // The document and meshes/: nothing left aside.
 }
 
-TEST(DocumentText, aHandWrittenMinimumIsEnough) {
+TEST(DocumentText, AHandWrittenMinimumIsEnough) {
   Diagnostics notes;
   const auto cell =
       parseDocument(document(R"({"name": "ball", "source": {"file": "sphere:0.1"}})"), "/nowhere", "c", notes);
@@ -198,7 +198,7 @@ TEST(DocumentText, aHandWrittenMinimumIsEnough) {
   EXPECT_TRUE(notes.warnings.empty());
 }
 
-TEST(DocumentText, refusesWhatItDoesNotUnderstand) {
+TEST(DocumentText, RefusesWhatItDoesNotUnderstand) {
   EXPECT_THAT(refused("{"), HasSubstr("cell.hcell, line 1"));
   EXPECT_THAT(refused("[1]"), HasSubstr("an object in braces"));
   EXPECT_THAT(refused("{\"a\":\n1e999}"), HasSubstr("cell.hcell"));
@@ -208,7 +208,7 @@ TEST(DocumentText, refusesWhatItDoesNotUnderstand) {
   EXPECT_THAT(refused(R"({"format": "hapticell-workcell"})"), HasSubstr("version"));
 }
 
-TEST(DocumentText, namesEntityAndKeyOfABadValue) {
+TEST(DocumentText, NamesEntityAndKeyOfABadValue) {
   const std::string ball = R"({"name": "ball", "source": {"file": "sphere:0.1"}, )";
   EXPECT_THAT(refused(document(ball + R"("visible": 3})")),
               HasSubstr("entity 'ball', \"visible\": 3; expected true or false"));
@@ -231,7 +231,7 @@ TEST(DocumentText, namesEntityAndKeyOfABadValue) {
   EXPECT_THAT(refused(document(two)), HasSubstr("taken"));
 }
 
-TEST(DocumentText, warnsOfUnknownKeysAndNames) {
+TEST(DocumentText, WarnsOfUnknownKeysAndNames) {
   Diagnostics notes;
   const auto cell = parseDocument(document(R"({"name": "ball", "source": {"file": "sphere:0.1"}, "colour": 1})",
                                            R"(, "pair_sets": [{"name": "s", "first": ["bell"]}])"),
@@ -242,7 +242,7 @@ TEST(DocumentText, warnsOfUnknownKeysAndNames) {
   EXPECT_THAT(notes.warnings[1], HasSubstr("'bell'"));
 }
 
-TEST(DocumentText, whatHangsOnSomethingIsPlacedWhereItHangsAndThatIsSaid) {
+TEST(DocumentText, WhatHangsOnSomethingIsPlacedWhereItHangsAndThatIsSaid) {
   const auto chain = [](const std::string& placement_of_last) {
     return document(R"({"name": "last", "source": {"file": "sphere:0.1"}, )" + placement_of_last +
                     R"("attached": {"to": "middle", "placement": {"position": [0, 0, 3]}}},
@@ -263,7 +263,7 @@ TEST(DocumentText, whatHangsOnSomethingIsPlacedWhereItHangsAndThatIsSaid) {
   EXPECT_TRUE(silent.warnings.empty());
 }
 
-TEST(DocumentText, roundsHandWrittenQuaternionsToUnitOnes) {
+TEST(DocumentText, RoundsHandWrittenQuaternionsToUnitOnes) {
   Diagnostics notes;
   const auto cell = parseDocument(
       document(R"({"name": "b", "source": {"file": "sphere:1"}, "placement": {"quaternion": [0.707, 0, 0, 0.707]}})"),
@@ -272,12 +272,12 @@ TEST(DocumentText, roundsHandWrittenQuaternionsToUnitOnes) {
   EXPECT_TRUE(cell->findByName("b")->X_WE.isValid());
 }
 
-TEST(DocumentText, survivesDeepNesting) {
+TEST(DocumentText, SurvivesDeepNesting) {
   EXPECT_FALSE(refused(std::string(200000, '[') + std::string(200000, ']')).empty());
   EXPECT_FALSE(refused(document(R"({"name": )" + std::string(100000, '[') + std::string(100000, ']') + "}")).empty());
 }
 
-RC_GTEST_PROP(DocumentText, survivesDamage, ()) {
+RC_GTEST_PROP(DocumentText, SurvivesDamage, ()) {
   std::string text = document(
       R"({"name": "ball", "kind": "solid", "source": {"file": "sphere:0.1", "scale": 1}, "placement": {"position": [1, 2, 3],
       "quaternion": [1, 0, 0, 0]}, "color": [0.1, 0.2, 0.3], "frames": [{"name": "f"}]})",

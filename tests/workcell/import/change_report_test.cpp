@@ -21,7 +21,7 @@ constexpr const char* kCell =
     "<model name='right'><static>true</static><pose>0 2 0 0 0 0</pose><link name='l'><visual name='v'><geometry><box>"
     "<size>0.2 0.2 0.2</size></box></geometry></visual></link></model></world></sdf>";
 
-TEST(ChangeReport, againstTheImportTellsWhatWasMovedSince) {
+TEST(ChangeReport, AgainstTheImportTellsWhatWasMovedSince) {
   test::TemporaryFolder folder;
   const auto file = folder.write("cell.world", kCell);
   Diagnostics notes;
@@ -55,7 +55,7 @@ TEST(ChangeReport, againstTheImportTellsWhatWasMovedSince) {
   EXPECT_EQ(count, 1);
 }
 
-TEST(ChangeReport, aFileThatIsGoneIsASentence) {
+TEST(ChangeReport, AFileThatIsGoneIsASentence) {
   test::TemporaryFolder folder;
   const auto file = folder.write("cell.world", kCell);
   Diagnostics notes;

@@ -14,7 +14,7 @@ std::string armText(double upper, const std::string& extra) {
          std::to_string(upper) + "' effort='1' velocity='1'/></joint>" + extra + "</robot>";
 }
 
-TEST(ReplaceShape, aSolidKeepsItsPlaceNameAndColour) {
+TEST(ReplaceShape, ASolidKeepsItsPlaceNameAndColour) {
   test::TemporaryFolder folder;
   folder.write("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   Diagnostics notes;
@@ -39,7 +39,7 @@ TEST(ReplaceShape, aSolidKeepsItsPlaceNameAndColour) {
   EXPECT_EQ(document.find(*id)->mesh->triangles.size(), 1u);
 }
 
-TEST(ReplaceShape, aRobotKeepsThePositionsOfJointsOfTheSameNameWithinTheNewLimits) {
+TEST(ReplaceShape, ARobotKeepsThePositionsOfJointsOfTheSameNameWithinTheNewLimits) {
   test::TemporaryFolder folder;
   folder.write("arm.urdf", armText(2.0, ""));
   Diagnostics notes;
@@ -61,7 +61,7 @@ TEST(ReplaceShape, aRobotKeepsThePositionsOfJointsOfTheSameNameWithinTheNewLimit
   EXPECT_DOUBLE_EQ(now.joints[1], 0.0);
 }
 
-TEST(ReplaceShape, anotherKindOfThingIsRefused) {
+TEST(ReplaceShape, AnotherKindOfThingIsRefused) {
   Diagnostics notes;
   Document document;
   EntityLoader loader(".");

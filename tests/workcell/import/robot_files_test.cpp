@@ -5,10 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <numbers>
 
 #include "geometry/shapes/mass_properties.h"
-#include "kinematics/model/chain_report.h"
 #include "kinematics/closed_form/inverse_factory.h"
+#include "kinematics/model/chain_report.h"
 #include "tests/support/test_data.h"
 #include "tests/workcell/robots/urdf_text.h"
 #include "workcell/import/entity_source.h"
@@ -35,7 +36,7 @@ TEST(RobotToml, ReadsLengthsInItsUnitAndAnglesInDegrees) {
   const std::string tool = "[[tool]]\nname = \"gun\"\nposition = [0, 0, 200]\nrpy = [180, 0, 0]\n";
   const auto robot = readRobot(folder.write("robot.toml", kHead + kOpw + kSix + tool), notes);
   ASSERT_TRUE(robot) << robot.error().message();
-  EXPECT_NEAR(robot->model.joints[0].upper, M_PI / 2, 1e-12);
+  EXPECT_NEAR(robot->model.joints[0].upper, std::numbers::pi / 2, 1e-12);
   EXPECT_NEAR(robot->model.joints[1].X_PJ.p.z, 0.330, 1e-12);
   ASSERT_EQ(robot->tools.size(), 1u);
   EXPECT_NEAR(robot->tools[0].X_LT.p.z, 0.2, 1e-12);

@@ -18,13 +18,13 @@ namespace {
 
 using geometry::TriangleMesh;
 
-TEST(MeshCare, deviationOfTwoBoxesIsTheGapBetweenTheirFaces) {
+TEST(MeshCare, DeviationOfTwoBoxesIsTheGapBetweenTheirFaces) {
   const TriangleMesh inner = geometry::makeBox({0.1, 0.1, 0.1}), outer = geometry::makeBox({0.1, 0.1, 0.12});
   EXPECT_NEAR(deviation(inner, outer), 0.01, 1e-9);
   EXPECT_NEAR(deviation(inner, inner), 0.0, 1e-12);
 }
 
-TEST(MeshCare, aSphereGetsFewerTrianglesWithinTheTolerance) {
+TEST(MeshCare, ASphereGetsFewerTrianglesWithinTheTolerance) {
   TriangleMesh sphere = geometry::makeSphere(0.05);
   for (dvec3& vertex : sphere.vertices)
     vertex += dvec3(1000.0, 0.0, 0.0);  // Far out: floats would lose a tenth of a mm.
@@ -39,7 +39,7 @@ TEST(MeshCare, aSphereGetsFewerTrianglesWithinTheTolerance) {
   EXPECT_FALSE(simplify(sphere, std::nan("")));
 }
 
-TEST(MeshCare, theHullOfAnAngleFillsItsHollow) {
+TEST(MeshCare, TheHullOfAnAngleFillsItsHollow) {
   // Two bars of 100 x 20 x 20 mm in an L; the hull cuts the corner between their free ends.
   TriangleMesh angle = geometry::makeBox({0.1, 0.02, 0.02});
   geometry::append(angle, geometry::makeBox({0.02, 0.1, 0.02}), Pose::translation({-0.04, 0.04, 0.0}));
@@ -56,7 +56,7 @@ TEST(MeshCare, theHullOfAnAngleFillsItsHollow) {
   EXPECT_FALSE(convexMesh(flat));
 }
 
-TEST(MeshCare, trianglesThatFaceAnyWayAreTurnedOutwards) {
+TEST(MeshCare, TrianglesThatFaceAnyWayAreTurnedOutwards) {
   std::mt19937 random(7);
   for (const TriangleMesh& sound : {geometry::makeBox({0.1, 0.2, 0.3}), geometry::makeSphere(0.1)}) {
     TriangleMesh mixed = sound;
@@ -72,7 +72,7 @@ TEST(MeshCare, trianglesThatFaceAnyWayAreTurnedOutwards) {
   }
 }
 
-TEST(MeshCare, healthCountsWhatIsOdd) {
+TEST(MeshCare, HealthCountsWhatIsOdd) {
   TriangleMesh fan;  // Three triangles on one edge.
   fan.vertices = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
   fan.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
@@ -82,7 +82,7 @@ TEST(MeshCare, healthCountsWhatIsOdd) {
   EXPECT_FALSE(health.isClosed());
 }
 
-TEST(MeshCare, aDocumentKeepsHowAProxyAndAMeshWereMade) {
+TEST(MeshCare, ADocumentKeepsHowAProxyAndAMeshWereMade) {
   test::TemporaryFolder folder;
   const NamedMesh sphere{"ball", geometry::makeSphere(0.05)};
   folder.write("ball.stl", stlBytes({&sphere, 1}, 1.0));

@@ -39,7 +39,7 @@ std::vector<std::string> namesOf(const std::vector<MeshPart>& parts) {
   return names;
 }
 
-TEST(ObjParts, everyObjectIsASolidWithItsNameAndMaterial) {
+TEST(ObjParts, EveryObjectIsASolidWithItsNameAndMaterial) {
   Diagnostics notes;
   const auto parts = partsOfText(readObj,
                                  "o left bolt\nusemtl red\n" + tetrahedron(1, 0) + "o nut\nusemtl green\n" +
@@ -60,7 +60,7 @@ TEST(ObjParts, everyObjectIsASolidWithItsNameAndMaterial) {
   EXPECT_THAT(notes.warnings, IsEmpty());
 }
 
-TEST(ObjParts, aGroupThatIsNamedAgainIsTheSame) {
+TEST(ObjParts, AGroupThatIsNamedAgainIsTheSame) {
   Diagnostics notes;
   const auto parts = partsOfText(
       readObj, "g a\n" + tetrahedron(1, 0) + "g b\n" + tetrahedron(5, 3) + "g a\n" + tetrahedron(9, 6), notes);
@@ -69,7 +69,7 @@ TEST(ObjParts, aGroupThatIsNamedAgainIsTheSame) {
   EXPECT_EQ(parts[0].mesh.triangles.size(), 8u);
 }
 
-TEST(ObjParts, patchesOfOneSkinAreOneSolid) {
+TEST(ObjParts, PatchesOfOneSkinAreOneSolid) {
   // A box whose six sides are objects of their own, as CAD programs write them; the vertices are not shared.
   const TriangleMesh box = geometry::makeBox(dvec3(1.0, 2.0, 3.0));
   std::string text = "g Housing\n";
@@ -90,7 +90,7 @@ TEST(ObjParts, patchesOfOneSkinAreOneSolid) {
   EXPECT_THAT(notes.warnings, ElementsAre(HasSubstr("6 objects or groups that hang together")));
 }
 
-TEST(ObjParts, colourOfTheVerticesGoesOverTheMaterial) {
+TEST(ObjParts, ColourOfTheVerticesGoesOverTheMaterial) {
   for (const std::string& scale : {std::string(" 0.5 0.25 1"), std::string(" 127.5 63.75 255")}) {
     Diagnostics notes;
     const auto parts = partsOfText(readObj, "usemtl red\n" + tetrahedron(1, 0, scale), notes, {{"red", {1, 0, 0}}});
@@ -107,7 +107,7 @@ TEST(ObjParts, colourOfTheVerticesGoesOverTheMaterial) {
 }
 
 // Found by the fuzz target: ten tenths, each rounded, were more than one.
-TEST(ObjParts, theMeanColourOfAPolygonIsNoBrighterThanItsCorners) {
+TEST(ObjParts, TheMeanColourOfAPolygonIsNoBrighterThanItsCorners) {
   std::string text, face = "f";
   for (int k = 1; k <= 18; ++k) {
     const double angle = 0.3 * k;
@@ -123,7 +123,7 @@ TEST(ObjParts, theMeanColourOfAPolygonIsNoBrighterThanItsCorners) {
   }
 }
 
-TEST(ObjParts, anObjectOfSeveralColoursIsAnAssemblyWhereItsPiecesStandApart) {
+TEST(ObjParts, AnObjectOfSeveralColoursIsAnAssemblyWhereItsPiecesStandApart) {
   const std::string text = "o Motor\nusemtl grey\n" + tetrahedron(1, 0) + "usemtl black\n" + tetrahedron(5, 3);
   const Materials materials{{"grey", {0.5, 0.5, 0.5}}, {"black", {0, 0, 0}}};
   Diagnostics notes;
@@ -139,7 +139,7 @@ TEST(ObjParts, anObjectOfSeveralColoursIsAnAssemblyWhereItsPiecesStandApart) {
   EXPECT_EQ(whole[0].name, "Motor");
 }
 
-TEST(ObjParts, aSkinOfSeveralColoursHasThatOfMostOfItsArea) {
+TEST(ObjParts, ASkinOfSeveralColoursHasThatOfMostOfItsArea) {
   Diagnostics notes;
   // The slanted face, of half of the square root of 3, against three of a half.
   std::string text = tetrahedron(1, 0, "", "usemtl blue\n");
@@ -151,7 +151,7 @@ TEST(ObjParts, aSkinOfSeveralColoursHasThatOfMostOfItsArea) {
   EXPECT_THAT(notes.warnings, ElementsAre(HasSubstr("several colours; shown in that of most of the area")));
 }
 
-TEST(MeshParts, aScanOfManyColoursHasTheirMean) {
+TEST(MeshParts, AScanOfManyColoursHasTheirMean) {
   // A strip of 200 squares; red rises from 0 to 1.
   std::string text =
       "ply\nformat ascii 1.0\nelement vertex 402\nproperty float x\nproperty float y\nproperty float z\n"
@@ -173,7 +173,7 @@ TEST(MeshParts, aScanOfManyColoursHasTheirMean) {
   EXPECT_THAT(notes.warnings, ElementsAre(HasSubstr("more than 64 colours")));
 }
 
-TEST(MeshParts, tooManySolidsAreOne) {
+TEST(MeshParts, TooManySolidsAreOne) {
   std::string text;
   for (int k = 0; k < 10'001; ++k) {
     text += "o part" + std::to_string(k) + "\nv 0 0 " + std::to_string(k) + "\nv 1 0 " + std::to_string(k) +
@@ -231,7 +231,7 @@ void expectRedAndDarkBlue(const std::string& text) {
   EXPECT_THAT(notes.warnings, IsEmpty());
 }
 
-TEST(PlyParts, readsColoursOfVerticesAndFacesInEveryEncoding) {
+TEST(PlyParts, ReadsColoursOfVerticesAndFacesInEveryEncoding) {
   for (const bool big : {false, true}) {
     for (const bool by_face : {false, true}) {
       expectRedAndDarkBlue(coloredPly(big, by_face, "uchar", "red", std::uint8_t{255}));
@@ -251,7 +251,7 @@ TEST(PlyParts, readsColoursOfVerticesAndFacesInEveryEncoding) {
                        tail);
 }
 
-TEST(OffParts, readsColoursOfVerticesAndFaces) {
+TEST(OffParts, ReadsColoursOfVerticesAndFaces) {
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 1\n0 1 1\n";
   for (const std::string& text :
        {"OFF\n6 2 0\n" + points + "3 0 1 2 255 0 0\n3 3 4 5 0 0 51 255\n",
@@ -273,7 +273,7 @@ TEST(OffParts, readsColoursOfVerticesAndFaces) {
   EXPECT_THAT(notes.warnings, ElementsAre(HasSubstr("2 faces have a colour by its number in a map")));
 }
 
-TEST(MeshParts, theSharedGearsAndPegsAreOneSolidEach) {
+TEST(MeshParts, TheSharedGearsAndPegsAreOneSolidEach) {
   for (const auto& [name, called] :
        {std::pair("industreal_gear_medium", "_GEABP1_0_40_10_B_10_b"), std::pair("industreal_gear_base", "Base"),
         std::pair("factory_round_peg_8mm_tight", "Round Peg")}) {
@@ -287,7 +287,7 @@ TEST(MeshParts, theSharedGearsAndPegsAreOneSolidEach) {
   }
 }
 
-RC_GTEST_PROP(MeshParts, loseNoTriangleWhateverTheNames, ()) {
+RC_GTEST_PROP(MeshParts, LoseNoTriangleWhateverTheNames, ()) {
   const int objects = *rc::gen::inRange(1, 12);
   std::string text;
   std::size_t triangles = 0;

@@ -48,7 +48,7 @@ std::vector<std::pair<const char*, std::string>> encodings(const TriangleMesh& m
           {"g.ply", test::plyBinary(mesh, true)}};
 }
 
-TEST(MeshReader, readsTheSameSolidFromEveryFormat) {
+TEST(MeshReader, ReadsTheSameSolidFromEveryFormat) {
   const TriangleMesh torus = geometry::makeTorus(0.4, 0.1, 20, 12);
   const double volume = geometry::massProperties(torus).volume;
   for (const auto& [name, content] : encodings(torus)) {
@@ -60,7 +60,7 @@ TEST(MeshReader, readsTheSameSolidFromEveryFormat) {
   }
 }
 
-TEST(MeshReader, tellsFormatsByContentNotByName) {
+TEST(MeshReader, TellsFormatsByContentNotByName) {
   const TriangleMesh box = geometry::makeBox(dvec3(1.0));
   EXPECT_EQ(probeMeshFormat(test::stlBinary(box, "solid but binary"), ".stl"), MeshFormat::kStlBinary);
   EXPECT_EQ(probeMeshFormat(test::stlAscii(box), ".obj"), MeshFormat::kStlAscii);
@@ -70,7 +70,7 @@ TEST(MeshReader, tellsFormatsByContentNotByName) {
   EXPECT_EQ(probeMeshFormat("hello world\n", ".txt"), MeshFormat::kUnknown);
 }
 
-TEST(MeshReader, scalesAndGuessesTheUnit) {
+TEST(MeshReader, ScalesAndGuessesTheUnit) {
   const TriangleMesh big = geometry::makeBox(dvec3(100.0));
   Diagnostics notes;
   const auto plain = parse(test::stlBinary(big), "part.stl", notes);
@@ -88,7 +88,7 @@ TEST(MeshReader, scalesAndGuessesTheUnit) {
   EXPECT_EQ(guessUnit(geometry::makeBox(dvec3(2.9)).bounds()), LengthUnit::kMetre);
 }
 
-TEST(MeshReader, countsWhatWeldingDropped) {
+TEST(MeshReader, CountsWhatWeldingDropped) {
   TriangleMesh mesh = geometry::makeBox(dvec3(1.0));
   mesh.triangles.push_back({0, 0, 1});
   mesh.triangles.push_back(mesh.triangles[3]);
@@ -103,7 +103,7 @@ TEST(MeshReader, countsWhatWeldingDropped) {
 }
 
 /// Whatever is written inside out is said, body by body, and left as it is.
-TEST(MeshReader, tellsOfBodiesThatFaceInward) {
+TEST(MeshReader, TellsOfBodiesThatFaceInward) {
   const auto inward = [](TriangleMesh mesh) {
     for (geometry::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
     return mesh;
@@ -127,7 +127,7 @@ TEST(MeshReader, tellsOfBodiesThatFaceInward) {
   EXPECT_THAT(notes.warnings[0], HasSubstr("of 2 bodies face inward"));
 }
 
-TEST(MeshReader, isIndependentOfTheLocale) {
+TEST(MeshReader, IsIndependentOfTheLocale) {
   const char* comma = std::setlocale(LC_ALL, "de_DE.UTF-8");
   if (!comma) comma = std::setlocale(LC_ALL, "de_DE");
   const TriangleMesh mesh = parsed("v 0.5 0 0\nv 1.5 0 0\nv 0 2.25 0\nf 1 2 3\n", "a.obj");
@@ -136,7 +136,7 @@ TEST(MeshReader, isIndependentOfTheLocale) {
   EXPECT_THAT(refused("v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj"), HasSubstr("line 1: vertex with '0,5'"));
 }
 
-TEST(StlReader, refusesTruncatedBinary) {
+TEST(StlReader, RefusesTruncatedBinary) {
   std::string bytes = test::stlBinary(geometry::makeBox(dvec3(1.0)));
   bytes.resize(bytes.size() - 30);
   const std::string message = refused(bytes, "cut.stl");
@@ -144,7 +144,7 @@ TEST(StlReader, refusesTruncatedBinary) {
   EXPECT_THAT(message, HasSubstr("truncated"));
 }
 
-TEST(StlReader, refusesACountThatDoesNotMatch) {
+TEST(StlReader, RefusesACountThatDoesNotMatch) {
   std::string bytes = test::stlBinary(geometry::makeBox(dvec3(1.0)));
   bytes[80] = 3;
   EXPECT_THAT(refused(bytes, "a.stl"), HasSubstr("a count of 3 triangles; expected 12"));
@@ -153,7 +153,7 @@ TEST(StlReader, refusesACountThatDoesNotMatch) {
   EXPECT_THAT(refused(bytes, "a.stl"), HasSubstr("of 4294967295"));
 }
 
-TEST(StlReader, namesTheTriangleWithABadVertex) {
+TEST(StlReader, NamesTheTriangleWithABadVertex) {
   TriangleMesh mesh = geometry::makeBox(dvec3(1.0));
   mesh.vertices.push_back({0.0, std::nan(""), 0.0});
   mesh.triangles[4][1] = 8;
@@ -166,7 +166,7 @@ TEST(StlReader, namesTheTriangleWithABadVertex) {
   EXPECT_THAT(refused(test::stlBinary(mesh), "far.stl"), HasSubstr("e+30; expected finite"));
 }
 
-TEST(StlReader, refusesTruncatedText) {
+TEST(StlReader, RefusesTruncatedText) {
   const std::string text = test::stlAscii(geometry::makeBox(dvec3(1.0)));
   EXPECT_THAT(refused(text.substr(0, text.rfind("endsolid")), "a.stl"), HasSubstr("the file ends"));
   EXPECT_THAT(refused(text.substr(0, text.rfind("endloop")), "a.stl"), HasSubstr("the file ends; expected 'endloop'"));
@@ -175,7 +175,7 @@ TEST(StlReader, refusesTruncatedText) {
   EXPECT_THAT(refused("solid\nendsolid\n", "a.stl"), HasSubstr("no triangles"));
 }
 
-TEST(StlReader, readsOddButValidText) {
+TEST(StlReader, ReadsOddButValidText) {
   const std::string facet =
       "FACET NORMAL nan nan nan\r\n OUTER LOOP\r\n VERTEX +0 0 0\r\n VERTEX 1E0 0 0\r\n VERTEX 0 1 0\r\n "
       "ENDLOOP\r\nENDFACET\r\n";
@@ -186,7 +186,7 @@ TEST(StlReader, readsOddButValidText) {
   EXPECT_EQ(mesh.triangles.size(), 2u);
 }
 
-TEST(ObjReader, readsPolygonsNegativeIndicesColoursAndContinuation) {
+TEST(ObjReader, ReadsPolygonsNegativeIndicesColoursAndContinuation) {
   const TriangleMesh mesh = parsed(
       "\xEF\xBB\xBFmtllib none.mtl\no first\n"
       "v 0 0 0 0.5 0.5 0.5\nv 3 0 0 1 1 1\nv 3 1 0 1 1 1\nv 1 1 0 1 1 1\nv 1 2 0 1 1 1\nv 0 2 0 1 1 1\n"
@@ -199,7 +199,7 @@ TEST(ObjReader, readsPolygonsNegativeIndicesColoursAndContinuation) {
 }
 
 // Found by the fuzz target: the comment was read to beyond the text's end, or took the next line with it.
-TEST(ObjReader, aCommentDoesNotGoOnBehindABackslash) {
+TEST(ObjReader, ACommentDoesNotGoOnBehindABackslash) {
   const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   for (const char* comment : {"#\\", "#---\\", "# from C:\\"}) {
     EXPECT_EQ(parsed(std::string(comment) + "\n" + three, "a.obj").vertices.size(), 3u) << comment;
@@ -209,11 +209,11 @@ TEST(ObjReader, aCommentDoesNotGoOnBehindABackslash) {
   }
 }
 
-TEST(ObjReader, acceptsAVertexAfterItsFace) {
+TEST(ObjReader, AcceptsAVertexAfterItsFace) {
   EXPECT_EQ(parsed("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", "a.obj").triangles.size(), 1u);
 }
 
-TEST(ObjReader, refusesWhatDoesNotFit) {
+TEST(ObjReader, RefusesWhatDoesNotFit) {
   const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   EXPECT_THAT(refused(three + "f 1 2 4\n", "a.obj"), HasSubstr("line 4: vertex number '4'"));
   EXPECT_THAT(refused(three + "f 0 1 2\n", "a.obj"), HasSubstr("line 4: face corner '0'"));
@@ -226,7 +226,7 @@ TEST(ObjReader, refusesWhatDoesNotFit) {
   EXPECT_THAT(refused("", "a.obj"), HasSubstr("empty"));
 }
 
-TEST(PlyReader, refusesWhatDoesNotFit) {
+TEST(PlyReader, RefusesWhatDoesNotFit) {
   const TriangleMesh box = geometry::makeBox(dvec3(1.0));
   std::string text = test::plyAscii(box);
   EXPECT_THAT(refused(text.substr(0, text.size() - 20), "a.ply"), HasSubstr("the file ends"));
@@ -245,7 +245,7 @@ TEST(PlyReader, refusesWhatDoesNotFit) {
       HasSubstr("vertex 3 of 3: vertex with the coordinate nan"));
 }
 
-TEST(PlyReader, readsTriangleStripsAndQuads) {
+TEST(PlyReader, ReadsTriangleStripsAndQuads) {
   const std::string head =
       "ply\r\nformat ascii 1.0\r\nelement vertex 4\r\nproperty float x\r\nproperty float y\r\nproperty float z\r\n";
   const std::string points = "0 0 0\r\n1 0 0\r\n0 1 0\r\n1 1 0\r\n";
@@ -264,7 +264,7 @@ TEST(PlyReader, readsTriangleStripsAndQuads) {
   }
 }
 
-TEST(OffReader, readsColoursAndComments) {
+TEST(OffReader, ReadsColoursAndComments) {
   const TriangleMesh mesh = parsed(
       "COFF # a comment\n# another\n4 1 0\n0 0 0 255 0 0 255\n1 0 0 0 0 0 0\n\n1 1 0 0 0 0 0\n0 1 0 0 0 0 0\n"
       "4 0 1 2 3 0.5 0.5 0.5\n",
@@ -275,7 +275,7 @@ TEST(OffReader, readsColoursAndComments) {
   EXPECT_THAT(refused("OFF\n300000000 1 0\n0 0 0\n", "a.off"), HasSubstr("line 2: 300000000 vertices"));
 }
 
-TEST(MeshReader, refusesWhatIsNoFile) {
+TEST(MeshReader, RefusesWhatIsNoFile) {
   const test::TemporaryFolder folder;
   Diagnostics notes;
   const auto missing = readMesh(folder.path() / "none.stl", {}, notes);
@@ -286,7 +286,7 @@ TEST(MeshReader, refusesWhatIsNoFile) {
   EXPECT_THAT(directory.error().message(), HasSubstr("a folder"));
 }
 
-TEST(MeshReader, cannotBeMadeToHangByAPolygonOfManyCorners) {
+TEST(MeshReader, CannotBeMadeToHangByAPolygonOfManyCorners) {
   std::string text;
   std::string face = "f";
   for (int k = 0; k < 30000; ++k) {
@@ -309,7 +309,7 @@ struct Sample {
   bool closed;
 };
 
-TEST(MeshReader, readsTheSharedCadFilesWithTheirCounts) {
+TEST(MeshReader, ReadsTheSharedCadFilesWithTheirCounts) {
   const Sample samples[] = {{"cad/stl/odri_transmission_pulley_at3_t30_output.stl", 19054, true},
                             {"cad/stl/odri_hip_aa_module_shell_base.stl", 77286, true},
                             {"cad/obj/industreal_gear_base.obj", 4992, true},
@@ -326,7 +326,7 @@ TEST(MeshReader, readsTheSharedCadFilesWithTheirCounts) {
   }
 }
 
-TEST(MeshReader, readsEverySharedMesh) {
+TEST(MeshReader, ReadsEverySharedMesh) {
   HAPTICELL_SHARED_DATA_OR_SKIP(root, "cad");
   std::size_t read = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root.parent_path())) {
@@ -362,7 +362,7 @@ void checkOutcome(const std::string& content, const char* name) {
   for (const dvec3& p : file->mesh.vertices) RC_ASSERT(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
 }
 
-RC_GTEST_PROP(MeshReader, survivesDamagedFiles, ()) {
+RC_GTEST_PROP(MeshReader, SurvivesDamagedFiles, ()) {
   const TriangleMesh mesh = geometry::makePipe(0.3, 0.2, 0.5, 5);
   const auto files = encodings(mesh);
   auto [name, content] = files[*rc::gen::inRange<std::size_t>(0, files.size())];

@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-TEST(ObjMaterials, readsKdAndSurvivesTheRest) {
+TEST(ObjMaterials, ReadsKdAndSurvivesTheRest) {
   Diagnostics notes;
   const auto colors = parseObjMaterials(
       "# x\nnewmtl a b\nKa 1 1 1\nKd 0.1 0.2 0.3\nnewmtl grey\n\tKd 0.5\nnewmtl broken\nKd nan 1 1\n"
@@ -46,13 +46,13 @@ class ObjFolder : public testing::Test {
 
 constexpr const char* kRed = "newmtl red\nKd 1 0 0\n";
 
-TEST_F(ObjFolder, aMissingLibraryIsAWarning) {
+TEST_F(ObjFolder, AMissingLibraryIsAWarning) {
   std::vector<std::string> said;
   EXPECT_FALSE(colorOf("gone.mtl", &said).has_value());
   EXPECT_THAT(said, ElementsAre(HasSubstr("the material file 'gone.mtl' is not beside it")));
 }
 
-TEST_F(ObjFolder, librariesAreFoundBesideAndBelow) {
+TEST_F(ObjFolder, LibrariesAreFoundBesideAndBelow) {
   folder_.write("in/my colours.mtl", kRed);
   folder_.write("in/deep/b.mtl", kRed);
   folder_.write("in/none.mtl", "newmtl other\n");
@@ -62,7 +62,7 @@ TEST_F(ObjFolder, librariesAreFoundBesideAndBelow) {
   }
 }
 
-TEST_F(ObjFolder, nothingAboveOrElsewhereIsRead) {
+TEST_F(ObjFolder, NothingAboveOrElsewhereIsRead) {
   folder_.write("secret.mtl", kRed);
   std::filesystem::create_directories(folder_.path() / "in/folder.mtl");
   std::filesystem::create_symlink(folder_.path() / "secret.mtl", folder_.path() / "in/link.mtl");
@@ -77,7 +77,7 @@ TEST_F(ObjFolder, nothingAboveOrElsewhereIsRead) {
   }
 }
 
-TEST_F(ObjFolder, anImportKeepsTreeNamesAndColoursAndADocumentReadsThemAgain) {
+TEST_F(ObjFolder, AnImportKeepsTreeNamesAndColoursAndADocumentReadsThemAgain) {
   folder_.write("red.mtl", kRed);
   const auto file = folder_.write(
       "two.obj", "# Units: mm\nmtllib red.mtl\no A\n" + tetrahedron(1, 0) + "o B\nusemtl red\n" + tetrahedron(5, 3));

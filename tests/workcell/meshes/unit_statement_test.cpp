@@ -12,7 +12,7 @@
 namespace hapticell::workcell {
 namespace {
 
-TEST(UnitStatement, knowsWhatProgramsWrite) {
+TEST(UnitStatement, KnowsWhatProgramsWrite) {
   const std::pair<const char*, double> stated[] = {
       {"# units: m", 1.0},
       {"# Units: mm", 0.001},
@@ -39,7 +39,7 @@ TEST(UnitStatement, knowsWhatProgramsWrite) {
   }
 }
 
-TEST(UnitStatement, readsNothingIntoOtherComments) {
+TEST(UnitStatement, ReadsNothingIntoOtherComments) {
   for (const char* comment :
        {"", "# Blender v3.2.0 OBJ File: ''", "# units", "# units:", "# units: lj", "# units: m/s", "# Unit: mm^2",
         "# 12 units", "# a unit sphere in 3 m", "# 1 unit = 25.4 mm", "# File units = u.photon/u.s", "# vertices 12 m",
@@ -57,7 +57,7 @@ double sizeOf(const std::string& content, const char* name, MeshReadOptions opti
   return file ? file->mesh.bounds().size().x : 0.0;
 }
 
-TEST(UnitStatement, whatIsWrittenIsReadInItsSize) {
+TEST(UnitStatement, WhatIsWrittenIsReadInItsSize) {
   const std::vector<NamedMesh> meshes = {{"box", geometry::makeBox(dvec3(12.0)), {}}};
   for (const double unit : {1.0, 0.001, 0.0254}) {
     EXPECT_NEAR(sizeOf(stlBytes(meshes, unit), "a.stl", {}, 0), 12.0, 1e-5) << unit;
@@ -68,10 +68,11 @@ TEST(UnitStatement, whatIsWrittenIsReadInItsSize) {
   }
 }
 
-TEST(UnitStatement, onlyStandsAtTheHead) {
+TEST(UnitStatement, OnlyStandsAtTheHead) {
   const std::string box = test::objText(geometry::makeBox(dvec3(2.0)));
   EXPECT_NEAR(sizeOf("# units: in\n" + box, "a.obj", {}, 0), 2.0 * 0.0254, 1e-12);
-  EXPECT_NEAR(sizeOf(box + "# units: in\n", "a.obj", {}, 1), 2.0, 1e-12) << "2 units may be metres or millimetres: said";
+  EXPECT_NEAR(sizeOf(box + "# units: in\n", "a.obj", {}, 1), 2.0, 1e-12)
+      << "2 units may be metres or millimetres: said";
   EXPECT_NEAR(sizeOf("# units: mm\n# units: in\n" + box, "a.obj", {}, 0), 0.002, 1e-12);
 }
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "tests/kinematics/model/test_robots.h"
 #include "tests/support/test_data.h"
@@ -186,10 +187,8 @@ TEST(PackagePath, FindsPackagesByFolderByManifestAndByEnvironment) {
   elsewhere.write("by_environment/a.stl", "x");
   const auto urdf_folder = folder.path() / "other_name" / "urdf";
   EXPECT_EQ(pathOf("package://by_folder/meshes/a.stl", urdf_folder), folder.path() / "by_folder/meshes/a.stl");
-  EXPECT_EQ(pathOf("package://by_manifest/meshes/a.stl", urdf_folder),
-            folder.path() / "other_name/meshes/a.stl");
-  EXPECT_EQ(pathOf("package://by_manifest/meshes/a.stl", folder.path()),
-            folder.path() / "other_name/meshes/a.stl");
+  EXPECT_EQ(pathOf("package://by_manifest/meshes/a.stl", urdf_folder), folder.path() / "other_name/meshes/a.stl");
+  EXPECT_EQ(pathOf("package://by_manifest/meshes/a.stl", folder.path()), folder.path() / "other_name/meshes/a.stl");
   EXPECT_EQ(pathOf("../meshes/a.stl", urdf_folder), folder.path() / "other_name/meshes/a.stl");
   const auto absolute = folder.path() / "with space/a.stl";
   EXPECT_EQ(pathOf("file://" + absolute.string(), urdf_folder), absolute);
@@ -281,7 +280,7 @@ TEST(RealUrdf, Ur5eAndKr120AgreeWithTheirTables) {
     EXPECT_LT(glm::length(kuka_apart.linear) + glm::length(kuka_apart.angular), 1e-9);
     // The UR's base_link looks the other way than its controller's base: half a turn about z.
     const Pose X_ur = kinematics::test::tipPose(*ur, q, ur->findLink("tool0"));
-    const Pose X_turned = Pose::rotation(glm::angleAxis(3.14159265358979323846, dvec3(0, 0, 1))) * X_ur;
+    const Pose X_turned = Pose::rotation(glm::angleAxis(std::numbers::pi, dvec3(0, 0, 1))) * X_ur;
     const Twist ur_apart = difference(X_turned, kinematics::test::tipPose(ur_table, q, ur_table.findLink("flange")));
     EXPECT_LT(glm::length(ur_apart.linear) + glm::length(ur_apart.angular),
               1e-6);  // the URDF's angles carry nine digits

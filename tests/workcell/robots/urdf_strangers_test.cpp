@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "geometry/shapes/mass_properties.h"
 #include "tests/support/test_data.h"
@@ -138,7 +139,7 @@ TEST(UrdfOfStrangers, ACapsuleIsACylinderWithTwoHalfSpheres) {
       readBody(linkText("a", "<collision><geometry><capsule radius=\"0.1\" length=\"0.5\"/></geometry></collision>"));
   ASSERT_TRUE(read.model) << read.said;
   const auto& mesh = *read.model->links[0].collisions.at(0).mesh;
-  const double volume = M_PI * 0.01 * 0.5 + 4.0 / 3.0 * M_PI * 0.001;
+  const double volume = std::numbers::pi * 0.01 * 0.5 + 4.0 / 3.0 * std::numbers::pi * 0.001;
   EXPECT_NEAR(geometry::massProperties(mesh).volume, volume, 0.01 * volume);
   EXPECT_NEAR(mesh.bounds().max.z, 0.35, 1e-12);
   EXPECT_NEAR(mesh.bounds().min.z, -0.35, 1e-12);
@@ -163,9 +164,10 @@ TEST(UrdfOfStrangers, AMissingOrBrokenMeshLeavesItsShapeOut) {
   EXPECT_FALSE(links[2].isUnchecked() || links[3].isUnchecked());
   EXPECT_EQ(links[2].visuals.size(), 1u);
   EXPECT_EQ(links[3].collisions.size(), 1u) << "what is there of it is checked";
-  for (const char* words : {"line 3: the mesh package://nowhere/a.stl is not there", "ROS_PACKAGE_PATH", "cut.stl",
-                            "not drawn and not checked are 'a', 'b', 'e'", "the collision shape is shown instead for 'c'",
-                            "not wholly drawn and checked are 'd'", "leads out of the package"})
+  for (const char* words :
+       {"line 3: the mesh package://nowhere/a.stl is not there", "ROS_PACKAGE_PATH", "cut.stl",
+        "not drawn and not checked are 'a', 'b', 'e'", "the collision shape is shown instead for 'c'",
+        "not wholly drawn and checked are 'd'", "leads out of the package"})
     EXPECT_THAT(read.said, HasSubstr(words));
 }
 
@@ -265,7 +267,7 @@ TEST(UrdfOfStrangers, WhatIsLeftOfMacrosAndTheWorldWithoutLinkRefuseNoRobot) {
   EXPECT_THAT(calls.said, HasSubstr("<xacro:sensors> was never expanded (1 time)"));
 
   const Read world = readBody(linkText("a") + jointText("j", "world", "a", "prismatic",
-                                                       "<axis xyz=\"1 0 0\"/><limit lower=\"0\" upper=\"1\"/>"));
+                                                        "<axis xyz=\"1 0 0\"/><limit lower=\"0\" upper=\"1\"/>"));
   ASSERT_TRUE(world.model) << world.said;
   EXPECT_EQ(world.model->links[0].name, "world");
   EXPECT_EQ(world.model->dof(), 1u);

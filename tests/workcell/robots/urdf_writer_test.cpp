@@ -5,12 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "tests/support/test_data.h"
+#include "workcell/files/scene_export.h"
 #include "workcell/import/entity_source.h"
 #include "workcell/robots/robot_reader.h"
-#include "workcell/files/scene_export.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -43,7 +44,7 @@ void expectSameLinks(const Entity& written, const kinematics::RobotModel& read) 
   }
 }
 
-TEST(UrdfWriter, aRobotStandsOnItsNewBaseInTheFile) {
+TEST(UrdfWriter, ARobotStandsOnItsNewBaseInTheFile) {
   test::TemporaryFolder folder;
   Diagnostics notes;
   std::mt19937 random(5);
@@ -65,7 +66,7 @@ TEST(UrdfWriter, aRobotStandsOnItsNewBaseInTheFile) {
   }
 }
 
-TEST(UrdfWriter, straightUpAndDownAreNoSpecialCase) {
+TEST(UrdfWriter, StraightUpAndDownAreNoSpecialCase) {
   test::TemporaryFolder folder;
   folder.write("arm.urdf",
                "<robot name='a&amp;b'><link name='world'/><link name='l'/><joint name='j' type='revolute'>"
@@ -74,7 +75,7 @@ TEST(UrdfWriter, straightUpAndDownAreNoSpecialCase) {
   Diagnostics notes;
   auto robot = EntityLoader(folder.path()).load("arm.urdf", 1.0, notes);
   ASSERT_TRUE(robot) << robot.error().message();
-  robot->X_WE = Pose::rotation(glm::angleAxis(1.5707963267948966, dvec3(0, 1, 0)));
+  robot->X_WE = Pose::rotation(glm::angleAxis(0.5 * std::numbers::pi, dvec3(0, 1, 0)));
   const auto file = folder.path() / "again.urdf";
   ASSERT_TRUE(writeUrdf(*robot, file, notes));
   const auto read = readRobot(file, notes);
@@ -84,7 +85,7 @@ TEST(UrdfWriter, straightUpAndDownAreNoSpecialCase) {
   EXPECT_DOUBLE_EQ(read->model.joints[static_cast<std::size_t>(read->model.moving[0])].velocity, 3.0);
 }
 
-TEST(UrdfWriter, whatIsNoRobotIsRefused) {
+TEST(UrdfWriter, WhatIsNoRobotIsRefused) {
   test::TemporaryFolder folder;
   Diagnostics notes;
   EntityLoader loader(folder.path());

@@ -30,13 +30,13 @@ TEST(XmlText, ATextThatEndsWithinACharacterIsEndedBeforeIt) {
   EXPECT_EQ(soundXmlText("\xF5\x80\x80\x80").text, "õ???") << "beyond Unicode";
 }
 
-RC_GTEST_PROP(XmlTextProperty, itIsSoundThen, (const std::string& text)) {
+RC_GTEST_PROP(XmlTextProperty, ItIsSoundThen, (const std::string& text)) {
   const XmlText sound = soundXmlText(text);
   RC_ASSERT(sound.text.size() >= text.size() && sound.text.size() <= text.size() + sound.replaced);
   RC_ASSERT(soundXmlText(sound.text).replaced == 0u);
 }
 
-RC_GTEST_PROP(XmlTextProperty, whatIsLatin1IsReadWhole, ()) {
+RC_GTEST_PROP(XmlTextProperty, WhatIsLatin1IsReadWhole, ()) {
   // Accented letters with a space behind each: no two of them make a character of UTF-8.
   const auto letters = *rc::gen::container<std::string>(
       rc::gen::map(rc::gen::inRange(0xA0, 0x100), [](int letter) { return static_cast<char>(letter); }));

@@ -3,17 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace hapticell::trajectory {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kArcError = 1e-4;    // m between an arc and its chords
 constexpr double kLeastStep = 1e-3;   // s between frames
 constexpr double kJointLinear = 1.0;  // m/s and rad/s assumed for a joint move at full speed
-constexpr double kJointAngular = kPi;
+constexpr double kJointAngular = std::numbers::pi;
 constexpr std::size_t kMostTargets = 2'000'000;
 constexpr std::size_t kMostLineNotes = 20;
 constexpr std::size_t kMostArcFrames = 2000;
@@ -37,7 +36,7 @@ std::optional<Circle> circleThrough(const dvec3& a, const dvec3& b, const dvec3&
   circle.y = glm::cross(n / std::sqrt(nn), circle.x);
   const auto angleOf = [&](const dvec3& p) {
     const double angle = std::atan2(glm::dot(p - circle.center, circle.y), glm::dot(p - circle.center, circle.x));
-    return angle <= 0.0 ? angle + 2.0 * kPi : angle;
+    return angle <= 0.0 ? angle + 2.0 * std::numbers::pi : angle;
   };
   circle.via = angleOf(b);
   circle.end = angleOf(c);
@@ -197,7 +196,7 @@ void ProgramPath::skip(std::size_t line) {
 
 void ProgramPath::fail(std::size_t line, const std::string& found, const std::string& expected,
                        const std::string& fix) {
-  if (!error_) error_ = Error{"", lineName(line), found, expected, fix};
+  if (!error_) error_ = Error{.place = lineName(line), .found = found, .expected = expected, .fix = fix};
 }
 
 void ProgramPath::noteLines() {
@@ -215,9 +214,11 @@ void ProgramPath::noteLines() {
 Expected<ReadProgram> ProgramPath::finish(const std::string& name) {
   if (error_) return makeError(*error_);
   if (targets_.empty()) {
-    if (missed_.empty()) return makeError({"", "", "no moves", "a program with moves to targets", ""});
-    return makeError({"", lineName(missed_.front().first), missed_.front().second, "a target that the file gives",
-                      "Give the robot (--robot) where targets are given by joints."});
+    if (missed_.empty()) return makeError({.found = "no moves", .expected = "a program with moves to targets"});
+    return makeError({.place = lineName(missed_.front().first),
+                      .found = missed_.front().second,
+                      .expected = "a target that the file gives",
+                      .fix = "Give the robot (--robot) where targets are given by joints."});
   }
   noteMissed("behind the last");
   noteLines();

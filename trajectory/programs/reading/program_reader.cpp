@@ -30,12 +30,14 @@ bool isAmong(const std::string& word, std::initializer_list<const char*> words) 
 
 Expected<std::string> textOf(const fs::path& file) {
   auto content = geometry::readRegularFile(file, kLargestProgram);
-  if (!content) return makeError(content.error());
+  HAPTICELL_TRY(content);
   std::string text = std::move(*content);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   if (text.find('\0') != std::string::npos)
-    return makeError({file.string(), "", "a binary file", "a program as text",
-                      "Save it as text on the controller (FANUC: .ls, not .tp)."});
+    return makeError({.file = file.string(),
+                      .found = "a binary file",
+                      .expected = "a program as text",
+                      .fix = "Save it as text on the controller (FANUC: .ls, not .tp)."});
   return text;
 }
 
@@ -54,18 +56,21 @@ Expected<ReadProgram> readKrlFiles(const fs::path& file, const ProgramReadOption
   const std::string stem = file.stem().string();
   if (extensionOf(file) == ".dat") source = besides(file.parent_path(), stem + ".src");
   if (source.empty()) {
-    return makeError({file.string(), "", "points without a program", stem + ".src beside it", "Open the .src file."});
+    return makeError({.file = file.string(),
+                      .found = "points without a program",
+                      .expected = stem + ".src beside it",
+                      .fix = "Open the .src file."});
   }
   ProgramText text;
   auto read = textOf(source);
-  if (!read) return tl::unexpected(read.error());
+  HAPTICELL_TRY(read);
   text.source = std::move(*read);
   const fs::path data = besides(file.parent_path(), stem + ".dat");
   const fs::path more = besides(file.parent_path(), "$config.dat");
   for (const auto& [path, into] : {std::pair(data, &text.data), std::pair(more, &text.more_data)}) {
     if (path.empty()) continue;
     auto points = textOf(path);
-    if (!points) return tl::unexpected(points.error());
+    HAPTICELL_TRY(points);
     *into = std::move(*points);
   }
   auto program = readKrl(text, options);
@@ -85,12 +90,12 @@ bool isProgramFile(const fs::path& file) {
 Expected<ReadProgram> readProgram(const fs::path& file, const ProgramReadOptions& options) {
   const std::string extension = extensionOf(file);
   Expected<ReadProgram> program =
-      makeError({"", "", "the extension '" + extension + "'", ".src, .mod, .ls or .script", ""});
+      makeError({.found = "the extension '" + extension + "'", .expected = ".src, .mod, .ls or .script"});
   if (extension == ".src" || extension == ".dat") {
     program = readKrlFiles(file, options);
   } else if (isProgramFile(file)) {
     const auto text = textOf(file);
-    if (!text) return tl::unexpected(text.error());
+    HAPTICELL_TRY(text);
     if (extension == ".jbi")
       program = readInform(*text, options);
     else if (extension == ".ls")

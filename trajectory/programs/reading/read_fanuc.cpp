@@ -475,7 +475,8 @@ class FanucRun {
 
 Expected<ReadProgram> readFanuc(const std::string& text, const ProgramReadOptions& options) {
   const FanucFile file = parseFanuc(text);
-  if (file.lines.empty()) return makeError({"", "/MN", "no lines", "a FANUC program in LS form: /PROG, /MN, /POS", ""});
+  if (file.lines.empty())
+    return makeError({.place = "/MN", .found = "no lines", .expected = "a FANUC program in LS form: /PROG, /MN, /POS"});
   ProgramPath path(options);
   FanucRun(file, path).run();
   return path.finish(file.name);

@@ -212,7 +212,8 @@ class InformRun {
 
 Expected<ReadProgram> readInform(const std::string& text, const ProgramReadOptions& options) {
   const InformJob job = parseJob(text);
-  if (job.lines.empty()) return makeError({"", "//INST", "no instructions", "a job: /JOB, //POS, //INST", ""});
+  if (job.lines.empty())
+    return makeError({.place = "//INST", .found = "no instructions", .expected = "a job: /JOB, //POS, //INST"});
   ProgramPath path(options);
   InformRun(job, path).run();
   return path.finish(job.name);

@@ -326,7 +326,8 @@ class KrlRun final : public ProgramRun {
 
   void noteExternalAxes(const Value& target) {
     for (const char* axis : {"e1", "e2", "e3", "e4", "e5", "e6"})
-      if (target.numberOf(axis).value_or(0.0) != 0.0) path_.note("External axes of the targets (E1 to E6) are not kept.");
+      if (target.numberOf(axis).value_or(0.0) != 0.0)
+        path_.note("External axes of the targets (E1 to E6) are not kept.");
   }
 
   void moveTo(const Statement& statement, const Value& target, bool is_relative, bool is_joint_move, bool in_tool) {
@@ -374,7 +375,7 @@ Expected<ReadProgram> readKrl(const ProgramText& text, const ProgramReadOptions&
   const Tokens tokens = tokensOf(text.source, krl());
   parseKrl(tokens, path, routines, loose);
   run.allowSteps(tokens.size());
-  if (routines.empty()) return makeError({"", "", "no DEF", "a KRL program: DEF NAME( )", ""});
+  if (routines.empty()) return makeError({.found = "no DEF", .expected = "a KRL program: DEF NAME( )"});
   const Routine main = routines.front();
   run.addRoutines(std::move(routines));
   run.run(main.body);

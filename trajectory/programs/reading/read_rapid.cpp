@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "trajectory/motion/csv_table.h"
@@ -169,7 +170,7 @@ class RapidRun final : public ProgramRun {
       if (name == "tool0") return Value::list("tooldata", {Value::truth(true), none});
       return Value::list("wobjdata", {Value::truth(false), Value::truth(true), Value::word(""), none, none});
     }
-    if (name == "pi") return Value::of(3.14159265358979323846);
+    if (name == "pi") return Value::of(std::numbers::pi);
     if (name == "vmax") return Value::list("speeddata", {7000.0, 500.0, 5000.0, 1000.0});
     if (name.size() > 1 && name.front() == 'v' && name.find_first_not_of("0123456789", 1) == std::string::npos)
       return Value::list("speeddata", {parseNumber(name.substr(1)).value_or(0.0), 500.0, 5000.0, 1000.0});
@@ -435,7 +436,7 @@ Expected<ReadProgram> readRapid(const std::string& text, const ProgramReadOption
   RapidRun run(path);
   run.allowSteps(tokens.size());
   run.run(data);
-  if (routines.empty()) return makeError({"", "", "no PROC", "a RAPID module with a PROC", ""});
+  if (routines.empty()) return makeError({.found = "no PROC", .expected = "a RAPID module with a PROC"});
   run.addRoutines(routines);
   const auto moves = [&run](const Routine& r) { return run.moves(r.body); };
   auto main = std::find_if(routines.begin(), routines.end(), [](const Routine& r) { return r.name == "main"; });
@@ -444,7 +445,7 @@ Expected<ReadProgram> readRapid(const std::string& text, const ProgramReadOption
     main = std::find_if(routines.begin(), routines.end(),
                         [&](const Routine& r) { return r.parameters.empty() && moves(r); });
     if (main == routines.end())
-      return makeError({"", "", "no PROC with moves", "a PROC main(), or one with moves", ""});
+      return makeError({.found = "no PROC with moves", .expected = "a PROC main(), or one with moves"});
     std::string others;
     for (const Routine& routine : routines)
       if (routine.name != main->name && moves(routine)) others += (others.empty() ? "" : ", ") + routine.name;

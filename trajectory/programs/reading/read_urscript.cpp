@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "trajectory/programs/reading/program_readers.h"
@@ -182,7 +183,7 @@ class UrRun final : public ProgramRun {
     meaning_.call = [this](const std::string& name, const std::vector<Argument>& given) {
       return function(name, given);
     };
-    variables_["pi"] = Value::of(3.14159265358979323846);
+    variables_["pi"] = Value::of(std::numbers::pi);
   }
 
   void addRoutines(std::vector<Routine> routines) {

@@ -49,7 +49,8 @@ Expected<void> checkFrames(const ProgramOptions& options, ProgramFormat format) 
            "its number on the controller, " + std::to_string(word.least) + " to " + std::to_string(word.greatest), ""});
     }
     if (isExpression(word.text, format)) continue;
-    return makeError({"", word.name, "'" + word.text + "'", "the name of one on the controller", ""});
+    return makeError(
+        {.place = word.name, .found = "'" + word.text + "'", .expected = "the name of one on the controller"});
   }
   return {};
 }
@@ -123,22 +124,27 @@ std::string jointList(std::span<const double> joints, int decimals, double unit,
 
 Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, ProgramFormat format,
                                                  const ProgramOptions& options, std::vector<std::string>* notes) {
-  if (trajectory.empty()) return makeError({"", "frames", "none", "at least one frame", ""});
+  if (trajectory.empty()) return makeError({.place = "frames", .found = "none", .expected = "at least one frame"});
   if (!trajectory.has_poses) {
-    return makeError({"", "poses", "joints alone, which give a program no targets", "poses",
-                      "Name the robot whose joints they are (--robot): its forward kinematics give the poses."});
+    return makeError({.place = "poses",
+                      .found = "joints alone, which give a program no targets",
+                      .expected = "poses",
+                      .fix = "Name the robot whose joints they are (--robot): its forward kinematics give the poses."});
   }
   if (trajectory.hasJoints() && trajectory.joint_names.size() != 6) {
-    return makeError({"", "joints", std::to_string(trajectory.joint_names.size()) + " joints", "six, or none",
-                      "Export it as csv, json or ros."});
+    return makeError({.place = "joints",
+                      .found = std::to_string(trajectory.joint_names.size()) + " joints",
+                      .expected = "six, or none",
+                      .fix = "Export it as csv, json or ros."});
   }
   const bool has_values = options.speed > 0.0 && options.acceleration > 0.0 && options.blend >= 0.0 &&
                           options.joint_speed > 0.0 && options.joint_speed <= 1.0;
   if (!has_values) {
-    return makeError({"", "speed, acceleration, blend", "a value outside its range",
-                      "positive speeds, a joint speed up to 1, a blend from 0", ""});
+    return makeError({.place = "speed, acceleration, blend",
+                      .found = "a value outside its range",
+                      .expected = "positive speeds, a joint speed up to 1, a blend from 0"});
   }
-  if (auto frames = checkFrames(options, format); !frames) return tl::unexpected(frames.error());
+  HAPTICELL_TRY(checkFrames(options, format));
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     if (!trajectory[i].X_WT.isValid()) {
       return makeError(
@@ -146,9 +152,10 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
     }
   }
   if (format == ProgramFormat::kInform && trajectory.size() > kMostInformPositions) {
-    return makeError({"", "frames", std::to_string(trajectory.size()),
-                      "at most " + std::to_string(kMostInformPositions) + ", as a job of INFORM can hold",
-                      "Simplify the motion first, or split it."});
+    return makeError({.place = "frames",
+                      .found = std::to_string(trajectory.size()),
+                      .expected = "at most " + std::to_string(kMostInformPositions) + ", as a job of INFORM can hold",
+                      .fix = "Simplify the motion first, or split it."});
   }
   const std::string wanted_name = options.name.empty() ? trajectory.name : options.name;
   const std::string name = programName(wanted_name, format);
@@ -160,7 +167,7 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
   auto files = writeProgram(input, format);
   if (numbers.error()) return makeError(*numbers.error());
   const auto measured = measureProgram(files, format, options, trajectory);
-  if (!measured) return tl::unexpected(measured.error());
+  HAPTICELL_TRY(measured);
   const PoseDistance& off = measured->largest;
   if (options.must_read_back && kProgramPromise.shareOf(off) > 1.0) {
     return makeError(

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "trajectory/programs/writing/program_export.h"
 #include "trajectory/programs/reading/program_readers.h"
+#include "trajectory/programs/writing/program_export.h"
 
 namespace hapticell::trajectory {
 
@@ -54,10 +54,12 @@ std::vector<ProgramFile> inOwnBase(std::vector<ProgramFile> files, ProgramFormat
 Expected<ProgramMeasure> measureProgram(const std::vector<ProgramFile>& files, ProgramFormat format,
                                         const ProgramOptions& options, const Trajectory& trajectory) {
   const auto read = readFiles(inOwnBase(files, format, options.base), format, options.base);
-  if (!read) return tl::unexpected(read.error());
+  HAPTICELL_TRY(read);
   if (read->trajectory.size() != trajectory.size()) {
-    return makeError({"", "read back", std::to_string(read->trajectory.size()) + " targets",
-                      std::to_string(trajectory.size()), "Nothing was written."});
+    return makeError({.place = "read back",
+                      .found = std::to_string(read->trajectory.size()) + " targets",
+                      .expected = std::to_string(trajectory.size()),
+                      .fix = "Nothing was written."});
   }
   ProgramMeasure most;
   for (std::size_t i = 0; i < trajectory.size(); ++i) {

@@ -79,10 +79,11 @@ std::string NumberWriter::text(const NumberRule& rule, double value, const std::
   if (!std::isfinite(wanted) || wanted < rule.least * (1.0 - 1e-9) || wanted > rule.greatest * (1.0 + 1e-9)) {
     if (!error_) {
       const std::string unit = std::string(" ") + rule.unit;
-      error_ = Error{"", place.empty() ? kind : kind + ", " + place, shortestText(wanted) + unit,
-                     shortestText(rule.least) + " to " + shortestText(rule.greatest) + unit + ", as " +
-                         numbers_.language + " can hold",
-                     "Choose another " + kind + ". Nothing was written."};
+      error_ = Error{.place = place.empty() ? kind : kind + ", " + place,
+                     .found = shortestText(wanted) + unit,
+                     .expected = shortestText(rule.least) + " to " + shortestText(rule.greatest) + unit + ", as " +
+                                 numbers_.language + " can hold",
+                     .fix = "Choose another " + kind + ". Nothing was written."};
     }
     return written;
   }

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <numbers>
 
 namespace hapticell::driver {
 
 namespace {
 
-constexpr double kCount = 6.283185307179586 / 15000.0;  // rad.
-constexpr double kRest[3]{0.0, 0.23, -0.60};            // Joints in the inkwell.
+constexpr double kCount = 2.0 * std::numbers::pi / 15000.0;  // rad.
+constexpr double kRest[3]{0.0, 0.23, -0.60};                 // Joints in the inkwell.
 
 /// As the encoders have them, without home.
 dvec3 rawJoints(const std::array<int, 3>& e) {

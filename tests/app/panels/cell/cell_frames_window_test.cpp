@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QMenu>
+#include <numbers>
 
 #include "app/controls/pose_text.h"
 #include "app/panels/cell/workcell_panel.h"
@@ -175,7 +176,7 @@ TEST(CellFrames, AreFixedToALinkAndGoWithIt) {
 
 TEST(CellFrames, ArePlacesThatNumbersAreGivenIn) {
   FramePage page;
-  const Pose X_WF{{0.3, 0.1, 0.0}, quaternionFromRotationVector({0, 0, 1.5707963267948966})};
+  const Pose X_WF{{0.3, 0.1, 0.0}, quaternionFromRotationVector({0, 0, 0.5 * std::numbers::pi})};
   const auto cube = page.addCube("cube", Pose::translation({0.3, 0.4, 0.1}));
   auto* reference = page.find<QComboBox>("comboReference");
   EXPECT_TRUE(reference->isHidden() || !reference->isVisibleTo(&page.window())) << "no frame, no choice";

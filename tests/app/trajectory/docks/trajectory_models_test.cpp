@@ -4,13 +4,13 @@
 
 #include <set>
 
-#include "app/trajectory/training/exercise_files.h"
+#include "app/trajectory/docks/time_axis.h"
 #include "app/trajectory/motions/kept_motion.h"
 #include "app/trajectory/motions/motion_export.h"
 #include "app/trajectory/motions/motion_work.h"
-#include "app/trajectory/docks/time_axis.h"
 #include "app/trajectory/motions/trace_curves.h"
 #include "app/trajectory/motions/track_rows.h"
+#include "app/trajectory/training/exercise_files.h"
 #include "tests/support/test_data.h"
 #include "trajectory/checks/motion_promises.h"
 
@@ -162,9 +162,8 @@ TEST(KeptMotion, WhatIsAskedIsMeasuredOnTheFile) {
   ASSERT_TRUE(missed.has_value());
   EXPECT_EQ(missed->name, "position");
   EXPECT_NEAR(missed->measured, 0.004, 1e-9);
-  EXPECT_TRUE(missedPromise(kept, [](const auto&) -> Expected<Promises> {
-    return makeError({"", "", "unreadable", "", ""});
-  })) << "what cannot be measured is not kept";
+  EXPECT_TRUE(missedPromise(kept, [](const auto&) -> Expected<Promises> { return makeError({.found = "unreadable"}); }))
+      << "what cannot be measured is not kept";
 }
 
 TEST(ExerciseFiles, WhatCannotBeReadBackIsNotKept) {
@@ -196,7 +195,8 @@ TEST(Formats, EachHasAWordAndANameOfItsOwn) {
     EXPECT_TRUE(words.insert(format.word).second) << format.word.toStdString();
     EXPECT_TRUE(names.insert(format.name).second) << format.name.toStdString();
   }
-  for (const char* program : {"krl", "rapid", "fanuc", "urscript", "val3", "inform"}) EXPECT_EQ(words.count(program), 1u) << program;
+  for (const char* program : {"krl", "rapid", "fanuc", "urscript", "val3", "inform"})
+    EXPECT_EQ(words.count(program), 1u) << program;
 }
 
 }  // namespace

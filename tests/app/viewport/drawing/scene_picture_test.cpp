@@ -8,12 +8,13 @@
 #include <QOpenGLFramebufferObject>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "app/style/theme.h"
 #include "app/viewport/drawing/frame_colors.h"
 #include "app/viewport/drawing/item_batches.h"
-#include "app/viewport/meshes/posed_mesh.h"
 #include "app/viewport/drawing/scene_renderer.h"
+#include "app/viewport/meshes/posed_mesh.h"
 #include "geometry/shapes/shapes.h"
 #include "tests/app/pages/picture_compare.h"
 #include "tests/support/test_data.h"
@@ -273,7 +274,7 @@ TEST_F(ScenePicture, ShedDetailStillShowsWhatStandsBehindAFence) {
 TEST_F(ScenePicture, AFenceAboutTheEyeNeverHidesTheCellHoweverFewTrianglesAreLeft) {
   geometry::TriangleMesh fence;
   for (int i = 0; i < 40; ++i) {
-    const double angle = 2.0 * M_PI * i / 40;
+    const double angle = 2.0 * std::numbers::pi * i / 40;
     geometry::TriangleMesh post = geometry::makeCylinder(0.01, 2.0, 8);
     const auto first = static_cast<std::uint32_t>(fence.vertices.size());
     for (const dvec3& p : post.vertices)
@@ -302,9 +303,9 @@ TEST_F(ScenePicture, FacesThatTheLightGrazesHaveNoStripes) {
   for (const double turn : {0.04, 0.1, 0.2}) {
     frame_.items.clear();
     add(shared(geometry::makeBox({2.0, 0.1, 2.0})), {0, 0, 1.0});
-    const double along = std::atan2(light.y, light.x) + 0.5 * 3.14159265 - turn;  // Of the face's normal.
-    frame_.items[0].X_WM.q = glm::angleAxis(along + 0.5 * 3.14159265, dvec3(0, 0, 1));
-    frame_.camera.azimuth = along + 0.5 * 3.14159265;
+    const double along = std::atan2(light.y, light.x) + 0.5 * std::numbers::pi - turn;  // Of the face's normal.
+    frame_.items[0].X_WM.q = glm::angleAxis(along + 0.5 * std::numbers::pi, dvec3(0, 0, 1));
+    frame_.camera.azimuth = along + 0.5 * std::numbers::pi;
     frame_.camera.elevation = 0.2;
     frame_.camera.target_W = {0, 0, 1};
     frame_.camera.distance = 5.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/scene/camera.h"
 
+#include <numbers>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -148,7 +150,7 @@ TEST(Camera, InterpolationTurnsTheShortWayAndEndsExactly) {
   Camera a, b;
   a.azimuth = 3.0;
   b.azimuth = -3.0;
-  EXPECT_NEAR(std::abs(interpolate(a, b, 0.5).azimuth), glm::pi<double>(), 1e-9);
+  EXPECT_NEAR(std::abs(interpolate(a, b, 0.5).azimuth), std::numbers::pi, 1e-9);
   EXPECT_NEAR(interpolate(a, b, 1.0).azimuth, b.azimuth, 1e-12);
   EXPECT_EQ(eased(0.0), 0.0);
   EXPECT_EQ(eased(1.0), 1.0);

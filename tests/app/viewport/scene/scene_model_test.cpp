@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/scene/scene_model.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "app/viewport/scene/pen_look.h"
@@ -90,7 +92,7 @@ TEST(SceneModel, SnapshotMovesSolidsAndJoints) {
   scene.setEntities({solid(1), turntable(2)});
   manipulation::SceneSnapshot snapshot;
   snapshot.entities.push_back({1, Pose::translation({0, 0, 1}), {}, false, false});
-  snapshot.entities.push_back({2, Pose::identity(), {1.5707963267948966}, false, false});
+  snapshot.entities.push_back({2, Pose::identity(), {0.5 * std::numbers::pi}, false, false});
   scene.setSnapshot(snapshot);
   const auto items = scene.items({});
   ASSERT_EQ(items.size(), 2u);
@@ -201,7 +203,7 @@ TEST(SceneModel, GhostsStandBesideTheEntityAndCannotBePicked) {
   SceneModel scene;
   scene.setEntities({turntable(2)});
   const auto before = scene.revision();
-  scene.setGhosts("one", {{2, Pose::identity(), {1.5707963267948966}, true}});
+  scene.setGhosts("one", {{2, Pose::identity(), {0.5 * std::numbers::pi}, true}});
   EXPECT_GT(scene.revision(), before);
   const auto items = scene.items({});
   ASSERT_EQ(items.size(), 2u);
@@ -212,7 +214,7 @@ TEST(SceneModel, GhostsStandBesideTheEntityAndCannotBePicked) {
   EXPECT_FALSE(items[1].casts_shadow);
   EXPECT_LT(glm::length(items[1].X_WM.p - dvec3(0, 0.5, 0)), 1e-12);
   const auto drawn = scene.revision();
-  scene.setGhosts("one", {{2, Pose::identity(), {1.5707963267948966}, true}});
+  scene.setGhosts("one", {{2, Pose::identity(), {0.5 * std::numbers::pi}, true}});
   EXPECT_EQ(scene.revision(), drawn) << "the same ghost is the same picture";
   // Another owner neither takes them away nor is taken away with them.
   scene.setGhosts("other", {});

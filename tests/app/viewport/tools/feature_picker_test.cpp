@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "app/viewport/meshes/edge_chains.h"
 #include "geometry/shapes/shapes.h"
@@ -134,7 +135,7 @@ TEST(EdgeChains, ASlotIsTwoLinesAndTwoArcs) {
   const int steps = 12;
   for (int half = 0; half < 2; ++half)
     for (int i = 0; i <= steps; ++i) {
-      const double angle = M_PI * (half + static_cast<double>(i) / steps) - M_PI / 2;
+      const double angle = std::numbers::pi * (half + static_cast<double>(i) / steps) - std::numbers::pi / 2;
       points.emplace_back((half == 0 ? 0.05 : -0.05) + 0.01 * std::cos(angle), 0.01 * std::sin(angle), 0.0);
     }
   std::vector<EdgeEnds> edges;
@@ -160,7 +161,7 @@ TEST(EdgeChains, AnEllipseIsNeither) {
   std::vector<dvec3> points;
   std::vector<EdgeEnds> edges;
   for (std::uint32_t i = 0; i < 64; ++i) {
-    const double angle = 2.0 * M_PI * i / 64.0;
+    const double angle = 2.0 * std::numbers::pi * i / 64.0;
     points.emplace_back(0.06 * std::cos(angle), 0.03 * std::sin(angle), 0.0);
     edges.push_back({i, (i + 1) % 64});
   }

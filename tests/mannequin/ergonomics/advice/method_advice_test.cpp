@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "mannequin/ergonomics/advice/better_place.h"
 #include "mannequin/ergonomics/advice/posture_advice.h"
@@ -123,9 +124,9 @@ TEST(MethodAdvice, AnArmOffBothWaysComesDownAlongOneOfThem) {
   ASSERT_TRUE(advice.next);
   ASSERT_EQ(advice.next->changes.size(), 1u);
   // The arm's elevation by its direction: 50 deg out of the sagittal plane, and in it the angle that was found.
-  const double forward = advice.next->changes[0].to * 3.14159265358979 / 180.0, out = 50.0 * 3.14159265358979 / 180.0;
+  const double forward = advice.next->changes[0].to * std::numbers::pi / 180.0, out = 50.0 * std::numbers::pi / 180.0;
   const dvec3 arm(std::cos(out) * std::sin(forward), std::sin(out), -std::cos(out) * std::cos(forward));
-  EXPECT_NEAR(std::acos(-arm.z) * 180.0 / 3.14159265358979, 60.0, 0.1);
+  EXPECT_NEAR(std::acos(-arm.z) * 180.0 / std::numbers::pi, 60.0, 0.1);
   posture.measured.upper_arm_flexion = posture.measured.upper_arm_abduction = 80.0;
   const MethodAdvice both = adviseZones(PostureMethod::kEn1005, posture);
   ASSERT_TRUE(both.next);

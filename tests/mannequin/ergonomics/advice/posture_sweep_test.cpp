@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "mannequin/body/anthropometry.h"
@@ -18,7 +19,7 @@ using mannequin::Dof;
 using mannequin::Figure;
 using mannequin::Posture;
 
-constexpr double kOneDegree = 3.14159265358979323846 / 180.0;
+constexpr double kOneDegree = std::numbers::pi / 180.0;
 
 PostureScores sweptScores(const Figure& figure, const Posture& posture) {
   return scorePosture(figure, posture, mannequin::forwardKinematics(figure, posture), WorkTask{});

@@ -5,13 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
-#include "mannequin/ergonomics/scores/figure_measurement.h"
 #include "mannequin/ergonomics/advice/motion_scores.h"
 #include "mannequin/ergonomics/methods/reba.h"
 #include "mannequin/ergonomics/methods/rula.h"
 #include "mannequin/ergonomics/methods/static_posture.h"
+#include "mannequin/ergonomics/scores/figure_measurement.h"
 #include "mannequin/motion/motion_clip.h"
 #include "mannequin/motion/motion_writer.h"
 #include "tests/mannequin/body/median_man.h"
@@ -24,7 +25,7 @@ using mannequin::Figure;
 using mannequin::Posture;
 using mannequin::Side;
 
-constexpr double kViewRadians = 3.14159265358979323846 / 180.0;
+constexpr double kViewRadians = std::numbers::pi / 180.0;
 using Angles = std::vector<std::pair<Dof, double>>;
 
 Posture bent(const Angles& degrees) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "mannequin/ergonomics/advice/motion_scores.h"
 #include "tests/support/test_data.h"
@@ -15,7 +16,7 @@ using mannequin::Dof;
 using mannequin::Posture;
 using mannequin::Side;
 
-constexpr double kRadians = 3.14159265358979323846 / 180.0;
+constexpr double kRadians = std::numbers::pi / 180.0;
 
 MeasuredPosture measured(const Posture& posture, Side side = Side::kRight) {
   const auto figure = mannequin::makeFigure({});

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace hapticell::ergonomics {
 namespace {
@@ -55,7 +56,7 @@ TEST(HandForces, AHangingArmTurnsNothingAndAStretchedOneTheMost) {
   task.load_kg = {0.0, 10.0};
   const auto low = handForces(figure, mannequin::forwardKinematics(figure, hanging), task);
   mannequin::Posture level = hanging;
-  level.angles[mannequin::indexOf(armDof(Side::kRight, Dof::kLeftShoulderFlexion))] = 0.5 * M_PI;
+  level.angles[mannequin::indexOf(armDof(Side::kRight, Dof::kLeftShoulderFlexion))] = 0.5 * std::numbers::pi;
   const auto pose = mannequin::forwardKinematics(figure, level);
   const auto high = handForces(figure, pose, task);
   const dvec3 grip = mannequin::handPose(pose, Side::kRight) * figure.p_HandGrip[1];

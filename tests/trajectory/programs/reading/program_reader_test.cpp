@@ -7,9 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
-#include "trajectory/programs/reading/program_readers.h"
 #include "trajectory/files/trajectory_io.h"
+#include "trajectory/programs/reading/program_readers.h"
 
 namespace hapticell::trajectory {
 namespace {
@@ -108,7 +109,7 @@ TEST(ProgramReader, KrlOfAPendantWithBaseRelativeMovesLoopsAndARoutine) {
   expectPose(motion, 7, {1.0, 0.1, 0.3}, down);  // A, B, C stay
   expectPose(motion, 8, {1.0, 0.1, 0.29}, down);
   // 0.1 m at 0.5 m/s, or a quarter turn at 3 rad/s: the slower.
-  EXPECT_NEAR(motion[1].t - motion[0].t, 1.5707963267948966 / 3.0, 1e-9);
+  EXPECT_NEAR(motion[1].t - motion[0].t, 0.5 * std::numbers::pi / 3.0, 1e-9);
   EXPECT_NEAR(motion[2].t - motion[1].t, 0.75 + 0.05 / 0.5, 1e-9);
   EXPECT_TRUE(says(read->notes, "Line 20: left out")) << all(read->notes);
   EXPECT_TRUE(says(read->notes, "xhome")) << all(read->notes);
@@ -217,8 +218,8 @@ TEST(ProgramReader, JointTargetsByARobot) {
   ASSERT_TRUE(read) << read.error().message();
   ASSERT_EQ(read->trajectory.size(), 2u);
   EXPECT_EQ(read->trajectory.joint_names, options.joint_names);
-  EXPECT_NEAR(read->trajectory[1].X_WT.p.x, 3.14159265358979, 1e-12);
-  EXPECT_NEAR(read->trajectory.joints(1)[0], 3.14159265358979, 1e-12);
+  EXPECT_NEAR(read->trajectory[1].X_WT.p.x, std::numbers::pi, 1e-12);
+  EXPECT_NEAR(read->trajectory.joints(1)[0], std::numbers::pi, 1e-12);
   const auto without = readRapid(text, {});
   ASSERT_FALSE(without);
   EXPECT_NE(without.error().message().find("--robot"), std::string::npos) << without.error().message();

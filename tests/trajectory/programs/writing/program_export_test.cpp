@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <regex>
 
 #include "tests/trajectory/motion/motions.h"
@@ -15,7 +16,7 @@
 namespace hapticell::trajectory {
 namespace {
 
-constexpr double kRadians = 3.14159265358979323846 / 180.0;
+constexpr double kRadians = std::numbers::pi / 180.0;
 
 dmat3 aboutX(double a) {
   return {1, 0, 0, 0, std::cos(a), std::sin(a), 0, -std::sin(a), std::cos(a)};

@@ -4,12 +4,13 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/trajectory/motion/motions.h"
 #include "tests/trajectory/programs/writing/program_grammar.h"
+#include "trajectory/programs/reading/program_readers.h"
 #include "trajectory/programs/writing/program_export.h"
 #include "trajectory/programs/writing/program_names.h"
-#include "trajectory/programs/reading/program_readers.h"
 
 namespace hapticell::trajectory {
 namespace {
@@ -239,7 +240,7 @@ RC_GTEST_PROP(ProgramLanguages, AnyMotionComesBack, ()) {
   for (std::size_t i = 0; i < count; ++i) {
     // Middle angles of 90 degrees, where two of three angles are one, come as often as any.
     const bool is_square = *rc::gen::inRange(0, 4) == 0;
-    dvec3 turn = is_square ? 1.5707963267948966 *
+    dvec3 turn = is_square ? 0.5 * std::numbers::pi *
                                  dvec3(*rc::gen::inRange(-2, 3), *rc::gen::inRange(-2, 3), *rc::gen::inRange(-2, 3))
                            : dvec3(number(3.1), number(3.1), number(3.1));
     const Pose X{{number(3.0), number(3.0), number(3.0)}, quaternionFromRotationVector(turn)};

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <deque>
+#include <numbers>
 
 #include "haptic/devices/driver_device.h"
 #include "haptic/devices/driver_session.h"
@@ -107,7 +108,7 @@ RC_GTEST_PROP(OmniArm, JacobianAgreesWithDifferencesOfTheEncoders, ()) {
   OmniReading reading;
   reading.encoders = anyCounts();
   const dmat3 J = arm.arm().jacobian(arm.joints(reading.encoders));
-  const double count = 6.283185307179586 / 15000.0, sense[3]{1.0, -1.0, 1.0};
+  const double count = 2.0 * std::numbers::pi / 15000.0, sense[3]{1.0, -1.0, 1.0};
   for (std::size_t i = 0; i < 3; ++i) {
     OmniReading more = reading, less = reading;
     ++more.encoders[i];
