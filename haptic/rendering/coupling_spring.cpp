@@ -10,16 +10,15 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kMillisecond = 0.001;
-constexpr double kOffsetDecay = 0.05e-3;  // m per millisecond.
-constexpr double kFadeTime = 0.005;       // s, of a small offset in contact.
-constexpr double kOffsetGone = 1e-6;      // m.
-constexpr double kPull = 1e-3;            // N.
-constexpr double kAtRest = 0.3e-3;        // m that a hand at rest stays within,
-constexpr double kRested = 0.2;           // and for so many s.
-constexpr double kRestDrifts = 5e-3;      // m/s: a hand that gives way to what comes back rests, too.
-constexpr double kCreepPower = 0.25e-3;   // W, what the ration gives.
-constexpr double kComesBack = 1.5;        // s for all that the motors bear, where the hand has paid.
+constexpr double kOffsetDecay = 0.05e-3, kOffsetDecayTime = 0.001;  // m, and in so many s.
+constexpr double kFadeTime = 0.005;                                 // s, of a small offset in contact.
+constexpr double kOffsetGone = 1e-6;                                // m.
+constexpr double kPull = 1e-3;                                      // N.
+constexpr double kAtRest = 0.3e-3;                                  // m that a hand at rest stays within,
+constexpr double kRested = 0.2;                                     // and for so many s.
+constexpr double kRestDrifts = 5e-3;     // m/s: a hand that gives way to what comes back rests, too.
+constexpr double kCreepPower = 0.25e-3;  // W, what the ration gives.
+constexpr double kComesBack = 1.5;       // s for all that the motors bear, where the hand has paid.
 
 }  // namespace
 
@@ -87,7 +86,7 @@ void CouplingSpring::decayOffset(bool contact, const MetricVector& stylus_step, 
     offset_D_ = {};
     return;
   }
-  double decay = kOffsetDecay * dt / kMillisecond;
+  double decay = kOffsetDecay * dt / kOffsetDecayTime;
   if (contact) {
     decay = std::min(decay, size * dt / kFadeTime);
   } else {
@@ -107,7 +106,7 @@ double CouplingSpring::creepBack(bool rests, bool contact, double dt) {
   const double limit = motors_.along(stretch_D_);
   const double least = std::max(0.0, size - limit / stiffness_);
   const double pull = std::max(stiffness_ * (size - yield_), kPull);
-  const double rationed = std::min(kOffsetDecay * dt / kMillisecond, kCreepPower * dt / pull);
+  const double rationed = std::min(kOffsetDecay * dt / kOffsetDecayTime, kCreepPower * dt / pull);
   const double paid = std::min(limit / stiffness_ * dt / kComesBack, yielded_ / pull);
   const double back = std::clamp(yield_ - least, 0.0, std::max(rationed, paid));
   const double energy = std::min(yielded_, (pull + 0.5 * stiffness_ * back) * back);

@@ -12,7 +12,7 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kMillisecond = 0.001;
+constexpr double kNominalTick = 0.001;      // s.
 constexpr double kJumpAllowance = 0.01e-3;  // m the proxy may outrun the stylus in a tick.
 constexpr double kTrustForce = 0.8;         // N,
 constexpr double kTrustShare = 0.3;         // of the stiffness: the zone's edge is no thing to strike.
@@ -162,7 +162,7 @@ void ForceRenderer::updateSpring(const ProxyStep& solved, const MetricVector& st
 }
 
 RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
-  dt = std::isfinite(dt) ? std::clamp(dt, 1e-5, 0.1) : kMillisecond;
+  dt = std::isfinite(dt) ? std::clamp(dt, 1e-5, 0.1) : kNominalTick;
   if (!started_) reset(X_DS_measured);
   const Pose X_DS = X_DS_measured.isValid() ? X_DS_measured : stylus_;
   const bool jumped = std::exchange(jumped_, false);

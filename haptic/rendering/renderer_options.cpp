@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStablePerMillisecond = 0.65 * 2300.0;  // N/m at 1 ms of delay.
 
-double saneOr(double value, double fallback) {
+double positiveOr(double value, double fallback) {
   return std::isfinite(value) && value > 0.0 ? value : fallback;
 }
 
@@ -20,12 +20,12 @@ double saneOr(double value, double fallback) {
 
 RendererOptions limitedByDelay(RendererOptions options) {
   const RendererOptions defaults;
-  options.stiffness = saneOr(options.stiffness, defaults.stiffness);
-  options.damping = saneOr(options.damping, defaults.damping);
-  options.delay = saneOr(options.delay, defaults.delay);
-  options.peak_force = saneOr(options.peak_force, defaults.peak_force);
-  options.peak_torque = saneOr(options.peak_torque, 0.0);
-  options.tick = saneOr(options.tick, defaults.tick);
+  options.stiffness = positiveOr(options.stiffness, defaults.stiffness);
+  options.damping = positiveOr(options.damping, defaults.damping);
+  options.delay = positiveOr(options.delay, defaults.delay);
+  options.peak_force = positiveOr(options.peak_force, defaults.peak_force);
+  options.peak_torque = positiveOr(options.peak_torque, 0.0);
+  options.tick = positiveOr(options.tick, defaults.tick);
   if (!options.adapt) return options;
   const double ticks = std::max(1.0, options.delay / 0.001);
   options.stiffness = std::min(options.stiffness, kStablePerMillisecond / ticks);
