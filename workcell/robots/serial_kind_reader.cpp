@@ -1,67 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
-// Serial kinds of a robot.toml: OPW parameters, Denavit-Hartenberg tables, chains of frames.
-#include <cmath>
+#include "workcell/robots/serial_kind_reader.h"
 
-#include "kinematics/closures/arm_builder.h"
-#include "workcell/robots/robot_toml_reader.h"
+#include <cmath>
 
 namespace hapticell::workcell {
 
-void RobotTomlReader::readOpw() {
-  const toml::table* table = root_.table("opw");
+void SerialKindReader::readOpw() {
+  const toml::table* table = common_.root().table("opw");
   if (!table) return;
-  TomlFields fields(*table, "[opw]", error_);
+  TomlFields fields(*table, "[opw]", common_.error());
   kinematics::OpwParameters p;
   for (const char* key : {"c1", "c2", "c3", "c4"}) fields.require(key);
-  fields.read("a1", p.a1, unit_);
-  fields.read("a2", p.a2, unit_);
-  fields.read("b", p.b, unit_);
-  fields.read("c1", p.c1, unit_);
-  fields.read("c2", p.c2, unit_, 1e-9);
-  fields.read("c3", p.c3, unit_, 1e-9);
-  fields.read("c4", p.c4, unit_);
+  fields.read("a1", p.a1, common_.unit());
+  fields.read("a2", p.a2, common_.unit());
+  fields.read("b", p.b, common_.unit());
+  fields.read("c1", p.c1, common_.unit());
+  fields.read("c2", p.c2, common_.unit(), 1e-9);
+  fields.read("c3", p.c3, common_.unit(), 1e-9);
+  fields.read("c4", p.c4, common_.unit());
   std::vector<double> offsets, signs;
   fields.readList("offsets", offsets, kDegree);
   fields.readList("signs", signs);
-  if (!error_ && fields.has("offsets") && offsets.size() != 6)
+  if (!common_.error() && fields.has("offsets") && offsets.size() != 6)
     fields.failKey("offsets", std::to_string(offsets.size()) + " offsets", "6, in degrees");
   for (const double sign : signs) {
-    if (!error_ && (std::abs(sign) != 1.0 || signs.size() != 6))
+    if (!common_.error() && (std::abs(sign) != 1.0 || signs.size() != 6))
       fields.failKey("signs", "signs that are none", "six times 1 or -1");
   }
   fields.refuseOthers();
-  const std::vector<JointData> joints = jointData(std::vector<bool>(6, false));
-  if (error_) return;
+  const std::vector<kinematics::JointData> joints = common_.jointData(std::vector<bool>(6, false));
+  if (common_.error()) return;
   for (std::size_t k = 0; k < 6; ++k) {
     if (!offsets.empty()) p.offsets[k] = offsets[k];
     if (!signs.empty()) p.signs[k] = signs[k];
   }
-  robot_.model = kinematics::buildOpw(robot_.sheet.name, p, joints);
-  if (style_ < 0 || style_ == 0) addArmBody(robot_.model, p, look_);
-  if (style_ == 1) addCobotBody(robot_.model, look_);
+  model_ = kinematics::buildOpw(common_.sheet().name, p, joints);
+  if (common_.style() == BodyStyle::kOfTheKind || common_.style() == BodyStyle::kArm)
+    addArmBody(model_, p, common_.look());
+  if (common_.style() == BodyStyle::kCobot) addCobotBody(model_, common_.look());
 }
 
-Pose RobotTomlReader::readFlange() {
+Pose SerialKindReader::readFlange() {
   Pose flange;
-  const toml::table* table = root_.table("flange");
+  const toml::table* table = common_.root().table("flange");
   if (!table) return flange;
-  TomlFields fields(*table, "[flange]", error_);
-  fields.readPose(flange, unit_);
+  TomlFields fields(*table, "[flange]", common_.error());
+  fields.readPose(flange, common_.unit());
   fields.refuseOthers();
   return flange;
 }
 
-void RobotTomlReader::addChainBody() {
-  if (error_ || style_ == 4) return;
-  if (style_ == 2) return addScaraBody(robot_.model, look_);
-  if (style_ == 3) return addGantryBody(robot_.model, look_);
-  addCobotBody(robot_.model, look_);
+void SerialKindReader::addBody() {
+  if (common_.error() || common_.style() == BodyStyle::kNone) return;
+  if (common_.style() == BodyStyle::kScara) return addScaraBody(model_, common_.look());
+  if (common_.style() == BodyStyle::kGantry) return addGantryBody(model_, common_.look());
+  addCobotBody(model_, common_.look());
 }
 
-void RobotTomlReader::readDh() {
-  const toml::table* table = root_.table("dh");
+void SerialKindReader::readDh() {
+  const toml::table* table = common_.root().table("dh");
   if (!table) return;
-  TomlFields fields(*table, "[dh]", error_);
+  TomlFields fields(*table, "[dh]", common_.error());
   int convention = 0;
   fields.require("convention");
   fields.readWord("convention", {"standard", "modified"}, convention);
@@ -71,11 +70,11 @@ void RobotTomlReader::readDh() {
   fields.require("a");
   fields.require("alpha");
   fields.readList("theta", theta, kDegree);
-  fields.readList("d", d, unit_);
-  fields.readList("a", a, unit_);
+  fields.readList("d", d, common_.unit());
+  fields.readList("a", a, common_.unit());
   fields.readList("alpha", alpha, kDegree);
   fields.readList("types", types);
-  if (error_) return;
+  if (common_.error()) return;
   const std::size_t n = d.size();
   const bool fits = n > 0 && n <= 16 && a.size() == n && alpha.size() == n && (theta.empty() || theta.size() == n) &&
                     (types.empty() || types.size() == n);
@@ -90,44 +89,44 @@ void RobotTomlReader::readDh() {
     rows.push_back({theta.empty() ? 0.0 : theta[k], d[k], a[k], alpha[k], slides.back()});
   }
   fields.refuseOthers();
-  const std::vector<JointData> joints = jointData(slides);
+  const std::vector<kinematics::JointData> joints = common_.jointData(slides);
   const Pose flange = readFlange();
-  if (error_) return;
-  robot_.model = kinematics::buildDh(
-      robot_.sheet.name, convention == 0 ? kinematics::DhConvention::kStandard : kinematics::DhConvention::kModified,
+  if (common_.error()) return;
+  model_ = kinematics::buildDh(
+      common_.sheet().name, convention == 0 ? kinematics::DhConvention::kStandard : kinematics::DhConvention::kModified,
       rows, joints, flange);
-  addChainBody();
+  addBody();
 }
 
-void RobotTomlReader::readChain() {
-  const toml::array* list = root_.tables("chain");
+void SerialKindReader::readChain() {
+  const toml::array* list = common_.root().tables("chain");
   if (!list) return;
   std::vector<kinematics::ChainJoint> chain;
   std::vector<bool> slides;
   for (const toml::node& node : *list) {
     kinematics::ChainJoint joint;
-    TomlFields fields(*node.as_table(), "[[chain]] " + std::to_string(chain.size() + 1), error_);
+    TomlFields fields(*node.as_table(), "[[chain]] " + std::to_string(chain.size() + 1), common_.error());
     int type = 0;
     fields.readWord("type", {"revolute", "prismatic"}, type);
-    fields.readPose(joint.X_PJ, unit_);
+    fields.readPose(joint.X_PJ, common_.unit());
     fields.readPoint("axis", joint.axis_J, 1.0);
-    if (!error_ && !(glm::length(joint.axis_J) > 1e-9))
+    if (!common_.error() && !(glm::length(joint.axis_J) > 1e-9))
       fields.failKey("axis", "an axis of length zero", "a direction, such as [0, 0, 1]");
     fields.refuseOthers();
-    if (error_) return;
+    if (common_.error()) return;
     joint.axis_J = glm::normalize(joint.axis_J);
     joint.type = type == 1 ? kinematics::JointType::kPrismatic : kinematics::JointType::kRevolute;
     slides.push_back(type == 1);
     chain.push_back(joint);
   }
   if (chain.empty() || chain.size() > 16)
-    return root_.failKey("chain", std::to_string(chain.size()) + " joints", "1 to 16");
-  const std::vector<JointData> joints = jointData(slides);
+    return common_.root().failKey("chain", std::to_string(chain.size()) + " joints", "1 to 16");
+  const std::vector<kinematics::JointData> joints = common_.jointData(slides);
   const Pose flange = readFlange();
-  if (error_) return;
+  if (common_.error()) return;
   for (std::size_t k = 0; k < chain.size(); ++k) chain[k].data = joints[k];
-  robot_.model = kinematics::buildChain(robot_.sheet.name, chain, flange);
-  addChainBody();
+  model_ = kinematics::buildChain(common_.sheet().name, chain, flange);
+  addBody();
 }
 
 }  // namespace hapticell::workcell
