@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "manipulation/manipulators/manipulator_kinds.h"
-#include "manipulation/manipulators/robot_manipulator.h"
 #include "workcell/entity/mechanism.h"
 
 namespace hapticell::manipulation {
@@ -132,8 +131,8 @@ std::vector<std::pair<workcell::EntityId, EntityConfiguration>> HeldEntity::carr
 void HeldEntity::updateJointFriction() {
   constexpr double kStep = 0.05, kMost = 3.0;  // N
   const bool any = std::any_of(friction_.begin(), friction_.end(), [](double friction) { return friction > 0.0; });
-  if (!any || arm_ == nullptr) return;
-  joint_friction_ = std::min(kMost, kStep * std::round(arm_->resistance(accepted_, friction_) / kStep));
+  if (!any) return;
+  joint_friction_ = std::min(kMost, kStep * std::round(manipulator_->resistance(accepted_, friction_) / kStep));
 }
 
 Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptions& options,
@@ -144,8 +143,7 @@ Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptio
   auto made = manipulation::makeManipulator(taking, manipulatorKinds());
   HAPTICELL_TRY(made);
   manipulator_ = std::move(*made);
-  arm_ = dynamic_cast<const RobotManipulator*>(manipulator_.get());
-  if (arm_ != nullptr) gatherFriction();
+  gatherFriction();
   return {};
 }
 
@@ -153,6 +151,7 @@ void HeldEntity::gatherFriction() {
   friction_.clear();
   for (const Member& member : members_) {
     const Entity& one = *scene_->find(member.id);
+    if (!one.robot) continue;
     const auto own =
         one.mechanism ? workcell::frictionOf(*one.mechanism, *one.robot) : std::vector<double>(one.robot->dof(), 0.0);
     friction_.insert(friction_.end(), own.begin(), own.end());

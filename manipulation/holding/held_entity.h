@@ -18,7 +18,6 @@
 #include "manipulation/manipulators/manipulator.h"
 #include "manipulation/manipulators/moved_by.h"
 #include "manipulation/scene/prepared_scene.h"
-#include "manipulation/manipulators/robot_manipulator.h"
 
 namespace hapticell::haptic {
 struct SolverRow;
@@ -209,8 +208,7 @@ class HeldEntity {
   std::vector<Member> members_;
   EntityConfiguration accepted_;
   std::unique_ptr<Manipulator> manipulator_;
-  const RobotManipulator* arm_ = nullptr;  ///< The manipulator where a robot or mechanism is drawn by its tool.
-  std::vector<double> friction_;           ///< Of a mechanism's variables, N m or N.
+  std::vector<double> friction_;  ///< Of a mechanism's variables, N m or N.
   double joint_friction_ = 0.0;
   std::unique_ptr<FreeMotion> motion_;
   /// An entity that hangs on a link of the held one (-1: on a solid), directly or by others.
