@@ -142,7 +142,7 @@ struct ManipulationLoop::Worker {
       }
       if (!made) {
         previous = std::move(progress.given_up);
-        results.push_back(result::Notice{"Preparing the contacts was given up: what was changed is not felt yet"});
+        results.emplace_back(result::Notice{"Preparing the contacts was given up: what was changed is not felt yet"});
         continue;
       }
       previous = made;

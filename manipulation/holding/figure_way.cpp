@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manipulation/manipulators/mannequin_manipulator.h"
+#include "manipulation/manipulators/posture_finder.h"
 #include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/shape/figure_model.h"
 
@@ -122,12 +122,12 @@ FigureWay::Reach FigureWay::reachNow() const {
 /// body, from where the target is drawn to once more. The hands of a standing figure only, and not past what another
 /// entity holds up.
 bool FigureWay::goRound() {
-  const auto* hands = dynamic_cast<const MannequinManipulator*>(&held_->manipulator());
+  const PostureFinder* hands = held_->manipulator().postureFinder();
   if (!hands || !(turns_with_[0] || turns_with_[1]) || isHeldUpByOthers()) return false;
   const EntityConfiguration start = held_->accepted();
   const dvec3 before = kBeforeTheBody * hands->facing_W(start);
   const dvec3 p_WM = held_->movedFrame().p;
-  using Anew = MannequinManipulator::Anew;
+  using Anew = PostureFinder::Anew;
   const auto solved = [&](const dvec3& p, Anew anew) { return hands->solvedAnew(start, p, anew, interrupted_); };
   std::vector<EntityConfiguration> near, far;
   bool is_in_reach = false;
@@ -155,8 +155,8 @@ bool FigureWay::goRound() {
 }
 
 /// To where the target is before the body, upright if that is free, and the hands to it; else only there.
-bool FigureWay::walkThere(const MannequinManipulator& hands) {
-  using Anew = MannequinManipulator::Anew;
+bool FigureWay::walkThere(const PostureFinder& hands) {
+  using Anew = PostureFinder::Anew;
   const EntityConfiguration start = held_->accepted();
   const auto ups = hands.upright(start);
   const dvec3 before = kBeforeTheBody * hands.facing_W(start);

@@ -10,7 +10,7 @@
 
 namespace hapticell::manipulation {
 
-class MannequinManipulator;
+class PostureFinder;
 
 /// Draws a mannequin by a hand, both hands or the head to where a mouse wants it, in short steps of the same held
 /// entity that the stylus moves: nothing is entered, and limits, feet and balance hold. One thread at a time.
@@ -54,7 +54,7 @@ class FigureWay {
   Reach reachNow() const;
   Reach showRound();
   bool goRound();
-  bool walkThere(const MannequinManipulator& hands);
+  bool walkThere(const PostureFinder& hands);
   bool goBack();
   void keepBest();
   bool isInterrupted() const;

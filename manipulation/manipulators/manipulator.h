@@ -49,6 +49,8 @@ struct MotionTime {
   int joint = -1;  ///< Index among the robot's joints; -1 where nothing has a greatest speed.
 };
 
+class PostureFinder;
+
 /// How an entity follows the hand: which frame M the hand moves, and what the entity's parts do then.
 ///
 /// A model of the entity only; it knows nothing of obstacles, of the device or of scale. Its parts are those of the
@@ -106,6 +108,16 @@ class Manipulator {
   /// The entity's own limits nearer than `zone` (m of the moved frame's motion, rotation with the lever `lever`).
   virtual std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone,
                                           double lever) const = 0;
+
+  /// What the joints' dry friction (N m or N, one a variable of the entity's joints) holds against a slow motion of the
+  /// moved frame along the direction in which it is hardest, N; 0 where it is not felt by what the hand holds.
+  virtual double resistance(const EntityConfiguration& /*configuration*/, std::span<const double> /*friction*/) const {
+    return 0.0;
+  }
+
+  /// Who finds postures of the entity that lie on no straight way; null for what is no figure drawn by its hands. It
+  /// lives as long as the manipulator.
+  virtual const PostureFinder* postureFinder() const { return nullptr; }
 };
 
 }  // namespace hapticell::manipulation

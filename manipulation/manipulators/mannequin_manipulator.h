@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "manipulation/manipulators/mannequin_body.h"
+#include "manipulation/manipulators/posture_finder.h"
 #include "mannequin/posture/posture_solver.h"
 
 namespace hapticell::manipulation {
@@ -13,7 +14,7 @@ namespace hapticell::manipulation {
 ///
 /// The moved frame is the grip of the hand, or the middle between both hands. Its reach is felt as a limit: how far the
 /// figure could follow outward is asked of the solver.
-class MannequinManipulator final : public MannequinBody {
+class MannequinManipulator final : public MannequinBody, public PostureFinder {
  public:
   enum class Hands {
     kLeft,
@@ -41,19 +42,12 @@ class MannequinManipulator final : public MannequinBody {
   std::vector<PartDifferential> differentiate(const EntityConfiguration& configuration) const override;
   std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone, double lever) const override;
 
-  /// Where a search for a posture begins: how the figure stands, or upright on the same feet with hanging arms.
-  enum class Anew { kAsItStands, kUpright };
-  /// Postures with the moved frame at `p_WM` (within a millimetre), found anew and not by following, the nearest to
-  /// `from` first: how the hands turn is left open, so that arms may come from another side; from upright, to either
-  /// side as well. Feet stand where they are. None where `interrupted` (may be empty) says so on the way.
+  const PostureFinder* postureFinder() const override { return this; }
   std::vector<EntityConfiguration> solvedAnew(const EntityConfiguration& from, const dvec3& p_WM, Anew anew,
-                                              const std::function<bool()>& interrupted) const;
-  /// Upright on the same feet: the arms hanging, and before the body.
-  std::vector<EntityConfiguration> upright(const EntityConfiguration& from) const;
-  /// The same, moved and turned on the floor to where a hand works at `p_WM` with ease: facing it from there, facing on.
-  std::vector<EntityConfiguration> uprightBefore(const EntityConfiguration& from, const dvec3& p_WM) const;
-  /// Unit, level: where the feet head.
-  dvec3 facing_W(const EntityConfiguration& configuration) const;
+                                              const std::function<bool()>& interrupted) const override;
+  std::vector<EntityConfiguration> upright(const EntityConfiguration& from) const override;
+  std::vector<EntityConfiguration> uprightBefore(const EntityConfiguration& from, const dvec3& p_WM) const override;
+  dvec3 facing_W(const EntityConfiguration& configuration) const override;
 
  private:
   using Feet = std::array<Pose, 2>;

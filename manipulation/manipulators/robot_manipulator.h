@@ -35,9 +35,6 @@ class RobotManipulator final : public Manipulator {
   /// Makes singular positions walls that are felt and never passed; nothing happens to robots with closed loops, whose
   /// closure knows its own.
   void stopAtSingularities();
-  /// What the joints' dry friction (N m or N, one a variable) holds against a slow motion of the tool centre point
-  /// along the direction in which it is hardest, N.
-  double resistance(const EntityConfiguration& configuration, std::span<const double> friction) const;
   /// Parts that are links.
   static std::vector<Part> partsOf(const std::vector<int>& links);
 
@@ -52,6 +49,7 @@ class RobotManipulator final : public Manipulator {
   double turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const override;
   std::vector<PartDifferential> differentiate(const EntityConfiguration& configuration) const override;
   std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone, double lever) const override;
+  double resistance(const EntityConfiguration& configuration, std::span<const double> friction) const override;
 
  private:
   EntityConfiguration proposeFreely(const EntityConfiguration& from, const Pose& X_WM, double duration_s) const;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the held entity follows the hand: as far as it is free, and along what stands in the way.
+#include "manipulation/holding/held_way.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "haptic/rendering/active_set_solver.h"
-#include "manipulation/holding/contact_search.h"
-#include "manipulation/holding/held_entity.h"
 
 namespace hapticell::manipulation {
 
@@ -81,64 +77,46 @@ PiecewiseAnswer goInPieces(FreeMotion& motion, const Manipulator& manipulator, E
 
 }  // namespace
 
-/// Half-spaces over small motions of the hand.
-struct HeldEntity::Rows {
-  std::array<haptic::SolverRow, haptic::kMaxRows> rows{};
-  std::size_t count = 0;
-  void add(const haptic::SolverRow& row) {
-    if (count < rows.size()) rows[count++] = row;
+void HalfSpaces::moveBy(const haptic::Vector6& d) {
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < 6; ++k) rows[i].slack += rows[i].normal[k] * d[k];
   }
-  std::span<const haptic::SolverRow> all() const { return {rows.data(), count}; }
-  void moveBy(const haptic::Vector6& d) {
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < 6; ++k) rows[i].slack += rows[i].normal[k] * d[k];
-    }
-  }
-};
-
-/// What stood in the way lately.
-struct HeldEntity::Way {
-  Rows contacts;
-  std::array<double, haptic::kMaxRows> moved{};  ///< m of hand since each was found.
-  dquat axes{1.0, 0.0, 0.0, 0.0};
-  double scale = 0.0;
-  Pose X_WWanted;       ///< Of the last step,
-  FollowResult result;  ///< and what came of it.
-  bool known = false;
-
-  void found(const haptic::SolverRow& row) {
-    if (contacts.count >= kMostKept) return;
-    moved[contacts.count] = 0.0;
-    contacts.add(row);
-  }
-  void moveBy(const haptic::Vector6& d) {
-    double length = 0.0;
-    for (const double x : d) length += x * x;
-    length = std::sqrt(length);
-    contacts.moveBy(d);
-    for (std::size_t i = 0; i < contacts.count; ++i) moved[i] += length;
-  }
-  /// A tangent is true near where it was found only.
-  void forgetOld() {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < contacts.count; ++i) {
-      if (moved[i] > kTangentStays) continue;
-      contacts.rows[kept] = contacts.rows[i];
-      moved[kept++] = moved[i];
-    }
-    contacts.count = kept;
-  }
-};
-
-HeldEntity::HeldEntity() : finder_(std::make_shared<collision::ContactFinder>()), way_(std::make_unique<Way>()) {}
-
-HeldEntity::~HeldEntity() {
-  if (asked_) search_->drop();
 }
 
-void HeldEntity::addSoftRows(const BuiltConstraints* built, const MotionMapping& mapping, Rows& rows) const {
-  if (built == nullptr || !motion_->anySoft()) return;
-  const Twist t = difference(mapping.toDevice(movedFrame(), built->set.X_DR), built->set.X_DR);
+void HeldWay::Contacts::found(const haptic::SolverRow& row) {
+  if (spaces.count >= kMostKept) return;
+  moved[spaces.count] = 0.0;
+  spaces.add(row);
+}
+
+void HeldWay::Contacts::moveBy(const haptic::Vector6& d) {
+  double length = 0.0;
+  for (const double x : d) length += x * x;
+  length = std::sqrt(length);
+  spaces.moveBy(d);
+  for (std::size_t i = 0; i < spaces.count; ++i) moved[i] += length;
+}
+
+/// A tangent is true near where it was found only.
+void HeldWay::Contacts::forgetOld() {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < spaces.count; ++i) {
+    if (moved[i] > kTangentStays) continue;
+    spaces.rows[kept] = spaces.rows[i];
+    moved[kept++] = moved[i];
+  }
+  spaces.count = kept;
+}
+
+/// What stood in the way is somewhere else now.
+void HeldWay::forget() {
+  known_ = false;
+  contacts_.spaces.count = 0;
+}
+
+void HeldWay::addSoftRows(const BuiltConstraints* built, const MotionMapping& mapping, HalfSpaces& spaces) const {
+  if (built == nullptr || !state_.motion.anySoft()) return;
+  const Twist t = difference(mapping.toDevice(state_.movedFrame(), built->set.X_DR), built->set.X_DR);
   const haptic::Vector6 xi{t.linear.x, t.linear.y, t.linear.z, t.angular.x, t.angular.y, t.angular.z};
   const haptic::ConstraintSet& set = built->set;
   for (std::size_t i = 0; i < set.count;) {
@@ -147,47 +125,65 @@ void HeldEntity::addSoftRows(const BuiltConstraints* built, const MotionMapping&
       if (haptic::evaluate(set.constraints[last], xi) > haptic::evaluate(set.constraints[best], xi)) best = last;
     }
     const int pair = built->origins[i].pair;
-    if (pair >= 0 && motion_->isSoft(static_cast<std::uint32_t>(pair))) {
+    if (pair >= 0 && state_.motion.isSoft(static_cast<std::uint32_t>(pair))) {
       const haptic::Constraint& entry = set.constraints[best];
-      rows.add(rowOf(haptic::gradientAt(entry, xi), std::max(0.0, haptic::evaluate(entry, xi))));
+      spaces.add(rowOf(haptic::gradientAt(entry, xi), std::max(0.0, haptic::evaluate(entry, xi))));
     }
     i = last;
   }
 }
 
-haptic::SolverRow HeldEntity::contactRow(const MotionAnswer& answer, const MotionMapping& mapping, double rest) const {
-  haptic::Constraint constraint = contactOf(motion_pairs_[answer.pair], answer.contact);
+/// How the distance of a pair changes with the moved frame, at its nearest points.
+haptic::Constraint HeldWay::contactOf(const MotionPair& pair, const collision::DistanceResult& found) const {
+  const std::vector<PartDifferential> parts = state_.manipulator->differentiate(state_.accepted);
+  PointCondition condition;
+  condition.p_WQ = found.p_WA;
+  condition.nhat_W = found.nhat_BA_W;
+  haptic::Constraint constraint;
+  applyCondition(parts[pair.part], condition, constraint);
+  if (pair.other_part < 0) return constraint;
+  haptic::Constraint met;
+  condition.p_WQ = found.p_WB;
+  applyCondition(parts[static_cast<std::size_t>(pair.other_part)], condition, met);
+  for (std::size_t i = 0; i < 6; ++i) constraint.gradient[i] -= met.gradient[i];
+  for (std::size_t i = 0; i < 21; ++i) constraint.curvature[i] -= met.curvature[i];
+  return constraint;
+}
+
+haptic::SolverRow HeldWay::contactRow(const MotionAnswer& answer, const MotionMapping& mapping, double rest) const {
+  haptic::Constraint constraint = contactOf(state_.pairs.motionPairs()[answer.pair], answer.contact);
   // Out to its boundary, but by a small part of the way that is left: the way bends, a bare tangent would be blocked
   // again.
-  const double outwards = std::clamp(kPushOut * rest, kSkin, std::max(kSkin, feel_[answer.pair].boundary));
+  const double outwards = std::clamp(kPushOut * rest, HeldState::kSkin,
+                                     std::max(HeldState::kSkin, state_.pairs.feel()[answer.pair].boundary));
   constraint.gap = answer.contact.distance - outwards;
   mapping.toDevice(constraint);
   return rowOf(constraint.gradient, constraint.gap);
 }
 
 /// True when the hand asks for what it asked for at the last step.
-bool HeldEntity::recall(const MotionMapping& mapping, const Pose& X_WWanted) {
-  const bool same_hand = way_->axes == mapping.axes() && way_->scale == mapping.scale();
-  if (!same_hand) way_->contacts.count = 0;
-  way_->axes = mapping.axes();
-  way_->scale = mapping.scale();
-  const Twist moved = difference(X_WWanted, way_->X_WWanted);
+bool HeldWay::recall(const MotionMapping& mapping, const Pose& X_WWanted) {
+  const bool same_hand = axes_ == mapping.axes() && scale_ == mapping.scale();
+  if (!same_hand) contacts_.spaces.count = 0;
+  axes_ = mapping.axes();
+  scale_ = mapping.scale();
+  const Twist moved = difference(X_WWanted, X_WWanted_);
   const double limit = kStood * mapping.scale();
-  if (same_hand && way_->known && glm::length(moved.linear) < limit &&
+  if (same_hand && known_ && glm::length(moved.linear) < limit &&
       haptic::kRotationLever * glm::length(moved.angular) < limit) {
     return true;
   }
-  way_->forgetOld();
-  way_->X_WWanted = X_WWanted;
-  way_->known = true;
+  contacts_.forgetOld();
+  X_WWanted_ = X_WWanted;
+  known_ = true;
   return false;
 }
 
-HeldEntity::WayResult HeldEntity::goTo(const EntityConfiguration& target) {
+HeldWay::Gone HeldWay::goTo(const EntityConfiguration& target) {
   constexpr double kPiece = 0.05;  // rad or m of a joint: bounds of the way are good for small pieces
   constexpr int kMostPieces = 4000;
-  const EntityConfiguration start = accepted_;
-  way_->known = false;
+  const EntityConfiguration start = state_.accepted;
+  known_ = false;
   double furthest = glm::length(target.X_WE.p - start.X_WE.p);
   for (std::size_t i = 0; i < start.joints.size(); ++i) {
     furthest = std::max(furthest, std::abs(target.joints[i] - start.joints[i]));
@@ -195,59 +191,60 @@ HeldEntity::WayResult HeldEntity::goTo(const EntityConfiguration& target) {
   const int pieces = static_cast<int>(std::clamp(std::ceil(furthest / kPiece), 1.0, static_cast<double>(kMostPieces)));
   for (int piece = 1; piece <= pieces; ++piece) {
     const EntityConfiguration next =
-        piece == pieces ? target : manipulator_->between(start, target, static_cast<double>(piece) / pieces);
-    const MotionAnswer answer = motion_->advance(*manipulator_, accepted_, next);
-    accepted_ = answer.s >= 1.0 ? next : manipulator_->between(accepted_, next, answer.s);
+        piece == pieces ? target : state_.manipulator->between(start, target, static_cast<double>(piece) / pieces);
+    const MotionAnswer answer = state_.motion.advance(*state_.manipulator, state_.accepted, next);
+    state_.accepted = answer.s >= 1.0 ? next : state_.manipulator->between(state_.accepted, next, answer.s);
     if (answer.blocked) return {(piece - 1 + answer.s) / pieces, true, answer.pair};
   }
   return {};
 }
 
-double HeldEntity::moveOther(workcell::EntityId other, const dvec3& way_W) {
+double HeldWay::moveOther(workcell::EntityId other, const dvec3& way_W) {
   const double length = glm::length(way_W);
   double share = 1.0;
   // Whatever is nearer than its way and the boundary might be hit: what is held goes out of its way first.
-  motion_->distances(length + kSkin, near_);
+  state_.motion.distances(length + HeldState::kSkin, near_);
   const bool hit = std::any_of(near_.begin(), near_.end(), [&](const FreeMotion::PairDistance& near) {
-    return pairs_[near.pair].other == other && motion_pairs_[near.pair].blocks &&
+    return state_.pairs[near.pair].other == other && state_.pairs.motionPairs()[near.pair].blocks &&
            glm::dot(way_W, near.result.nhat_BA_W) > 1e-6 * length;
   });
   if (hit) {
-    const Pose X_WM = movedFrame();
+    const Pose X_WM = state_.movedFrame();
     const Pose X_WPushed{X_WM.p + way_W, X_WM.q};
-    const WayResult gone = goTo(manipulator_->propose(accepted_, X_WPushed, std::numeric_limits<double>::infinity()));
+    const Gone gone =
+        goTo(state_.manipulator->propose(state_.accepted, X_WPushed, std::numeric_limits<double>::infinity()));
     if (gone.blocked) share = gone.share;
   }
-  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    if (obstacle_parts_[i]->entity != other) continue;
-    obstacles_[i].X_W.p += share * way_W;
-    motion_->moveObstacle(static_cast<std::uint32_t>(i), obstacles_[i].X_W);
+  const auto& parts = state_.pairs.obstacleParts();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i]->entity != other) continue;
+    const Pose& X_WO = state_.pairs.obstacles()[i].X_W;
+    state_.moveObstacle(i, {X_WO.p + share * way_W, X_WO.q});
   }
-  way_->known = false;
-  way_->contacts.count = 0;
+  forget();
   return share;
 }
 
-void HeldEntity::placeOther(workcell::EntityId other, const EntityConfiguration& at) {
-  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    if (obstacle_parts_[i]->entity != other) continue;
-    obstacles_[i].X_W = PreparedScene::partPose(*scene_->find(other), at.X_WE, at.joints, obstacle_parts_[i]->link);
-    motion_->moveObstacle(static_cast<std::uint32_t>(i), obstacles_[i].X_W);
+void HeldWay::placeOther(workcell::EntityId other, const EntityConfiguration& at) {
+  const auto& parts = state_.pairs.obstacleParts();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i]->entity != other) continue;
+    const workcell::Entity& entity = *state_.model.scene()->find(other);
+    state_.moveObstacle(i, PreparedScene::partPose(entity, at.X_WE, at.joints, parts[i]->link));
   }
-  way_->known = false;
-  way_->contacts.count = 0;
+  forget();
 }
 
-HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMapping& mapping,
-                                            const BuiltConstraints* built, double duration_s) {
+HeldWay::Followed HeldWay::follow(const Pose& X_DP, const MotionMapping& mapping, const BuiltConstraints* built,
+                                  double duration_s) {
   const Pose X_WWanted = mapping.toCell(X_DP);
-  if (recall(mapping, X_WWanted)) return way_->result;
-  FollowResult& result = way_->result = {};
-  Rows rows = way_->contacts;
+  if (recall(mapping, X_WWanted)) return followed_;
+  Followed& result = followed_ = {};
+  HalfSpaces rows = contacts_.spaces;
   addSoftRows(built, mapping, rows);
   Pose X_WTarget = X_WWanted;
   for (int slide = 0; slide < kSlides; ++slide) {
-    const Pose X_WM = movedFrame();
+    const Pose X_WM = state_.movedFrame();
     if (rows.count > 0) {
       const haptic::Vector6 d0 = inMetric(mapping.toDevice(difference(X_WWanted, X_WM)));
       const haptic::SolverResult solved = haptic::nearestFeasible(rows.all(), d0);
@@ -257,26 +254,26 @@ HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMappin
       if (std::sqrt(length) < kArrived) break;
       X_WTarget = displaced(X_WM, mapping.toCell(outOfMetric(solved.d)));
     }
-    const EntityConfiguration target = manipulator_->propose(accepted_, X_WTarget, duration_s);
-    const MotionTime needed = manipulator_->leastTime(accepted_, target);
+    const EntityConfiguration target = state_.manipulator->propose(state_.accepted, X_WTarget, duration_s);
+    const MotionTime needed = state_.manipulator->leastTime(state_.accepted, target);
     // A robot whose joints swing round has way left: it goes on although the hand rests.
     const bool hurried = needed.seconds > kAllTheTime * duration_s;
     result.hurried_joint = hurried ? needed.joint : -1;
-    if (hurried || needed.seconds > kStillMoving) way_->known = false;
-    const PiecewiseAnswer gone = goInPieces(*motion_, *manipulator_, accepted_, target);
+    if (hurried || needed.seconds > kStillMoving) known_ = false;
+    const PiecewiseAnswer gone = goInPieces(state_.motion, *state_.manipulator, state_.accepted, target);
     const MotionAnswer& answer = gone.last;
     duration_s -= gone.share * needed.seconds;
-    if (gone.has_rest) way_->known = false;
-    const haptic::Vector6 moved = inMetric(mapping.toDevice(difference(movedFrame(), X_WM)));
+    if (gone.has_rest) known_ = false;
+    const haptic::Vector6 moved = inMetric(mapping.toDevice(difference(state_.movedFrame(), X_WM)));
     rows.moveBy(moved);
-    way_->moveBy(moved);
+    contacts_.moveBy(moved);
     if (!answer.blocked) break;
     result.blocked = true;
-    result.stopped = pairs_[answer.pair].on_contact == OnContact::kStop;
+    result.stopped = state_.pairs[answer.pair].on_contact == OnContact::kStop;
     if (result.stopped) break;
-    const haptic::SolverRow row = contactRow(answer, mapping, glm::length(X_WWanted.p - movedFrame().p));
+    const haptic::SolverRow row = contactRow(answer, mapping, glm::length(X_WWanted.p - state_.movedFrame().p));
     rows.add(row);
-    way_->found(row);
+    contacts_.found(row);
     if (!(duration_s > kNoTime)) break;
   }
   return result;

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/configuration.h"
+#include "manipulation/holding/constraint_builder.h"
+#include "manipulation/holding/free_motion.h"
+#include "manipulation/holding/held_model.h"
+#include "manipulation/holding/hold_options.h"
+
+namespace hapticell::manipulation {
+
+/// A pair of a moved part with something at rest, or with another moved part, as users know it.
+struct HeldPair {
+  workcell::EntityId other = 0;
+  workcell::EntityId owner = 0;  ///< Whose part moves: the held entity, something that hangs on it, or an axis.
+  std::string moved_part;        ///< Link names; empty for solids.
+  std::string other_part;
+  double safety_distance = 0.0;  ///< m, felt as the boundary.
+  double near_miss = 0.0;        ///< m, shown.
+  workcell::OnContact on_contact = workcell::OnContact::kSlide;
+  PairFeel feel;
+};
+
+/// What a held entity is checked against: the obstacles, and the pairs of its parts with these and with each other.
+/// One thread.
+class HeldPairs {
+ public:
+  /// `manipulator` moves the model.
+  HeldPairs(const HeldModel& model, const Manipulator& manipulator, const Placements& placements,
+            const HoldOptions& options, const config::Configuration& configuration);
+
+  const std::vector<HeldPair>& all() const { return pairs_; }
+  const HeldPair& operator[](std::size_t pair) const { return pairs_[pair]; }
+  std::size_t size() const { return pairs_.size(); }
+  /// The same pairs as the exact check knows them.
+  const std::vector<MotionPair>& motionPairs() const { return motion_pairs_; }
+  /// Pairs from here on are of two moved parts.
+  std::uint32_t firstOwn() const { return first_own_; }
+
+  /// How each pair is felt now; HeldBoundaries changes it.
+  const std::vector<PairFeel>& feel() const { return feel_; }
+  std::vector<PairFeel>& feel() { return feel_; }
+
+  /// What the parts may meet, in the order of MotionPair::obstacle: where it is now, and what it is.
+  const std::vector<collision::ZonePart>& obstacles() const { return obstacles_; }
+  const std::vector<const ScenePart*>& obstacleParts() const { return obstacle_parts_; }
+  void moveObstacle(std::size_t obstacle, const Pose& X_W) { obstacles_[obstacle].X_W = X_W; }
+
+  /// A check of motions against all of these, not started yet.
+  FreeMotion motionCheck(const HeldModel& model) const;
+
+  /// The note about links that touch at rest and so are not checked; empty: there are none.
+  const std::string& leftOutNote() const { return left_out_note_; }
+
+ private:
+  void gatherObstacles(const HeldModel& model, const Placements& placements, const HoldOptions& options,
+                       const config::Configuration& configuration);
+  void gatherOwn(const HeldModel& model, const Manipulator& manipulator, const HoldOptions& options,
+                 double safety_distance);
+  void add(const MotionPair& motion_pair, HeldPair pair);
+
+  std::vector<HeldPair> pairs_;
+  std::vector<PairFeel> feel_;
+  std::vector<MotionPair> motion_pairs_;
+  std::uint32_t first_own_ = 0;
+  std::vector<collision::ZonePart> obstacles_;
+  std::vector<const ScenePart*> obstacle_parts_;
+  std::string left_out_note_;
+};
+
+}  // namespace hapticell::manipulation

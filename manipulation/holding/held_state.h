@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "manipulation/holding/held_model.h"
+#include "manipulation/holding/held_pairs.h"
+
+namespace hapticell::manipulation {
+
+/// What the parts of a HeldEntity work on together: what moves, how, where it is and what it may meet.
+struct HeldState {
+  /// m: least boundary of a pair, so that the exact check has room to work in.
+  static constexpr double kSkin = 20e-6;
+
+  HeldModel model;
+  std::unique_ptr<const Manipulator> manipulator;
+  EntityConfiguration accepted;  ///< The last one that was free; `motion` stands there.
+  HeldPairs pairs;
+  FreeMotion motion;
+  std::vector<std::string> notes;  ///< What was noticed when it was taken.
+
+  Pose movedFrame() const { return manipulator->movedFrame(accepted); }
+  void moveObstacle(std::size_t obstacle, const Pose& X_W) {
+    pairs.moveObstacle(obstacle, X_W);
+    motion.moveObstacle(static_cast<std::uint32_t>(obstacle), X_W);
+  }
+};
+
+}  // namespace hapticell::manipulation
