@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/system/assertion.h"
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 
 namespace hapticell::manipulation {
 

@@ -8,7 +8,7 @@
 #include "haptic/rendering/proxy_metric.h"
 #include "manipulation/holding/felt_load.h"
 #include "manipulation/holding/guide_constraints.h"
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 
 namespace hapticell::manipulation {
 

@@ -2,7 +2,7 @@
 // What moves, recorded a step of the loop at a time: the part of ManipulationEngine that feeds the TakeRecorder.
 #include <utility>
 
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 
 namespace hapticell::manipulation {
 

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "haptic/rendering/triple_buffer.h"
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 #include "manipulation/scene/prepared_scene.h"
 #include "manipulation/engine/second_stylus.h"
 #include "workcell/import/background_thread.h"

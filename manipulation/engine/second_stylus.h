@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 
 namespace hapticell::manipulation {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 
 namespace hapticell::manipulation {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 
 namespace hapticell::manipulation {
 
