@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "haptic/rendering/energy_account.h"
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 
 namespace hapticell::manipulation {
 

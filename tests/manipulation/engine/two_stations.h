@@ -10,8 +10,8 @@
 #include "haptic/server/configured_loop.h"
 #include "haptic/server/in_memory_link.h"
 #include "manipulation/engine/second_stylus.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/shape/figure_model.h"
 #include "tests/manipulation/session/test_cells.h"
 #include "workcell/import/entity_source.h"
 
@@ -59,18 +59,18 @@ struct Station {
   haptic::InMemoryLink* link = nullptr;
 };
 
-/// Both styluses on one cell; a step of both engines every ten ticks.
+/// Both styluses on one cell; a step of both every ten ticks.
 struct TwoStations {
   explicit TwoStations(std::vector<workcell::Entity> entities) : cell(std::move(entities)) {
     first_link = a.makeLink();
     first = std::make_unique<ManipulationEngine>(*first_link, configuration);
-    second = std::make_unique<SecondStylus>(b.makeLink(), configuration);
+    second = std::make_unique<SecondStylus>(b.makeLink(), *first);
     const auto scene = PreparedScene::prepare(cell, {}, {0.001, 0.01}, nullptr);
     first->setScene(scene);
-    second->engine().setScene(scene);
-    for (ManipulationEngine* engine : {first.get(), &second->engine()}) {
-      engine->apply(command::SetAxes{{AxesMode::kCell, {}}});
-      engine->apply(command::SetForces{true});
+    for (const Command& command :
+         {Command(command::SetAxes{{AxesMode::kCell, {}}}), Command(command::SetForces{true})}) {
+      first->apply(command);
+      second->holder().apply(command);
     }
     a.hold({});
     b.hold({});
@@ -82,18 +82,18 @@ struct TwoStations {
       b.link->step();
       if (i % 10 != 0) continue;
       first->step(a.clock.now());
-      second->step(*first, a.clock.now());
+      second->step(a.clock.now());
     }
   }
   void takeBothHands() {
     first->apply(command::SetMovedBy{{.kind = MovedBy::Kind::kRightHand, .lock_trunk = true}});
-    second->engine().apply(command::SetMovedBy{{.kind = MovedBy::Kind::kLeftHand, .lock_trunk = true}});
+    second->holder().apply(command::SetMovedBy{{.kind = MovedBy::Kind::kLeftHand, .lock_trunk = true}});
     first->apply(command::Grab{kWorker});
     run(20);
-    second->engine().apply(command::Grab{kWorker});
+    second->holder().apply(command::Grab{kWorker});
     run(20);
     ASSERT_NE(first->held(), nullptr);
-    ASSERT_NE(second->engine().held(), nullptr);
+    ASSERT_NE(second->holder().held(), nullptr);
   }
 
   config::Configuration configuration;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 
 #include <gtest/gtest.h>
 
