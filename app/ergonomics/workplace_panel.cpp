@@ -17,13 +17,13 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/kit/beside.h"
-#include "app/mannequin/mannequin_context.h"
 #include "app/kit/form.h"
+#include "app/mannequin/mannequin_context.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "manipulation/checks/workplace_check.h"
-#include "workcell/entity/built_in_parts.h"
 #include "workcell/document/part_resize.h"
+#include "workcell/entity/built_in_parts.h"
 
 namespace hapticell::app {
 
@@ -363,7 +363,7 @@ void WorkplaceView::paintEvent(QPaintEvent*) {
       painter.drawLine(box.topLeft(), box.bottomRight());
     }
     if (static_cast<int>(i) == chosen_) {
-      painter.setPen(QPen(theme.force, 2.5));
+      painter.setPen(QPen(theme.scene.force, 2.5));
       painter.setBrush(Qt::NoBrush);
       painter.drawRect(box);
     }
