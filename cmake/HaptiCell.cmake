@@ -67,6 +67,11 @@ target_compile_definitions(hapticell_program_headers PRIVATE GLM_FORCE_CTOR_INIT
 target_link_libraries(hapticell_program_headers PRIVATE glm::glm tl::expected hapticell_warnings)
 target_precompile_headers(hapticell_program_headers PRIVATE ${HAPTICELL_COMMON_HEADERS})
 
+# For what waits for the user, files or the network: a fifth to a third less to compile than by -O3, and nobody feels the
+# difference. Not for what links the engines' own libraries: of an inline function that a program and a library both hold,
+# the linker takes the program's.
+set(HAPTICELL_SELDOM_RUN $<$<CONFIG:Release>:-O1>)
+
 # hapticell_add_library(NAME SOURCES ... [HEADERS ...] [PUBLIC libs...] [PRIVATE libs...] [PRECOMPILED <headers>...])
 #
 # A library with the alias hapticell::NAME. Headers are found as "folder/file.h" from the project's root, and as

@@ -6,11 +6,14 @@
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESData_BasicEditor.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <Interface_Check.hxx>
 #include <Interface_Static.hxx>
 #include <Message_ProgressIndicator.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDF_Tool.hxx>
 #include <TDataStd_Name.hxx>
@@ -34,13 +37,19 @@ namespace {
 
 class Indicator : public Message_ProgressIndicator {
  public:
-  explicit Indicator(std::function<void(double)> progress) : progress_(std::move(progress)) {}
+  explicit Indicator(CadProgress progress) : progress_(std::move(progress)) {}
+
+  void setStage(const std::string& stage) {
+    stage_ = stage;
+    progress_(GetPosition(), stage_);
+  }
 
  protected:
-  void Show(const Message_ProgressScope&, Standard_Boolean) override { progress_(GetPosition()); }
+  void Show(const Message_ProgressScope&, Standard_Boolean) override { progress_(GetPosition(), stage_); }
 
  private:
-  std::function<void(double)> progress_;
+  CadProgress progress_;
+  std::string stage_ = "reading";
 };
 
 /// Metres per unit by its name in a STEP file; 0 where it is not known.
@@ -68,7 +77,20 @@ Error unreadable(const char* format) {
           .fix = "Export it again."};
 }
 
-Expected<CadDocument> openStep(const std::string& name, const Message_ProgressRange& range) {
+/// Entries of a STEP file that the library did not understand as they stand there, as "#12 DIRECTION".
+std::vector<std::string> damagedEntries(const Handle(StepData_StepModel) & model) {
+  std::vector<std::string> found;
+  if (model.IsNull()) return found;
+  constexpr Standard_Boolean kAsRead = Standard_True;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    if (!model->Check(i, kAsRead)->HasFailed() && !model->IsErrorEntity(i)) continue;
+    const Handle(Standard_Transient) entity = model->Value(i);
+    found.push_back("#" + std::to_string(model->IdentLabel(entity)) + " " + model->StringLabel(entity)->ToCString());
+  }
+  return found;
+}
+
+Expected<CadDocument> openStep(const std::string& name, const Message_ProgressRange& range, Indicator& indicator) {
   STEPCAFControl_Reader reader;
   reader.SetNameMode(true);
   reader.SetColorMode(true);
@@ -78,6 +100,14 @@ Expected<CadDocument> openStep(const std::string& name, const Message_ProgressRa
   if (reader.ReadFile(name.c_str()) != IFSelect_RetDone) return makeError(unreadable("STEP"));
   CadDocument result = newCadDocument();
   result.format = "step";
+  if (const auto damaged = damagedEntries(reader.ChangeReader().StepModel()); !damaged.empty()) {
+    const std::string which = std::to_string(damaged.size()) +
+                              (damaged.size() == 1 ? " damaged entry (" : " damaged entries (the first: ") +
+                              damaged.front() + ")";
+    // Where the library breaks down at them, this is the place that is named.
+    indicator.setStage("reading " + which);
+    result.warnings.push_back("the file has " + which + "; what is made of it is missing or wrong. Export it again.");
+  }
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
   if (!lengths.IsEmpty()) {
@@ -194,7 +224,7 @@ CadDocument newCadDocument() {
   return result;
 }
 
-Expected<CadDocument> openCad(const std::filesystem::path& file, const std::function<void(double)>& progress) {
+Expected<CadDocument> openCad(const std::filesystem::path& file, const CadProgress& progress) {
   // References to other files are relative to the file, but the library looks for them from where the process is.
   if (::chdir(file.parent_path().c_str()) != 0) return makeError({.found = "its folder cannot be entered"});
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
@@ -203,8 +233,8 @@ Expected<CadDocument> openCad(const std::filesystem::path& file, const std::func
   if (!looksLikeStep(file)) return openIges(name, indicator->Start());
   const auto text = StepText::open(file);
   HAPTICELL_TRY(text);
-  auto opened = openStep(text->name(), indicator->Start());
-  if (opened) opened->warnings = text->warnings();
+  auto opened = openStep(text->name(), indicator->Start(), *indicator);
+  if (opened) opened->warnings.insert(opened->warnings.begin(), text->warnings().begin(), text->warnings().end());
   return opened;
 }
 

@@ -259,7 +259,8 @@ class CadSceneBuilder {
 Expected<ImportedScene> readCad(const Reading& reading, ParentLink& parent) {
   parent.progress(0.02, "reading");
   constexpr double kReading = 0.6;
-  const auto cad = openCad(reading.file, [&](double share) { parent.progress(kReading * share, "reading"); });
+  const auto cad =
+      openCad(reading.file, [&](double share, const std::string& stage) { parent.progress(kReading * share, stage); });
   HAPTICELL_TRY(cad);
   HAPTICELL_TRY(checkTree(*cad));
   return CadSceneBuilder(*cad, reading, parent).build(*cad);

@@ -208,7 +208,7 @@ class StepBuilder {
   Expected<TopoDS_Shape> exactShape(const SceneNode& node) {
     auto& source = sources_[node.origin->file];
     if (!source) {
-      auto cad = openCad(node.origin->file, [](double) {});
+      auto cad = openCad(node.origin->file, [](double, const std::string&) {});
       if (!cad) {
         Error error = cad.error();
         error.place = node.origin->file;

@@ -16,7 +16,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr double kPixels = 96.0;  // Of an arrow.
-constexpr const char* kCurves = "entity gizmo";
+constexpr const char* kGizmoCurves = "entity gizmo";
 
 }  // namespace
 
@@ -104,7 +104,7 @@ void EntityGizmo::showNow() {
     if (drag_ && !drag_->number.isEmpty())
       curves.push_back({{X_WG->p}, Role::kSelection, SceneCurve::Style::kSolid, 1.5, drag_->number.toStdString()});
   }
-  viewport.setCurves(kCurves, std::move(curves));
+  viewport.setCurves(kGizmoCurves, std::move(curves));
 }
 
 bool EntityGizmo::press(const PointerEvent& event) {

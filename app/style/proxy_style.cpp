@@ -18,6 +18,7 @@
 #include <QStyleOption>
 #include <QTabBar>
 
+#include "app/style/icon.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
 

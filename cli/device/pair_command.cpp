@@ -43,14 +43,14 @@ Expected<std::string> tryKey(const ServerAddress& server, const haptic::PairingK
                     .fix = "Nothing was kept; --unchecked keeps the code without a connection."});
 }
 
-ExitStatus failed(const Error& error) {
+ExitStatus pairingFailed(const Error& error) {
   report(error);
   return ExitStatus::kBadInput;
 }
 
 ExitStatus run(const PairWords& words, const ResultWriter& writer) {
   const auto server = parseServerAddress(words.server, "HOST:PORT", haptic::TcpLinkOptions{}.port);
-  if (!server) return failed(server.error());
+  if (!server) return pairingFailed(server.error());
   if (!words.code.empty() && words.code != "-")
     warn(
         "A code on the command line is seen by every user of this machine while the command runs. Leave it out to type "
@@ -58,20 +58,20 @@ ExitStatus run(const PairWords& words, const ResultWriter& writer) {
   const auto code = words.code.empty() || words.code == "-"
                         ? readTypedCode("Pairing code of " + plainText(words.server) + " (it is not shown): ")
                         : Expected<std::string>(words.code);
-  if (!code) return failed(code.error());
+  if (!code) return pairingFailed(code.error());
   const auto key = haptic::PairingKey::parse(*code);
-  if (!key) return failed(key.error());
+  if (!key) return pairingFailed(key.error());
   ordered_json result{{"host", server->host}, {"port", server->port}, {"checked", !words.unchecked}};
   if (!words.unchecked) {
     const auto device = tryKey(*server, *key);
-    if (!device) return failed(device.error());
+    if (!device) return pairingFailed(device.error());
     result["device"] = *device;
   }
   const auto file = haptic::knownServerKeyFile(server->host, server->port);
-  if (const auto saved = haptic::saveKey(*key, file); !saved) return failed(saved.error());
+  if (const auto saved = haptic::saveKey(*key, file); !saved) return pairingFailed(saved.error());
   result["file"] = file.string();
   const auto written = writer.write(result);
-  return written ? ExitStatus::kDone : failed(written.error());
+  return written ? ExitStatus::kDone : pairingFailed(written.error());
 }
 
 }  // namespace

@@ -15,22 +15,22 @@ namespace {
 
 constexpr double kJointTouching = 1e-6;  ///< m
 
-Error refusal(const std::string& place, std::string found, std::string expected) {
+Error jointRefusal(const std::string& place, std::string found, std::string expected) {
   return {.file = {}, .place = place, .found = std::move(found), .expected = std::move(expected), .fix = {}};
 }
 
 Expected<const workcell::Entity*> robotOf(const PreparedScene& scene, workcell::EntityId id,
                                           const std::vector<double>& joints) {
   const workcell::Entity* entity = scene.find(id);
-  if (entity == nullptr) return makeError(refusal({}, "there is no such entity", "one of the document"));
+  if (entity == nullptr) return makeError(jointRefusal({}, "there is no such entity", "one of the document"));
   const std::string place = "entity '" + entity->name + "'";
-  if (!entity->robot) return makeError(refusal(place, "it has no joints", "a robot or a mechanism"));
+  if (!entity->robot) return makeError(jointRefusal(place, "it has no joints", "a robot or a mechanism"));
   if (joints.size() != entity->robot->dof()) {
-    return makeError(refusal(place, std::to_string(joints.size()) + " joint positions",
+    return makeError(jointRefusal(place, std::to_string(joints.size()) + " joint positions",
                              std::to_string(entity->robot->dof()) + " of them"));
   }
   if (!std::all_of(joints.begin(), joints.end(), [](double q) { return std::isfinite(q); }))
-    return makeError(refusal(place, "a joint position that is no number", "finite numbers"));
+    return makeError(jointRefusal(place, "a joint position that is no number", "finite numbers"));
   return entity;
 }
 
@@ -46,7 +46,7 @@ Expected<void> checkLimits(const workcell::Entity& entity, const std::vector<dou
     std::snprintf(text, sizeof text, "%.100s would be %.1f %s %s limit", joint.name.c_str(),
                   over * (slides ? 1000.0 : 180.0 / std::numbers::pi), slides ? "mm" : "deg",
                   joints[i] > joint.upper ? "over its upper" : "under its lower");
-    return makeError(refusal("entity '" + entity.name + "'", text, "a position within the joint's limits"));
+    return makeError(jointRefusal("entity '" + entity.name + "'", text, "a position within the joint's limits"));
   }
   return {};
 }

@@ -15,7 +15,7 @@ namespace {
 using trajectory::Trajectory;
 using workcell::Entity;
 
-Error refusal(const std::string& place, std::string found, std::string expected) {
+Error replayRefusal(const std::string& place, std::string found, std::string expected) {
   return {.place = place, .found = std::move(found), .expected = std::move(expected)};
 }
 
@@ -44,14 +44,14 @@ Expected<std::optional<Pose>> fixedFrame(const std::vector<std::shared_ptr<const
           if (frame.name == moved_by.frame) return std::optional<Pose>(X_EO * frame.X_EF);
         }
       }
-      return makeError(refusal("moved", "there is no frame '" + moved_by.frame + "'", "one of an entity"));
+      return makeError(replayRefusal("moved", "there is no frame '" + moved_by.frame + "'", "one of an entity"));
     case Kind::kLeftHand:
     case Kind::kRightHand:
     case Kind::kBothHands:
     case Kind::kHead:
       break;
   }
-  return makeError(refusal("moved", "the motion of a hand alone", "a mannequin's whole posture (moved: whole)"));
+  return makeError(replayRefusal("moved", "the motion of a hand alone", "a mannequin's whole posture (moved: whole)"));
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ namespace {
 Expected<std::unique_ptr<RobotManipulator>> armOf(const Entity& entity) {
   int tip = entity.robot->findLink(entity.tip_link);
   if (tip < 0) tip = entity.robot->defaultTip();
-  if (tip < 0) return makeError(refusal("'" + entity.name + "'", "the robot has no tip", "one that moves"));
+  if (tip < 0) return makeError(replayRefusal("'" + entity.name + "'", "the robot has no tip", "one that moves"));
   auto inverse = kinematics::createInverse(*entity.robot, tip, entity.X_LT);
   HAPTICELL_TRY(inverse);
   return std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, entity.X_LT}, std::move(*inverse),
@@ -131,7 +131,7 @@ Expected<std::vector<std::size_t>> jointColumns(const Entity& entity, const Traj
     // CSV twins name their columns q1, q2, ... from base to tip.
     const bool is_counted = joint < 0 && name == "q" + std::to_string(j + 1) && j < entity.robot->dof();
     if (variable < 0 && !is_counted) {
-      return makeError(refusal("joint '" + name + "'", "'" + entity.name + "' has no such joint",
+      return makeError(replayRefusal("joint '" + name + "'", "'" + entity.name + "' has no such joint",
                                "names of its joints, or q1, q2, ..."));
     }
     columns.push_back(is_counted ? j : static_cast<std::size_t>(variable));
@@ -144,8 +144,8 @@ Expected<MotionReplay> MotionReplay::create(const std::vector<std::shared_ptr<co
                                             const std::vector<double>& start) {
   const auto found = std::find_if(entities.begin(), entities.end(), [&](const auto& e) { return e->name == name; });
   if (found == entities.end())
-    return makeError(refusal("entity", "there is none called '" + name + "'", "one of the cell"));
-  if (trajectory->empty()) return makeError(refusal("frames", "none", "a motion"));
+    return makeError(replayRefusal("entity", "there is none called '" + name + "'", "one of the cell"));
+  if (trajectory->empty()) return makeError(replayRefusal("frames", "none", "a motion"));
   auto columns = jointColumns(**found, *trajectory);
   HAPTICELL_TRY(columns);
   MovedBy moved_by;

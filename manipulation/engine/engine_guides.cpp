@@ -15,7 +15,7 @@ namespace hapticell::manipulation {
 namespace {
 
 constexpr double kEdgeBegins = 0.85;   ///< Of the workspace's half width.
-constexpr double kLeastZone = 0.8e-3;  ///< m of hand: what a set is good for at least.
+constexpr double kLeastGuideZone = 0.8e-3;  ///< m of hand: what a set is good for at least.
 constexpr double kLongestStep = 0.1;   ///< s that one step of the drift can stand for.
 
 /// Bound of what a turn of this rate (rad/m) makes of a metre.
@@ -80,7 +80,7 @@ void ManipulationEngine::slaveSet(const Pose& X_WM0) {
     // Its turn is a matter of its place: what bounds one bounds the other, as the zone's edge and not as a thing.
     if (built_.turn > 0.0) {
       const double most = built_.turn / std::max(largestRate(rate_D), 1e-9);
-      built_.set.zone_radius = std::min(built_.set.zone_radius, std::max(most, kLeastZone));
+      built_.set.zone_radius = std::min(built_.set.zone_radius, std::max(most, kLeastGuideZone));
       dropTurnBound(built_);
     }
     for (std::size_t i = 0; i < built_.set.count; ++i) slaveTurning(rate_D, built_.set.constraints[i]);
@@ -110,7 +110,7 @@ void ManipulationEngine::makeRoom(std::size_t rows) {
     }
     const auto farthest = std::max_element(gap_of.begin(), gap_of.end(),
                                            [](const auto& a, const auto& b) { return a.second < b.second; });
-    set.zone_radius = std::clamp(farthest->second, kLeastZone, set.zone_radius);
+    set.zone_radius = std::clamp(farthest->second, kLeastGuideZone, set.zone_radius);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < set.count; ++i) {
       if (set.constraints[i].group == farthest->first) continue;

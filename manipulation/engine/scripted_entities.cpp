@@ -9,12 +9,12 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kLongestStep = 0.1;  // s: what stood still (a stalled machine) does not leap.
+constexpr double kLongestScriptedStep = 0.1;  // s: what stood still (a stalled machine) does not leap.
 
 }  // namespace
 
 void ManipulationEngine::moveScripted() {
-  const double dt = scripted_ns_ < 0 ? 0.0 : std::min(kLongestStep, 1e-9 * static_cast<double>(now_ns_ - scripted_ns_));
+  const double dt = scripted_ns_ < 0 ? 0.0 : std::min(kLongestScriptedStep, 1e-9 * static_cast<double>(now_ns_ - scripted_ns_));
   scripted_ns_ = now_ns_;
   if (!scene_) return;
   for (const workcell::Entity& entity : scene_->entities()) {

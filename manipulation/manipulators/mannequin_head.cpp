@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMostHeadTicks = 12;     ///< Of the solver for one proposal; each turns joints by 1.8 deg at most.
 constexpr double kHeadArrived = 2e-5;  ///< m
-constexpr double kStep = 1e-4;         ///< m and rad of the difference that tells how parts follow.
+constexpr double kHeadStep = 1e-4;         ///< m and rad of the difference that tells how parts follow.
 constexpr double kBlocked = 0.4;       ///< Share of a probe that must be missing where a limit holds.
 
 Pose displacedBy(const Pose& X_WM, std::size_t axis, double step) {
@@ -46,10 +46,10 @@ std::vector<PartDifferential> MannequinHead::differentiate(const EntityConfigura
   std::vector<PartDifferential> result(parts().size());
   for (std::size_t k = 0; k < here.size(); ++k) result[k].p_WPo = here[k].p;
   for (std::size_t axis = 0; axis < 6; ++axis) {
-    partPoses(propose(configuration, displacedBy(X_WM, axis, kStep), 0.0), there);
+    partPoses(propose(configuration, displacedBy(X_WM, axis, kHeadStep), 0.0), there);
     for (std::size_t k = 0; k < here.size(); ++k) {
       const Twist way = difference(there[k], here[k]);
-      result[k].velocity[axis] = {way.linear / kStep, way.angular / kStep};
+      result[k].velocity[axis] = {way.linear / kHeadStep, way.angular / kHeadStep};
     }
   }
   return result;

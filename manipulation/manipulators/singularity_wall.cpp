@@ -11,10 +11,10 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kDifference = 1e-5;  ///< rad or m
+constexpr double kWallDifference = 1e-5;  ///< rad or m
 constexpr double kPiece = 0.01;       ///< rad or m: a wall is not jumped over between two looks.
 constexpr int kMostPieces = 200;
-constexpr int kBisections = 20;
+constexpr int kWallBisections = 20;
 
 std::vector<double> mix(const std::vector<double>& from, const std::vector<double>& to, double s) {
   std::vector<double> q = from;
@@ -40,10 +40,10 @@ double SingularityWall::measure(const std::vector<double>& q) const {
 std::vector<double> SingularityWall::gradient(const std::vector<double>& q) const {
   std::vector<double> result(q.size()), moved = q;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    moved[i] = q[i] + kDifference;
+    moved[i] = q[i] + kWallDifference;
     const double ahead = measure(moved);
-    moved[i] = q[i] - kDifference;
-    result[i] = (ahead - measure(moved)) / (2.0 * kDifference);
+    moved[i] = q[i] - kWallDifference;
+    result[i] = (ahead - measure(moved)) / (2.0 * kWallDifference);
     moved[i] = q[i];
   }
   return result;
@@ -62,7 +62,7 @@ double SingularityWall::freeShare(const std::vector<double>& from, const std::ve
       free = next;
       continue;
     }
-    for (int i = 0; i < kBisections; ++i) {
+    for (int i = 0; i < kWallBisections; ++i) {
       const double middle = 0.5 * (free + next);
       (measure(mix(from, to, middle)) >= least ? free : next) = middle;
     }

@@ -7,6 +7,7 @@ Besides: which top folders a top folder may use, which foreign headers belong wh
 30 sources (a header and its source count as one) and a README.md, and that tests mirror the folders.
 
 usage: folder_dependencies.py PROJECT_ROOT | --self-test
+       folder_dependencies.py --users FOLDER     the top folders with files that need FOLDER, one way or another
 """
 import pathlib
 import re
@@ -127,7 +128,27 @@ def self_test():
     assert not found("app/a.cpp", "#include <QString>")
 
 
+def users_of(wanted):
+    """Top folders of the files that include something below `wanted`, or include such a file."""
+    root = HERE.parent.parent
+    needs, found = {}, {folder for folder in ORDER if folder == wanted or folder.startswith(wanted + "/")}
+    for folder in ORDER:
+        needs[folder] = {match.group(2).rpartition("/")[0] for path in (root / folder).glob("*.*") if path.suffix in (".h", ".cpp")
+                         for match in map(INCLUDE.match, path.read_text(encoding="utf-8").splitlines()) if match}
+    while True:
+        more = {folder for folder in ORDER if folder not in found and needs[folder] & found}
+        if not more:
+            return list(dict.fromkeys(folder.split("/")[0] for folder in ORDER if folder in found))
+        found |= more
+
+
 def main():
+    if sys.argv[1] == "--users":
+        users = users_of(sys.argv[2].strip("/"))
+        if not users:
+            sys.exit(f"{sys.argv[2]}: no folder of the program; tests/architecture/folders.txt lists them")
+        print("\n".join(users))
+        return 0
     if sys.argv[1] == "--self-test":
         self_test()
         print("1 passed, 0 failed")

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 84;  // 80 of text, 4 of count.
 constexpr std::size_t kTriangleBytes = 50;
-constexpr const char* kTruncated = "The file is truncated: export it again.";
+constexpr const char* kTruncatedStl = "The file is truncated: export it again.";
 
 bool sameWord(std::string_view word, std::string_view lower) {
   return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
@@ -29,7 +29,7 @@ std::uint32_t countInHeader(std::string_view content) {
 }
 
 Error wrongWord(const TextCursor& cursor, std::string_view word, const std::string& expected) {
-  if (word.empty()) return {.place = cursor.place(), .found = "the file ends", .expected = expected, .fix = kTruncated};
+  if (word.empty()) return {.place = cursor.place(), .found = "the file ends", .expected = expected, .fix = kTruncatedStl};
   return {.place = cursor.place(), .found = inQuotes(word), .expected = expected};
 }
 
@@ -91,7 +91,7 @@ Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnosti
   if (content.size() < kHeaderBytes) {
     return makeError({.found = std::to_string(content.size()) + " bytes",
                       .expected = "at least the 84 bytes of a binary STL's header",
-                      .fix = kTruncated});
+                      .fix = kTruncatedStl});
   }
   const std::size_t count = countInHeader(content);
   const std::size_t room = (content.size() - kHeaderBytes) / kTriangleBytes;
@@ -100,7 +100,7 @@ Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnosti
     return makeError({.place = triangleOf(room, count),
                       .found = "the file ends after " + std::to_string(content.size()) + " bytes",
                       .expected = std::to_string(kHeaderBytes + kTriangleBytes * count) + " bytes",
-                      .fix = kTruncated});
+                      .fix = kTruncatedStl});
   }
   if (count < room) {
     return makeError({.place = "header",

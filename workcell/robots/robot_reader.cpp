@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <regex>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/system/regular_file.h"
@@ -52,12 +53,26 @@ std::string rootElementOf(const std::string& text) {
   return text.substr(at + 1, text.find_first_of(" \t\r\n/>", at + 1) - at - 1);
 }
 
+/// Whether the text has `before`, one of the words, and one of the letters of `end`, in a row.
+bool hasOneOf(std::string_view text, std::string_view before, std::span<const std::string_view> words,
+              std::string_view end) {
+  for (std::size_t at = text.find(before); at != std::string_view::npos; at = text.find(before, at + 1)) {
+    const std::string_view rest = text.substr(at + before.size());
+    for (const std::string_view word : words) {
+      if (rest.starts_with(word) && rest.size() > word.size() && end.find(rest[word.size()]) != std::string_view::npos)
+        return true;
+    }
+  }
+  return false;
+}
+
 /// Whether something is defined, asked or worked out: a call of a macro that nothing defines is left of a file that was
 /// expanded without it, and no reason to take the file for a xacro.
 bool isXacroText(const std::string& text) {
-  static const std::regex defines(
-      R"(<xacro:(macro|property|include|arg|if|unless|insert_block|attribute|element)[\s/>]|\$\((arg|optenv|env|eval) )");
-  return std::regex_search(text, defines);
+  constexpr std::string_view kElements[] = {"macro",  "property",     "include",   "arg",    "if",
+                                            "unless", "insert_block", "attribute", "element"};
+  constexpr std::string_view kSubstitutions[] = {"arg", "optenv", "env", "eval"};
+  return hasOneOf(text, "<xacro:", kElements, " \t\n\v\f\r/>") || hasOneOf(text, "$(", kSubstitutions, " ");
 }
 
 /// The moving joints on the way to each link that carries no other, as "rrp"; a turning joint is an "r", limited or

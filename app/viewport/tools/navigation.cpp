@@ -9,7 +9,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr auto kLeft = Qt::LeftButton, kMiddle = Qt::MiddleButton, kRight = Qt::RightButton;
+constexpr auto kLeftButton = Qt::LeftButton, kMiddleButton = Qt::MiddleButton, kRightButton = Qt::RightButton;
 constexpr auto kNone = Qt::NoModifier;
 constexpr auto kShift = Qt::ShiftModifier, kControl = Qt::ControlModifier, kAlt = Qt::AltModifier;
 
@@ -22,9 +22,9 @@ struct Word {
   const char* text;
 };
 constexpr std::array<std::pair<Qt::MouseButton, Word>, 3> kButtons{
-    {{kLeft, {"left", QT_TRANSLATE_NOOP("Navigation", "Left")}},
-     {kMiddle, {"middle", QT_TRANSLATE_NOOP("Navigation", "Middle")}},
-     {kRight, {"right", QT_TRANSLATE_NOOP("Navigation", "Right")}}}};
+    {{kLeftButton, {"left", QT_TRANSLATE_NOOP("Navigation", "Left")}},
+     {kMiddleButton, {"middle", QT_TRANSLATE_NOOP("Navigation", "Middle")}},
+     {kRightButton, {"right", QT_TRANSLATE_NOOP("Navigation", "Right")}}}};
 constexpr std::array<std::pair<Qt::KeyboardModifier, Word>, 3> kModifiers{
     {{kControl, {"ctrl", QT_TRANSLATE_NOOP("Navigation", "Ctrl")}},
      {kAlt, {"alt", QT_TRANSLATE_NOOP("Navigation", "Alt")}},
@@ -41,24 +41,30 @@ const std::vector<Preset>& presets() {
   static const std::vector<Preset> all{
       {"hapticell",
        QT_TRANSLATE_NOOP("Navigation", "HaptiCell: the middle button turns"),
-       {{{kMiddle, kNone}}, {{kMiddle, kShift}}, {{kMiddle, kControl}}}},
+       {{{kMiddleButton, kNone}}, {{kMiddleButton, kShift}}, {{kMiddleButton, kControl}}}},
       {"catia",
        "CATIA",
-       {{{kMiddle | kRight, kNone}, {kMiddle | kLeft, kNone}}, {{kMiddle, kNone}}, {{kMiddle, kNone, true}}}},
-      {"solidworks", "SolidWorks", {{{kMiddle, kNone}}, {{kMiddle, kControl}}, {{kMiddle, kShift}}}},
+       {{{kMiddleButton | kRightButton, kNone}, {kMiddleButton | kLeftButton, kNone}},
+        {{kMiddleButton, kNone}},
+        {{kMiddleButton, kNone, true}}}},
+      {"solidworks", "SolidWorks", {{{kMiddleButton, kNone}}, {{kMiddleButton, kControl}}, {{kMiddleButton, kShift}}}},
       {"nx",
        "NX",
-       {{{kMiddle, kNone}},
-        {{kMiddle | kRight, kNone}, {kMiddle, kShift}},
-        {{kMiddle | kLeft, kNone}, {kMiddle, kControl}}}},
+       {{{kMiddleButton, kNone}},
+        {{kMiddleButton | kRightButton, kNone}, {kMiddleButton, kShift}},
+        {{kMiddleButton | kLeftButton, kNone}, {kMiddleButton, kControl}}}},
       {"freecad",
        "FreeCAD",
-       {{{kMiddle | kLeft, kNone}, {kMiddle | kRight, kNone}}, {{kMiddle, kNone}}, {{kMiddle, kShift | kControl}}}},
-      {"rviz", "RViz", {{{kLeft, kNone}}, {{kMiddle, kNone}, {kLeft, kShift}}, {{kRight, kNone}}}},
-      {"blender", "Blender", {{{kMiddle, kNone}}, {{kMiddle, kShift}}, {{kMiddle, kControl}}}},
+       {{{kMiddleButton | kLeftButton, kNone}, {kMiddleButton | kRightButton, kNone}},
+        {{kMiddleButton, kNone}},
+        {{kMiddleButton, kShift | kControl}}}},
+      {"rviz",
+       "RViz",
+       {{{kLeftButton, kNone}}, {{kMiddleButton, kNone}, {kLeftButton, kShift}}, {{kRightButton, kNone}}}},
+      {"blender", "Blender", {{{kMiddleButton, kNone}}, {{kMiddleButton, kShift}}, {{kMiddleButton, kControl}}}},
       {"touchpad",
        QT_TRANSLATE_NOOP("Navigation", "Touchpad"),
-       {{{kLeft, kAlt}}, {{kLeft, kAlt | kShift}}, {{kLeft, kAlt | kControl}}, true}}};
+       {{{kLeftButton, kAlt}}, {{kLeftButton, kAlt | kShift}}, {{kLeftButton, kAlt | kControl}}, true}}};
   return all;
 }
 

@@ -161,7 +161,7 @@ class WebSocket::Connection : public std::enable_shared_from_this<WebSocket::Con
   Address address_;
   asio::io_context io_;
   asio::ip::tcp::resolver resolver_;
-  websocket::stream<beast::tcp_stream> socket_;
+  websocket::stream<beast::tcp_stream, false> socket_;  // Without deflate, which was never offered.
   beast::flat_buffer buffer_;
   std::string outgoing_;
   std::optional<std::string> waiting_;
