@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The fields of the mechanism panel and what typing into them does.
-#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -8,9 +7,9 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
-#include <limits>
 
 #include "app/kit/form.h"
+#include "app/robot/joint_limit_fields.h"
 #include "app/robot/mechanism_panel.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
@@ -21,7 +20,6 @@ namespace {
 using workcell::MechanismJoint;
 using workcell::MechanismJointType;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kLabel = 72;
 
 ValueField* makeField(const char* name, const ValueField::Format& format) {
@@ -139,52 +137,14 @@ void MechanismPanel::addLimits(QVBoxLayout& column) {
   outside->setContentsMargins(0, 0, 0, 0);
   outside->setSpacing(0);
   QVBoxLayout* rows = addSection(*outside, tr("Stops and feel"));
-  limited_ = new QCheckBox(tr("End stops, from where it stands now"));
-  limited_->setObjectName("checkLimited");
-  rows->addWidget(limited_);
-  const char* const names[2]{"", "Slide"};
-  for (int i = 0; i < 2; ++i) {
-    const QString unit = i == 0 ? QStringLiteral("°") : QStringLiteral("mm");
-    const auto name = [&](const char* field) {
-      return QStringLiteral("%1%2").arg(QLatin1String(field), QLatin1String(names[i]));
-    };
-    const auto make = [&](const char* field, const QString& of, double low) {
-      auto* made = makeField("", {of, 1, low, 1e5, 1.0});
-      made->setObjectName(name(field));
-      return made;
-    };
-    lower_[i] = make("fieldLower", unit, -1e5);
-    upper_[i] = make("fieldUpper", unit, -1e5);
-    limit_row_[i] = addRow(*rows, tr("From, to"), sideBySide({lower_[i], upper_[i]}), kLabel);
-    velocity_[i] = make("fieldVelocity", unit + tr("/s"), 0.0);
-    friction_[i] = make("fieldFriction", i == 0 ? tr("N m") : tr("N"), 0.0);
-    effort_row_[i] = addRow(*rows, tr("Speed, drag"), sideBySide({velocity_[i], friction_[i]}), kLabel);
-    connect(lower_[i], &ValueField::edited, this,
-            [this](double value) { edit([&](MechanismJoint& joint) { joint.lower = value * shownUnit(joint); }); });
-    connect(upper_[i], &ValueField::edited, this,
-            [this](double value) { edit([&](MechanismJoint& joint) { joint.upper = value * shownUnit(joint); }); });
-    connect(velocity_[i], &ValueField::edited, this,
-            [this](double value) { edit([&](MechanismJoint& joint) { joint.velocity = value * shownUnit(joint); }); });
-    connect(friction_[i], &ValueField::edited, this,
-            [this](double value) { edit([&](MechanismJoint& joint) { joint.friction = value; }); });
-  }
-  pitch_ = makeField("fieldPitch", {tr("mm a turn"), 1, -1e4, 1e4, 1.0});
-  pitch_row_ = addRow(*rows, tr("Pitch"), pitch_, kLabel);
+  limit_fields_ = new JointLimitFields(
+      *rows, [this](const std::function<void(MechanismJoint&)>& change) { edit(change); }, this);
   coupled_ = new QComboBox;
   coupled_->setObjectName("comboCoupled");
   addRow(*rows, tr("Follows"), coupled_, kLabel);
   ratio_ = makeField("fieldRatio", {{}, 3, -1e4, 1e4, 0.1});
   ratio_row_ = addRow(*rows, tr("Ratio"), ratio_, kLabel);
   column.addWidget(limits_);
-  connect(limited_, &QCheckBox::clicked, this, [this](bool on) {
-    edit([&](MechanismJoint& joint) {
-      if (on) return suitLimits(joint);
-      joint.lower = -kInfinite;
-      joint.upper = kInfinite;
-    });
-  });
-  connect(pitch_, &ValueField::edited, this,
-          [this](double value) { edit([&](MechanismJoint& joint) { joint.pitch = 0.001 * value; }); });
   connect(ratio_, &ValueField::edited, this, [this](double value) {
     edit([&](MechanismJoint& joint) {
       if (joint.coupling) joint.coupling->ratio = value;
