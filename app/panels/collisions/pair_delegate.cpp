@@ -3,7 +3,7 @@
 
 #include <QPainter>
 
-#include "app/panels/collisions/pair_rows.h"
+#include "app/panels/collisions/pair_table_model.h"
 #include "app/style/fonts.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"

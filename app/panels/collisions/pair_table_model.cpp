@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/panels/collisions/pair_rows.h"
+#include "app/panels/collisions/pair_table_model.h"
 
 #include <algorithm>
 #include <map>
