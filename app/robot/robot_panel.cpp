@@ -21,6 +21,7 @@
 #include "app/robot/robot_context.h"
 #include "app/robot/robot_stop.h"
 #include "app/robot/robot_thumbnail.h"
+#include "app/robot/stop_line.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/style/units.h"
