@@ -37,6 +37,12 @@ inline Pose gripOf(const workcell::Entity& figure, const EntityConfiguration& at
   return mannequin::handPose(pose, side);
 }
 
+inline config::DeviceProfile withTwoButtons() {
+  config::DeviceProfile profile;
+  profile.buttons = 2;
+  return profile;
+}
+
 /// A stylus with all that belongs to it, in virtual time.
 struct Station {
   Station() : loop(opened(), clock, haptic::configuredLoop(device, {})) {}
@@ -54,7 +60,7 @@ struct Station {
   double force() const { return glm::length(loop.current().force_D); }
 
   haptic::VirtualClock clock;
-  haptic::SimulatedDevice device{{.buttons = 2}};
+  haptic::SimulatedDevice device{withTwoButtons()};
   haptic::ForceLoop loop;
   haptic::InMemoryLink* link = nullptr;
 };
