@@ -87,7 +87,7 @@ MannequinPanel::MannequinPanel(MannequinContext& context, FigureDrag& drag, QWid
   connect(&context_, &MannequinContext::mannequinChanged, this, &MannequinPanel::showMannequin);
   connect(&context_, &MannequinContext::documentChanged, this, &MannequinPanel::showNow);
   connect(&context_.host().holdChoice(), &HoldChoice::changed, this, &MannequinPanel::showNow);
-  connect(&drag_, &FigureDrag::moved, this, &MannequinPanel::showReach);
+  connect(&drag_, &FigureDrag::moved, this, [this] { reach_->show(); });
   connect(&drag_, &FigureDrag::ended, this, &MannequinPanel::showNow);
   showMannequin();
 }

@@ -16,6 +16,10 @@ constexpr double kSoonLimit = 0.0349065850398866;  // 2 degrees.
 RobotStop::RobotStop(RobotContext& context, QObject* parent)
     : QObject(parent), context_(context), line_(new StopLine) {}
 
+QWidget* RobotStop::line() const {
+  return line_;
+}
+
 void RobotStop::setStopped(const QString& why, const QString& obstacle) {
   stopped_ = why;
   obstacle_ = obstacle;

@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QString>
 
+class QWidget;
+
 namespace hapticell::app {
 
 class RobotContext;
@@ -15,7 +17,7 @@ class RobotStop : public QObject {
  public:
   /// The context must outlive it.
   explicit RobotStop(RobotContext& context, QObject* parent = nullptr);
-  StopLine* line() const { return line_; }
+  QWidget* line() const;
   /// Why the last jog ended early, and what stood in its way; empty: it did not.
   void setStopped(const QString& why, const QString& obstacle);
   /// Why an arm that is dragged does not follow; empty: it does.
