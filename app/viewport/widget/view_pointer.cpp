@@ -17,7 +17,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kClickPixels = 4.0;
+constexpr double kStillPixels = 4.0;
 constexpr double kZoomPerStep = 0.85;
 constexpr double kZoomPerPixel = 0.992;
 
@@ -149,7 +149,7 @@ void ViewPointer::move(QMouseEvent* event) {
     view_.update();
     return;
   }
-  const bool far_enough = (event->position() - press_place_).manhattanLength() > kClickPixels;
+  const bool far_enough = (event->position() - press_place_).manhattanLength() > kStillPixels;
   switch (drag_) {
     case Drag::kOrbit:
     case Drag::kPan:
@@ -190,7 +190,7 @@ void ViewPointer::release(QMouseEvent* event) {
   }
   if (isMovingCamera() && event->buttons() != Qt::NoButton)
     return setMotionFor(event->buttons(), event->modifiers(), true);
-  const bool click = (event->position() - press_place_).manhattanLength() <= kClickPixels;
+  const bool click = (event->position() - press_place_).manhattanLength() <= kStillPixels;
   if (click) return releaseClick(*event, drag_ == Drag::kCube);
   const Drag drag = std::exchange(drag_, Drag::kNone);
   if (drag != Drag::kBox) return;
