@@ -8,8 +8,9 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/mannequin/mannequin_context.h"
-#include "mannequin/shape/figure_model.h"
+#include "manipulation/scene/scene_service.h"
 #include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::app {
 
@@ -23,7 +24,6 @@ constexpr double kSamePlace = 2e-5;  // m
 struct FigureDrag::Work {
   std::atomic<bool> has_newer{false};  ///< The mouse is elsewhere, or let go: no way round is looked for any longer.
   config::Configuration configuration;
-  std::shared_ptr<const manipulation::PreparedScene> prepared;
   std::unique_ptr<manipulation::FigureWay> way;
 };
 
@@ -51,16 +51,12 @@ void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_b
   wanted_.reset();
   reach_.reset();
   context_.host().documentModel().beginStep(text);
-  const workcell::Document& document = context_.host().documentModel().document();
   busy_ = true;
-  const auto& configuration = context_.host().configuration();
-  const workcell::PairDefaults defaults{configuration.manipulation.safety_distance,
-                                        configuration.manipulation.near_miss};
+  const workcell::PairDefaults defaults = manipulation::pairDefaults(context_.host().configuration());
   manipulation::HoldOptions options{moved_by, entity->on_contact, entity->force_class};
-  pool_.start([this, work = work_, id = entity_, options, defaults, turn, entities = document.snapshotEntities(),
-               policy = document.state().pairPolicy()] {
-    work->prepared = manipulation::PreparedScene::prepare(entities, policy, defaults, work->prepared.get());
-    auto way = manipulation::FigureWay::take(work->prepared, id, options, turn, work->configuration);
+  pool_.start([this, work = work_, id = entity_, options, turn, scenes = context_.host().scenes(),
+               source = manipulation::sourceOf(context_.host().documentModel().document(), defaults)] {
+    auto way = manipulation::FigureWay::take(scenes->prepare(source), id, options, turn, work->configuration);
     QString problem;
     if (way) {
       work->way = std::move(*way);

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "manipulation/holding/figure_way.h"
 #include "manipulation/engine/manipulation_command.h"
+#include "manipulation/holding/figure_way.h"
 
 namespace hapticell::app {
 

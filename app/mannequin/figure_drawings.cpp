@@ -16,6 +16,7 @@
 #include "app/style/units.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "manipulation/checks/mannequin_sight.h"
+#include "manipulation/scene/scene_service.h"
 #include "mannequin/ergonomics/advice/body_sizes.h"
 #include "mannequin/posture/reach_envelope.h"
 #include "mannequin/posture/support_polygon.h"
@@ -89,7 +90,6 @@ FigureDrawings::FigureDrawings(MannequinContext& context, QWidget* parent) : QWi
     ++question_;
     figure_.reset();
     reach_.clear();
-    scene_ = nullptr;
     balance_->clear();
     seen_->clear();
   });
@@ -285,22 +285,13 @@ void FigureDrawings::askSight() {
   const workcell::Entity* target = context_.target();
   if (!entity || !target) return seen_->setText(tr("Click a part first, then ask."));
   const workcell::Document& document = context_.host().documentModel().document();
-  struct Answer {
-    manipulation::TargetSight sight;
-    std::shared_ptr<const manipulation::PreparedScene> scene;
-  };
+  const workcell::PairDefaults defaults = manipulation::pairDefaults(context_.host().configuration());
   runBeside(
       this,
-      [entities = document.snapshotEntities(), mannequin = *entity, posture = context_.posture(), id = target->id,
-       previous = scene_] {
-        Answer answer;
-        answer.scene = manipulation::PreparedScene::prepare(entities, {}, {}, previous.get());
-        answer.sight = manipulation::sightOfTarget(*answer.scene, mannequin, posture, id);
-        return answer;
-      },
-      [this, name = QString::fromStdString(target->name)](Answer answer) {
-        scene_ = answer.scene;
-        const auto& sight = answer.sight;
+      [scenes = context_.host().scenes(), source = manipulation::sourceOf(document, defaults), mannequin = *entity,
+       posture = context_.posture(),
+       id = target->id] { return manipulation::sightOfTarget(*scenes->prepare(source), mannequin, posture, id); },
+      [this, name = QString::fromStdString(target->name)](const manipulation::TargetSight& sight) {
         QString text = tr("%1: %2 % seen, %3 away, %4")
                            .arg(name)
                            .arg(100.0 * sight.seen, 0, 'f', 0)

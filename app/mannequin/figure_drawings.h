@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "geometry/shapes/triangle_mesh.h"
-#include "manipulation/scene/prepared_scene.h"
 #include "mannequin/posture/posture.h"
 
 class QCheckBox;
@@ -50,7 +49,6 @@ class FigureDrawings : public QWidget {
   QTimer rests_;
   std::uint64_t question_ = 0;
   bool asking_ = false;
-  std::shared_ptr<const manipulation::PreparedScene> scene_;  ///< Of the last look at a target.
 };
 
 }  // namespace hapticell::app

@@ -7,26 +7,14 @@
 
 namespace hapticell::app {
 
-/// The document as it was when something was asked.
-struct MotionWorker::Snapshot {
-  std::uint64_t revision = 0;
-  std::vector<workcell::Entity> entities;
-  workcell::PairPolicy pairs;
-};
-
-/// Of the worker's thread alone.
+/// Where the worker's thread gets the cell from; what it asked for last is kept for the next question.
 struct MotionWorker::Scene {
-  std::uint64_t revision = ~std::uint64_t{0};
+  std::shared_ptr<manipulation::SceneService> scenes;
   std::shared_ptr<const manipulation::PreparedScene> prepared;
-  workcell::PairDefaults defaults;
   config::Configuration configuration;
 
-  std::shared_ptr<const manipulation::PreparedScene> of(const Snapshot& snapshot) {
-    if (!prepared || revision != snapshot.revision) {
-      prepared = manipulation::PreparedScene::prepare(snapshot.entities, snapshot.pairs, defaults, prepared.get());
-      revision = snapshot.revision;
-    }
-    return prepared;
+  std::shared_ptr<const manipulation::PreparedScene> of(const manipulation::SceneSource& seen) {
+    return prepared = scenes->prepare(seen);
   }
 };
 
@@ -38,7 +26,7 @@ MotionWorker::MotionWorker(Host& host, QObject* parent)
       lists_(std::make_shared<std::atomic<std::uint64_t>>(0)) {
   pool_.setMaxThreadCount(1);
   scene_->configuration = host.configuration();
-  scene_->defaults = {host.configuration().manipulation.safety_distance, host.configuration().manipulation.near_miss};
+  scene_->scenes = host.scenes();
 }
 
 MotionWorker::~MotionWorker() {
@@ -48,11 +36,11 @@ MotionWorker::~MotionWorker() {
   pool_.waitForDone();
 }
 
-std::shared_ptr<MotionWorker::Snapshot> MotionWorker::snapshot() {
+std::shared_ptr<const manipulation::SceneSource> MotionWorker::snapshot() {
   const workcell::Document& document = host_.documentModel().document();
   if (!last_snapshot_ || last_snapshot_->revision != document.revision())
-    last_snapshot_ = std::make_shared<Snapshot>(
-        Snapshot{document.revision(), document.snapshotEntities(), document.state().pairPolicy()});
+    last_snapshot_ = std::make_shared<const manipulation::SceneSource>(
+        manipulation::sourceOf(document, manipulation::pairDefaults(host_.configuration())));
   return last_snapshot_;
 }
 

@@ -9,7 +9,7 @@
 
 #include "kinematics/model/solution_list.h"
 #include "manipulation/checks/joint_motion.h"
-#include "manipulation/scene/prepared_scene.h"
+#include "manipulation/scene/scene_service.h"
 
 namespace hapticell::app {
 
@@ -44,13 +44,13 @@ class MotionWorker : public QObject {
 
  private:
   struct Scene;
-  struct Snapshot;
-  std::shared_ptr<Snapshot> snapshot();
+  /// The document as it stands when something is asked.
+  std::shared_ptr<const manipulation::SceneSource> snapshot();
   void run(std::function<void()> work);
 
   Host& host_;
   std::shared_ptr<Scene> scene_;
-  std::shared_ptr<Snapshot> last_snapshot_;
+  std::shared_ptr<const manipulation::SceneSource> last_snapshot_;
   std::shared_ptr<std::atomic<std::uint64_t>> ways_, lists_;
   QThreadPool pool_;
 };

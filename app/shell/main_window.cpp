@@ -33,6 +33,7 @@
 #include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/views/view_actions.h"
+#include "manipulation/scene/scene_service.h"
 
 namespace hapticell::app {
 
@@ -44,6 +45,7 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
       right_docks_(new TabbedDocks(*this)),
       start_(new StartPage(*viewport_, settings_, *new RecentFiles(settings_, this))),
       layouts_(*this, settings_),
+      scenes_(std::make_shared<manipulation::SceneService>()),
       go_back_(*this),
       typed_keys_(*this) {
   setObjectName("mainWindow");
@@ -174,6 +176,14 @@ void MainWindow::connectViewActions() {
   on(actions_->help.about, [this] { showAbout(*this); });
 }
 
+void MainWindow::setPreparedScene(std::shared_ptr<const manipulation::PreparedScene> scene) {
+  scenes_->setShown(std::move(scene));
+}
+
+std::shared_ptr<const manipulation::PreparedScene> MainWindow::preparedScene() const {
+  return scenes_->shown();
+}
+
 void MainWindow::connectScene() {
   connect(&document_, &DocumentModel::changed, this, &MainWindow::documentChanged);
   connect(&document_, &DocumentModel::refused, this,
@@ -187,7 +197,7 @@ void MainWindow::connectScene() {
     selection_.set(0);
     go_back_.cancel();
     actions_->view.section->setChecked(false);
-    setPreparedScene(nullptr);
+    scenes_->forget();
     setSnapshot(std::nullopt);
     viewport_->forgetCell();
   });

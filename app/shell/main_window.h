@@ -56,10 +56,9 @@ class MainWindow : public QMainWindow, public Host {
   void addToToolBar(QWidget* widget) override;
   void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) override;
   const std::optional<manipulation::SceneSnapshot>& snapshot() const override { return viewport_->scene().snapshot(); }
-  void setPreparedScene(std::shared_ptr<const manipulation::PreparedScene> scene) override {
-    prepared_scene_ = std::move(scene);
-  }
-  std::shared_ptr<const manipulation::PreparedScene> preparedScene() const override { return prepared_scene_; }
+  std::shared_ptr<manipulation::SceneService> scenes() override { return scenes_; }
+  void setPreparedScene(std::shared_ptr<const manipulation::PreparedScene> scene) override;
+  std::shared_ptr<const manipulation::PreparedScene> preparedScene() const override;
   void setDeviceText(const QString& text, bool works) override;
   void setSoundText(const QString& text, bool on) override { status_.line().setSound(text, on); }
   void setGuiRate(double hertz) override;
@@ -141,7 +140,7 @@ class MainWindow : public QMainWindow, public Host {
   std::unique_ptr<ModuleLoader> modules_;
   std::unique_ptr<FileWork> files_;
   std::unique_ptr<CrashGuard> crash_guard_;
-  std::shared_ptr<const manipulation::PreparedScene> prepared_scene_;
+  const std::shared_ptr<manipulation::SceneService> scenes_;  ///< Threads of questions hold it too.
   GoBack go_back_;
   TypedKeys typed_keys_;
 };

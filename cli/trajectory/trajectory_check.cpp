@@ -10,6 +10,7 @@
 #include "manipulation/checks/kept_free.h"
 #include "manipulation/checks/motion_replay.h"
 #include "manipulation/checks/path_check.h"
+#include "manipulation/scene/scene_service.h"
 #include "trajectory/files/trajectory_io.h"
 #include "workcell/format/document_io.h"
 
@@ -97,7 +98,7 @@ Expected<Cell> cellFor(const trajectory::Trajectory& trajectory, const Trajector
   auto axes = motionsTogether(trajectory, *document, options);
   HAPTICELL_TRY(axes);
   path->axes = std::move(*axes);
-  auto scene = manipulation::PreparedScene::prepare(document->snapshotEntities(), document->state().pairPolicy(), {});
+  auto scene = manipulation::SceneService().prepare(manipulation::sourceOf(*document, {}));
   return Cell{std::move(*document), std::move(scene), std::move(*path), name};
 }
 

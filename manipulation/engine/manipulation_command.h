@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/pose.h"
+#include "geometry/system/error.h"
 #include "haptic/protocol/messages.h"
 #include "manipulation/holding/motion_mapping.h"
 #include "manipulation/manipulators/moved_by.h"
@@ -45,6 +46,7 @@ namespace command {
 struct SetDocument {
   std::vector<workcell::Entity> entities;
   workcell::PairPolicy pairs;
+  std::uint64_t revision = 0;  ///< SceneSource::revision.
 };
 /// The entity that the next press of the stylus's button takes; 0: whatever the stylus's tip touches.
 struct ChooseEntity {
@@ -100,9 +102,9 @@ struct Grab {
 };
 struct Release {};
 
-/// Brings an entity's joints where a glove has them, as far as the way is free, each of `fingers` (indices of joints) by
-/// itself, and keeps them there until told otherwise; what touches is told in the snapshot's pairs. The stylus may hold
-/// the entity meanwhile. An entity that is not there (0), is locked or has another number of joints ends it.
+/// Brings an entity's joints where a glove has them, as far as the way is free, each of `fingers` (indices of joints)
+/// by itself, and keeps them there until told otherwise; what touches is told in the snapshot's pairs. The stylus may
+/// hold the entity meanwhile. An entity that is not there (0), is locked or has another number of joints ends it.
 struct PoseJoints {
   workcell::EntityId entity = 0;
   std::vector<double> joints;  ///< Of all variables.
@@ -127,11 +129,11 @@ struct StopRecording {};
 /// not).
 Expected<command::SetFilter> parseFilter(const std::string& text);
 
-using Command =
-    std::variant<command::SetDocument, command::SetGuides, command::ChooseEntity, command::SetMovedBy, command::SetAxes,
-                 command::SetScale, command::SetCamera, command::SetOnContact, command::SetForceClass,
-                 command::SetForces, command::SetFilter, command::SetClutch, command::SetHandTarget, command::Grab,
-                 command::Release, command::PoseJoints, command::StartRecording, command::MarkFrame, command::StopRecording>;
+using Command = std::variant<command::SetDocument, command::SetGuides, command::ChooseEntity, command::SetMovedBy,
+                             command::SetAxes, command::SetScale, command::SetCamera, command::SetOnContact,
+                             command::SetForceClass, command::SetForces, command::SetFilter, command::SetClutch,
+                             command::SetHandTarget, command::Grab, command::Release, command::PoseJoints,
+                             command::StartRecording, command::MarkFrame, command::StopRecording>;
 
 /// What the loop tells back, in order; each is told once.
 namespace result {

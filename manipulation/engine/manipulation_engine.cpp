@@ -49,9 +49,7 @@ void ManipulationEngine::setScene(std::shared_ptr<const PreparedScene> scene) {
 void ManipulationEngine::apply(const Command& command) {
   std::visit(
       Overloaded{[&](const command::SetDocument& c) {
-                   const auto& distances = cell_.configuration().manipulation;
-                   setScene(PreparedScene::prepare(
-                       c.entities, c.pairs, {distances.safety_distance, distances.near_miss}, cell_.scene().get()));
+                   setScene(scenes_.prepare({c.entities, c.pairs, pairDefaults(cell_.configuration()), c.revision}));
                  },
                  [&](const command::PoseJoints& c) { posed_.want(c); },
                  [&](const command::StartRecording& c) {

@@ -15,6 +15,7 @@
 #include "manipulation/engine/scripted_entities.h"
 #include "manipulation/engine/stylus_holder.h"
 #include "manipulation/engine/take_recording.h"
+#include "manipulation/scene/scene_service.h"
 
 namespace hapticell::manipulation {
 
@@ -84,6 +85,7 @@ class ManipulationEngine {
   void takeOver(StylusHolder& to, const StylusHolder& from);
   std::vector<StylusHolder*> holders();
 
+  SceneService scenes_;  ///< For documents that are not prepared beforehand.
   CellState cell_;
   StylusHolder holder_;
   ScriptedEntities scripted_;

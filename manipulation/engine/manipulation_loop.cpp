@@ -12,7 +12,7 @@
 #include "haptic/rendering/triple_buffer.h"
 #include "manipulation/engine/manipulation_engine.h"
 #include "manipulation/engine/second_stylus.h"
-#include "manipulation/scene/prepared_scene.h"
+#include "manipulation/scene/scene_service.h"
 #include "workcell/import/background_thread.h"
 
 namespace hapticell::manipulation {
@@ -86,8 +86,11 @@ class StylusRest {
 
 struct ManipulationLoop::Worker {
   Worker(std::unique_ptr<haptic::HapticLink> the_link, const config::Configuration& the_configuration,
-         std::function<void()> told_of_contact)
-      : link(std::move(the_link)), configuration(the_configuration), on_felt(std::move(told_of_contact)) {
+         std::function<void()> told_of_contact, std::shared_ptr<SceneService> the_scenes)
+      : link(std::move(the_link)),
+        scenes(the_scenes ? std::move(the_scenes) : std::make_shared<SceneService>()),
+        configuration(the_configuration),
+        on_felt(std::move(told_of_contact)) {
     preparer = std::thread([this] {
       workcell::stepBehind();
       prepareScenes();
@@ -111,8 +114,7 @@ struct ManipulationLoop::Worker {
 
   /// The preparing thread: meshes of the newest document, older ones that wait are dropped.
   void prepareScenes() {
-    std::shared_ptr<const PreparedScene> previous;
-    const workcell::PairDefaults rule{configuration.manipulation.safety_distance, configuration.manipulation.near_miss};
+    const workcell::PairDefaults rule = pairDefaults(configuration);
     for (;;) {
       command::SetDocument document;
       {
@@ -128,8 +130,8 @@ struct ManipulationLoop::Worker {
       bool had_memory = true;
       std::shared_ptr<const PreparedScene> made;
       try {
-        made = PreparedScene::prepare(std::move(document.entities), std::move(document.pairs), rule, previous.get(),
-                                      &progress);
+        made = scenes->prepare({std::move(document.entities), std::move(document.pairs), rule, document.revision},
+                               &progress);
       } catch (const std::bad_alloc&) {
         had_memory = false;
       }
@@ -141,11 +143,9 @@ struct ManipulationLoop::Worker {
         continue;
       }
       if (!made) {
-        previous = std::move(progress.given_up);
         results.emplace_back(result::Notice{"Preparing the contacts was given up: what was changed is not felt yet"});
         continue;
       }
-      previous = made;
       ready_scene = made;
       newest_scene = made;
       steps_wait.notify_one();
@@ -262,6 +262,7 @@ struct ManipulationLoop::Worker {
   }
 
   std::unique_ptr<haptic::HapticLink> link;
+  const std::shared_ptr<SceneService> scenes;
   std::unique_ptr<SecondStylus> second;  // The loop's thread alone.
   const config::Configuration configuration;
   const std::function<void()> on_felt;
@@ -284,8 +285,8 @@ struct ManipulationLoop::Worker {
 };
 
 ManipulationLoop::ManipulationLoop(std::unique_ptr<haptic::HapticLink> link, const config::Configuration& configuration,
-                                   std::function<void()> on_felt)
-    : worker_(std::make_unique<Worker>(std::move(link), configuration, std::move(on_felt))) {}
+                                   std::function<void()> on_felt, std::shared_ptr<SceneService> scenes)
+    : worker_(std::make_unique<Worker>(std::move(link), configuration, std::move(on_felt), std::move(scenes))) {}
 
 ManipulationLoop::~ManipulationLoop() = default;
 

@@ -14,6 +14,7 @@
 namespace hapticell::manipulation {
 
 class PreparedScene;
+class SceneService;
 
 /// The manipulation loop in its own thread: as fast as its queries allow, from 10 up to Configuration::Manipulation's
 /// rate. It never waits for the window or for the socket. While nothing is held, forces are off and the stylus lies
@@ -25,8 +26,9 @@ class ManipulationLoop {
  public:
   /// Starts the thread. The link is used by that thread alone from now on. `on_felt` is called in that thread as soon
   /// as latest() has a picture of a new contact, so that nobody has to wait to see it; it must not wait. May be empty.
+  /// `scenes` prepares the documents; null: one of its own.
   ManipulationLoop(std::unique_ptr<haptic::HapticLink> link, const config::Configuration& configuration,
-                   std::function<void()> on_felt = {});
+                   std::function<void()> on_felt = {}, std::shared_ptr<SceneService> scenes = {});
   /// Stops it: forces off, set emptied, thread joined.
   ~ManipulationLoop();
   ManipulationLoop(const ManipulationLoop&) = delete;
@@ -34,7 +36,8 @@ class ManipulationLoop {
 
   /// Queues a command for the next step. Holds a lock only for as long as a pointer is moved.
   void post(Command command);
-  /// A second stylus in the same cell (manipulation/engine/second_stylus.h); null takes it away: what it holds is let go.
+  /// A second stylus in the same cell (manipulation/engine/second_stylus.h); null takes it away: what it holds is let
+  /// go.
   void setSecondStylus(std::unique_ptr<haptic::HapticLink> link);
   /// A command for the second stylus; dropped while there is none.
   void postSecond(Command command);

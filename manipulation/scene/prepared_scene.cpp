@@ -58,18 +58,26 @@ std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell
                                                             const workcell::PairDefaults& defaults,
                                                             const PreparedScene* previous,
                                                             PreparationProgress* progress) {
+  PreparationProgress unwatched;
+  std::vector<std::shared_ptr<const PreparedScene>> known;
+  // It outlives the call and is not owned here.
+  if (previous != nullptr) known.emplace_back(std::shared_ptr<void>(), previous);
+  return prepare(std::move(entities), std::move(pairs), defaults, known, progress != nullptr ? *progress : unwatched);
+}
+
+std::shared_ptr<const PreparedScene> PreparedScene::prepare(
+    std::vector<workcell::Entity> entities, workcell::PairPolicy pairs, const workcell::PairDefaults& defaults,
+    std::span<const std::shared_ptr<const PreparedScene>> previous, PreparationProgress& progress) {
   std::shared_ptr<PreparedScene> scene(new PreparedScene);
   scene->entities_ = std::move(entities);
   scene->pairs_ = std::move(pairs);
   scene->defaults_ = defaults;
   std::vector<Job> jobs;
   for (const workcell::Entity& entity : scene->entities_) scene->addParts(entity, jobs);
-  PreparationProgress unwatched;
-  PreparationProgress& watched = progress != nullptr ? *progress : unwatched;
-  scene->run(jobs, previous, watched);
-  if (!watched.build.cancelled) return scene;
+  scene->run(jobs, previous, progress);
+  if (!progress.build.cancelled) return scene;
   scene->dropUnfinished();
-  watched.given_up = std::move(scene);
+  progress.given_up = std::move(scene);
   return nullptr;
 }
 
@@ -91,12 +99,15 @@ void PreparedScene::addPart(ScenePart part, const MeshKey& key, std::shared_ptr<
 }
 
 /// The largest meshes first, each by whoever is free: what comes of it does not depend on who does it.
-void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previous, PreparationProgress& progress) {
+void PreparedScene::run(const std::vector<Job>& jobs, std::span<const std::shared_ptr<const PreparedScene>> previous,
+                        PreparationProgress& progress) {
   std::vector<const Job*> order;
   std::size_t steps = 0;
   for (const Job& job : jobs) {
-    if (previous != nullptr && previous->meshes_.count(job.key) != 0) {
-      meshes_[job.key] = previous->meshes_.at(job.key);
+    const auto has_it = [&](const auto& scene) { return scene->meshes_.count(job.key) != 0; };
+    const auto known = std::find_if(previous.begin(), previous.end(), has_it);
+    if (known != previous.end()) {
+      meshes_[job.key] = (*known)->meshes_.at(job.key);
     } else {
       order.push_back(&job);
       steps += kStages * job.mesh->triangles.size();

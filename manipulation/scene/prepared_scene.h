@@ -6,12 +6,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "collision/pieces/convex_pieces.h"
-#include "collision/trees/mesh_collider.h"
 #include "collision/surfaces/surface_model.h"
+#include "collision/trees/mesh_collider.h"
 #include "workcell/entity/entity.h"
 #include "workcell/entity/pair_policy.h"
 
@@ -55,17 +56,25 @@ class PreparedScene {
  public:
   /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has prepared are
   /// taken over from it. Entities without a mesh have no parts. Null when cancelled (see
-  /// PreparationProgress::given_up).
+  /// PreparationProgress::given_up). Programs ask the one owner of scenes instead: SceneService.
   static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
                                                       workcell::PairPolicy pairs,
                                                       const workcell::PairDefaults& defaults,
                                                       const PreparedScene* previous = nullptr,
                                                       PreparationProgress* progress = nullptr);
+  /// The same with the meshes of several others.
+  static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
+                                                      workcell::PairPolicy pairs,
+                                                      const workcell::PairDefaults& defaults,
+                                                      std::span<const std::shared_ptr<const PreparedScene>> previous,
+                                                      PreparationProgress& progress);
 
   const std::vector<workcell::Entity>& entities() const { return entities_; }
   const workcell::Entity* find(workcell::EntityId id) const;
   const workcell::Entity* find(const std::string& name) const;
   const std::vector<ScenePart>& parts() const { return parts_; }
+  const workcell::PairPolicy& pairs() const { return pairs_; }
+  const workcell::PairDefaults& defaults() const { return defaults_; }
 
   /// Poses X_WP of an entity's part when the entity stands so.
   static Pose partPose(const workcell::Entity& entity, const Pose& X_WE, const std::vector<double>& joints, int link);
@@ -94,7 +103,8 @@ class PreparedScene {
   void addParts(const workcell::Entity& entity, std::vector<Job>& jobs);
   void addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
                std::vector<Job>& jobs);
-  void run(const std::vector<Job>& jobs, const PreparedScene* previous, PreparationProgress& progress);
+  void run(const std::vector<Job>& jobs, std::span<const std::shared_ptr<const PreparedScene>> previous,
+           PreparationProgress& progress);
   void dropUnfinished();
 
   std::vector<workcell::Entity> entities_;

@@ -161,8 +161,7 @@ class WatchedEngine {
                         .expected = "the name of an entity or of a frame of one",
                         .fix = {}});
     }
-    const auto scene = PreparedScene::prepare(options_.entities, options_.pairs, {}, engine_.scene());
-    auto taken = HeldEntity::take(scene, entity_, {},
+    auto taken = HeldEntity::take(engine_.sharedScene(), entity_, {},
                                   {options_.moved_by, options_.on_contact.value_or(entity->on_contact),
                                    options_.force_class.value_or(entity->force_class)},
                                   options_.configuration);

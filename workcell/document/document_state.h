@@ -43,7 +43,7 @@ struct DocumentState {
   std::vector<TrajectoryReference> trajectories;
 
   /// What is checked against what, whole: for whoever prepares a scene of it.
-  PairPolicy pairPolicy() const { return {pair_sets, pair_rules}; }
+  PairPolicy pairPolicy() const { return PairPolicy(pair_sets, pair_rules); }
 
   /// Null when there is none.
   const Entity* find(EntityId id) const;

@@ -132,6 +132,7 @@ struct PairSet {
   std::optional<OnContact> on_contact = {};  ///< Goes over the entity's own choice.
   /// How its contacts and near misses are drawn, sRGB 0 .. 1; empty: as the theme has it.
   std::optional<std::array<float, 3>> contact_color = {}, near_miss_color = {};
+  bool operator==(const PairSet&) const = default;
 };
 
 /// What the user chose for one pair of entities, or of their links: it goes over all pair sets. Either way round.
@@ -147,10 +148,11 @@ struct PairRule {
 struct PairPolicy {
   PairPolicy() = default;
   /// Both, always: sets without their rules would check what the user has left out.
-  PairPolicy(std::vector<PairSet> pair_sets, std::vector<PairRule> pair_rules)
+  explicit PairPolicy(std::vector<PairSet> pair_sets, std::vector<PairRule> pair_rules)
       : sets(std::move(pair_sets)), rules(std::move(pair_rules)) {}
   std::vector<PairSet> sets;
   std::vector<PairRule> rules;
+  bool operator==(const PairPolicy&) const = default;
 };
 
 }  // namespace hapticell::workcell

@@ -14,6 +14,7 @@ namespace hapticell::workcell {
 struct PairDefaults {
   double safety_distance = 0.001;
   double near_miss = 0.010;
+  bool operator==(const PairDefaults&) const = default;
 };
 
 /// One entity that is checked against the moved one.

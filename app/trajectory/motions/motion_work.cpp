@@ -82,8 +82,7 @@ trajectory::MotionLimits limitsOf(const workcell::Entity& entity, const Trajecto
   return limits;
 }
 
-MotionWork::MotionWork(Host& host, MotionList& list, QObject* parent)
-    : QObject(parent), host_(host), list_(list), prepared_(std::make_shared<Prepared>()) {}
+MotionWork::MotionWork(Host& host, MotionList& list, QObject* parent) : QObject(parent), host_(host), list_(list) {}
 
 void MotionWork::tell(const QString& line, bool careful) {
   line_ = line;
@@ -94,11 +93,9 @@ std::shared_ptr<const MotionWork::Cell> MotionWork::cell() const {
   const workcell::Document& document = host_.documentModel().document();
   auto cell = std::make_shared<Cell>();
   cell->entities = document.state().entities;
-  cell->values = document.snapshotEntities();
-  cell->pairs = document.state().pairPolicy();
   cell->configuration = host_.configuration();
-  cell->defaults = {cell->configuration.manipulation.safety_distance, cell->configuration.manipulation.near_miss};
-  cell->revision = document.revision();
+  cell->source = manipulation::sourceOf(document, manipulation::pairDefaults(cell->configuration));
+  cell->scenes = host_.scenes();
   const Motion* current = list_.current();
   for (const Motion& motion : list_.motions()) {
     const bool together = current && current->trajectory && motion.trajectory && motion.name != current->name &&
@@ -115,10 +112,10 @@ void MotionWork::run(const QString& word, Work work, bool in_place) {
   const QString step = tr("%1: %2").arg(word, QString::fromStdString(name));
   list_.work().start(
       step,
-      [this, given = motion->trajectory, cell = cell(), prepared = prepared_, name, word, step, in_place,
+      [this, given = motion->trajectory, cell = cell(), name, word, step, in_place,
        number = host_.documentModel().number(),
        work = std::move(work)](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
-        auto result = work(given, *cell, *prepared, monitor);
+        auto result = work(given, *cell, monitor);
         HAPTICELL_TRY(result);
         auto done = std::make_shared<Result>(std::move(*result));
         return BackgroundWork::Then([this, done, given, name, word, step, number, in_place] {
@@ -147,12 +144,6 @@ void MotionWork::run(const QString& word, Work work, bool in_place) {
       });
 }
 
-void MotionWork::prepare(const Cell& cell, Prepared& prepared) {
-  if (prepared.revision == cell.revision) return;
-  prepared.scene = manipulation::PreparedScene::prepare(cell.values, cell.pairs, cell.defaults, prepared.scene.get());
-  prepared.revision = cell.revision;
-}
-
 void MotionWork::measure(Result& result, const MeasureMotion& measure) {
   const auto missed = missedPromise(result.motions.back(), measure);
   if (!missed) return;
@@ -174,7 +165,7 @@ void MotionWork::takeKept(manipulation::KeptFree kept, Result& result) {
 }
 
 void MotionWork::simplify(const trajectory::PathTolerance& tolerance) {
-  run(tr("simplified"), [tolerance](const auto& given, const Cell&, Prepared&, auto&) -> Expected<Result> {
+  run(tr("simplified"), [tolerance](const auto& given, const Cell&, auto&) -> Expected<Result> {
     Result result;
     result.motions.push_back(trajectory::simplified(*given, tolerance));
     const Trajectory& few = result.motions.front();
@@ -191,7 +182,7 @@ void MotionWork::simplify(const trajectory::PathTolerance& tolerance) {
 
 void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_free) {
   run(tr("smoothed"),
-      [tolerance, keep_free](const auto& given, const Cell& cell, Prepared& prepared,
+      [tolerance, keep_free](const auto& given, const Cell& cell,
                              workcell::ImportMonitor& monitor) -> Expected<Result> {
         const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
                                          [&](const auto& e) { return e->name == given->entity; });
@@ -221,8 +212,8 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
         if (keep_free && entity != cell.entities.end() && !(*entity)->locked) {
           auto options = optionsFor(*given, cell.take, monitor);
           HAPTICELL_TRY(options);
-          prepare(cell, prepared);
-          auto kept = manipulation::keptFree(prepared.scene, *given, smooth.trajectory, *options, cell.configuration);
+          auto kept = manipulation::keptFree(cell.scenes->prepare(cell.source), *given, smooth.trajectory, *options,
+                                             cell.configuration);
           HAPTICELL_TRY(kept);
           if (monitor.isCancelled()) return makeError({.found = "cancelled"});
           takeKept(std::move(*kept), result);
@@ -240,7 +231,7 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
 
 void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
   run(tr("re-timed"),
-      [options, keep_free](const auto& given, const Cell& cell, Prepared& prepared,
+      [options, keep_free](const auto& given, const Cell& cell,
                            workcell::ImportMonitor& monitor) mutable -> Expected<Result> {
         const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
                                          [&](const auto& e) { return e->name == given->entity; });
@@ -258,8 +249,8 @@ void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
         if (keep_free && entity != cell.entities.end() && !(*entity)->locked) {
           auto check = optionsFor(*given, cell.take, monitor);
           HAPTICELL_TRY(check);
-          prepare(cell, prepared);
-          auto free = manipulation::retimedFree(prepared.scene, *given, options, *check, cell.configuration);
+          auto free =
+              manipulation::retimedFree(cell.scenes->prepare(cell.source), *given, options, *check, cell.configuration);
           HAPTICELL_TRY(free);
           if (monitor.isCancelled()) return makeError({.found = "cancelled"});
           result.line = retimingLine(free->report, options.mode);
@@ -282,20 +273,18 @@ void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
 }
 
 void MotionWork::check() {
-  run(tr("checked"),
-      [](const auto& given, const Cell& cell, Prepared& prepared,
-         workcell::ImportMonitor& monitor) -> Expected<Result> {
-        auto options = optionsFor(*given, cell.take, monitor);
-        HAPTICELL_TRY(options);
-        prepare(cell, prepared);
-        auto check = manipulation::checkPath(prepared.scene, given->entity, *given, *options, cell.configuration);
-        HAPTICELL_TRY(check);
-        Result result;
-        result.line = checkLine(*check);
-        result.careful = !check->findings.empty();
-        result.check = std::move(*check);
-        return result;
-      });
+  run(tr("checked"), [](const auto& given, const Cell& cell, workcell::ImportMonitor& monitor) -> Expected<Result> {
+    auto options = optionsFor(*given, cell.take, monitor);
+    HAPTICELL_TRY(options);
+    auto check =
+        manipulation::checkPath(cell.scenes->prepare(cell.source), given->entity, *given, *options, cell.configuration);
+    HAPTICELL_TRY(check);
+    Result result;
+    result.line = checkLine(*check);
+    result.careful = !check->findings.empty();
+    result.check = std::move(*check);
+    return result;
+  });
 }
 
 void MotionWork::edit(const QString& word, Edit edit) {
@@ -316,7 +305,7 @@ void MotionWork::editPoints(const QString& word, Edit edit) {
 }
 
 MotionWork::Work MotionWork::workOf(const QString& line, Edit edit) {
-  return [edit = std::move(edit), line](const std::shared_ptr<const Trajectory>& given, const Cell& cell, Prepared&,
+  return [edit = std::move(edit), line](const std::shared_ptr<const Trajectory>& given, const Cell& cell,
                                         workcell::ImportMonitor&) -> Expected<Result> {
     auto made = edit(*given);
     HAPTICELL_TRY(made);

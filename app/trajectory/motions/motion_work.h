@@ -11,7 +11,7 @@
 #include "app/trajectory/motions/kept_motion.h"
 #include "app/trajectory/motions/motion_list.h"
 #include "manipulation/checks/kept_free.h"
-#include "manipulation/scene/prepared_scene.h"
+#include "manipulation/scene/scene_service.h"
 #include "trajectory/editing/editing.h"
 #include "trajectory/timing/retiming.h"
 
@@ -52,17 +52,11 @@ class MotionWork : public QObject {
   /// The document as the worker needs it.
   struct Cell {
     std::vector<std::shared_ptr<const workcell::Entity>> entities;
-    std::vector<workcell::Entity> values;
-    workcell::PairPolicy pairs;
-    workcell::PairDefaults defaults;
+    manipulation::SceneSource source;
+    std::shared_ptr<manipulation::SceneService> scenes;
     config::Configuration configuration;
-    std::uint64_t revision = 0;
     /// Recorded together with the motion that is worked on: what its robot stands on moves meanwhile.
     std::vector<std::shared_ptr<const trajectory::Trajectory>> take;
-  };
-  struct Prepared {
-    std::uint64_t revision = ~std::uint64_t{0};
-    std::shared_ptr<const manipulation::PreparedScene> scene;
   };
   struct Result {
     std::vector<trajectory::Trajectory> motions;
@@ -72,10 +66,9 @@ class MotionWork : public QObject {
     std::optional<manipulation::PathCheckResult> check;
   };
   using Work = std::function<Expected<Result>(const std::shared_ptr<const trajectory::Trajectory>&, const Cell&,
-                                              Prepared&, workcell::ImportMonitor&)>;
+                                              workcell::ImportMonitor&)>;
   void run(const QString& word, Work work, bool in_place = false);
   static Work workOf(const QString& line, Edit edit);
-  static void prepare(const Cell& cell, Prepared& prepared);
   /// Measures the newest motion as its file would be read back, and says what it misses.
   static void measure(Result& result, const MeasureMotion& measure);
   static void takeKept(manipulation::KeptFree kept, Result& result);
@@ -84,7 +77,6 @@ class MotionWork : public QObject {
 
   Host& host_;
   MotionList& list_;
-  std::shared_ptr<Prepared> prepared_;  ///< Of the worker alone.
   QString line_;
 };
 

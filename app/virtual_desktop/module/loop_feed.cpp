@@ -22,7 +22,7 @@ void LoopFeed::postDocument() const {
   workcell::PairPolicy pairs = document.state().pairPolicy();
   if (document.state().findPairSet(owner_.settings().against))
     for (workcell::PairSet& set : pairs.sets) set.enabled = set.name == owner_.settings().against;
-  owner_.loop()->post(manipulation::command::SetDocument{document.snapshotEntities(), std::move(pairs)});
+  owner_.loop()->post(manipulation::command::SetDocument{document.snapshotEntities(), std::move(pairs), document.revision()});
   postGuides();
 }
 

@@ -114,9 +114,11 @@ void VirtualDesktopController::connectDevice() {
   auto link = std::make_unique<haptic::TcpLink>(*options);
   link_.set(link.get());
   // A contact that is felt is to be seen without waiting for the timer.
-  loop_ = std::make_unique<manipulation::ManipulationLoop>(std::move(link), host_.configuration(), [this] {
+  const auto show = [this] {
     QMetaObject::invokeMethod(this, &VirtualDesktopController::takeSnapshot, Qt::QueuedConnection);
-  });
+  };
+  loop_ =
+      std::make_unique<manipulation::ManipulationLoop>(std::move(link), host_.configuration(), show, host_.scenes());
   station_.beginLooking();
   forces_.connectionChanged();
   host_.recording().setLive(true);

@@ -232,8 +232,8 @@ TEST(PathCheck, WhatARobotCarriesIsCheckedAgainstItsOtherLinks) {
   EXPECT_EQ(met->findings[0].second, "slide/base");
   EXPECT_NEAR(met->findings[0].t_in, (0.29 - 0.22) / 0.2, 1e-3) << "its back is at -220 mm, the stop's face at -290 mm";
   const std::vector<workcell::PairRule> off{{.first = "slide", .second = "part", .checked = false}};
-  const auto silent =
-      checkPath(PreparedScene::prepare(cell, {{}, off}, {}), "slide", sliding({{0.0, 0.0}, {1.0, -0.2}}), {}, {});
+  const auto silent = checkPath(PreparedScene::prepare(cell, workcell::PairPolicy({}, off), {}), "slide",
+                                sliding({{0.0, 0.0}, {1.0, -0.2}}), {}, {});
   ASSERT_TRUE(silent && silent->findings.empty()) << "the user's rule counts for a robot's own links too";
 }
 
@@ -242,7 +242,7 @@ TEST(PathCheck, APairThatTheUserLeavesOutIsPassedThrough) {
   const auto scene =
       PreparedScene::prepare({solid(1, "wall", geometry::makeBox({0.001, 1.0, 1.0})),
                               solid(2, "box", geometry::makeBox(dvec3(0.02)), Pose::translation({-0.3, 0, 0}))},
-                             {{}, rules}, {});
+                             workcell::PairPolicy({}, rules), {});
   const auto result = checkPath(scene, "box", along({{0.0, {-0.3, 0, 0}}, {1.0, {0.3, 0, 0}}}), {}, {});
   ASSERT_TRUE(result.has_value());
   EXPECT_TRUE(result->findings.empty());

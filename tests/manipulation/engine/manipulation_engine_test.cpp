@@ -199,12 +199,12 @@ TEST_F(EngineTest, ARuleGivenWhileDraggingCountsAtOnce) {
   const std::size_t all = engine.held()->pairs().size();
   ASSERT_GT(all, 0u);
   workcell::PairRule rule{.first = "table", .second = "box", .on_contact = workcell::OnContact::kPass};
-  engine.apply(command::SetDocument{test::boxOverTable(0.02), {{}, {rule}}});
+  engine.apply(command::SetDocument{test::boxOverTable(0.02), workcell::PairPolicy({}, {rule})});
   moveTo({0, 0, 0});
   ASSERT_EQ(engine.held()->pairs().size(), all);
   EXPECT_EQ(engine.held()->pairs()[0].on_contact, workcell::OnContact::kPass);
   rule.checked = false;
-  engine.apply(command::SetDocument{test::boxOverTable(0.02), {{}, {rule}}});
+  engine.apply(command::SetDocument{test::boxOverTable(0.02), workcell::PairPolicy({}, {rule})});
   moveTo({0, 0, 0});
   ASSERT_NE(engine.held(), nullptr) << "it is still held";
   EXPECT_EQ(engine.held()->pairs().size(), all - 1);

@@ -41,7 +41,8 @@ TEST(RestPairs, WhatTouchesIsTheStandingBoxAndNothingElse) {
   EXPECT_EQ(rules[0].first, "table");
   EXPECT_EQ(rules[0].second, "standing");
   EXPECT_FALSE(rules[0].checked);
-  EXPECT_TRUE(touchingAtRest(*PreparedScene::prepare(cell(), {{}, rules}, {})).empty()) << "asked once";
+  EXPECT_TRUE(touchingAtRest(*PreparedScene::prepare(cell(), workcell::PairPolicy({}, rules), {})).empty())
+      << "asked once";
 }
 
 TEST(RestPairs, WhatCannotMoveOrIsNotCheckedIsNotAskedFor) {
@@ -52,7 +53,7 @@ TEST(RestPairs, WhatCannotMoveOrIsNotCheckedIsNotAskedFor) {
   carried[1].attachment.to = "table";
   EXPECT_TRUE(touchingAtRest(*PreparedScene::prepare(carried, {}, {})).empty());
   const std::vector<workcell::PairSet> other{{.name = "s", .first = {"hovering"}, .second = {"table"}}};
-  EXPECT_TRUE(touchingAtRest(*PreparedScene::prepare(cell(), {other, {}}, {})).empty());
+  EXPECT_TRUE(touchingAtRest(*PreparedScene::prepare(cell(), workcell::PairPolicy(other, {}), {})).empty());
 }
 
 /// A tool in the flange of an arm of two links, so long that it reaches the first link too.
@@ -97,7 +98,7 @@ TEST(RestPairs, AToolThatTouchesAnotherLinkIsAskedAboutAndThenLeftOutEverywhere)
   ASSERT_EQ(rules.size(), 1u);
   EXPECT_EQ(rules[0].first + "/" + rules[0].first_part, "arm/base");
   EXPECT_EQ(rules[0].second, "tool");
-  const auto scene = PreparedScene::prepare(cell, {{}, rules}, {});
+  const auto scene = PreparedScene::prepare(cell, workcell::PairPolicy({}, rules), {});
   EXPECT_TRUE(touchingAtRest(*scene).empty());
   for (const PairState& pair : pairsAtRest(*scene, 10, 0.3)) EXPECT_EQ(pair.other, 12u);
   // What is felt and heard while it is held knows the same pairs.
@@ -108,7 +109,7 @@ TEST(RestPairs, AToolThatTouchesAnotherLinkIsAskedAboutAndThenLeftOutEverywhere)
 
 TEST(RestPairs, APairThatARuleLeavesOutIsNotMeasured) {
   const std::vector<workcell::PairRule> rules{{.first = "hovering", .second = "table", .checked = false}};
-  const auto pairs = pairsAtRest(*PreparedScene::prepare(cell(), {{}, rules}, {}), 3, 0.3);
+  const auto pairs = pairsAtRest(*PreparedScene::prepare(cell(), workcell::PairPolicy({}, rules), {}), 3, 0.3);
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_EQ(pairs[0].other, 2u);
 }
