@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/controls/pose_text.h"
 #include "app/guides/detents_text.h"
 #include "app/guides/guide_curves.h"
 #include "app/guides/guide_making.h"
@@ -21,10 +22,9 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
-#include "app/kit/form.h"
-#include "app/controls/pose_text.h"
-#include "app/kit/switch_list.h"
 #include "app/kit/file_dialog.h"
+#include "app/kit/form.h"
+#include "app/kit/switch_list.h"
 #include "app/style/value_field.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "trajectory/files/trajectory_io.h"
@@ -161,7 +161,7 @@ void GuidesPanel::pickHandle() {
          frames.push_back({kHandle, self->host_.viewport().scene().placement_W(*entity).inverse() *
                                         Pose::translation(feature->p_WQ)});
          if (self->host_.documentModel().execute(workcell::SetFrames{entity->id, std::move(frames)}))
-           self->host_.holdChoice().set(HoldChoice::Kind::kFrame, kHandle);
+           self->host_.holdChoice().set(by::Frame{kHandle});
          self->show();
        }});
 }
@@ -206,12 +206,12 @@ dvec3 GuidesPanel::movedPoint_W(const Guide& guide) const {
   const Pose X_WE = scene.placement_W(*entity);
   const HoldChoice& hold = host_.holdChoice();
   for (const workcell::Frame& frame : entity->frames)
-    if (hold.kind() == HoldChoice::Kind::kFrame && frame.name == hold.frame()) return X_WE * frame.X_EF.p;
-  if (hold.kind() == HoldChoice::Kind::kGeometricCenter && entity->mesh) {
+    if (hold.is<by::Frame>() && frame.name == hold.frame()) return X_WE * frame.X_EF.p;
+  if (hold.is<by::Center>() && entity->mesh) {
     const geometry::Bounds bounds = entity->mesh->bounds();
     return X_WE * (0.5 * (bounds.min + bounds.max));
   }
-  if (entity->robot && hold.kind() != HoldChoice::Kind::kBase) return tcpPose_W(*entity, X_WE, scene.joints(*entity)).p;
+  if (entity->robot && !hold.is<by::Base>()) return tcpPose_W(*entity, X_WE, scene.joints(*entity)).p;
   return X_WE.p;
 }
 
@@ -258,8 +258,7 @@ void GuidesPanel::showGuide(const Guide* guide) {
   geometry_->setCursorPosition(0);
   geometry_->setToolTip(geometry_->text());
   const HoldChoice& hold = host_.holdChoice();
-  handle_->setText(hold.kind() == HoldChoice::Kind::kFrame ? QString::fromStdString(hold.frame())
-                                                           : tr("as it is held"));
+  handle_->setText(hold.is<by::Frame>() ? QString::fromStdString(hold.frame()) : tr("as it is held"));
   radius_->setValue(1e3 * guide->radius);
   pitch_->setValue(1e3 * guide->pitch);
   offset_->setValue(1e3 * guide->offset);

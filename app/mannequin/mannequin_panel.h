@@ -59,7 +59,7 @@ class MannequinPanel : public QWidget {
   void showHolding();
   void showHands();
   void showReach();
-  void hold(manipulation::MovedBy::Kind kind);
+  void hold(const manipulation::MovedBy& way);
   void setLock(int which, bool on);
   void takePosture(const QString& name);
   void openPostureMenu();

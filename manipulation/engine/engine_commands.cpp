@@ -153,10 +153,8 @@ void ManipulationEngine::anchorMapping() {
 void ManipulationEngine::hold(workcell::EntityId entity) {
   const workcell::Entity* found = scene_ ? scene_->find(entity) : nullptr;
   if (found == nullptr) return;
-  MovedBy moved_by = moved_by_;
-  moved_by.joints_move = joints_move_;
-  const HoldOptions options{moved_by, on_contact_.value_or(found->on_contact),
-                            force_class_.value_or(found->force_class)};
+  const HoldOptions options{moved_by_, on_contact_.value_or(found->on_contact),
+                            force_class_.value_or(found->force_class), joints_move_};
   auto taken = HeldEntity::take(scene_, entity, placements_, options, configuration_);
   if (!taken) {
     notice(taken.error().message());

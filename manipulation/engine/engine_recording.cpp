@@ -81,7 +81,7 @@ void ManipulationEngine::recordPosed(bool by_hand) {
   sample.entity = scene_->find(posed_->id());
   sample.at = &at;
   sample.X_WM = at.X_WE;
-  sample.moved_by.kind = sample.entity->figure ? MovedBy::Kind::kWhole : MovedBy::Kind::kBase;
+  sample.moved_by = sample.entity->figure ? MovedBy(by::Whole{}) : MovedBy(by::Base{});
   recorder_->take(sample, by_hand);
 }
 
@@ -101,7 +101,7 @@ void ManipulationEngine::recordStep() {
     sample.entity = entity;
     sample.at = &at;
     sample.X_WM = at.X_WE;
-    sample.moved_by.kind = entity->robot ? MovedBy::Kind::kBase : MovedBy::Kind::kSelfOrigin;
+    sample.moved_by = entity->robot ? MovedBy(by::Base{}) : MovedBy(by::Origin{});
     recorder_->take(sample, by_hand);
   }
 }

@@ -16,10 +16,8 @@ constexpr double kPosedShown = 0.05;              ///< m: pairs of a posed hand 
 
 /// One mannequin, drawn by its two hands.
 bool areBothHands(const MovedBy& a, const MovedBy& b) {
-  const auto is_hand = [](const MovedBy& by) {
-    return by.kind == MovedBy::Kind::kLeftHand || by.kind == MovedBy::Kind::kRightHand;
-  };
-  return is_hand(a) && is_hand(b) && a.kind != b.kind;
+  const auto *one = std::get_if<by::Hand>(&a), *other = std::get_if<by::Hand>(&b);
+  return one != nullptr && other != nullptr && one->side != other->side;
 }
 
 bool same(const EntityConfiguration& a, const EntityConfiguration& b) {
@@ -137,9 +135,9 @@ HeldEntity* ManipulationEngine::poser(workcell::EntityId entity) {
   }
   if (posed_ && posed_->id() == entity) return posed_.get();
   const workcell::Entity& found = *scene_->find(entity);
-  const MovedBy moved_by{.kind = found.figure ? MovedBy::Kind::kWhole : MovedBy::Kind::kBase, .joints_move = true};
-  auto taken =
-      HeldEntity::take(scene_, entity, placements_, {moved_by, found.on_contact, found.force_class}, configuration_);
+  const MovedBy moved_by = found.figure ? MovedBy(by::Whole{}) : MovedBy(by::Base{});
+  const HoldOptions options{moved_by, found.on_contact, found.force_class, true};
+  auto taken = HeldEntity::take(scene_, entity, placements_, options, configuration_);
   if (!taken) {
     notice(taken.error().message());
     wanted_pose_.reset();

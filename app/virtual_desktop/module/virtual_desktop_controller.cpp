@@ -83,10 +83,10 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
     const HoldChoice& choice = host_.holdChoice();
     if (loop_) loop_->post(command::SetMovedBy{movedBy()});
     postSecondSettings();
-    if (choice.kind() == settings_.moved_by && choice.frame() == settings_.moved_frame) return;
+    const bool same_frame = choice.frame() == manipulation::frameOf(settings_.moved_by);
+    if (same_frame && manipulation::isSameWay(choice.movedBy(), settings_.moved_by)) return;
     VirtualDesktopSettings settings = settings_;
-    settings.moved_by = choice.kind();
-    settings.moved_frame = choice.frame();
+    settings.moved_by = choice.movedBy();
     change(settings);
   });
   connect(&lister_, &DeviceLister::plugged, this, &VirtualDesktopController::tellOfPlugged);
@@ -249,7 +249,7 @@ void VirtualDesktopController::postSettings() {
 void VirtualDesktopController::change(const VirtualDesktopSettings& settings) {
   const bool other_sets = settings.against != settings_.against;
   settings_ = settings;
-  host_.holdChoice().set(settings.moved_by, settings.moved_frame);
+  host_.holdChoice().set(settings.moved_by);
   if (other_sets) postDocument();
   postSettings();
   updateMouse();  // The next motion of the mouse goes along the axes chosen now, not from the next snapshot on.
@@ -334,8 +334,7 @@ void VirtualDesktopController::forgetCell() {
     closed_ids_ = std::max(closed_ids_, entity->id);
   VirtualDesktopSettings settings = settings_;
   settings.entity = 0;
-  settings.moved_by = manipulation::MovedBy::Kind::kDefault;
-  settings.moved_frame.clear();
+  settings.moved_by = {};
   settings.against.clear();
   if (settings.axes == manipulation::AxesMode::kFrame) settings.axes = VirtualDesktopSettings().axes;
   settings.axes_frame.clear();

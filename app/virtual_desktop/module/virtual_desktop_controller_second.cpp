@@ -17,7 +17,6 @@ namespace hapticell::app {
 namespace {
 
 namespace command = manipulation::command;
-using Kind = manipulation::MovedBy::Kind;
 
 /// One of this machine's that nobody listens on now; 0 where none is to be had.
 int freePort() {
@@ -30,10 +29,6 @@ int freePort() {
   const bool bound = probe >= 0 && bind(probe, any, length) == 0 && getsockname(probe, any, &length) == 0;
   if (probe >= 0) close(probe);
   return bound ? ntohs(address.sin_port) : 0;
-}
-
-bool isHand(Kind kind) {
-  return kind == Kind::kLeftHand || kind == Kind::kRightHand;
 }
 
 }  // namespace
@@ -73,20 +68,21 @@ void VirtualDesktopController::startSecond() {
 /// What the first holds of a mannequin leaves the second the other hand; the trunk stands still then.
 manipulation::MovedBy VirtualDesktopController::movedBy() const {
   manipulation::MovedBy moved_by = host_.holdChoice().movedBy();
-  if (second_link_ && isHand(moved_by.kind)) moved_by.lock_trunk = true;
+  auto* hand = std::get_if<by::Hand>(&moved_by);
+  if (second_link_ && hand) hand->locks.trunk = true;
   return moved_by;
 }
 
 void VirtualDesktopController::postSecondSettings() {
   if (!loop_ || !second_link_) return;
   manipulation::MovedBy moved_by = movedBy();
-  const bool other_hand = isHand(moved_by.kind);
-  if (other_hand) {
-    moved_by.kind = moved_by.kind == Kind::kLeftHand ? Kind::kRightHand : Kind::kLeftHand;
+  auto* hand = std::get_if<by::Hand>(&moved_by);
+  loop_->postSecond(command::ChooseEntity{hand ? settings_.entity : 0});
+  if (hand) {
+    hand->side = mannequin::other(hand->side);
   } else {
     moved_by = {};
   }
-  loop_->postSecond(command::ChooseEntity{other_hand ? settings_.entity : 0});
   loop_->postSecond(command::SetMovedBy{moved_by});
   loop_->postSecond(command::SetAxes{{settings_.axes, settings_.axes_frame}});
   loop_->postSecond(command::SetScale{{settings_.scale, 1.0}});
@@ -97,7 +93,7 @@ QString VirtualDesktopController::secondLine() const {
   if (!second_link_) return tr("Comes with the first one");
   if (second_link_->linkState() != haptic::LinkState::kConnected) return shownText(second_link_->problem());
   if (snapshot_.second && snapshot_.second->device_fault) return tr("It does not answer: its force is zero");
-  if (!isHand(movedBy().kind)) return tr("Connected, pen 2 in the scene; it holds what its tip touches");
+  if (!host_.holdChoice().is<by::Hand>()) return tr("Connected, pen 2 in the scene; it holds what its tip touches");
   return tr("Connected, pen 2 in the scene; it holds the other hand, the trunk stands still");
 }
 

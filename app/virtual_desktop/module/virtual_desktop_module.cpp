@@ -14,24 +14,24 @@
 #include <QScrollArea>
 #include <QTimer>
 
-#include "app/kit/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
-#include "app/kit/top_menus.h"
+#include "app/kit/action_face.h"
 #include "app/kit/dock_front.h"
+#include "app/kit/top_menus.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/key_cap.h"
 #include "app/style/theme.h"
 #include "app/viewport/widget/viewport_widget.h"
-#include "app/virtual_desktop/widgets/device_check_panel.h"
 #include "app/virtual_desktop/devices/device_listing.h"
 #include "app/virtual_desktop/devices/device_watch.h"
 #include "app/virtual_desktop/module/virtual_desktop_controller.h"
 #include "app/virtual_desktop/module/virtual_desktop_panel.h"
+#include "app/virtual_desktop/widgets/device_check_panel.h"
 
 namespace hapticell::app {
 namespace {}  // namespace
@@ -128,7 +128,7 @@ void VirtualDesktopModule::openCheck(VirtualDesktopPanel& panel) {
 void VirtualDesktopModule::chooseFirstRobot() {
   VirtualDesktopSettings settings = controller_->settings();
   settings.entity = 0;
-  settings.moved_by = manipulation::MovedBy::Kind::kDefault;
+  settings.moved_by = manipulation::MovedBy();
   for (const auto& entity : host_->documentModel().document().state().entities) {
     if (!entity->robot || entity->locked) continue;
     settings.entity = entity->id;

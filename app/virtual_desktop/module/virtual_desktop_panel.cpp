@@ -21,12 +21,12 @@
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
 #include "app/style/value_field.h"
-#include "app/virtual_desktop/widgets/device_combo.h"
 #include "app/virtual_desktop/devices/device_listing.h"
+#include "app/virtual_desktop/module/virtual_desktop_controller.h"
+#include "app/virtual_desktop/widgets/device_combo.h"
 #include "app/virtual_desktop/widgets/force_meter.h"
 #include "app/virtual_desktop/widgets/input_panel.h"
 #include "app/virtual_desktop/widgets/station_panel.h"
-#include "app/virtual_desktop/module/virtual_desktop_controller.h"
 #include "config/device_profile.h"
 
 namespace hapticell::app {
@@ -203,7 +203,6 @@ void VirtualDesktopPanel::listDevices() {
 }
 
 void VirtualDesktopPanel::addHeld(QVBoxLayout& column) {
-  using Kind = manipulation::MovedBy::Kind;
   QVBoxLayout* section = addSection(column, tr("What is held"));
   entity_ = new QComboBox;
   entity_->setObjectName("comboEntity");
@@ -224,21 +223,20 @@ void VirtualDesktopPanel::addHeld(QVBoxLayout& column) {
     change([&](auto& settings) {
       settings.entity = entity_->itemData(index).toULongLong();
       const workcell::Entity* entity = host_.documentModel().document().find(settings.entity);
-      settings.moved_by = entity ? HoldChoice::usual(*entity) : Kind::kDefault;
+      settings.moved_by = entity ? HoldChoice::usual(*entity) : HoldChoice::MovedBy();
       if (entity) settings.on_contact = entity->on_contact, settings.force_class = entity->force_class;
       if (entity) host_.selection().set(entity->id);
     });
   });
   connect(moved_by_, &Segmented::chosen, this, [this](int index) {
-    const Kind kinds[]{Kind::kTcp,   Kind::kBase,     Kind::kSelfOrigin, Kind::kGeometricCenter, Kind::kFrame,
-                       Kind::kWhole, Kind::kLeftHand, Kind::kRightHand,  Kind::kBothHands,       Kind::kHead};
     change([&](auto& settings) {
-      settings.moved_by = kinds[index];
-      settings.moved_frame = index == 4 ? moved_frame_->currentText().toStdString() : std::string();
+      settings.moved_by = waysOffered()[static_cast<std::size_t>(index)];
+      if (auto* frame = std::get_if<by::Frame>(&settings.moved_by))
+        frame->name = moved_frame_->currentText().toStdString();
     });
   });
   connect(moved_frame_, &QComboBox::activated, this, [this] {
-    change([&](auto& settings) { settings.moved_frame = moved_frame_->currentText().toStdString(); });
+    change([&](auto& settings) { settings.moved_by = by::Frame{moved_frame_->currentText().toStdString()}; });
   });
   connect(against_, &QComboBox::activated, this, [this](int index) {
     change([&](auto& settings) { settings.against = against_->itemData(index).toString().toStdString(); });

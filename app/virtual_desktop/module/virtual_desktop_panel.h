@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <array>
 #include <functional>
+#include <span>
 
 #include "app/style/steady_number.h"
 #include "app/virtual_desktop/devices/virtual_desktop_settings.h"
@@ -32,6 +33,9 @@ class Segmented;
 class ValueField;
 class VirtualDesktopController;
 class WorkspaceView;
+
+/// The ways of moving an entity that can be chosen in the panel, in their order there.
+std::span<const manipulation::MovedBy> waysOffered();
 
 /// The panel of the haptic module: switch and force first, then device, what is held, axes and scale, feel, the hand in
 /// its workspace, loop rates. Shows what the controller says and asks it for changes.

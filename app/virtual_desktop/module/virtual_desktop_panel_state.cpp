@@ -9,9 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/host/document_model.h"
-#include "app/host/host.h"
 #include "app/controls/entity_icon.h"
+#include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
+#include "app/host/host.h"
 #include "app/kit/form.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
@@ -20,13 +21,13 @@
 #include "app/style/value_field.h"
 #include "app/viewport/scene/strip_text.h"
 #include "app/viewport/widget/viewport_widget.h"
-#include "app/virtual_desktop/widgets/device_check_panel.h"
-#include "app/virtual_desktop/widgets/device_combo.h"
 #include "app/virtual_desktop/devices/device_watch.h"
-#include "app/virtual_desktop/widgets/force_meter.h"
-#include "app/virtual_desktop/widgets/input_panel.h"
 #include "app/virtual_desktop/module/virtual_desktop_controller.h"
 #include "app/virtual_desktop/module/virtual_desktop_panel.h"
+#include "app/virtual_desktop/widgets/device_check_panel.h"
+#include "app/virtual_desktop/widgets/device_combo.h"
+#include "app/virtual_desktop/widgets/force_meter.h"
+#include "app/virtual_desktop/widgets/input_panel.h"
 
 namespace hapticell::app {
 namespace {
@@ -40,40 +41,29 @@ QString keyLine(const QString& key, const QString& does, const Theme& theme) {
 }
 
 void showMoved(Segmented& moved_by, const VirtualDesktopSettings& settings, const workcell::Entity* entity) {
-  using Kind = manipulation::MovedBy::Kind;
+  constexpr int kTool = 0, kOrigin = 2, kWhole = 5;  // Among the ways offered.
   const bool mannequin = entity && entity->kind == workcell::EntityKind::kMannequin;
   const bool robot = entity && entity->robot && !mannequin;
   for (int i = 0; i < 4; ++i) moved_by.button(i)->setVisible(!entity || (!mannequin && (i < 2) == robot));
   moved_by.button(4)->setVisible(!mannequin);
   for (int i = 5; i < 10; ++i) moved_by.button(i)->setVisible(mannequin);
-  const auto index = [&] {
-    switch (settings.moved_by) {
-      case Kind::kTcp:
-        return 0;
-      case Kind::kBase:
-        return 1;
-      case Kind::kSelfOrigin:
-        return 2;
-      case Kind::kGeometricCenter:
-        return 3;
-      case Kind::kFrame:
-        return 4;
-      case Kind::kLeftHand:
-        return 6;
-      case Kind::kRightHand:
-        return 7;
-      case Kind::kBothHands:
-        return 8;
-      case Kind::kHead:
-        return 9;
-      default:
-        return mannequin ? 5 : robot ? 0 : entity ? 2 : -1;
-    }
-  };
-  moved_by.setCurrent(index());
+  const std::span<const manipulation::MovedBy> ways = waysOffered();
+  const auto chosen = std::find_if(ways.begin(), ways.end(), [&](const manipulation::MovedBy& way) {
+    return manipulation::isSameWay(way, settings.moved_by);
+  });
+  const int usual = mannequin ? kWhole : robot ? kTool : entity ? kOrigin : -1;
+  moved_by.setCurrent(chosen == ways.end() ? usual : static_cast<int>(chosen - ways.begin()));
 }
 
 }  // namespace
+
+std::span<const manipulation::MovedBy> waysOffered() {
+  using mannequin::Side;
+  static const manipulation::MovedBy ways[]{by::Tool{},      by::Base{},  by::Origin{},          by::Center{},
+                                            by::Frame{},     by::Whole{}, by::Hand{Side::kLeft}, by::Hand{Side::kRight},
+                                            by::BothHands{}, by::Head{}};
+  return ways;
+}
 
 void VirtualDesktopPanel::listEntities() {
   const workcell::EntityId chosen = controller_.settings().entity;
@@ -108,7 +98,7 @@ void VirtualDesktopPanel::listFrames(const workcell::Entity* entity) {
     for (const auto& link : entity->robot->links)
       moved_frame_->addItem(icon("frame"), QString::fromStdString(link.name));
   moved_by_->setChoiceEnabled(4, moved_frame_->count() > 0, tr("This entity has no frames"));
-  moved_frame_->setCurrentText(QString::fromStdString(settings.moved_frame));
+  moved_frame_->setCurrentText(QString::fromStdString(manipulation::frameOf(settings.moved_by)));
   axes_frame_->clear();
   for (const auto& other : host_.documentModel().document().state().entities)
     axes_frame_->addItem(icon(entityIcon(*other)), QString::fromStdString(other->name));
@@ -197,7 +187,7 @@ void VirtualDesktopPanel::showSettings() {
   listSets();
   listFrames(entity);
   showMoved(*moved_by_, settings, entity);
-  moved_frame_row_->setVisible(settings.moved_by == manipulation::MovedBy::Kind::kFrame);
+  moved_frame_row_->setVisible(std::holds_alternative<by::Frame>(settings.moved_by));
   axes_frame_row_->setVisible(settings.axes == manipulation::AxesMode::kFrame);
   on_contact_->setCurrent(static_cast<int>(settings.on_contact));
   axes_->setCurrent(static_cast<int>(settings.axes));

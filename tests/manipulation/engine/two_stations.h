@@ -10,8 +10,8 @@
 #include "haptic/server/configured_loop.h"
 #include "haptic/server/in_memory_link.h"
 #include "manipulation/engine/second_stylus.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/shape/figure_model.h"
 #include "tests/manipulation/session/test_cells.h"
 #include "workcell/import/entity_source.h"
 
@@ -86,8 +86,8 @@ struct TwoStations {
     }
   }
   void takeBothHands() {
-    first->apply(command::SetMovedBy{{.kind = MovedBy::Kind::kRightHand, .lock_trunk = true}});
-    second->engine().apply(command::SetMovedBy{{.kind = MovedBy::Kind::kLeftHand, .lock_trunk = true}});
+    first->apply(command::SetMovedBy{by::Hand{.side = mannequin::Side::kRight, .locks = {.trunk = true}}});
+    second->engine().apply(command::SetMovedBy{by::Hand{.side = mannequin::Side::kLeft, .locks = {.trunk = true}}});
     first->apply(command::Grab{kWorker});
     run(20);
     second->engine().apply(command::Grab{kWorker});
