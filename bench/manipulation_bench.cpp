@@ -17,7 +17,7 @@
 #include "bench/chain_robot.h"
 #include "bench/collision_scenes.h"
 #include "bench/thread_clock.h"
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 #include "tests/manipulation/session/hand_link.h"
 
 namespace hapticell::bench {

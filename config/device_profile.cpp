@@ -121,21 +121,21 @@ void readCapabilities(TableReader& table, DeviceProfile& profile) {
 }
 
 void readMechanics(TableReader& table, DeviceProfile& profile) {
-  table.read("apparent_mass", profile.apparent_mass, {0.005, 5.0});
-  table.read("coulomb_friction", profile.coulomb_friction, {0.0, 10.0});
-  table.read("viscous_friction", profile.viscous_friction, {0.0, 10.0});
-  table.read("weight", profile.weight, {0.0, 50.0});
-  table.read("upper_arm", profile.upper_arm, {0.02, 2.0});
-  table.read("forearm", profile.forearm, {0.02, 2.0});
-  table.read("stop_stiffness", profile.stop_stiffness, {100.0, 50000.0});
-  table.read("stop_damping", profile.stop_damping, {0.0, 100.0});
+  table.read("apparent_mass", profile.mechanics.apparent_mass, {0.005, 5.0});
+  table.read("coulomb_friction", profile.mechanics.coulomb_friction, {0.0, 10.0});
+  table.read("viscous_friction", profile.mechanics.viscous_friction, {0.0, 10.0});
+  table.read("weight", profile.mechanics.weight, {0.0, 50.0});
+  table.read("upper_arm", profile.mechanics.upper_arm, {0.02, 2.0});
+  table.read("forearm", profile.mechanics.forearm, {0.02, 2.0});
+  table.read("stop_stiffness", profile.mechanics.stop_stiffness, {100.0, 50000.0});
+  table.read("stop_damping", profile.mechanics.stop_damping, {0.0, 100.0});
 }
 
 void readElectronics(TableReader& table, DeviceProfile& profile) {
-  table.read("converter_range", profile.converter_range, {0.1, 100.0});
-  table.read("converter_bits", profile.converter_bits, {6, 24});
-  table.read("delay_ticks", profile.delay_ticks, {0, 15});
-  table.read("thermal_time", profile.thermal_time, {0.1, 3600.0});
+  table.read("converter_range", profile.electronics.converter_range, {0.1, 100.0});
+  table.read("converter_bits", profile.electronics.converter_bits, {6, 24});
+  table.read("delay_ticks", profile.electronics.delay_ticks, {0, 15});
+  table.read("thermal_time", profile.electronics.thermal_time, {0.1, 3600.0});
 }
 
 using SectionReader = void (*)(TableReader&, DeviceProfile&);

@@ -5,10 +5,34 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/vector.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::config {
+
+/// How a stylus moves, as simulated. SI.
+struct DeviceMechanics {
+  double apparent_mass = 0.045;     ///< At the tip in the workspace's middle, kg.
+  double coulomb_friction = 0.06;   ///< At the tip, N.
+  double viscous_friction = 0.012;  ///< At the tip, N s/m.
+  double weight = 0.04;             ///< What the counterweights leave of it, N.
+  double upper_arm = 0.160;         ///< m.
+  double forearm = 0.160;           ///< m.
+  double stop_stiffness = 5000.0;   ///< Hard stops, N/m.
+  double stop_damping = 10.0;       ///< N s/m.
+
+  bool operator==(const DeviceMechanics&) const = default;
+};
+
+/// Electronics and motors of a stylus, as simulated. SI.
+struct DeviceElectronics {
+  double converter_range = 7.9;  ///< Tip force at the converter's full scale, N.
+  int converter_bits = 12;
+  int delay_ticks = 1;         ///< Ticks from write() to the force.
+  double thermal_time = 30.0;  ///< Motors' time constant, s.
+
+  bool operator==(const DeviceElectronics&) const = default;
+};
 
 /// The figures of a force-feedback stylus, as read from `config/devices/NAME.toml`. SI throughout.
 ///
@@ -30,21 +54,8 @@ struct DeviceProfile {
   double stiffness = 1000.0;      ///< Recommended K, N/m.
   double damping = 2.0;           ///< Recommended B, N s/m.
 
-  // How it moves.
-  double apparent_mass = 0.045;     ///< At the tip in the workspace's middle, kg.
-  double coulomb_friction = 0.06;   ///< At the tip, N.
-  double viscous_friction = 0.012;  ///< At the tip, N s/m.
-  double weight = 0.04;             ///< What the counterweights leave of it, N.
-  double upper_arm = 0.160;         ///< m.
-  double forearm = 0.160;           ///< m.
-  double stop_stiffness = 5000.0;   ///< Hard stops, N/m.
-  double stop_damping = 10.0;       ///< N s/m.
-
-  // Its electronics and motors.
-  double converter_range = 7.9;  ///< Tip force at the converter's full scale, N.
-  int converter_bits = 12;
-  int delay_ticks = 1;         ///< Ticks from write() to the force.
-  double thermal_time = 30.0;  ///< Motors' time constant, s.
+  DeviceMechanics mechanics;
+  DeviceElectronics electronics;
 
   bool operator==(const DeviceProfile&) const = default;
 };

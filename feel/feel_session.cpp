@@ -50,7 +50,7 @@ FeelSession::FeelSession(const FeelScene& scene, const SessionSetup& wanted)
       way_(wayOf(setup_)),
       exact_(setup_.renderer),
       safety_(limitsOf(setup_)),
-      account_(setup_.device.delay_ticks) {
+      energy_(setup_.device.electronics.delay_ticks) {
   device_.hand().setOptions(hand_);
   HAPTICELL_DEMAND(device_.open().has_value());
 }
@@ -89,7 +89,7 @@ void FeelSession::forgetFigures() {
   figures_ = {};
   depth_errors_.clear();
   direction_errors_.clear();
-  loss_ = haptic::WorstLoss();
+  energy_.forgetLoss();
 }
 
 void FeelSession::tick(bool measured) {
@@ -118,10 +118,10 @@ void FeelSession::tick(bool measured) {
   exact_rows_ = exact_result_.active_rows;
   // What a moving obstacle does to the hand is none of the renderer's making.
   const haptic::MetricVector step = exact_.way(reading.X_DS, X_DSBefore_) - together(kTick * result_.v_DO, dvec3(0.0));
-  account_.add(step, commanded_before, result_.stiffness);
+  energy_.add(step, commanded_before, result_.stiffness);
   X_DSBefore_ = reading.X_DS;
   if (measured) {
-    loss_.add(time_, account_.balance());
+    energy_.note(time_);
     measure(reading, force_before);
   }
   time_ += kTick;
@@ -168,7 +168,7 @@ FeelFigures FeelSession::figures() const {
   FeelFigures result = figures_;
   result.depth_error_p95 = percentile(depth_errors_, 0.95);
   result.direction_p95_deg = percentile(direction_errors_, 0.95);
-  result.energy_min = loss_.value();
+  result.energy_min = energy_.worst();
   return result;
 }
 

@@ -92,8 +92,7 @@ class FeelSession {
   std::uint64_t ticks_ = 0;
   std::size_t exact_rows_ = 0;
   double last_change_ = -1.0;
-  haptic::EnergyAccount account_;
-  haptic::WorstLoss loss_;
+  haptic::EnergyLossMeter energy_;
   Pose X_DSBefore_;
   std::vector<dvec3> readings_;
   std::vector<double> depth_errors_, direction_errors_;

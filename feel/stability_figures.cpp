@@ -19,7 +19,7 @@ enum class Grip { kFirm, kLoose, kReleased };
 /// How far the stylus still moves after two seconds at rest, in encoder steps.
 double restlessness(const FeelScene& scene, SessionSetup setup, Grip grip) {
   if (grip == Grip::kLoose) setup.hand = haptic::HandOptions::loose();
-  if (grip == Grip::kReleased) setup.device.weight = kWholeWeight;
+  if (grip == Grip::kReleased) setup.device.mechanics.weight = kWholeWeight;
   FeelSession session(scene, setup);
   pressAtRest(session, scene);
   if (grip == Grip::kReleased) session.letGo(3.0);
@@ -37,7 +37,7 @@ double worstGrip(const FeelScene& scene, const SessionSetup& setup) {
 SessionSetup delayed(const ClientRate& rate, int ticks) {
   SessionSetup setup;
   setup.rate = rate;
-  setup.device.delay_ticks = ticks;
+  setup.device.electronics.delay_ticks = ticks;
   setup.renderer.delay = 1e-3 * ticks;
   return setup;
 }

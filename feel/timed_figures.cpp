@@ -74,8 +74,9 @@ Expected<std::vector<Figure>> latencyFigures() {
   const auto classic = manipulation::runSessionOnServer(options, "127.0.0.1", (*server)->port());
   HAPTICELL_TRY(classic);
   const char* scene = "box among a million triangles, loopback";
-  return std::vector<Figure>{{"M7.p50", scene, "", "ms", report->latency_p50_ms, 2.0, false, classic->latency_p50_ms},
-                             {"M7.p99", scene, "", "ms", report->latency_p99_ms, 10.0, false, classic->latency_p99_ms}};
+  return std::vector<Figure>{
+      {"M7.p50", scene, "", "ms", report->delays.latency_p50_ms, 2.0, false, classic->delays.latency_p50_ms},
+      {"M7.p99", scene, "", "ms", report->delays.latency_p99_ms, 10.0, false, classic->delays.latency_p99_ms}};
 }
 
 haptic::Vector6 direction(std::mt19937_64& random) {

@@ -13,7 +13,6 @@
 #include <StepData_StepModel.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDF_Tool.hxx>
 #include <TDataStd_Name.hxx>
@@ -77,15 +76,18 @@ Error unreadable(const char* format) {
           .fix = "Export it again."};
 }
 
-/// Entries of a STEP file that the library did not understand as they stand there, as "#12 DIRECTION".
+/// Entries of a STEP file's shapes that the library did not understand as they stand there: "#12". Of others, such as
+/// styles, it also complains where nothing is amiss.
 std::vector<std::string> damagedEntries(const Handle(StepData_StepModel) & model) {
   std::vector<std::string> found;
   if (model.IsNull()) return found;
   constexpr Standard_Boolean kAsRead = Standard_True;
   for (int i = 1; i <= model->NbEntities(); ++i) {
-    if (!model->Check(i, kAsRead)->HasFailed() && !model->IsErrorEntity(i)) continue;
+    if (!model->Check(i, kAsRead)->HasFailed()) continue;
     const Handle(Standard_Transient) entity = model->Value(i);
-    found.push_back("#" + std::to_string(model->IdentLabel(entity)) + " " + model->StringLabel(entity)->ToCString());
+    const std::string_view type = entity->DynamicType()->Name();
+    if (!type.starts_with("StepGeom_") && !type.starts_with("StepShape_")) continue;
+    found.push_back("#" + std::to_string(model->IdentLabel(entity)));
   }
   return found;
 }

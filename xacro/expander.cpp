@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "xacro/built_ins.h"
+#include "xacro/fault.h"
+#include "xacro/macro_call.h"
 #include "xacro/pushed.h"
 
 namespace hapticell::xacro {
@@ -20,55 +22,19 @@ bool playsNoPart(const std::string& name) {
   return kNames.count(name) > 0;
 }
 
-class At {
- public:
-  At(const XmlNode*& at, const XmlNode* node) : at_(at), before_(std::exchange(at, node)) {}
-  ~At() { at_ = before_; }
-  At(const At&) = delete;
-  At& operator=(const At&) = delete;
-
- private:
-  const XmlNode*& at_;
-  const XmlNode* before_;
-};
-
 }  // namespace
 
 Expander::Expander(const Arguments& arguments, const Files& files, std::vector<DeclaredArgument>& declared,
                    Diagnostics& diagnostics)
-    : arguments_(arguments),
-      files_(files),
-      declared_(declared),
-      diagnostics_(diagnostics),
-      interpreter_(budget_, *this) {}
-
-std::string Expander::nameOf(int file) const {
-  return files_read_[static_cast<std::size_t>(file)].string();
-}
-
-XmlPointer Expander::parsed(const fs::path& file, int& index) {
-  const auto known = parsed_.find(file.string());
-  if (known != parsed_.end()) {
-    index = known->second.second;
-    return known->second.first;
-  }
-  index = static_cast<int>(files_read_.size());
-  const auto text = files_.read(file);
-  if (!text) throw Fault(text.error().found, text.error().expected, text.error().fix);
-  files_read_.push_back(file);
-  budget_.take(text->size() * 4);
-  XmlPointer root = readXml(*text, file.string(), index);
-  parsed_[file.string()] = {root, index};
-  return root;
-}
+    : sources_(files, budget_), evaluator_(arguments, sources_, declared, diagnostics, budget_) {}
 
 XmlPointer Expander::run(const fs::path& file) {
   int index = 0;
-  const XmlPointer root = parsed(file, index);
-  const Pushed<int> inside(file_stack_, index);
-  Scope& globals = scopes_.make(nullptr);
-  addBuiltIns(globals, scopes_);
-  Scope& symbols = scopes_.make(&globals);
+  const XmlPointer root = sources_.parsed(file, index);
+  const Pushed<int> inside = sources_.enter(index);
+  Scope& globals = evaluator_.scopes().make(nullptr);
+  addBuiltIns(globals, evaluator_.scopes());
+  Scope& symbols = evaluator_.scopes().make(&globals);
   MacroScope& macros = macro_scopes_.emplace_back(nullptr);
   Nodes out;
   copyElement(*root, root->name, {symbols, macros, nullptr}, out);
@@ -82,7 +48,7 @@ void Expander::expandChildren(const XmlNode& node, const Context& context, Nodes
 
 void Expander::expandNode(const XmlPointer& node, const Context& context, Nodes& out) {
   budget_.step(3);
-  const At here(at_, node.get());
+  const Evaluator::At here(evaluator_, node.get());
   try {
     if (node->isElement())
       expandElement(*node, context, out);
@@ -90,7 +56,7 @@ void Expander::expandNode(const XmlPointer& node, const Context& context, Nodes&
       copyText(*node, context, out);
   } catch (Fault& fault) {
     if (fault.file.empty()) {
-      fault.file = nameOf(node->file);
+      fault.file = sources_.nameOf(node->file);
       fault.line = node->line;
     }
     throw;
@@ -99,7 +65,7 @@ void Expander::expandNode(const XmlPointer& node, const Context& context, Nodes&
 
 void Expander::copyText(const XmlNode& node, const Context& context, Nodes& out) {
   XmlNode copy = node;
-  copy.text = interpreter_.textOfText(node.text, context.symbols);
+  copy.text = evaluator_.text(node.text, context.symbols);
   budget_.take(sizeof(XmlNode) + copy.text.size());
   if (!copy.text.empty()) out.push_back(std::make_shared<const XmlNode>(std::move(copy)));
 }
@@ -113,8 +79,9 @@ void Expander::expandElement(const XmlNode& node, const Context& context, Nodes&
   try {
     copyElement(node, node.name, context, out);
   } catch (const Fault& fault) {
-    report(fault.file.empty() ? nameOf(node.file) : fault.file, fault.file.empty() ? node.line : fault.line,
-           "<" + node.name + "> is left out, it moves nothing: " + fault.found);
+    evaluator_.report(fault.file.empty() ? sources_.nameOf(node.file) : fault.file,
+                      fault.file.empty() ? node.line : fault.line,
+                      "<" + node.name + "> is left out, it moves nothing: " + fault.found);
   }
 }
 
@@ -135,7 +102,7 @@ bool Expander::expandStatement(const XmlNode& node, const Context& context, Node
   } else if (statement == "attribute") {
     setAttribute(node, context);
   } else if (statement == "element") {
-    const std::string name = interpreter_.textOfText(required(node, "xacro:name"), context.symbols);
+    const std::string name = evaluator_.text(required(node, "xacro:name"), context.symbols);
     if (name.empty()) throw Fault("<xacro:element> with an empty name", "a name");
     XmlNode renamed = node;
     renamed.name = name;
@@ -145,7 +112,7 @@ bool Expander::expandStatement(const XmlNode& node, const Context& context, Node
   } else if (statement == "call") {
     XmlNode call = node;
     std::erase_if(call.attributes, [](const XmlNode::Attribute& one) { return one.name == "macro"; });
-    callMacro(call, interpreter_.textOfText(required(node, "macro"), context.symbols), context, out);
+    callMacro(call, evaluator_.text(required(node, "macro"), context.symbols), context, out);
   } else {
     return false;
   }
@@ -161,7 +128,7 @@ void Expander::copyElement(const XmlNode& node, std::string name, const Context&
   for (const XmlNode::Attribute& attribute : node.attributes) {
     if (attribute.name.starts_with("xacro:") || attribute.name == "xmlns:xacro") continue;
     copy.attributes.push_back(
-        {attribute.name, textOf(evaluateAt(attribute, node, context.symbols), budget_), attribute.line});
+        {attribute.name, textOf(evaluator_.valueOf(attribute, node, context.symbols), budget_), attribute.line});
     size += sizeof(XmlNode::Attribute) + copy.attributes.back().value.size();
   }
   budget_.take(size);
@@ -169,18 +136,6 @@ void Expander::copyElement(const XmlNode& node, std::string name, const Context&
   expandChildren(node, {context.symbols, context.macros, &copy}, children);
   copy.children = std::move(children);
   out.push_back(std::make_shared<const XmlNode>(std::move(copy)));
-}
-
-Value Expander::evaluateAt(const XmlNode::Attribute& attribute, const XmlNode& node, Scope& symbols) {
-  try {
-    return interpreter_.evaluateText(attribute.value, symbols);
-  } catch (Fault& fault) {
-    if (fault.file.empty()) {
-      fault.file = nameOf(node.file);
-      fault.line = attribute.line > 0 ? attribute.line : node.line;
-    }
-    throw;
-  }
 }
 
 const std::string& Expander::required(const XmlNode& node, const char* attribute) const {
@@ -198,22 +153,19 @@ void Expander::checkAttributes(const XmlNode& node, std::initializer_list<const 
     const bool is_known =
         std::any_of(known.begin(), known.end(), [&](const char* name) { return attribute.name == name; });
     if (!is_known && !attribute.name.starts_with("xmlns:"))
-      warn("<" + node.name + "> has '" + attribute.name + "', which xacro does not know");
+      evaluator_.warn("<" + node.name + "> has '" + attribute.name + "', which xacro does not know");
   }
-}
-
-bool Expander::truth(const std::string& text, Scope& symbols) {
-  return conditionOf(interpreter_.evaluateText(text, symbols), text);
 }
 
 void Expander::condition(const XmlNode& node, const Context& context, Nodes& out) {
   checkAttributes(node, {"value"});
-  if (truth(required(node, "value"), context.symbols) == (node.name == "xacro:if")) expandChildren(node, context, out);
+  if (evaluator_.truth(required(node, "value"), context.symbols) == (node.name == "xacro:if"))
+    expandChildren(node, context, out);
 }
 
 void Expander::setAttribute(const XmlNode& node, const Context& context) {
-  const std::string name = interpreter_.textOfText(required(node, "name"), context.symbols);
-  const std::string value = interpreter_.textOfText(required(node, "value"), context.symbols);
+  const std::string name = evaluator_.text(required(node, "name"), context.symbols);
+  const std::string value = evaluator_.text(required(node, "value"), context.symbols);
   if (name.empty()) throw Fault("<xacro:attribute> with an empty name", "a name");
   if (!context.parent) return;
   std::erase_if(context.parent->attributes, [&](const XmlNode::Attribute& one) { return one.name == name; });
@@ -224,8 +176,8 @@ void Expander::setAttribute(const XmlNode& node, const Context& context) {
 void Expander::insertBlock(const XmlNode& node, const Context& context, Nodes& out) {
   checkAttributes(node, {"name"});
   const std::string& name = required(node, "name");
-  const Value* content = context.symbols.find("**" + name, interpreter_);
-  const Value* whole = content ? content : context.symbols.find("*" + name, interpreter_);
+  const Value* content = context.symbols.find("**" + name, evaluator_.interpreter());
+  const Value* whole = content ? content : context.symbols.find("*" + name, evaluator_.interpreter());
   if (!whole)
     throw Fault("the block '" + name + "' is not defined", "a block of the macro, or a property with elements");
   const XmlPointer block = *whole->as<XmlPointer>();
@@ -239,11 +191,11 @@ void Expander::insertBlock(const XmlNode& node, const Context& context, Nodes& o
 void Expander::property(const XmlNode& node, const Context& context) {
   checkAttributes(node, {"name", "value", "default", "remove", "scope", "lazy_eval"});
   Scope& symbols = context.symbols;
-  const std::string name = interpreter_.textOfText(required(node, "name"), symbols);
+  const std::string name = evaluator_.text(required(node, "name"), symbols);
   if (!isIdentifier(name) || name.starts_with("__"))
     throw Fault("a property with the name '" + name.substr(0, 60) + "'",
                 "letters, digits and _, no word of Python's, no __ in front");
-  const bool remove = truth(optional(node, "remove", "false"), symbols);
+  const bool remove = evaluator_.truth(optional(node, "remove", "false"), symbols);
   const XmlNode::Attribute *value = node.attribute("value"), *otherwise = node.attribute("default");
   if ((value ? 1 : 0) + (otherwise ? 1 : 0) + (remove ? 1 : 0) > 1)
     throw Fault("the property '" + name + "' with more than one of value, default and remove", "one of them");
@@ -259,7 +211,7 @@ void Expander::property(const XmlNode& node, const Context& context) {
 }
 
 void Expander::setProperty(const XmlNode& node, const std::string& name, Value value, Scope& symbols) {
-  bool lazy = truth(optional(node, "lazy_eval", "true"), symbols);
+  bool lazy = evaluator_.truth(optional(node, "lazy_eval", "true"), symbols);
   const std::string where = optional(node, "scope", "");
   Scope* target = &symbols;
   if (where == "global") {
@@ -270,12 +222,108 @@ void Expander::setProperty(const XmlNode& node, const std::string& name, Value v
     if (symbols.parent() && symbols.parent()->parent()) target = symbols.parent();
     while (!symbols.isNameSpace() && target->isNameSpace()) target = target->parent();
   } else if (!where.empty()) {
-    warn("scope=\"" + where + "\" is not known; the property '" + name + "' is set where it stands");
+    evaluator_.warn("scope=\"" + where + "\" is not known; the property '" + name + "' is set where it stands");
   }
-  if (const std::string* text = value.text(); text && !lazy)
-    value = interpreter_.evaluateText(std::string(*text), symbols);
+  if (const std::string* text = value.text(); text && !lazy) value = evaluator_.value(std::string(*text), symbols);
   budget_.take(sizeof(Value) * 4 + name.size() + (value.text() ? value.text()->size() : 0));
   target->set(name, std::move(value), lazy);
+}
+
+Expander::Context Expander::nameSpace(const std::string& name, const Context& context) {
+  budget_.take(sizeof(Scope) + sizeof(MacroScope));
+  MacroScope& macros = macro_scopes_.emplace_back(nullptr);
+  context.macros.setSpace(name, &macros);
+  Scope& symbols = evaluator_.scopes().make(&context.symbols, true);
+  context.symbols.set(name, &symbols, false);
+  return {symbols, macros, context.parent};
+}
+
+void Expander::include(const XmlNode& node, const Context& context, Nodes& out) {
+  checkAttributes(node, {"filename", "ns", "optional"});
+  const std::string reference = evaluator_.text(required(node, "filename"), context.symbols);
+  const std::string space = evaluator_.text(optional(node, "ns", ""), context.symbols);
+  const Context inside = space.empty() ? context : nameSpace(space, context);
+  if (reference.find_first_of("*?[") != std::string::npos) {
+    const std::vector<fs::path> files = sources_.matching(reference);
+    if (files.empty()) evaluator_.warn("no file is like " + reference);
+    for (const fs::path& file : files) includeFile(file, inside, out);
+    return;
+  }
+  if (const auto file = sources_.find(reference)) return includeFile(*file, inside, out);
+  if (!evaluator_.truth(optional(node, "optional", "false"), context.symbols)) throw notFound(reference);
+}
+
+void Expander::includeFile(const fs::path& file, const Context& context, Nodes& out) {
+  const Budget::Level level(budget_, 8);
+  int index = 0;
+  const XmlPointer root = sources_.parsed(file, index);
+  const Pushed<int> inside = sources_.enter(index);
+  expandChildren(*root, context, out);
+}
+
+void Expander::defineArgument(const XmlNode& node, const Context& context) {
+  evaluator_.declare(required(node, "name"), node, context.symbols);
+}
+
+void Expander::defineMacro(const XmlNode& node, const Context& context) {
+  checkAttributes(node, {"name", "params"});
+  Macro macro;
+  macro.name = required(node, "name");
+  if (macro.name.starts_with("xacro:")) macro.name.erase(0, 6);
+  if (macro.name == "call" || macro.name.find('.') != std::string::npos)
+    throw Fault("a macro with the name '" + macro.name + "'", "a name without points, other than call");
+  macro.parameters = parametersOf(optional(node, "params", ""));
+  budget_.take(sizeof(Macro) + macro.parameters.size() * sizeof(MacroParameter));
+  budget_.step(macro.parameters.size());
+  macro.body = std::make_shared<const XmlNode>(node);
+  budget_.take(sizeof(XmlNode) + node.children.size() * sizeof(XmlPointer));
+  context.macros.set(std::move(macro));
+}
+
+/// The macro "NAME" or "SPACE.NAME"; `caller` and `macros` become the scopes that it is defined in.
+const Macro* Expander::findMacro(const std::string& full_name, Scope*& caller, MacroScope*& macros) {
+  const Macro* macro = macros->find(full_name);
+  std::string rest = full_name;
+  for (std::size_t point; !macro && (point = rest.find('.')) != std::string::npos;) {
+    const std::string space = rest.substr(0, point);
+    rest.erase(0, point + 1);
+    macros = macros->findSpace(space);
+    const Value* symbols = macros ? caller->find(space, evaluator_.interpreter()) : nullptr;
+    if (!symbols || !symbols->as<Scope*>()) break;
+    caller = *symbols->as<Scope*>();
+    macro = macros->find(rest);
+  }
+  if (!macro)
+    throw Fault("<xacro:" + full_name + ">: there is no macro of this name",
+                "a macro that is defined in front, or an element of xacro's",
+                "Include the file that defines it, or correct the name.");
+  return macro;
+}
+
+void Expander::callMacro(const XmlNode& node, const std::string& full_name, const Context& context, Nodes& out) {
+  Scope* caller = &context.symbols;
+  MacroScope* macros = &context.macros;
+  const Macro kept = *findMacro(full_name, caller, macros);  // A copy: it may define itself anew.
+  budget_.step(10 + kept.parameters.size());
+  Scope& inside = evaluator_.scopes().make(caller);
+  MacroScope& inside_macros = macro_scopes_.emplace_back(macros);
+  budget_.take(sizeof(Scope) + sizeof(MacroScope) + kept.parameters.size() * 3 * sizeof(Value));
+  MacroCall binding(kept, *caller, inside, evaluator_);
+  binding.bindValues(node);
+  Nodes blocks;
+  expandChildren(node, {*caller, *macros, nullptr}, blocks);
+  binding.bindBlocks(std::move(blocks));
+  binding.bindDefaults();
+  const Pushed<std::string> call(calls_, "macro '" + full_name + "' called in " +
+                                             std::filesystem::path(sources_.nameOf(node.file)).filename().string() +
+                                             " line " + std::to_string(node.line));
+  const Budget::Level level(budget_, 4);
+  try {
+    expandChildren(*kept.body, {inside, inside_macros, context.parent}, out);
+  } catch (Fault& fault) {
+    if (fault.found.find(" (macro '") == std::string::npos) fault.found += " (" + calls_.back() + ")";
+    throw;
+  }
 }
 
 }  // namespace hapticell::xacro

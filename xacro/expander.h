@@ -5,29 +5,25 @@
 #include <string>
 #include <vector>
 
+#include "xacro/budget.h"
+#include "xacro/evaluator.h"
 #include "xacro/expand.h"
-#include "xacro/interpreter.h"
 #include "xacro/macro.h"
+#include "xacro/source_files.h"
 #include "xacro/xml_node.h"
 
 namespace hapticell::xacro {
 
 /// Turns a tree with xacro's elements into one without: the work of expand(). Throws Fault.
-class Expander : public Surroundings {
+class Expander {
  public:
   Expander(const Arguments& arguments, const Files& files, std::vector<DeclaredArgument>& declared,
            Diagnostics& diagnostics);
 
   /// The root element, expanded.
   XmlPointer run(const std::filesystem::path& file);
-  const std::vector<std::filesystem::path>& files() const { return files_read_; }
-  std::string nameOf(int file) const;
-
-  Value substitution(const std::string& words, Scope& scope) override;
-  std::string readText(const std::string& reference, std::string& file) override;
-  std::string absoluteName(const std::string& reference) override;
-  Value argument(const std::string& name) override;
-  void warn(const std::string& sentence) override;
+  const std::vector<std::filesystem::path>& files() const { return sources_.all(); }
+  std::string nameOf(int file) const { return sources_.nameOf(file); }
 
  private:
   /// What is known where an element is expanded.
@@ -56,36 +52,17 @@ class Expander : public Surroundings {
   void insertBlock(const XmlNode& node, const Context& context, Nodes& out);
   void setAttribute(const XmlNode& node, const Context& context);
   void callMacro(const XmlNode& node, const std::string& full_name, const Context& context, Nodes& out);
-  void bindValues(const XmlNode& call, const Macro& macro, Scope& caller, Scope& inside,
-                  std::vector<std::string>& open);
-  void bindBlocks(const XmlNode& call, const Macro& macro, const Context& context, Scope& inside);
-  void bindDefaults(const Macro& macro, Scope& caller, Scope& inside, const std::vector<std::string>& open);
+  const Macro* findMacro(const std::string& full_name, Scope*& caller, MacroScope*& macros);
 
-  void report(const std::string& file, int line, const std::string& sentence);
   const std::string& required(const XmlNode& node, const char* attribute) const;
   std::string optional(const XmlNode& node, const char* attribute, const char* otherwise) const;
   void checkAttributes(const XmlNode& node, std::initializer_list<const char*> known);
-  bool truth(const std::string& text, Scope& symbols);
-  Value evaluateAt(const XmlNode::Attribute& attribute, const XmlNode& node, Scope& symbols);
-  std::filesystem::path folder() const {
-    return files_read_[static_cast<std::size_t>(file_stack_.back())].parent_path();
-  }
-  XmlPointer parsed(const std::filesystem::path& file, int& index);
-  const DeclaredArgument* findArgument(const std::string& name) const;
 
-  Arguments arguments_;
-  const Files& files_;
-  std::vector<DeclaredArgument>& declared_;
-  Diagnostics& diagnostics_;
   Budget budget_;
-  Interpreter interpreter_;
-  Scopes scopes_;
+  SourceFiles sources_;
+  Evaluator evaluator_;
   std::deque<MacroScope> macro_scopes_;
-  std::vector<std::filesystem::path> files_read_;
-  std::map<std::string, std::pair<XmlPointer, int>> parsed_;  ///< By path: a file that is included twice is read once.
-  std::vector<int> file_stack_;
   std::vector<std::string> calls_;  ///< "macro 'arm' called in FILE line 3", innermost last.
-  const XmlNode* at_ = nullptr;     ///< The element that is worked on.
 };
 
 }  // namespace hapticell::xacro

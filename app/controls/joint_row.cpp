@@ -59,7 +59,7 @@ void JointRow::paintEnds(QPainter& painter) const {
   const QRect rail = track();
   const auto end = [&](double limit, const QRect& box, Qt::Alignment side) {
     const bool hit = isAtLimit() && std::abs(value_ - limit) < 0.5 * (scale_.upper - scale_.lower);
-    painter.setPen(hit ? theme.limit_text : theme.text2);
+    painter.setPen(hit ? theme.words.limit : theme.text2);
     painter.drawText(box, Qt::AlignVCenter | side, endText(limit));
   };
   end(scale_.lower, QRect(scale_.name_width - 14, 0, rail.left() - scale_.name_width + 6, height()), Qt::AlignRight);

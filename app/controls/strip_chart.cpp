@@ -126,7 +126,7 @@ void StripChart::paintLevels(QPainter& painter, const Axes& axes) const {
     painter.setPen(color);
     painter.drawText(place.translated(0, y - 8), side | Qt::AlignVCenter, text);
   };
-  word(left, near, theme.near_miss_text, gapText(near_miss_m_), Qt::AlignRight);
+  word(left, near, theme.words.near_miss, gapText(near_miss_m_), Qt::AlignRight);
   word(left, plot.top() + 4, theme.selection, gapText(axes.gap_top), Qt::AlignRight);
   word(left, plot.bottom(), theme.selection, QStringLiteral("0"), Qt::AlignRight);
   const QRectF right(plot.right() + 8, 0, 52, 16);
@@ -137,7 +137,7 @@ void StripChart::paintLevels(QPainter& painter, const Axes& axes) const {
     const double peak = axes.yForce(peak_n_);
     painter.setPen(QPen(theme.limit, 1.2));
     painter.drawLine(QPointF(plot.left(), peak), QPointF(plot.right(), peak));
-    word(right, peak, theme.limit_text, tr("%1 N").arg(peak_n_, 0, 'f', 1), Qt::AlignLeft);
+    word(right, peak, theme.words.limit, tr("%1 N").arg(peak_n_, 0, 'f', 1), Qt::AlignLeft);
   } else {
     word(right, plot.top() + 4, theme.text1, tr("%1 N").arg(axes.force_top, 0, 'g', 3), Qt::AlignLeft);
   }
@@ -168,7 +168,7 @@ void StripChart::paintCurves(QPainter& painter, const Axes& axes) const {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(theme.selection, 1.8));
   painter.drawPath(gap);
-  painter.setPen(QPen(theme.force, 1.6));
+  painter.setPen(QPen(theme.scene.force, 1.6));
   painter.drawPath(force);
   painter.setClipping(false);
 }
@@ -216,7 +216,7 @@ void StripChart::paintLegend(QPainter& painter, const Axes& axes) const {
   write(top - 4, theme.selection, tr("Gap, nearest pair"));
   write(top + 18, theme.text1, tr("Force on the hand"));
   painter.setFont(textFont(TextRole::kSecond));
-  write(top + 40, theme.near_miss_text, tr("Near miss under %1").arg(gapText(near_miss_m_)));
+  write(top + 40, theme.words.near_miss, tr("Near miss under %1").arg(gapText(near_miss_m_)));
   if (!history_.samples().empty()) return;
   painter.setPen(theme.text2);
   painter.drawText(axes.plot, Qt::AlignCenter, tr("Nothing is measured yet. Connect a stylus and hold an entity."));

@@ -16,10 +16,10 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
+#include "app/kit/file_dialog.h"
+#include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/kit/form.h"
-#include "app/kit/file_dialog.h"
 #include "app/style/segmented.h"
 
 namespace hapticell::app {
@@ -28,7 +28,6 @@ using ergonomics::ColourMethod;
 using ergonomics::PostureMethod;
 
 namespace {
-constexpr int kShowMilliseconds = 100;
 constexpr int kLoadTab = 4;
 
 QVBoxLayout* makeRows(QWidget* page) {
@@ -174,9 +173,9 @@ QWidget* ErgonomicsPanel::makeFigures() {
 
 void ErgonomicsPanel::listen() {
   connect(methods_, &Segmented::chosen, this, [this](int i) {
-    shows_load_ = i == kLoadTab;
-    method_ = shows_load_ ? ColourMethod::kRula : static_cast<ColourMethod>(i);
-    columns_->setMethod(method_);
+    tab_.shows_load = i == kLoadTab;
+    tab_.method = tab_.shows_load ? ColourMethod::kRula : static_cast<ColourMethod>(i);
+    columns_->setMethod(tab_.method);
     showScores();
     emit methodChanged();
   });
@@ -185,9 +184,8 @@ void ErgonomicsPanel::listen() {
   connect(show_posture_, &QPushButton::clicked, this, &ErgonomicsPanel::takeBetterPosture);
   connect(limits_, &QPushButton::clicked, this, &ErgonomicsPanel::chooseOwnLimits);
   connect(columns_, &ScoreColumns::chose, this, &ErgonomicsPanel::bodyChosen);
-  late_.setSingleShot(true);
-  connect(&late_, &QTimer::timeout, this, &ErgonomicsPanel::showScores);
-  connect(&scores_, &LiveScores::changed, this, &ErgonomicsPanel::showSoon);
+  connect(&pace_, &PacedRefresh::due, this, &ErgonomicsPanel::showScores);
+  connect(&scores_, &LiveScores::changed, this, [this] { pace_.ask(scores_.isEmpty()); });
   connect(&scores_, &LiveScores::adviceChanged, this, &ErgonomicsPanel::showAdvice);
 }
 
@@ -215,17 +213,8 @@ void ErgonomicsPanel::chooseOwnLimits() {
     context_.host().messages().tell(Severity::kProblem, tr("The limits were not read"), shown(read.error().message()));
 }
 
-void ErgonomicsPanel::showSoon() {
-  if (late_.isActive()) return;
-  const qint64 since = since_shown_.isValid() ? since_shown_.elapsed() : kShowMilliseconds;
-  if (since >= kShowMilliseconds || scores_.isEmpty())
-    showScores();
-  else
-    late_.start(static_cast<int>(kShowMilliseconds - since));
-}
-
 void ErgonomicsPanel::showScores() {
-  since_shown_.start();
+  pace_.shown();
   const bool any = !scores_.isEmpty();
   empty_->setVisible(!any);
   content_->setVisible(any);
@@ -237,11 +226,12 @@ void ErgonomicsPanel::showScores() {
                      .arg(scores.sides[1].rula_score)
                      .arg(scores.eaws_points, 0, 'f', 0));
   columns_->update();
-  sub_scores_->setRows(shows_load_ ? loadRows(scores_) : subScoreRows(scores, method_));
-  table_title_->setText(shows_load_ ? tr("Lift (NIOSH) and forces on the hands") : tr("Sub-scores of the worse side"));
+  sub_scores_->setRows(tab_.shows_load ? loadRows(scores_) : subScoreRows(scores, tab_.method));
+  table_title_->setText(tab_.shows_load ? tr("Lift (NIOSH) and forces on the hands")
+                                        : tr("Sub-scores of the worse side"));
   const QString sums = sumsText();
   sums_->setText(sums);
-  limits_->setVisible(shows_load_);
+  limits_->setVisible(tab_.shows_load);
   lift_->setText(liftText());
   QStringList missing;
   for (const auto& name : scores.missing) missing << shown(ergonomics::word(name, shownLanguage()));
@@ -253,13 +243,13 @@ void ErgonomicsPanel::showScores() {
 }
 
 QString ErgonomicsPanel::sumsText() const {
-  if (shows_load_) {
+  if (tab_.shows_load) {
     return tr("A method's limit is where its next class begins; moments hold the arms' own weight.") + ' ' +
            (scores_.ownLimits().isEmpty() ? tr("No table of strength is shipped; yours can be read in.")
                                           : tr("Own limits: %1").arg(shown(scores_.ownLimits().source)));
   }
-  if (method_ != ColourMethod::kRula && method_ != ColourMethod::kReba) return {};
-  const bool rula = method_ == ColourMethod::kRula;
+  if (tab_.method != ColourMethod::kRula && tab_.method != ColourMethod::kReba) return {};
+  const bool rula = tab_.method == ColourMethod::kRula;
   const ergonomics::Rula by_rula;
   const ergonomics::Reba by_reba;
   const ergonomics::ScoredMethod* method = &by_rula;
@@ -306,8 +296,8 @@ ergonomics::PostureMethod ErgonomicsPanel::labelledMethod() const {
 }
 
 std::vector<ergonomics::PostureMethod> ErgonomicsPanel::shownMethods() const {
-  if (shows_load_) return {};
-  switch (method_) {
+  if (tab_.shows_load) return {};
+  switch (tab_.method) {
     case ColourMethod::kRula:
       return {PostureMethod::kRula};
     case ColourMethod::kReba:
@@ -322,7 +312,7 @@ std::vector<ergonomics::PostureMethod> ErgonomicsPanel::shownMethods() const {
 
 const ergonomics::BetterPlace* ErgonomicsPanel::betterPlace() const {
   if (!scores_.advice()) return nullptr;
-  const auto methods = shows_load_ ? std::vector{PostureMethod::kRula} : shownMethods();
+  const auto methods = tab_.shows_load ? std::vector{PostureMethod::kRula} : shownMethods();
   for (const PostureMethod method : methods) {
     if (const auto& better = scores_.advice()->better[static_cast<std::size_t>(method)]) return &*better;
   }
@@ -332,9 +322,9 @@ const ergonomics::BetterPlace* ErgonomicsPanel::betterPlace() const {
 QString ErgonomicsPanel::whyTitle() const {
   const workcell::Entity* entity = context_.entity();
   QString what;
-  if (shows_load_) {
+  if (tab_.shows_load) {
     what = tr("the lift and the forces");
-  } else if (method_ == ColourMethod::kRula) {
+  } else if (tab_.method == ColourMethod::kRula) {
     what = QString::number(scores_.scores().rula());
   } else {
     const PostureMethod method = labelledMethod();
@@ -345,12 +335,12 @@ QString ErgonomicsPanel::whyTitle() const {
 
 QString ErgonomicsPanel::whyText() const {
   const QString later = tr("What brings it down is told once the figure rests.");
-  if (shows_load_) {
+  if (tab_.shows_load) {
     const QString lift = scores_.liftAdviceText();
     if (!scores_.task().is_lift) return tr("The task is no lift; the forces stand below.");
     return lift.isEmpty() ? (scores_.advice() ? tr("The lifting equation does not take this lift.") : later) : lift;
   }
-  if (method_ == ColourMethod::kRula) {
+  if (tab_.method == ColourMethod::kRula) {
     const QString advice = scores_.adviceText(PostureMethod::kRula);
     return shown(ergonomics::whySentence(scores_.scores(), shownLanguage())) + ' ' +
            (advice.isEmpty() ? later : advice);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QElapsedTimer>
-#include <QTimer>
 #include <QWidget>
 #include <vector>
 
+#include "app/ergonomics/paced_refresh.h"
 #include "mannequin/ergonomics/advice/better_place.h"
 
 class QCheckBox;
@@ -26,7 +25,7 @@ class ErgonomicsPanel : public QWidget {
   Q_OBJECT
  public:
   ErgonomicsPanel(MannequinContext& context, LiveScores& scores, QWidget* parent = nullptr);
-  ergonomics::ColourMethod method() const { return method_; }
+  ergonomics::ColourMethod method() const { return tab_.method; }
   /// The method that the scene's labels speak of.
   ergonomics::PostureMethod labelledMethod() const;
   /// The column that is chosen; -1: none.
@@ -52,8 +51,6 @@ class ErgonomicsPanel : public QWidget {
   void showScores();
   QString sumsText() const;
   QString liftText() const;
-  /// At most ten times a second: numbers that change faster are not read, and cost frames while a hand is drawn.
-  void showSoon();
   void showAdvice();
   void takeBetterPosture();
   QString whyText() const;
@@ -65,18 +62,20 @@ class ErgonomicsPanel : public QWidget {
   void chooseOwnLimits();
   MannequinContext& context_;
   LiveScores& scores_;
-  ergonomics::ColourMethod method_ = ergonomics::ColourMethod::kRula;
+  /// What is chosen above the scores.
+  struct Tab {
+    ergonomics::ColourMethod method = ergonomics::ColourMethod::kRula;
+    bool shows_load = false;  ///< The tab about lifting and forces, which has no colours of its own.
+  } tab_;
   QWidget *empty_, *content_;
   Segmented* methods_;
   QLabel *live_, *title_, *why_, *table_title_, *sums_, *lift_, *missing_;
-  bool shows_load_ = false;  ///< The tab about lifting and forces, which has no colours of its own.
   ScoreColumns* columns_;
   SubScoreTable* sub_scores_;
   HeightStrips* heights_;
   QCheckBox* all_bodies_;
   QPushButton *show_posture_, *limits_;
-  QElapsedTimer since_shown_;
-  QTimer late_;
+  PacedRefresh pace_;
 };
 
 }  // namespace hapticell::app

@@ -53,7 +53,7 @@ void HeightStrips::paintEvent(QPaintEvent*) {
     return area.left() + 0.5 * step + (area.width() - step) * (rise - first) / (last - first);
   };
   const auto mark = [&](double rise, const QString& words, Qt::PenStyle style, int line) {
-    painter.setPen(QPen(theme.force, 1.6, style));
+    painter.setPen(QPen(theme.scene.force, 1.6, style));
     painter.drawLine(QPointF(place(rise), -2), QPointF(place(rise), area.bottom() + 3));
     painter.setPen(theme.text1);
     const double wide = painter.fontMetrics().horizontalAdvance(words) + 8.0;

@@ -90,19 +90,20 @@ void ScoreColumns::paintColumn(QPainter& painter, int body) {
   const bool own = scores_.ownBody() == body;
   const QRectF picture(column.left(), 0, column.width(), kPicture);
   QLinearGradient back(picture.topLeft(), picture.bottomLeft());
-  back.setColorAt(0, theme.background_top);
-  back.setColorAt(1, theme.background_bottom);
+  back.setColorAt(0, theme.scene.background_top);
+  back.setColorAt(1, theme.scene.background_bottom);
   painter.fillRect(picture, back);
   if (own)
     painter.fillRect(QRectF(column.left(), kPicture, column.width(), kDriverTop - kPicture - 4), theme.selected_row);
   if (own || body == chosen_)
-    painter.fillRect(QRectF(column.left(), 0, column.width(), 2), body == chosen_ ? theme.guide : theme.selection);
+    painter.fillRect(QRectF(column.left(), 0, column.width(), 2),
+                     body == chosen_ ? theme.scene.guide : theme.selection);
   const auto bands = ergonomics::segmentBands(at.scores, method_);
   const auto parts = mannequin::outlineOf(at.figure, at.posture, fleshOf(static_cast<std::size_t>(body)),
                                           mannequin::OutlineView::besides(at.posture));
   drawFigure(
       painter, picture, parts, [&](std::size_t part) { return lookOf(bands[part], theme); },
-      theme.background_bottom.darker(160));
+      theme.scene.background_bottom.darker(160));
   const double x = column.left() + 6, width = column.width() - 8;
   const auto write = [&](TextRole role, const QColor& color, double top, const QString& text) {
     painter.setFont(textFont(role));
@@ -138,7 +139,7 @@ void ScoreColumns::paintColumn(QPainter& painter, int body) {
           .arg(shown(ergonomics::rebaAdvice(at.scores.reba(), shownLanguage()))));
   row(kRebaTop + kLine + 1, ergonomics::bandOfOwas(at.scores.owas_category),
       tr("%1 cat. %2").arg(at.scores.owasCode()).arg(at.scores.owas_category));
-  write(TextRole::kSecond, at.is_reached ? theme.text1 : theme.limit_text, kRebaTop + 2 * kLine + 4,
+  write(TextRole::kSecond, at.is_reached ? theme.text1 : theme.words.limit, kRebaTop + 2 * kLine + 4,
         at.is_reached ? tr("%1 left").arg(lengthText(at.reach_left_m, 0))
                       : tr("%1 short").arg(lengthText(at.short_m, 0)));
 }

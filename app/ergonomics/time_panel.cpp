@@ -18,14 +18,14 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
+#include "app/kit/file_dialog.h"
+#include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/kit/form.h"
-#include "app/kit/file_dialog.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "geometry/system/atomic_file.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/motion/motion_writer.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::app {
 namespace {
@@ -269,7 +269,7 @@ void ScoreHistory::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(theme.text1, 1.5));
   painter.drawRect(QRectF(from, kTop - 3.0, std::max(3.0, to - from), 4.0 * kTimeLine));
   const double x = all.left() + all.width() * frame_ / std::max(1, motion_.frames() - 1);
-  painter.setPen(QPen(theme.force, 2));
+  painter.setPen(QPen(theme.scene.force, 2));
   painter.drawLine(QPointF(x, kTop - 8), QPointF(x, kTop + 4 * kTimeLine - 4));
 }
 

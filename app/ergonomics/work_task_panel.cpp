@@ -3,15 +3,16 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include "app/ergonomics/known_field.h"
+#include "app/ergonomics/lift_fields.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "app/mannequin/mannequin_context.h"
 #include "app/kit/form.h"
+#include "app/mannequin/mannequin_context.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 
@@ -20,20 +21,6 @@ namespace {
 
 using ergonomics::WorkTask;
 constexpr int kNamesColumn = 108;
-
-/// A number with a box that says whether it is known.
-QWidget* withBox(ValueField* field, QCheckBox*& known, const QString& name) {
-  auto* holder = new QWidget;
-  auto* row = new QHBoxLayout(holder);
-  row->setContentsMargins(0, 0, 0, 0);
-  known = new QCheckBox(QObject::tr("known"));
-  known->setObjectName(field->objectName() + "Known");
-  row->addWidget(field, 1);
-  row->addWidget(known);
-  field->setAccessibleName(name);
-  known->setAccessibleName(QObject::tr("%1 is known").arg(name));
-  return holder;
-}
 
 /// 0 not entered, 1 no, 2 yes.
 int stateOf(const std::optional<bool>& flag) {
@@ -51,7 +38,8 @@ WorkTaskPanel::WorkTaskPanel(MannequinContext& context, QWidget* parent) : QWidg
   column->setSpacing(0);
   addPerson(*column);
   addWork(*column);
-  addLift(*column);
+  lift_ = new LiftFields(
+      *column, [this](const std::function<void(WorkTask&)>& edit) { change(edit); }, this);
   column->addStretch(1);
   connect(&context_, &MannequinContext::documentChanged, this, &WorkTaskPanel::showNow);
   connect(&context_, &MannequinContext::mannequinChanged, this, &WorkTaskPanel::showNow);
@@ -88,29 +76,24 @@ void WorkTaskPanel::addPerson(QVBoxLayout& column) {
           [this] { change([this](WorkTask& task) { task.note = note_->text().toStdString(); }); });
 }
 
-void WorkTaskPanel::connectNumber(ValueField* field, QCheckBox* known,
-                                  std::function<std::optional<double>*(WorkTask&)> of) {
-  connect(field, &ValueField::edited, this,
-          [this, of](double value) { change([&](WorkTask& task) { *of(task) = value; }); });
-  connect(known, &QCheckBox::clicked, this, [this, field, of](bool on) {
-    change([&](WorkTask& task) { *of(task) = on ? std::optional<double>(field->value()) : std::nullopt; });
-  });
+void WorkTaskPanel::connectNumber(KnownField* field, std::function<std::optional<double>*(WorkTask&)> of) {
+  connect(field, &KnownField::edited, this,
+          [this, of](const std::optional<double>& value) { change([&](WorkTask& task) { *of(task) = value; }); });
 }
 
 void WorkTaskPanel::addWork(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Work"));
-  const auto number = [&](const char* name, const QString& words, const ValueField::Format& format, QCheckBox*& known) {
-    auto* field = new ValueField(format);
-    field->setObjectName(name);
-    addRow(*section, words, withBox(field, known, words), kNamesColumn);
+  const auto number = [&](const char* name, const QString& words, const ValueField::Format& format) {
+    auto* field = new KnownField(name, words, format);
+    addRow(*section, words, field, kNamesColumn);
     return field;
   };
-  load_left_ = number("fieldLoadLeft", tr("Load, left hand"), {tr("kg"), 1, 0.0, 200.0, 0.5}, knows_left_);
-  load_right_ = number("fieldLoadRight", tr("Load, right hand"), {tr("kg"), 1, 0.0, 200.0, 0.5}, knows_right_);
-  load_left_->setToolTip(tr("Weight, or a force divided by 9.81"));
-  load_right_->setToolTip(load_left_->toolTip());
-  repetitions_ = number("fieldRepetitions", tr("Repetition"), {tr("/min"), 1, 0.0, 120.0, 1.0}, knows_repetitions_);
-  duration_ = number("fieldDuration", tr("In a shift"), {tr("h"), 1, 0.0, 24.0, 0.5}, knows_duration_);
+  load_left_ = number("fieldLoadLeft", tr("Load, left hand"), {tr("kg"), 1, 0.0, 200.0, 0.5});
+  load_right_ = number("fieldLoadRight", tr("Load, right hand"), {tr("kg"), 1, 0.0, 200.0, 0.5});
+  load_left_->field().setToolTip(tr("Weight, or a force divided by 9.81"));
+  load_right_->field().setToolTip(load_left_->field().toolTip());
+  repetitions_ = number("fieldRepetitions", tr("Repetition"), {tr("/min"), 1, 0.0, 120.0, 1.0});
+  duration_ = number("fieldDuration", tr("In a shift"), {tr("h"), 1, 0.0, 24.0, 0.5});
   const QStringList answers{tr("Not entered"), tr("No"), tr("Yes")};
   const auto question = [&](const char* name, const QString& words) {
     auto* segments = new Segmented(answers);
@@ -134,10 +117,10 @@ void WorkTaskPanel::addWork(QVBoxLayout& column) {
   left_arm_ = box("checkLeftArm", tr("The left arm is supported"));
   right_arm_ = box("checkRightArm", tr("The right arm is supported"));
   walking_ = box("checkWalking", tr("Walking"));
-  connectNumber(load_left_, knows_left_, [](WorkTask& task) { return &task.load_kg[0]; });
-  connectNumber(load_right_, knows_right_, [](WorkTask& task) { return &task.load_kg[1]; });
-  connectNumber(repetitions_, knows_repetitions_, [](WorkTask& task) { return &task.repetitions_per_min; });
-  connectNumber(duration_, knows_duration_, [](WorkTask& task) { return &task.duration_h; });
+  connectNumber(load_left_, [](WorkTask& task) { return &task.load_kg[0]; });
+  connectNumber(load_right_, [](WorkTask& task) { return &task.load_kg[1]; });
+  connectNumber(repetitions_, [](WorkTask& task) { return &task.repetitions_per_min; });
+  connectNumber(duration_, [](WorkTask& task) { return &task.duration_h; });
   const auto answer = [this](Segmented* segments, std::optional<bool> WorkTask::*flag) {
     connect(segments, &Segmented::chosen, this,
             [this, flag](int i) { change([&](WorkTask& task) { task.*flag = flagOf(i); }); });
@@ -156,28 +139,6 @@ void WorkTaskPanel::addWork(QVBoxLayout& column) {
   connect(right_arm_, &QCheckBox::clicked, this,
           [this](bool on) { change([&](WorkTask& t) { t.arm_supported[1] = on; }); });
   connect(walking_, &QCheckBox::clicked, this, [this](bool on) { change([&](WorkTask& t) { t.is_walking = on; }); });
-}
-
-void WorkTaskPanel::addLift(QVBoxLayout& column) {
-  QVBoxLayout* section = addSection(column, tr("Lifting (NIOSH)"));
-  lift_ = new QCheckBox(tr("The load is lifted or lowered"));
-  lift_->setObjectName("checkLift");
-  section->addWidget(lift_);
-  lift_rows_ = new QWidget;
-  auto* rows = new QVBoxLayout(lift_rows_);
-  rows->setContentsMargins(0, 0, 0, 0);
-  lift_distance_ = new ValueField({tr("mm"), 0, 0.0, 2000.0, 10.0});
-  lift_distance_->setObjectName("fieldLiftDistance");
-  asymmetry_ = new ValueField({tr("°"), 0, 0.0, 180.0, 5.0});
-  asymmetry_->setObjectName("fieldAsymmetry");
-  addRow(*rows, tr("By"), lift_distance_, kNamesColumn);
-  addRow(*rows, tr("Beside the middle"), asymmetry_, kNamesColumn);
-  section->addWidget(lift_rows_);
-  connect(lift_, &QCheckBox::clicked, this, [this](bool on) { change([&](WorkTask& t) { t.is_lift = on; }); });
-  connect(lift_distance_, &ValueField::edited, this,
-          [this](double mm) { change([&](WorkTask& t) { t.lift_distance_m = mm / 1000.0; }); });
-  connect(asymmetry_, &ValueField::edited, this,
-          [this](double degrees) { change([&](WorkTask& t) { t.asymmetry_deg = degrees; }); });
 }
 
 WorkTask WorkTaskPanel::present() const {
@@ -207,17 +168,13 @@ void WorkTaskPanel::showNow() {
   setEnabled(context_.entity() != nullptr);
   showing_ = true;
   const WorkTask task = present();
-  const auto number = [](ValueField* field, QCheckBox* known, const std::optional<double>& value) {
-    known->setChecked(value.has_value());
-    if (!field->hasFocus()) field->setValue(value.value_or(0.0));
-  };
   preset_->setCurrentIndex(0);
   if (!name_->hasFocus()) name_->setText(QString::fromStdString(task.name));
   if (!note_->hasFocus()) note_->setText(QString::fromStdString(task.note));
-  number(load_left_, knows_left_, task.load_kg[0]);
-  number(load_right_, knows_right_, task.load_kg[1]);
-  number(repetitions_, knows_repetitions_, task.repetitions_per_min);
-  number(duration_, knows_duration_, task.duration_h);
+  load_left_->setValue(task.load_kg[0]);
+  load_right_->setValue(task.load_kg[1]);
+  repetitions_->setValue(task.repetitions_per_min);
+  duration_->setValue(task.duration_h);
   static_->setCurrent(stateOf(task.is_static));
   shock_->setCurrent(stateOf(task.has_shock));
   rapid_->setCurrent(stateOf(task.has_rapid_changes));
@@ -226,10 +183,7 @@ void WorkTaskPanel::showNow() {
   left_arm_->setChecked(task.arm_supported[0]);
   right_arm_->setChecked(task.arm_supported[1]);
   walking_->setChecked(task.is_walking);
-  lift_->setChecked(task.is_lift);
-  lift_rows_->setVisible(task.is_lift);
-  if (!lift_distance_->hasFocus()) lift_distance_->setValue(1000.0 * task.lift_distance_m);
-  if (!asymmetry_->hasFocus()) asymmetry_->setValue(task.asymmetry_deg);
+  lift_->show(task);
   showing_ = false;
 }
 

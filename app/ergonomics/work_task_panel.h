@@ -13,9 +13,10 @@ class QVBoxLayout;
 
 namespace hapticell::app {
 
+class KnownField;
+class LiftFields;
 class MannequinContext;
 class Segmented;
-class ValueField;
 
 /// Data of the task that a posture does not show: loads, repetition, hold, grip, duration, lift. Kept with the
 /// workcell; each change is one step of undo. What was not entered says so and makes scores partial.
@@ -28,20 +29,17 @@ class WorkTaskPanel : public QWidget {
  private:
   void addPerson(QVBoxLayout& column);
   void addWork(QVBoxLayout& column);
-  void addLift(QVBoxLayout& column);
   /// The mannequin's task, else a new one for it.
   ergonomics::WorkTask present() const;
   void change(const std::function<void(ergonomics::WorkTask&)>& edit);
-  void connectNumber(ValueField* field, QCheckBox* known,
-                     std::function<std::optional<double>*(ergonomics::WorkTask&)> of);
+  void connectNumber(KnownField* field, std::function<std::optional<double>*(ergonomics::WorkTask&)> of);
   MannequinContext& context_;
   QComboBox* preset_;
   QLineEdit *name_, *note_;
-  ValueField *load_left_, *load_right_, *repetitions_, *duration_, *lift_distance_, *asymmetry_;
-  QCheckBox *knows_left_, *knows_right_, *knows_repetitions_, *knows_duration_;
+  KnownField *load_left_, *load_right_, *repetitions_, *duration_;
   Segmented *static_, *shock_, *rapid_, *grip_;
-  QCheckBox *trunk_, *left_arm_, *right_arm_, *walking_, *lift_;
-  QWidget* lift_rows_;
+  QCheckBox *trunk_, *left_arm_, *right_arm_, *walking_;
+  LiftFields* lift_;
   bool showing_ = false;
 };
 

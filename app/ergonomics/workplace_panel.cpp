@@ -17,13 +17,13 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/kit/beside.h"
-#include "app/mannequin/mannequin_context.h"
 #include "app/kit/form.h"
+#include "app/mannequin/mannequin_context.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "manipulation/checks/workplace_check.h"
-#include "workcell/entity/built_in_parts.h"
 #include "workcell/document/part_resize.h"
+#include "workcell/entity/built_in_parts.h"
 
 namespace hapticell::app {
 
@@ -110,8 +110,7 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
     poll_.stop();
     bar_->setValue(0);
     map_.reset();
-    searched_.clear();
-    moved_.clear();
+    asked_ = {};
     view_->setMap(nullptr);
     station_->clear();
     showMap();
@@ -174,7 +173,7 @@ void WorkplacePanel::showMoves() {
 std::optional<ergonomics::WorkplaceFinding> WorkplacePanel::finding() const {
   if (!map_) return std::nullopt;
   ergonomics::WorkplaceFinding found;
-  found.moves = moved_;
+  found.moves = asked_.moved;
   const int cell = view_->chosen();
   if (cell < 0 || map_->cells[static_cast<std::size_t>(cell)].worst == 0) return found;
   const auto& place = map_->cells[static_cast<std::size_t>(cell)];
@@ -206,12 +205,12 @@ void WorkplacePanel::search() {
   question.rise_step = question.away_step = step_->value() / 1000.0;
   question.may_sit = sit_->isChecked();
   const dvec3 ahead = context_.posture().X_WR.rotate({1.0, 0.0, 0.0});
-  ahead_W_ = glm::normalize(dvec3(ahead.x, ahead.y, 0.0));
-  searched_ = question.station;
-  moved_.clear();
+  asked_.ahead_W = glm::normalize(dvec3(ahead.x, ahead.y, 0.0));
+  asked_.station = question.station;
+  asked_.moved.clear();
   for (const workcell::EntityId id : manipulation::movedWith(question))
-    moved_.push_back(context_.host().documentModel().document().find(id)->name);
-  question_ = std::make_shared<const manipulation::WorkplaceQuestion>(std::move(question));
+    asked_.moved.push_back(context_.host().documentModel().document().find(id)->name);
+  asked_.question = std::make_shared<const manipulation::WorkplaceQuestion>(std::move(question));
   run_ = std::make_shared<Run>();
   busy_ = true;
   map_.reset();
@@ -220,7 +219,7 @@ void WorkplacePanel::search() {
   showMap();
   runBeside(
       this,
-      [question = question_, run = run_] {
+      [question = asked_.question, run = run_] {
         return manipulation::searchWorkplace(
             *question, [&run](double share) { run->progress = share; }, run->cancel);
       },
@@ -249,7 +248,7 @@ void WorkplacePanel::showMap() {
   if (busy_) return result_->setText(tr("Trying every placement with four bodies…"));
   if (!map_) return result_->setText(tr("Choose what may be moved, then search."));
   QStringList names;
-  for (const std::string& name : moved_) names << shown(name);
+  for (const std::string& name : asked_.moved) names << shown(name);
   QString text = map_->is_complete ? QString() : tr("Cancelled: the map is not complete. ");
   if (cell < 0) {
     result_->setText(text + tr("No placement suits all four bodies.") + ' ' + tr("Moved: %1.").arg(names.join(", ")));
@@ -275,11 +274,11 @@ void WorkplacePanel::take() {
   const auto& place = map_->cells[static_cast<std::size_t>(view_->chosen())];
   const auto& document = context_.host().documentModel().document();
   std::vector<workcell::Command> commands;
-  for (const workcell::EntityId id : searched_) {
+  for (const workcell::EntityId id : asked_.station) {
     const workcell::Entity* entity = document.find(id);
     if (!entity) continue;
     Pose there = entity->X_WE;
-    there.p += place.away * ahead_W_;
+    there.p += place.away * asked_.ahead_W;
     // An adjustable bench is set to another height; its feet stay on the floor.
     if (const auto higher = benchAt(document.state(), *entity, place.rise)) {
       commands.insert(commands.end(), higher->begin(), higher->end());
@@ -295,7 +294,7 @@ void WorkplacePanel::take() {
 void WorkplacePanel::checkTaken(const manipulation::WorkplaceCell& place) {
   runBeside(
       this,
-      [question = question_, place, after = context_.host().documentModel().document().snapshotEntities()] {
+      [question = asked_.question, place, after = context_.host().documentModel().document().snapshotEntities()] {
         return manipulation::workplacePromises(*question, place, after);
       },
       [this](const Promises& promises) {
@@ -363,7 +362,7 @@ void WorkplaceView::paintEvent(QPaintEvent*) {
       painter.drawLine(box.topLeft(), box.bottomRight());
     }
     if (static_cast<int>(i) == chosen_) {
-      painter.setPen(QPen(theme.force, 2.5));
+      painter.setPen(QPen(theme.scene.force, 2.5));
       painter.setBrush(Qt::NoBrush);
       painter.drawRect(box);
     }

@@ -60,10 +60,13 @@ class WorkplacePanel : public QWidget {
   QLabel *result_, *moves_;
   WorkplaceView* view_;
   std::optional<manipulation::WorkplaceMap> map_;
-  dvec3 ahead_W_{1.0, 0.0, 0.0};
-  std::shared_ptr<const manipulation::WorkplaceQuestion> question_;  ///< That map_ answers.
-  std::vector<workcell::EntityId> searched_;
-  std::vector<std::string> moved_;  ///< Names of all that the search moved.
+  /// What was searched for: what map_ answers.
+  struct Asked {
+    std::shared_ptr<const manipulation::WorkplaceQuestion> question;
+    dvec3 ahead_W{1.0, 0.0, 0.0};
+    std::vector<workcell::EntityId> station;
+    std::vector<std::string> moved;  ///< Names of all that the search moved.
+  } asked_;
   struct Run {
     std::atomic<bool> cancel{false};
     std::atomic<double> progress{0.0};

@@ -140,4 +140,8 @@ std::vector<dvec3> thinnedPath(const std::vector<dvec3>& points, std::size_t mos
   return thinned;
 }
 
+bool canBeGuided(const workcell::Entity& entity) {
+  return entity.kind != workcell::EntityKind::kAssembly && entity.kind != workcell::EntityKind::kFrame;
+}
+
 }  // namespace hapticell::app

@@ -33,4 +33,7 @@ QString geometryText(const workcell::Guide& guide);
 /// than 0.1 mm dropped. Fewer than two remain empty.
 std::vector<dvec3> thinnedPath(const std::vector<dvec3>& points, std::size_t most = 200);
 
+/// False for what has no shape of its own: it is not led.
+bool canBeGuided(const workcell::Entity& entity);
+
 }  // namespace hapticell::app

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the panel does: making, editing and showing guides.
 #include <QButtonGroup>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
-#include <QSlider>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "app/controls/pose_text.h"
-#include "app/guides/detents_text.h"
 #include "app/guides/guide_curves.h"
+#include "app/guides/guide_fields.h"
+#include "app/guides/guide_geometry_fields.h"
 #include "app/guides/guide_making.h"
 #include "app/guides/guides_panel.h"
 #include "app/host/document_model.h"
@@ -25,7 +20,6 @@
 #include "app/kit/file_dialog.h"
 #include "app/kit/form.h"
 #include "app/kit/switch_list.h"
-#include "app/style/value_field.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "trajectory/files/trajectory_io.h"
 
@@ -37,20 +31,6 @@ using workcell::GuideKind;
 
 constexpr const char* kCurves = "guides";
 constexpr const char* kHandle = "handle";
-
-bool hasStops(GuideKind kind) {
-  return kind == GuideKind::kLine || kind == GuideKind::kHinge || kind == GuideKind::kSlider ||
-         kind == GuideKind::kScrew;
-}
-
-/// What has no shape of its own is not led.
-bool canBeGuided(const workcell::Entity& entity) {
-  return entity.kind != workcell::EntityKind::kAssembly && entity.kind != workcell::EntityKind::kFrame;
-}
-
-bool hasDetents(GuideKind kind) {
-  return hasStops(kind) && kind != GuideKind::kScrew;
-}
 
 }  // namespace
 
@@ -69,19 +49,6 @@ void GuidesPanel::edit(const std::function<void(Guide&)>& change) {
   if (host_.documentModel().execute(workcell::EditGuide{before.toStdString(), std::move(fresh)})) return;
   current_ = before;
   show();
-}
-
-void GuidesPanel::editStop(bool upper) {
-  const Guide* now = guide();
-  if (!now) return;
-  const std::size_t side = upper ? 1 : 0;
-  std::optional<double> stop;
-  if (has_stop_[side]->isChecked())
-    stop = now->kind == GuideKind::kHinge ? kDegree * degree_stop_[side]->value() : 1e-3 * mm_stop_[side]->value();
-  // A stop that is switched on stands where it makes sense.
-  const bool fresh = stop && !(upper ? now->upper : now->lower);
-  if (fresh && *stop == 0.0 && upper) stop = now->kind == GuideKind::kHinge ? 1.2 : 0.1;
-  edit([&](Guide& guide) { (upper ? guide.upper : guide.lower) = stop; });
 }
 
 void GuidesPanel::choose(const QString& name) {
@@ -241,61 +208,12 @@ void GuidesPanel::show() {
   empty_->setVisible(state.guides.empty());
   remove_->setEnabled(guide());
   editor_->setVisible(guide());
-  showGuide(guide());
+  const Guide* now = guide();
+  if (now) wanted_ = now->kind;
+  kinds_->button(static_cast<int>(wanted_))->setChecked(true);
+  if (now) geometry_->show(*now);
+  if (now) fields_->show(*now);
   showCurves();
-}
-
-void GuidesPanel::showGuide(const Guide* guide) {
-  kinds_->button(static_cast<int>(guide ? guide->kind : wanted_))->setChecked(true);
-  if (!guide) return;
-  wanted_ = guide->kind;
-  if (!name_->hasFocus()) name_->setText(QString::fromStdString(guide->name));
-  entity_->clear();
-  for (const auto& entity : host_.documentModel().document().state().entities)
-    if (canBeGuided(*entity)) entity_->addItem(QString::fromStdString(entity->name));
-  entity_->setCurrentText(QString::fromStdString(guide->entity));
-  geometry_->setText(geometryText(*guide));
-  geometry_->setCursorPosition(0);
-  geometry_->setToolTip(geometry_->text());
-  const HoldChoice& hold = host_.holdChoice();
-  handle_->setText(hold.is<by::Frame>() ? QString::fromStdString(hold.frame()) : tr("as it is held"));
-  radius_->setValue(1e3 * guide->radius);
-  pitch_->setValue(1e3 * guide->pitch);
-  offset_->setValue(1e3 * guide->offset);
-  friction_->setValue(guide->friction);
-  detent_width_->setValue(1e3 * guide->detent_width);
-  detent_force_->setValue(1e-3 * guide->detent_stiffness);
-  const int help = static_cast<int>(std::lround(guide->help / 5.0));
-  if (!help_->isSliderDown()) help_->setValue(help);
-  help_value_->setText(tr("%1 %").arg(help));
-  for (std::size_t i = 0; i < 6; ++i) locks_[i]->setChecked(guide->locked[i]);
-  const GuideKind kind = guide->kind;
-  radius_row_->setVisible(kind == GuideKind::kCircle || kind == GuideKind::kTube);
-  path_row_->setVisible(kind == GuideKind::kTube);
-  help_row_->setVisible(kind == GuideKind::kTube);
-  pitch_row_->setVisible(kind == GuideKind::kScrew);
-  offset_row_->setVisible(kind == GuideKind::kSurface);
-  locks_row_->setVisible(kind == GuideKind::kLock);
-  showStops(*guide);
-}
-
-void GuidesPanel::showStops(const Guide& guide) {
-  const bool turns = guide.kind == GuideKind::kHinge;
-  stops_row_->setVisible(hasStops(guide.kind));
-  detents_row_->setVisible(hasDetents(guide.kind));
-  detent_row_->setVisible(hasDetents(guide.kind) && !guide.detents.empty());
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::optional<double>& stop = i == 0 ? guide.lower : guide.upper;
-    has_stop_[i]->setChecked(stop.has_value());
-    mm_stop_[i]->setVisible(!turns);
-    degree_stop_[i]->setVisible(turns);
-    mm_stop_[i]->setEnabled(stop.has_value());
-    degree_stop_[i]->setEnabled(stop.has_value());
-    (turns ? degree_stop_[i] : mm_stop_[i])->setValue(stop ? *stop / (turns ? kDegree : 1e-3) : 0.0);
-  }
-  if (!detents_->hasFocus()) detents_->setText(detentsText(guide.detents, turns));
-  const std::array<double, 2> example{0.0, turns ? 60.0 * kDegree : 0.12};
-  detents_->setPlaceholderText(tr("none; e.g. %1").arg(detentsText(example, turns)));
 }
 
 }  // namespace hapticell::app

@@ -15,6 +15,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
+#include "app/import/bent_start.h"
 #include "app/import/import_panel.h"
 #include "app/import/import_report_text.h"
 #include "app/import/mesh_care_panel.h"
@@ -23,7 +24,6 @@
 #include "app/style/dock_title_bar.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "config/configuration.h"
-#include "kinematics/model/start_posture.h"
 #include "workcell/format/document_io.h"
 
 namespace hapticell::app {
@@ -358,25 +358,6 @@ void FileWork::findMissing() {
 void FileWork::import(const QStringList& paths, bool ask) {
   session_.add(paths, ask);
 }
-
-namespace {
-
-/// A robot whose file says no home and whose joints at zero make it singular starts bent, and the report says so.
-void startBent(workcell::Entity& entity, workcell::ImportReport& report) {
-  if (entity.kind != workcell::EntityKind::kRobot || !entity.robot || !entity.robot->home.empty()) return;
-  if (!entity.joints.empty() && entity.joints != kinematics::restPositions(*entity.robot)) return;
-  auto start = kinematics::bentStart(*entity.robot, entity.robot->findLink(entity.tip_link));
-  if (!start) return;
-  QStringList joints;
-  for (const std::string& joint : start->bent_joints) joints << QString::fromStdString(joint);
-  entity.joints = std::move(start->q);
-  report.warnings.push_back(FileWork::tr("The file of %1 names no home, and at zero it is singular: it could hardly be "
-                                         "dragged. It starts with %2 bent. Keep a home of your own in the Robot dock.")
-                                .arg(QString::fromStdString(entity.name), joints.join(QStringLiteral(", ")))
-                                .toStdString());
-}
-
-}  // namespace
 
 void FileWork::takeImported(const QString& path, const ImportSession::Result& result) {
   const QString name = QFileInfo(path).fileName();

@@ -6,16 +6,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
-#include <array>
+#include <algorithm>
 #include <cmath>
 
-#include "app/import/argument_fields.h"
-#include "app/import/unit_question.h"
+#include "app/import/import_choice_fields.h"
+#include "app/import/import_progress.h"
 #include "app/kit/form.h"
-#include "app/style/segmented.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
 
@@ -39,8 +37,8 @@ class PreviewBox : public QWidget {
     const Theme& theme = themeOf(palette());
     QPainter painter(this);
     QLinearGradient ground(0, 0, 0, height());
-    ground.setColorAt(0.0, theme.background_top);
-    ground.setColorAt(1.0, theme.background_bottom);
+    ground.setColorAt(0.0, theme.scene.background_top);
+    ground.setColorAt(1.0, theme.scene.background_bottom);
     painter.fillRect(rect(), ground);
     if (picture_.isNull()) {
       painter.setPen(theme.text2);
@@ -60,14 +58,6 @@ class PreviewBox : public QWidget {
 };
 
 namespace {
-
-constexpr std::array<double, 5> kUnits{0.001, 0.01, 1.0, 0.0254, 0.3048};
-
-/// A deviation of a mesh: a decimal more than the user's.
-QString fineLengthText(double metres) {
-  const Units units = unitsNow();
-  return numberText(units.perMetre() * metres, units.length_decimals + 1) + QLatin1Char(' ') + units.lengthUnit();
-}
 
 QString sizeLine(const FileImport& file) {
   const double factor =
@@ -98,8 +88,11 @@ ImportPanel::ImportPanel(ImportSession& session, QWidget* parent) : QWidget(pare
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   addFacts();
-  addChoices();
-  addProgress();
+  choices_ = new ImportChoiceFields(session_);
+  column->addWidget(choices_);
+  connect(choices_, &ImportChoiceFields::unitAnswered, this, &ImportPanel::refresh);
+  progress_ = new ImportProgress;
+  column->addWidget(progress_);
   column->addStretch(1);
   addButtons();
   connect(&session_, &ImportSession::changed, this, &ImportPanel::refresh);
@@ -132,88 +125,6 @@ void ImportPanel::addFacts() {
     current_ = file_->itemData(row).toInt();
     refresh();
   });
-}
-
-void ImportPanel::addChoices() {
-  choices_ = new QWidget;
-  auto* column = new QVBoxLayout(choices_);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  arguments_ = new ArgumentFields;
-  column->addWidget(arguments_);
-  mesh_choices_ = new QWidget;
-  column->addWidget(mesh_choices_);
-  auto* mesh_column = new QVBoxLayout(mesh_choices_);
-  mesh_column->setContentsMargins(0, 0, 0, 0);
-  QVBoxLayout* section = addSection(*mesh_column, {});
-  unit_asked_ = makeLabel({}, TextRole::kText);
-  unit_asked_->setObjectName("importUnitAsked");
-  unit_asked_->setWordWrap(true);
-  section->addWidget(unit_asked_);
-  unit_question_ = new UnitQuestion;
-  section->addWidget(unit_question_);
-  unit_ = new QComboBox;
-  unit_->setPlaceholderText(tr("Not known yet"));
-  unit_->setObjectName("importUnit");
-  addRow(*section, tr("Unit"), unit_);
-  up_ = new Segmented({tr("X"), tr("Y"), tr("Z")});
-  up_->setObjectName("importUp");
-  addRow(*section, tr("Up axis"), up_);
-  quality_ = new Segmented({tr("Coarse"), tr("Medium"), tr("Fine")});
-  quality_->setObjectName("importQuality");
-  addRow(*section, tr("Mesh"), quality_);
-  estimate_ = makeLive(2, TextRole::kSecond, true);
-  estimate_->setObjectName("importEstimate");
-  addRow(*section, {}, estimate_);
-  tree_ = new Segmented({tr("One solid"), tr("Tree")});
-  tree_->setObjectName("importTree");
-  addRow(*section, tr("Bring in as"), tree_);
-  layout()->addWidget(choices_);
-  connect(arguments_, &ArgumentFields::changed, this, [this](const std::map<std::string, std::string>& values) {
-    chooseCurrent([&values](ImportChoices& choices) { choices.arguments = values; });
-  });
-  connect(unit_, &QComboBox::activated, this, [this](int row) {
-    chooseCurrent([&](ImportChoices& choices) {
-      const QVariant metres = unit_->itemData(row);
-      choices.metres_per_unit = metres.isNull() ? std::nullopt : std::optional(metres.toDouble());
-    });
-  });
-  connect(unit_question_, &UnitQuestion::chosen, this, [this](double metres) {
-    chooseCurrent([metres](ImportChoices& choices) { choices.metres_per_unit = metres; });
-    refresh();  // A card that was chosen already stays so.
-  });
-  connect(up_, &Segmented::chosen, this, [this](int axis) {
-    chooseCurrent([axis](ImportChoices& choices) { choices.up_axis = static_cast<workcell::UpAxis>(axis); });
-  });
-  connect(quality_, &Segmented::chosen, this, [this](int quality) {
-    chooseCurrent([quality](ImportChoices& choices) { choices.quality = static_cast<MeshQuality>(quality); });
-  });
-  connect(tree_, &Segmented::chosen, this,
-          [this](int row) { chooseCurrent([row](ImportChoices& choices) { choices.merge = row == 0; }); });
-}
-
-void ImportPanel::addProgress() {
-  progress_ = new QWidget;
-  auto* column = new QVBoxLayout(progress_);
-  column->setContentsMargins(12, 10, 12, 10);
-  column->setSpacing(6);
-  auto* line = new QHBoxLayout;
-  stage_ = makeLabel({}, TextRole::kText);
-  stage_->setObjectName("importStage");
-  share_ = makeLabel({}, TextRole::kText, true);
-  share_->setObjectName("importShare");
-  line->addWidget(stage_, 1);
-  line->addWidget(share_);
-  column->addLayout(line);
-  bar_ = new QProgressBar;
-  bar_->setRange(0, 1000);
-  bar_->setTextVisible(false);
-  bar_->setFixedHeight(6);
-  column->addWidget(bar_);
-  note_ = makeLabel(tr("The cell stays usable meanwhile."), TextRole::kSecond, true);
-  note_->setWordWrap(true);
-  column->addWidget(note_);
-  layout()->addWidget(progress_);
 }
 
 void ImportPanel::addButtons() {
@@ -249,14 +160,6 @@ void ImportPanel::addButtons() {
   });
 }
 
-void ImportPanel::chooseCurrent(const std::function<void(ImportChoices&)>& change) {
-  const FileImport* file = session_.find(current_);
-  if (!file || filling_) return;
-  ImportChoices choices = file->choices;
-  change(choices);
-  session_.choose(current_, choices);
-}
-
 QString ImportPanel::title() const {
   if (const FileImport* file = session_.find(current_)) return tr("Import — %1").arg(QFileInfo(file->path).fileName());
   return other_ ? tr("Open — %1").arg(other_->name) : tr("Import");
@@ -279,13 +182,13 @@ void ImportPanel::fillFiles() {
 }
 
 void ImportPanel::refresh() {
-  filling_ = true;
   const auto& files = session_.files();
   if (!session_.find(current_)) current_ = files.empty() ? 0 : files.front().id;
   fillFiles();
   const FileImport* file = session_.find(current_);
   facts_->setVisible(file);
   choices_->setVisible(file && file->facts);
+  if (file && file->facts) choices_->showFile(*file);
   if (file) showFile(*file);
   import_->setVisible(file);
   import_->setEnabled(file && file->stage != FileImport::Stage::kImporting && !file->unit_is_open);
@@ -293,7 +196,6 @@ void ImportPanel::refresh() {
   import_all_->setVisible(files.size() > 1);
   undo_hint_->setVisible(files.size() == 1);
   import_all_->setText(tr("Import all %1").arg(files.size()));
-  filling_ = false;
   showProgress();
   emit titleChanged(title());
 }
@@ -307,59 +209,11 @@ void ImportPanel::showFile(const FileImport& file) {
   kind_->setText(QStringLiteral("%1, %2, %3 %4")
                      .arg(facts.format, sizeText(facts.bytes), countText(static_cast<double>(facts.parts)),
                           facts.parts == 1 ? tr("part") : tr("parts")));
-  arguments_->setArguments(file.id, facts.arguments, file.choices.arguments);
-  mesh_choices_->setVisible(!facts.robot);
-  choices_->setEnabled(file.stage != FileImport::Stage::kImporting);
   if (facts.incomplete) {
     preview_->setPicture(QImage(), tr("Enter the arguments that have no value"));
     size_->setText(QFileInfo(file.path).fileName());
     kind_->setText(QStringLiteral("%1, %2").arg(facts.format, sizeText(facts.bytes)));
   }
-  if (facts.robot) return;
-  showUnits(file);
-  up_->setCurrent(static_cast<int>(file.choices.up_axis.value_or(facts.up_axis)));
-  quality_->setCurrent(facts.can_be_cut_finer ? static_cast<int>(file.choices.quality) : -1);
-  for (int k = 0; k < 3; ++k) quality_->setChoiceEnabled(k, facts.can_be_cut_finer, tr("The file holds triangles."));
-  const ImportEstimate estimate = ImportSession::estimateOf(file);
-  const bool same = file.choices.quality == file.examined_with.quality;
-  const QString triangles = tr("%1%2 triangles").arg(same ? QString() : tr("about "), countText(estimate.triangles));
-  estimate_->setText(
-      facts.can_be_cut_finer
-          ? QStringLiteral("%1, %2, %3").arg(fineLengthText(estimate.chord), triangles, durationText(estimate.seconds))
-          : triangles);
-  tree_->setCurrent(file.choices.merge ? 0 : 1);
-  const bool several = facts.parts > 1 || file.examined_with.merge;
-  tree_->button(1)->setText(several && !file.examined_with.merge
-                                ? tr("Tree of %1").arg(countText(static_cast<double>(facts.parts)))
-                                : tr("Tree"));
-  for (int k = 0; k < 2; ++k) tree_->setChoiceEnabled(k, several, tr("The file holds one part."));
-  choices_->setEnabled(file.stage != FileImport::Stage::kImporting);
-}
-
-void ImportPanel::showUnits(const FileImport& file) {
-  const ImportFacts& facts = *file.facts;
-  unit_->clear();
-  const bool stated = facts.unit_is_stated;
-  if (stated) unit_->addItem(tr("%1, as the file says").arg(capital(unitText(facts.metres_per_unit))));
-  for (const double metres : kUnits) {
-    QString text = capital(unitText(metres));
-    if (!stated && !facts.unit_is_open && metres == facts.likely_metres_per_unit) text += tr(", guessed from the size");
-    unit_->addItem(text, metres);
-  }
-  unit_asked_->setVisible(!stated);
-  unit_asked_->setText(file.unit_is_open ? tr("The file names no unit. Which size is right?")
-                                         : tr("The file names no unit. Is this size right?"));
-  unit_question_->setVisible(!stated);
-  if (file.unit_is_open) {
-    unit_->setCurrentIndex(-1);
-    return unit_question_->setFile(facts, std::nullopt);
-  }
-  const double now = file.choices.metres_per_unit.value_or(facts.metres_per_unit);
-  unit_question_->setFile(facts, now);
-  if (stated && !file.choices.metres_per_unit) return unit_->setCurrentIndex(0);
-  for (int row = 0; row < unit_->count(); ++row)
-    if (!unit_->itemData(row).isNull() && std::abs(unit_->itemData(row).toDouble() / now - 1.0) < 1e-9)
-      unit_->setCurrentIndex(row);
 }
 
 void ImportPanel::showProgress() {
@@ -379,14 +233,8 @@ void ImportPanel::showProgress() {
   }
   QString words = capital(stage.isEmpty() ? tr("Reading") : stage);
   if (file != shown) words = QFileInfo(file->path).fileName() + QStringLiteral(": ") + words;
-  stage_->setText(stage_->fontMetrics().elidedText(words, Qt::ElideRight, width() - 130));
-  stage_->setToolTip(words);
-  QString text = QStringLiteral("%1 %").arg(std::lround(100.0 * share));
-  constexpr double kKnown = 0.05, kWorthSaying = 2.0;  // Of the whole; seconds.
-  const double left = file && share > kKnown ? file->elapsed * (1.0 - share) / share : 0.0;
-  if (left > kWorthSaying) text += tr(" · %1 left").arg(durationText(left));
-  share_->setText(text);
-  bar_->setValue(static_cast<int>(std::lround(1000.0 * share)));
+  constexpr double kKnown = 0.05;  // Of the whole.
+  progress_->showWork(words, share, file && share > kKnown ? file->elapsed * (1.0 - share) / share : 0.0);
 }
 
 }  // namespace hapticell::app

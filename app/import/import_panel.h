@@ -8,15 +8,13 @@
 
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace hapticell::app {
 
-class ArgumentFields;
+class ImportChoiceFields;
+class ImportProgress;
 class PreviewBox;
-class Segmented;
-class UnitQuestion;
 
 /// Something other than an import that takes its time: the opening of a workcell.
 struct OtherWork {
@@ -43,29 +41,21 @@ class ImportPanel : public QWidget {
 
  private:
   void addFacts();
-  void addChoices();
-  void addProgress();
   void addButtons();
   void refresh();
   void showFile(const FileImport& file);
-  void showUnits(const FileImport& file);
   void showProgress();
   void fillFiles();
-  void chooseCurrent(const std::function<void(ImportChoices&)>& change);
 
   ImportSession& session_;
   std::optional<OtherWork> other_;
   int current_ = 0;
-  bool filling_ = false;
-  QComboBox *file_, *unit_;
+  QComboBox* file_;
   PreviewBox* preview_;
-  QWidget *facts_, *choices_, *progress_;
-  QLabel *size_, *kind_, *estimate_, *stage_, *share_, *note_, *undo_hint_, *unit_asked_;
-  UnitQuestion* unit_question_;
-  ArgumentFields* arguments_;
-  QWidget* mesh_choices_;
-  Segmented *up_, *quality_, *tree_;
-  QProgressBar* bar_;
+  QWidget* facts_;
+  QLabel *size_, *kind_, *undo_hint_;
+  ImportChoiceFields* choices_;
+  ImportProgress* progress_;
   QPushButton *cancel_, *import_, *import_all_;
 };
 

@@ -10,9 +10,9 @@
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/kit/beside.h"
+#include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/kit/form.h"
 #include "app/style/units.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "manipulation/checks/mannequin_sight.h"
@@ -148,17 +148,17 @@ void FigureDrawings::drawVolumes() {
   const Theme& theme = themeOf(palette());
   std::vector<RenderItem> items;
   for (const auto& [kind, meshes] : reach_) {
-    const QColor sizes[]{theme.guide, theme.selection, theme.near_miss};
+    const QColor sizes[]{theme.scene.guide, theme.selection, theme.near_miss};
     for (std::size_t i = 0; i < meshes.size(); ++i)
       items.push_back(volume(meshes[i], rgb(kind == kSizesReach ? sizes[i / 2 % 3]
                                             : kind == kReach    ? theme.selection
-                                                                : theme.axis_z)));
+                                                                : theme.scene.axis_z)));
   }
   if (isOn(kZones)) {
     for (const auto zone : {mannequin::WorkZone::kPreferred, mannequin::WorkZone::kAcceptable}) {
       const bool preferred = zone == mannequin::WorkZone::kPreferred;
       items.push_back(volume(std::make_shared<geometry::TriangleMesh>(mannequin::workZone(*figure_, posture_, zone)),
-                             rgb(preferred ? theme.guide : theme.near_miss)));
+                             rgb(preferred ? theme.scene.guide : theme.near_miss)));
     }
   }
   if (isOn(kSight)) {

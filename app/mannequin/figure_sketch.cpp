@@ -86,8 +86,8 @@ void FigureSketch::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const Theme& theme = themeOf(palette());
   QLinearGradient back(0, 0, 0, height());
-  back.setColorAt(0, theme.background_top);
-  back.setColorAt(1, theme.background_bottom);
+  back.setColorAt(0, theme.scene.background_top);
+  back.setColorAt(1, theme.scene.background_bottom);
   painter.fillRect(rect(), back);
   if (!figure_) return;
   const auto parts = mannequin::outlineOf(*figure_, posture_, flesh_, mannequin::OutlineView::besides(posture_));
@@ -98,7 +98,7 @@ void FigureSketch::paintEvent(QPaintEvent*) {
     if (!held) return {quiet, 0};
     return {{selection.redF(), selection.greenF(), selection.blueF()}, 0};
   };
-  drawFigure(painter, rect(), parts, fill, theme.background_bottom.darker(160));
+  drawFigure(painter, rect(), parts, fill, theme.scene.background_bottom.darker(160));
 }
 
 }  // namespace hapticell::app

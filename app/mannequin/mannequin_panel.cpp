@@ -16,12 +16,14 @@
 #include "app/host/host.h"
 #include "app/kit/form.h"
 #include "app/mannequin/body_size.h"
+#include "app/mannequin/carried_part.h"
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/figure_sketch.h"
 #include "app/mannequin/hand_gizmo.h"
 #include "app/mannequin/joint_list.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
+#include "app/mannequin/reach_lines.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/style/theme.h"
@@ -61,17 +63,6 @@ std::vector<std::size_t> bodiesOf(const MovedBy& held) {
   return bodies;
 }
 
-/// What a hand may take, likely things first: what it has, then what may be moved, then what is locked.
-std::vector<const workcell::Entity*> solidsToTake(const workcell::DocumentState& state, const std::string& carrier) {
-  std::vector<const workcell::Entity*> solids;
-  for (const auto& one : state.entities)
-    if (one->mesh) solids.push_back(one.get());
-  const auto rest = std::stable_partition(
-      solids.begin(), solids.end(), [&](const workcell::Entity* solid) { return solid->attachment.to == carrier; });
-  std::stable_partition(rest, solids.end(), [](const workcell::Entity* solid) { return !solid->locked; });
-  return solids;
-}
-
 }  // namespace
 
 MannequinPanel::MannequinPanel(MannequinContext& context, FigureDrag& drag, QWidget* parent)
@@ -100,7 +91,7 @@ MannequinPanel::MannequinPanel(MannequinContext& context, FigureDrag& drag, QWid
   connect(&context_, &MannequinContext::mannequinChanged, this, &MannequinPanel::showMannequin);
   connect(&context_, &MannequinContext::documentChanged, this, &MannequinPanel::showNow);
   connect(&context_.host().holdChoice(), &HoldChoice::changed, this, &MannequinPanel::showNow);
-  connect(&drag_, &FigureDrag::moved, this, &MannequinPanel::showReach);
+  connect(&drag_, &FigureDrag::moved, reach_, &ReachLines::show);
   connect(&drag_, &FigureDrag::ended, this, &MannequinPanel::showNow);
   showMannequin();
 }
@@ -189,18 +180,7 @@ void MannequinPanel::addHands(QVBoxLayout& column) {
   two_hands_ = new Segmented({tr("Each its own"), tr("Hold one thing")});
   two_hands_->setObjectName("segmentsTwoHands");
   addRow(*section, tr("Two hands"), two_hands_);
-  part_ = new QComboBox;
-  part_->setObjectName("comboCarried");
-  part_->setMinimumWidth(60);
-  part_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  carry_ = new QPushButton;
-  carry_->setObjectName("buttonCarry");
-  auto* pair = new QWidget;
-  auto* line = new QHBoxLayout(pair);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->addWidget(part_, 1);
-  line->addWidget(carry_);
-  addRow(*section, tr("In the hand"), pair);
+  part_ = new CarriedPart(context_, *section, this);
   connect(grasp_, &Segmented::chosen, this, &MannequinPanel::setGrasp);
   connect(curl_, &QSlider::sliderMoved, this, &MannequinPanel::setCurl);
   connect(curl_, &QSlider::sliderPressed, this,
@@ -211,26 +191,12 @@ void MannequinPanel::addHands(QVBoxLayout& column) {
     hands.apart = i == 0;
     context_.host().holdChoice().setHands(hands);
   });
-  connect(carry_, &QPushButton::clicked, this, &MannequinPanel::carry);
-  connect(part_, &QComboBox::activated, this, [this] {
-    part_chosen_ = true;
-    showHands();
-  });
+  connect(part_, &CarriedPart::carryWanted, this, &MannequinPanel::carry);
 }
 
 void MannequinPanel::addReach(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, {});
-  auto* line = new QHBoxLayout;
-  reach_mark_ = new QLabel;
-  reach_mark_->setFixedWidth(18);
-  reach_ = makeLive(2, TextRole::kText);
-  reach_->setObjectName("labelReach");
-  line->addWidget(reach_mark_, 0, Qt::AlignTop);
-  line->addWidget(reach_, 1);
-  section->addLayout(line);
-  reach_advice_ = makeLive(2, TextRole::kSecond, true);
-  reach_advice_->setObjectName("labelReachAdvice");
-  section->addWidget(reach_advice_);
+  reach_ = new ReachLines(context_, drag_, *section, this);
 }
 
 void MannequinPanel::addPostures(QVBoxLayout& column) {
@@ -301,7 +267,7 @@ void MannequinPanel::setCurl(int degrees) {
 
 void MannequinPanel::carry() {
   const workcell::Entity* entity = context_.entity();
-  const workcell::Entity* part = context_.host().documentModel().document().find(part_->currentData().toULongLong());
+  const workcell::Entity* part = context_.host().documentModel().document().find(part_->chosen());
   if (!entity || !part) return;
   DocumentModel& document = context_.host().documentModel();
   if (part->attachment.to == entity->name) {
@@ -333,7 +299,7 @@ void MannequinPanel::showNow() {
   sketch_->setPosture(context_.posture());
   showHolding();
   showHands();
-  showReach();
+  reach_->show();
   size_->showNow();
   joints_->showNow();
   for (QPushButton* button : {postures_, mirror_, swap_}) button->setEnabled(context_.isFree());
@@ -355,46 +321,11 @@ void MannequinPanel::showHolding() {
 void MannequinPanel::showHands() {
   const workcell::Entity* entity = context_.entity();
   if (!entity) return;
-  const auto solids = solidsToTake(context_.host().documentModel().document().state(), entity->name);
-  bool same = part_->count() == static_cast<int>(solids.size());
-  for (std::size_t i = 0; same && i < solids.size(); ++i)
-    same = part_->itemData(static_cast<int>(i)).toULongLong() == solids[i]->id &&
-           part_->itemText(static_cast<int>(i)).toStdString() == solids[i]->name;
-  if (!same) {
-    const qulonglong before = part_chosen_ ? part_->currentData().toULongLong() : 0;
-    part_->clear();
-    for (const workcell::Entity* solid : solids)
-      part_->addItem(QString::fromStdString(solid->name), static_cast<qulonglong>(solid->id));
-    part_->setCurrentIndex(std::max(0, part_->findData(before)));
-  }
-  const workcell::Entity* part = context_.host().documentModel().document().find(part_->currentData().toULongLong());
-  const bool carried = part && part->attachment.to == entity->name;
-  carry_->setText(carried ? tr("Let go") : tr("Take"));
-  carry_->setToolTip(carried ? tr("It stays where it is") : tr("It goes with the hand and is checked with it"));
-  carry_->setEnabled(part != nullptr && context_.isFree());
+  part_->show();
   if (!curl_->isSliderDown()) {
     const double curl = context_.posture()[mannequin::armDof(chosenHands().front(), mannequin::Dof::kLeftFingersCurl)];
     curl_->setValue(static_cast<int>(std::lround(curl / kDegree)));
   }
-}
-
-void MannequinPanel::showReach() {
-  const HoldChoice& choice = context_.host().holdChoice();
-  QString text = reachText(drag_, choice.movedBy()), advice;
-  const auto& snapshot = context_.host().snapshot();
-  if (context_.isHeld() && snapshot && !snapshot->limits.empty() && snapshot->limits.front().holds)
-    text = QString::fromStdString(snapshot->limits.front().text);
-  if (!text.isEmpty() && drag_.reach() && drag_.reach()->obstacle.empty()) {
-    advice = choice.hands().locks.trunk
-                 ? tr("At full reach with the trunk locked. Unlock the trunk, or move it %1 closer.")
-                 : tr("At full reach. Move it %1 closer, or let the feet step.");
-    advice = advice.arg(lengthText(0.01 * std::ceil(100.0 * drag_.reach()->short_m + 0.8), 0));
-  }
-  const bool any = !text.isEmpty();
-  reach_mark_->setPixmap(any ? icon("limit", themeOf(palette()).limit).pixmap(16, 16) : QPixmap());
-  reach_->setText(any ? text : tr("Drag the arrows at the hand, or take it with the stylus."));
-  reach_->setForegroundRole(any ? QPalette::WindowText : kQuietText);
-  reach_advice_->setText(advice);
 }
 
 }  // namespace hapticell::app

@@ -17,10 +17,12 @@ class QVBoxLayout;
 namespace hapticell::app {
 
 class BodySize;
+class CarriedPart;
 class FigureDrag;
 class FigureSketch;
 class JointList;
 class MannequinContext;
+class ReachLines;
 class Segmented;
 
 /// The dock of the mannequin: what of it the stylus holds, what is locked, its size, its hands, its posture, its
@@ -58,7 +60,6 @@ class MannequinPanel : public QWidget {
   void showMannequin();
   void showHolding();
   void showHands();
-  void showReach();
   void hold(const manipulation::MovedBy& way);
   void setLock(int which, bool on);
   void takePosture(const QString& name);
@@ -70,16 +71,16 @@ class MannequinPanel : public QWidget {
   MannequinContext& context_;
   FigureDrag& drag_;
   QWidget *empty_, *content_;
-  QLabel *name_, *body_, *reach_mark_, *reach_, *reach_advice_;
+  QLabel *name_, *body_;
+  ReachLines* reach_;
   FigureSketch* sketch_;
   std::array<QPushButton*, 5> holds_{};
   std::array<QCheckBox*, 4> locks_{};
   BodySize* size_;
   Segmented *grasp_, *two_hands_;
   QSlider* curl_;
-  QComboBox* part_;
-  bool part_chosen_ = false;  ///< By the user: it stays when others come or change places.
-  QPushButton *carry_, *postures_, *mirror_, *swap_;
+  CarriedPart* part_;
+  QPushButton *postures_, *mirror_, *swap_;
   JointList* joints_;
   QVBoxLayout* drawings_;
 };

@@ -13,9 +13,9 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/kit/beside.h"
-#include "app/mannequin/mannequin_context.h"
-#include "app/kit/form.h"
 #include "app/kit/file_dialog.h"
+#include "app/kit/form.h"
+#include "app/mannequin/mannequin_context.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "geometry/shapes/shapes.h"
 #include "mannequin/motion/marker_set.h"
@@ -157,7 +157,7 @@ void MarkerPanel::draw(bool on) {
       item.mesh = ball_;
       item.bounds_M = ball_->bounds();
       item.X_WM = X_WG * Pose::translation(*p - dvec3(middle.x, middle.y, 0.0));
-      item.color = rgb(themeOf(palette()).force);
+      item.color = rgb(themeOf(palette()).scene.force);
       item.casts_shadow = false;
       items.push_back(std::move(item));
     }

@@ -13,13 +13,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/controls/robot_ghosts.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/kit/form.h"
 #include "app/robot/joint_mover.h"
 #include "app/robot/motion_worker.h"
 #include "app/robot/robot_context.h"
-#include "app/controls/robot_ghosts.h"
 #include "app/style/theme.h"
 #include "app/viewport/overlay/overlay_painter.h"
 #include "app/viewport/widget/viewport_widget.h"
@@ -55,8 +55,8 @@ class ConfigurationDelegate final : public QStyledItemDelegate {
     const bool out = way == Way::kOutOfLimits;
     const bool stale = !option.state.testFlag(QStyle::State_Enabled);
     QColor color = stale ? theme.text3 : out ? theme.text2 : theme.text1;
-    if (!stale && index.column() == ConfigurationModel::kWay && out) color = theme.limit_text;
-    if (!stale && index.column() == ConfigurationModel::kWay && way == Way::kBlocked) color = theme.contact_text;
+    if (!stale && index.column() == ConfigurationModel::kWay && out) color = theme.words.limit;
+    if (!stale && index.column() == ConfigurationModel::kWay && way == Way::kBlocked) color = theme.words.contact;
     painter->setPen(color);
     painter->drawText(text, Qt::AlignVCenter,
                       painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, text.width()));

@@ -80,7 +80,7 @@ void LoadLine::showLoad() {
   const Theme& theme = themeOf(palette());
   const bool heavy = workcell::verdictOn(load, allowed) == workcell::LoadVerdict::kTooHeavy;
   QPalette colors = words_->palette();
-  colors.setColor(QPalette::WindowText, heavy ? theme.limit_text : theme.text2);
+  colors.setColor(QPalette::WindowText, heavy ? theme.words.limit : theme.text2);
   words_->setPalette(colors);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/robot/mechanism_panel.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -16,6 +15,7 @@
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/kit/form.h"
+#include "app/robot/joint_limit_fields.h"
 #include "app/robot/robot_context.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
@@ -142,21 +142,7 @@ void MechanismPanel::showJoint() {
   const bool fixed = joint->type == MechanismJointType::kFixed;
   axis_->setText(fixed ? tr("needs none") : axisText(*joint));
   limits_->setVisible(!fixed);
-  const int i = joint->type == MechanismJointType::kPrismatic ? 1 : 0;
-  const bool limited = std::isfinite(joint->lower);
-  limited_->setChecked(limited);
-  for (int k = 0; k < 2; ++k) {
-    limit_row_[k]->setVisible(k == i && limited);
-    effort_row_[k]->setVisible(k == i);
-  }
-  if (limited) {
-    lower_[i]->setValue(joint->lower / shownUnit(*joint));
-    upper_[i]->setValue(joint->upper / shownUnit(*joint));
-  }
-  velocity_[i]->setValue(joint->velocity / shownUnit(*joint));
-  friction_[i]->setValue(joint->friction);
-  pitch_row_->setVisible(joint->type == MechanismJointType::kScrew);
-  pitch_->setValue(1000.0 * joint->pitch);
+  limit_fields_->show(*joint);
   coupled_->clear();
   coupled_->addItem(tr("No other joint"), QString());
   for (const MechanismJoint& other : draft_.joints)

@@ -7,7 +7,6 @@
 #include "app/robot/mechanism_draft.h"
 #include "app/robot/mechanism_samples.h"
 
-class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -17,6 +16,7 @@ class QVBoxLayout;
 
 namespace hapticell::app {
 
+class JointLimitFields;
 class RobotContext;
 class Segmented;
 class ValueField;
@@ -62,9 +62,9 @@ class MechanismPanel : public QWidget {
   Segmented* kind_;
   QComboBox *child_, *parent_, *coupled_;
   QLabel *axis_, *fault_;
-  QCheckBox* limited_;
-  ValueField *lower_[2], *upper_[2], *velocity_[2], *friction_[2], *pitch_, *ratio_;
-  QWidget *details_, *limits_, *pitch_row_, *ratio_row_, *limit_row_[2], *effort_row_[2];
+  JointLimitFields* limit_fields_;
+  ValueField* ratio_;
+  QWidget *details_, *limits_, *ratio_row_;
   QPushButton *remove_, *make_;
   bool showing_ = false;
 };

@@ -19,6 +19,7 @@
 #include "app/robot/joint_mover.h"
 #include "app/robot/load_line.h"
 #include "app/robot/robot_context.h"
+#include "app/robot/robot_stop.h"
 #include "app/robot/robot_thumbnail.h"
 #include "app/robot/stop_line.h"
 #include "app/style/icon.h"
@@ -29,8 +30,6 @@
 
 namespace hapticell::app {
 namespace {
-
-constexpr double kNearLimit = 0.0349065850398866;  // 2 degrees.
 
 constexpr JogStepSize kSteps[]{{0.1, 0.1}, {1.0, 1.0}, {5.0, 10.0}, {15.0, 50.0}};
 
@@ -72,8 +71,7 @@ RobotPanel::RobotPanel(RobotContext& context, MotionWorker& worker, JointMover& 
     showNow();
   });
   connect(&mover_, &JointMover::stopped, this, [this](const QString& why, const QString& obstacle) {
-    stopped_ = why;
-    obstacle_ = obstacle;
+    stop_->setStopped(why, obstacle);
     showNow();
   });
   connect(cartesian_, &CartesianJog::held, this, &RobotPanel::showHeldBack);
@@ -180,8 +178,8 @@ void RobotPanel::addJog(QVBoxLayout& column) {
     jogs_->addWidget(holder);
   }
   rows->addWidget(jogs_);
-  stop_ = new StopLine;
-  rows->addWidget(stop_);
+  stop_ = new RobotStop(context_, this);
+  rows->addWidget(stop_->line());
   connect(tabs_, &Segmented::chosen, this, [this](int tab) {
     jogs_->setCurrentIndex(tab);
     tellTab();
@@ -209,7 +207,7 @@ void RobotPanel::addMechanism(QVBoxLayout& column) {
 }
 
 void RobotPanel::showHeldBack(const QString& why) {
-  held_back_ = why;
+  stop_->setHeldBack(why);
   showStop();
 }
 
@@ -238,9 +236,7 @@ void RobotPanel::showRobot() {
   const workcell::Entity* robot = context_.robot();
   empty_->setVisible(!robot);
   content_->setVisible(robot);
-  stopped_.clear();
-  obstacle_.clear();
-  held_back_.clear();
+  stop_->forget();
   if (!robot) return;
   const bool mechanism = context_.isMechanism();
   name_->setText(QString::fromStdString(robot->name));
@@ -275,30 +271,13 @@ void RobotPanel::showNow() {
 }
 
 void RobotPanel::showStop() {
-  const workcell::Entity* robot = context_.robot();
-  if (!robot) return;
-  const auto& snapshot = context_.host().snapshot();
-  if (context_.isHeld() && snapshot && !snapshot->limits.empty()) {
-    const manipulation::LimitState& limit = snapshot->limits.front();
-    const bool pushes = limit.holds && snapshot->forces_on;
-    return stop_->show(Mark::kLimit,
-                       shownLimit(limit.text) + (pushes ? tr(" and pushes back on the stylus.") : tr(".")));
-  }
-  if (context_.isHeld() && snapshot && !snapshot->pairs.empty() && snapshot->pairs.front().contact)
-    return stop_->show(Mark::kContact, shownLimit(snapshot->status));
-  if (!context_.isHeld() && !stopped_.isEmpty())
-    return stop_->show(obstacle_.isEmpty() ? Mark::kLimit : Mark::kContact, shownLimit(stopped_.toStdString()));
-  if (!context_.isHeld() && !held_back_.isEmpty())
-    return stop_->show(Mark::kLimit, shownLimit(held_back_.toStdString()) + QLatin1Char('.'));
-  const std::string near = kinematics::nearestLimitText(*robot->robot, context_.joints(), kNearLimit);
-  stop_->show(near.empty() ? Mark::kNone : Mark::kLimit,
-              near.empty() ? QString() : shownLimit(near) + QLatin1Char('.'));
+  stop_->show();
 }
 
 void RobotPanel::choosePose(const QString& name) {
   const workcell::Entity* robot = context_.robot();
   if (!robot) return;
-  held_back_.clear();
+  stop_->setHeldBack({});
   const std::vector<double> pose = workcell::findNamedPose(*robot, name.toStdString());
   if (!pose.empty()) mover_.travel(tr("%1 goes to %2").arg(QString::fromStdString(robot->name), name), pose);
 }

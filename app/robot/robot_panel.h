@@ -22,7 +22,7 @@ class MotionWorker;
 class RobotContext;
 class RobotThumbnail;
 class Segmented;
-class StopLine;
+class RobotStop;
 
 /// The robot's dock: what the hand holds of it, its tool, its configurations, its joints, and why it stops. For a
 /// mechanism the joints alone.
@@ -73,8 +73,7 @@ class RobotPanel : public QWidget {
   JointJog* joints_;
   CartesianJog* cartesian_;
   ConfigurationView* configurations_;
-  StopLine* stop_;
-  QString stopped_, obstacle_, held_back_;  ///< Why the last jog ended early.
+  RobotStop* stop_;
 };
 
 }  // namespace hapticell::app

@@ -30,8 +30,8 @@ void StopLine::show(Mark mark, const QString& sentence) {
   words_->setText(sentence);
   const Theme& theme = themeOf(this->palette());
   QPalette colors = words_->palette();
-  colors.setColor(QPalette::WindowText, mark == Mark::kLimit     ? theme.limit_text
-                                        : mark == Mark::kContact ? theme.contact_text
+  colors.setColor(QPalette::WindowText, mark == Mark::kLimit     ? theme.words.limit
+                                        : mark == Mark::kContact ? theme.words.contact
                                                                  : theme.text2);
   words_->setPalette(colors);
   update();

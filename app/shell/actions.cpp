@@ -59,14 +59,15 @@ class ToolFit final : public QObject {
 
 Actions::Actions(QMainWindow& window) {
   makeActions(window);
-  for (QAction* action : {perspective, edges, section, side_docks, dark, light, select, move, rotate, snap})
+  for (QAction* action : {view.perspective, view.edges, view.section, view.side_docks, view.dark, view.light,
+                          edit.select, edit.move, edit.rotate, edit.snap})
     action->setCheckable(true);
-  for (QAction* action : {perspective, edges, side_docks, select}) action->setChecked(true);
+  for (QAction* action : {view.perspective, view.edges, view.side_docks, edit.select}) action->setChecked(true);
   auto* tools = new QActionGroup(&window);
-  for (QAction* action : {select, move, rotate}) tools->addAction(action);
+  for (QAction* action : {edit.select, edit.move, edit.rotate}) tools->addAction(action);
   auto* themes = new QActionGroup(&window);
-  themes->addAction(dark);
-  themes->addAction(light);
+  themes->addAction(view.dark);
+  themes->addAction(view.light);
   fillMenus(window);
   fillToolBar(window);
 }
@@ -77,104 +78,106 @@ void Actions::makeActions(QMainWindow& window) {
     window.addAction(action);
     return action;
   };
-  new_cell = make({"actionNew", tr("New workcell"), "new", QKeySequence::New, {}});
-  open = make({"actionOpen", tr("Open…"), "open", QKeySequence::Open, {}});
-  save = make({"actionSave", tr("Save"), "save", QKeySequence::Save, {}});
-  save_as = make({"actionSaveAs", tr("Save as…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), {}});
-  import_mesh = make({"actionImport", tr("Import…"), "import", QKeySequence(Qt::CTRL | Qt::Key_I), tr("Import")});
-  add_robot =
+  file.new_cell = make({"actionNew", tr("New workcell"), "new", QKeySequence::New, {}});
+  file.open = make({"actionOpen", tr("Open…"), "open", QKeySequence::Open, {}});
+  file.save = make({"actionSave", tr("Save"), "save", QKeySequence::Save, {}});
+  file.save_as = make({"actionSaveAs", tr("Save as…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), {}});
+  file.import_mesh = make({"actionImport", tr("Import…"), "import", QKeySequence(Qt::CTRL | Qt::Key_I), tr("Import")});
+  file.add_robot =
       make({"actionAddRobot", tr("Add robot…"), "robot", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), tr("Robot")});
-  export_cell = make({"actionExport", tr("Export cell…"), {}, QKeySequence(Qt::CTRL | Qt::Key_E), {}});
-  export_selection =
+  file.export_cell = make({"actionExport", tr("Export cell…"), {}, QKeySequence(Qt::CTRL | Qt::Key_E), {}});
+  file.export_selection =
       make({"actionExportSelection", tr("Export selection…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), {}});
-  reload = make({"actionReload", tr("Read again from disk"), {}, QKeySequence(Qt::Key_F5), {}});
-  mesh_care = make({"actionMeshCare", tr("Mesh and collision shape…"), {}, {}, {}});
-  pack = make({"actionPack", tr("Pack with all files…"), {}, {}, {}});
-  report_saved = make({"actionReportSaved", tr("Against the saved cell…"), {}, {}, {}});
-  report_import = make({"actionReportImport", tr("Against the imported files…"), {}, {}, {}});
-  report_other = make({"actionReportOther", tr("Against another workcell…"), {}, {}, {}});
-  duplicate = make({"actionDuplicate", tr("Duplicate"), {}, QKeySequence(Qt::CTRL | Qt::Key_D), {}});
-  isolate = make({"actionIsolate", tr("Isolate"), {}, {}, {}});
-  show_all = make({"actionShowAll", tr("Show all"), {}, {}, {}});
-  insert_part = make({"actionInsertPart", tr("Part…"), "cube", {}, {}});
-  insert_frame = make({"actionInsertFrame", tr("Frame"), "frame", {}, {}});
-  add_robot_file = make({"actionAddRobotFile", tr("Add robot from a file…"), {}, {}, {}});
-  quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});
-  undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
-  redo = make({"actionRedo", tr("Redo"), "redo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), tr("Redo")});
-  go_back = make({"actionGoBack", tr("Go back ten seconds of motion"), "history", QKeySequence(Qt::CTRL | Qt::Key_G),
-                  tr("Go back")});
-  remove = make({"actionRemove", tr("Remove from the cell"), "delete", QKeySequence(Qt::Key_Delete), tr("Remove")});
-  select = make({"actionSelect", tr("Select"), "select", QKeySequence(Qt::Key_Q), {}});
-  move = make({"actionMove", tr("Move"), "move", QKeySequence(Qt::Key_W), {}});
-  rotate = make({"actionRotate", tr("Rotate"), "rotate", QKeySequence(Qt::Key_E), {}});
-  snap = make({"actionSnap", tr("Snap to corner, edge, face, frame"), "snap", {}, tr("Snap")});
-  move_by = make({"actionMoveBy", tr("Move by numbers…"), {}, {}, {}});
-  measure = make({"actionMeasure", tr("Measure…"), "measure", QKeySequence(Qt::CTRL | Qt::Key_M), tr("Measure")});
-  select_all = make({"actionSelectAll", tr("Select all"), {}, QKeySequence::SelectAll, {}});
-  fit_selection = make({"actionFit", tr("Fit selection"), "fit", QKeySequence(Qt::Key_F), tr("Fit")});
-  fit_all = make({"actionFitAll", tr("Fit all"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F), {}});
-  front = make({"actionFront", tr("Front"), {}, pad(Qt::Key_1), {}});
-  right = make({"actionRight", tr("Right"), {}, pad(Qt::Key_3), {}});
-  top = make({"actionTop", tr("Top"), {}, pad(Qt::Key_7), {}});
-  isometric = make({"actionIso", tr("Isometric"), "cube", pad(Qt::Key_9), tr("Iso")});
-  perspective = make({"actionPerspective", tr("Perspective"), {}, pad(Qt::Key_5), {}});
-  edges = make({"actionEdges", tr("Edges"), "grid", {}, {}});
-  section = make({"actionSection", tr("Section plane"), "section", QKeySequence(Qt::Key_V), tr("Section")});
-  side_docks = make({"actionSideDocks", tr("Side panels"), {}, QKeySequence(Qt::Key_D), {}});
-  dark = make({"actionDark", tr("Dark"), {}, {}, {}});
-  light = make({"actionLight", tr("Light"), {}, {}, {}});
-  settings = make({"actionSettings", tr("Settings…"), "settings", QKeySequence(Qt::CTRL | Qt::Key_Comma), {}});
-  help = make({"actionHelp", tr("Help on this panel"), "help", QKeySequence(Qt::Key_F1), {}});
-  manual = make({"actionManual", tr("Manual"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F1), {}});
-  scene_text = make({"actionSceneText", tr("The scene in words"), "text", QKeySequence(Qt::CTRL | Qt::Key_F1), {}});
-  first_page = make({"actionFirstPage", tr("First page"), "home", {}, {}});
-  reset_layout = make({"actionResetLayout", tr("Layout as drawn"), "layout", {}, {}});
-  about = make({"actionAbout", tr("About HaptiCell"), {}, {}, {}});
+  file.reload = make({"actionReload", tr("Read again from disk"), {}, QKeySequence(Qt::Key_F5), {}});
+  edit.mesh_care = make({"actionMeshCare", tr("Mesh and collision shape…"), {}, {}, {}});
+  file.pack = make({"actionPack", tr("Pack with all files…"), {}, {}, {}});
+  file.report_saved = make({"actionReportSaved", tr("Against the saved cell…"), {}, {}, {}});
+  file.report_import = make({"actionReportImport", tr("Against the imported files…"), {}, {}, {}});
+  file.report_other = make({"actionReportOther", tr("Against another workcell…"), {}, {}, {}});
+  edit.duplicate = make({"actionDuplicate", tr("Duplicate"), {}, QKeySequence(Qt::CTRL | Qt::Key_D), {}});
+  edit.isolate = make({"actionIsolate", tr("Isolate"), {}, {}, {}});
+  edit.show_all = make({"actionShowAll", tr("Show all"), {}, {}, {}});
+  insert.part = make({"actionInsertPart", tr("Part…"), "cube", {}, {}});
+  insert.frame = make({"actionInsertFrame", tr("Frame"), "frame", {}, {}});
+  file.add_robot_file = make({"actionAddRobotFile", tr("Add robot from a file…"), {}, {}, {}});
+  file.quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});
+  edit.undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
+  edit.redo = make({"actionRedo", tr("Redo"), "redo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), tr("Redo")});
+  edit.go_back = make({"actionGoBack", tr("Go back ten seconds of motion"), "history",
+                       QKeySequence(Qt::CTRL | Qt::Key_G), tr("Go back")});
+  edit.remove =
+      make({"actionRemove", tr("Remove from the cell"), "delete", QKeySequence(Qt::Key_Delete), tr("Remove")});
+  edit.select = make({"actionSelect", tr("Select"), "select", QKeySequence(Qt::Key_Q), {}});
+  edit.move = make({"actionMove", tr("Move"), "move", QKeySequence(Qt::Key_W), {}});
+  edit.rotate = make({"actionRotate", tr("Rotate"), "rotate", QKeySequence(Qt::Key_E), {}});
+  edit.snap = make({"actionSnap", tr("Snap to corner, edge, face, frame"), "snap", {}, tr("Snap")});
+  edit.move_by = make({"actionMoveBy", tr("Move by numbers…"), {}, {}, {}});
+  edit.measure = make({"actionMeasure", tr("Measure…"), "measure", QKeySequence(Qt::CTRL | Qt::Key_M), tr("Measure")});
+  edit.select_all = make({"actionSelectAll", tr("Select all"), {}, QKeySequence::SelectAll, {}});
+  view.fit_selection = make({"actionFit", tr("Fit selection"), "fit", QKeySequence(Qt::Key_F), tr("Fit")});
+  view.fit_all = make({"actionFitAll", tr("Fit all"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F), {}});
+  view.front = make({"actionFront", tr("Front"), {}, pad(Qt::Key_1), {}});
+  view.right = make({"actionRight", tr("Right"), {}, pad(Qt::Key_3), {}});
+  view.top = make({"actionTop", tr("Top"), {}, pad(Qt::Key_7), {}});
+  view.isometric = make({"actionIso", tr("Isometric"), "cube", pad(Qt::Key_9), tr("Iso")});
+  view.perspective = make({"actionPerspective", tr("Perspective"), {}, pad(Qt::Key_5), {}});
+  view.edges = make({"actionEdges", tr("Edges"), "grid", {}, {}});
+  view.section = make({"actionSection", tr("Section plane"), "section", QKeySequence(Qt::Key_V), tr("Section")});
+  view.side_docks = make({"actionSideDocks", tr("Side panels"), {}, QKeySequence(Qt::Key_D), {}});
+  view.dark = make({"actionDark", tr("Dark"), {}, {}, {}});
+  view.light = make({"actionLight", tr("Light"), {}, {}, {}});
+  edit.settings = make({"actionSettings", tr("Settings…"), "settings", QKeySequence(Qt::CTRL | Qt::Key_Comma), {}});
+  help.panel_help = make({"actionHelp", tr("Help on this panel"), "help", QKeySequence(Qt::Key_F1), {}});
+  help.manual = make({"actionManual", tr("Manual"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F1), {}});
+  help.scene_text =
+      make({"actionSceneText", tr("The scene in words"), "text", QKeySequence(Qt::CTRL | Qt::Key_F1), {}});
+  help.first_page = make({"actionFirstPage", tr("First page"), "home", {}, {}});
+  view.reset_layout = make({"actionResetLayout", tr("Layout as drawn"), "layout", {}, {}});
+  help.about = make({"actionAbout", tr("About HaptiCell"), {}, {}, {}});
 }
 
 void Actions::fillMenus(QMainWindow& window) {
-  QMenu* file = topMenu(window, "menuFile", tr("File"));
-  file->addActions({new_cell, open});
-  recent = file->addMenu(tr("Open recent"));
-  recent->setObjectName("menuRecent");
-  file->addActions({save, save_as});
-  file->addSeparator();
-  file->addActions({import_mesh, add_robot, add_robot_file, reload});
-  file->addSeparator();
-  file->addActions({export_cell, export_selection, pack});
-  file->addMenu(tr("Report changes"))->addActions({report_saved, report_import, report_other});
-  file->addSeparator();
-  file->addAction(quit);
-  QMenu* edit = topMenu(window, "menuEdit", tr("Edit"));
-  edit->addActions({undo, redo, go_back});
-  edit->addSeparator();
-  edit->addActions({select, move, rotate, snap, move_by, measure});
-  edit->addSeparator();
-  edit->addActions({select_all, duplicate, isolate, show_all, mesh_care, remove});
-  edit->addSeparator();
-  edit->addAction(settings);
-  view = topMenu(window, "menuView", tr("View"));
-  view->addActions({fit_selection, fit_all});
-  view->addSeparator();
-  view->addActions({front, right, top, isometric});
-  view->addSeparator();
-  view->addActions({perspective, edges, section});
-  view->addSeparator();
-  view->addActions({dark, light});
-  insert = topMenu(window, "menuInsert", tr("Insert"));
-  insert->addActions({import_mesh, insert_part, insert_frame, add_robot, add_robot_file});
-  collision = topMenu(window, "menuCollision", tr("Collision"));
-  collision->addAction(mesh_care);
-  applications = topMenu(window, "menuApplications", tr("Applications"));
-  applications->setToolTipsVisible(true);
-  windows = topMenu(window, "menuWindow", tr("Window"));
-  windows->addActions({side_docks, reset_layout});
-  windows->addSeparator();
-  help_menu = topMenu(window, "menuHelp", tr("Help"));
-  help_menu->addActions({manual, help, scene_text, first_page});
-  help_menu->addSeparator();
-  help_menu->addAction(about);
+  QMenu* file_menu = topMenu(window, "menuFile", tr("File"));
+  file_menu->addActions({file.new_cell, file.open});
+  menus.recent = file_menu->addMenu(tr("Open recent"));
+  menus.recent->setObjectName("menuRecent");
+  file_menu->addActions({file.save, file.save_as});
+  file_menu->addSeparator();
+  file_menu->addActions({file.import_mesh, file.add_robot, file.add_robot_file, file.reload});
+  file_menu->addSeparator();
+  file_menu->addActions({file.export_cell, file.export_selection, file.pack});
+  file_menu->addMenu(tr("Report changes"))->addActions({file.report_saved, file.report_import, file.report_other});
+  file_menu->addSeparator();
+  file_menu->addAction(file.quit);
+  QMenu* edit_menu = topMenu(window, "menuEdit", tr("Edit"));
+  edit_menu->addActions({edit.undo, edit.redo, edit.go_back});
+  edit_menu->addSeparator();
+  edit_menu->addActions({edit.select, edit.move, edit.rotate, edit.snap, edit.move_by, edit.measure});
+  edit_menu->addSeparator();
+  edit_menu->addActions({edit.select_all, edit.duplicate, edit.isolate, edit.show_all, edit.mesh_care, edit.remove});
+  edit_menu->addSeparator();
+  edit_menu->addAction(edit.settings);
+  menus.view = topMenu(window, "menuView", tr("View"));
+  menus.view->addActions({view.fit_selection, view.fit_all});
+  menus.view->addSeparator();
+  menus.view->addActions({view.front, view.right, view.top, view.isometric});
+  menus.view->addSeparator();
+  menus.view->addActions({view.perspective, view.edges, view.section});
+  menus.view->addSeparator();
+  menus.view->addActions({view.dark, view.light});
+  menus.insert = topMenu(window, "menuInsert", tr("Insert"));
+  menus.insert->addActions({file.import_mesh, insert.part, insert.frame, file.add_robot, file.add_robot_file});
+  menus.collision = topMenu(window, "menuCollision", tr("Collision"));
+  menus.collision->addAction(edit.mesh_care);
+  menus.applications = topMenu(window, "menuApplications", tr("Applications"));
+  menus.applications->setToolTipsVisible(true);
+  menus.windows = topMenu(window, "menuWindow", tr("Window"));
+  menus.windows->addActions({view.side_docks, view.reset_layout});
+  menus.windows->addSeparator();
+  menus.help = topMenu(window, "menuHelp", tr("Help"));
+  menus.help->addActions({help.manual, help.panel_help, help.scene_text, help.first_page});
+  menus.help->addSeparator();
+  menus.help->addAction(help.about);
 }
 
 void Actions::fillToolBar(QMainWindow& window) {
@@ -185,15 +188,15 @@ void Actions::fillToolBar(QMainWindow& window) {
   tool_bar->setIconSize(QSize(20, 20));
   tool_bar->setFixedHeight(54);
   tool_bar->setFont(textFont(TextRole::kKeyCap));
-  tool_bar->addActions({open, import_mesh, save});
+  tool_bar->addActions({file.open, file.import_mesh, file.save});
   tool_bar->addSeparator();
-  tool_bar->addActions({undo, redo});
+  tool_bar->addActions({edit.undo, edit.redo});
   tool_bar->addSeparator();
-  tool_bar->addActions({select, move, rotate, snap});
+  tool_bar->addActions({edit.select, edit.move, edit.rotate, edit.snap});
   tool_bar->addSeparator();
-  tool_bar->addActions({measure, section, fit_selection});
+  tool_bar->addActions({edit.measure, view.section, view.fit_selection});
   tool_bar->addSeparator();
-  tool_bar->addAction(go_back);
+  tool_bar->addAction(edit.go_back);
   new ToolFit(*tool_bar);
 }
 

@@ -8,20 +8,52 @@ class QToolBar;
 
 namespace hapticell::app {
 
+/// Of the menu File.
+struct FileActions {
+  QAction *new_cell, *open, *save, *save_as, *import_mesh, *add_robot, *add_robot_file, *reload, *quit;
+  QAction *export_cell, *export_selection, *pack, *report_saved, *report_import, *report_other;
+};
+
+/// Of the menu Edit.
+struct EditActions {
+  QAction *undo, *redo;
+  QAction* go_back;  ///< Ten seconds of motion.
+  QAction *remove, *duplicate, *isolate, *show_all, *select_all, *mesh_care;
+  QAction *select, *move, *rotate, *snap, *move_by, *measure;
+  QAction* settings;
+};
+
+/// Of the menu Insert, beside those of files.
+struct InsertActions {
+  QAction *part, *frame;
+};
+
+/// How the scene and the window are seen.
+struct ViewSettingActions {
+  QAction *fit_all, *fit_selection, *front, *right, *top, *isometric, *perspective, *edges, *section;
+  QAction *dark, *light, *side_docks, *reset_layout;
+};
+
+/// Of the menu Help.
+struct HelpActions {
+  QAction *about, *panel_help, *manual, *scene_text, *first_page;
+};
+
+/// Menus that others add to.
+struct WindowMenus {
+  QMenu *recent, *view, *insert, *collision, *applications, *windows, *help;
+};
+
 /// All actions of the host window, in menus and tool bar of `window`. They only exist here; who listens connects to
 /// them.
 struct Actions {
   explicit Actions(QMainWindow& window);
-  QAction *new_cell, *open, *save, *save_as, *import_mesh, *insert_part, *insert_frame, *add_robot, *add_robot_file,
-      *quit;
-  QAction *export_cell, *export_selection, *reload, *pack, *mesh_care, *report_saved, *report_import, *report_other;
-  QAction* go_back;  ///< Ten seconds of motion.
-  QAction *undo, *redo, *remove, *duplicate, *isolate, *show_all;
-  QAction *select, *move, *rotate, *snap, *move_by, *measure, *select_all;
-  QAction *fit_all, *fit_selection, *front, *right, *top, *isometric, *perspective, *edges, *section, *side_docks;
-  QAction *dark, *light;
-  QAction *about, *settings, *help, *manual, *scene_text, *first_page, *reset_layout;
-  QMenu *recent, *view, *insert, *collision, *applications, *windows, *help_menu;
+  FileActions file;
+  EditActions edit;
+  InsertActions insert;
+  ViewSettingActions view;
+  HelpActions help;
+  WindowMenus menus;
   QToolBar* tool_bar;
 
  private:

@@ -14,18 +14,18 @@
 
 #include "app/help/about_dialog.h"
 #include "app/help/help_dock.h"
-#include "app/kit/action_face.h"
-#include "app/shell/command_box.h"
-#include "app/kit/command_finder.h"
-#include "app/shell/crash_guard.h"
-#include "app/shell/escape_key.h"
-#include "app/shell/window_keys.h"
 #include "app/import/file_work.h"
-#include "app/measure/measure_dock.h"
-#include "app/shell/panels.h"
+#include "app/kit/action_face.h"
+#include "app/kit/command_finder.h"
 #include "app/kit/tabbed_docks.h"
+#include "app/measure/measure_dock.h"
 #include "app/panels/tree/tree_edits.h"
 #include "app/settings/settings_dock.h"
+#include "app/shell/command_box.h"
+#include "app/shell/crash_guard.h"
+#include "app/shell/escape_key.h"
+#include "app/shell/panels.h"
+#include "app/shell/window_keys.h"
 #include "app/start/recent_files.h"
 #include "app/start/start_page.h"
 #include "app/style/fonts.h"
@@ -40,12 +40,11 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
     : configuration_(configuration),
       settings_(settings),
       viewport_(new ViewportWidget(this)),
-      status_(new StatusLine(this)),
+      status_(*this, *new StatusLine(this)),
       right_docks_(new TabbedDocks(*this)),
-      recent_(new RecentFiles(settings_, this)),
-      start_(new StartPage(*viewport_, settings_, *recent_)),
+      start_(new StartPage(*viewport_, settings_, *new RecentFiles(settings_, this))),
       layouts_(*this, settings_),
-      memory_(document_, [this] { return placesNow(); }),
+      go_back_(*this),
       typed_keys_(*this) {
   setObjectName("mainWindow");
   QApplication::setWindowIcon(icon("hapticell"));
@@ -54,7 +53,7 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   setCentralWidget(viewport_);
-  setStatusBar(status_);
+  setStatusBar(&status_.line());
   actions_ = std::make_unique<Actions>(*this);
   auto* spacer = new QWidget(this);
   spacer->setObjectName("toolSpacer");
@@ -65,11 +64,11 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
   viewport_->setEmptyState(EmptyState{
       tr("The cell is empty"), tr("Ctrl+I imports a solid, Ctrl+Shift+I adds a robot, Ctrl+O opens a workcell.")});
   connectViewActions();
-  view_menus_ = std::make_unique<ViewMenus>(*actions_, *viewport_);
+  new ViewMenus(*actions_, *viewport_, this);
   connectScene();
   addPanels(*this);
   addMeasureDock(*this);
-  addViewActions(*this, *actions_->view);
+  addViewActions(*this, *actions_->menus.view);
   files_ = std::make_unique<FileWork>(*this);
   setAcceptDrops(true);
   connectFileActions();
@@ -81,8 +80,8 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
   fillMenus();
   setTheme(configuration_.gui.theme != "light");
   addSettings(*this, [this](bool dark) { setTheme(dark); });
-  connect(actions_->dark, &QAction::triggered, this, [this] { settings_.setValue("theme", "dark"); });
-  connect(actions_->light, &QAction::triggered, this, [this] { settings_.setValue("theme", "light"); });
+  connect(actions_->view.dark, &QAction::triggered, this, [this] { settings_.setValue("theme", "dark"); });
+  connect(actions_->view.light, &QAction::triggered, this, [this] { settings_.setValue("theme", "light"); });
   documentChanged();
 }
 
@@ -134,9 +133,9 @@ void MainWindow::fillMenus() {
     for (const char* name : names)
       if (auto* action = findChild<QAction*>(name)) menu.addAction(action);
   };
-  add(*actions_->insert, {"actionAddMannequin"});
-  actions_->insert->addSeparator();
-  add(*actions_->insert, {"actionMechanism", "actionImportMotion"});
+  add(*actions_->menus.insert, {"actionAddMannequin"});
+  actions_->menus.insert->addSeparator();
+  add(*actions_->menus.insert, {"actionMechanism", "actionImportMotion"});
   const auto opens = [this](const char* dock_name, const ActionFace& face) {
     QAction* action = makeAction(this, face);
     addAction(action);
@@ -148,48 +147,31 @@ void MainWindow::fillMenus() {
     });
     return action;
   };
-  actions_->insert->addAction(opens("dockGuides", {"actionGuides", tr("Guide…"), "guide_line", {}, {}}));
-  actions_->collision->insertAction(
-      actions_->mesh_care, opens("dockCollisions", {"actionCollisions", tr("Pairs, sets and log"), "contact", {}, {}}));
-}
-
-MotionMemory::Places MainWindow::placesNow() const {
-  MotionMemory::Places places;
-  const SceneModel& scene = viewport_->scene();
-  for (const auto& entity : document_.document().state().entities)
-    places[entity->id] = {scene.placement_W(*entity), scene.joints(*entity)};
-  return places;
-}
-
-/// Ten seconds of motion; what is held is let go first.
-void MainWindow::goBack() {
-  constexpr double kSeconds = 10.0;
-  if (snapshot() && snapshot()->held != 0) {
-    going_back_ = true;
-    return hold_choice_.letGo();
-  }
-  going_back_ = false;
-  if (!memory_.goBack(kSeconds)) messages_.tell(Severity::kInformation, tr("Nothing has moved since."));
+  actions_->menus.insert->addAction(opens("dockGuides", {"actionGuides", tr("Guide…"), "guide_line", {}, {}}));
+  actions_->menus.collision->insertAction(
+      actions_->edit.mesh_care,
+      opens("dockCollisions", {"actionCollisions", tr("Pairs, sets and log"), "contact", {}, {}}));
 }
 
 void MainWindow::connectViewActions() {
   const auto on = [this](QAction* action, auto&& slot) { connect(action, &QAction::triggered, this, slot); };
-  on(actions_->go_back, [this] { goBack(); });
-  on(actions_->fit_all, [this] { viewport_->fitAll(); });
-  on(actions_->fit_selection, [this] {
+  on(actions_->edit.go_back, [this] { go_back_.start(); });
+  on(actions_->view.fit_all, [this] { viewport_->fitAll(); });
+  on(actions_->view.fit_selection, [this] {
     geometry::Bounds bounds;
     for (const auto id : selection_.all()) bounds.add(viewport_->scene().boundsOf_W(id));
     viewport_->fit(bounds.isEmpty() ? viewport_->scene().bounds_W() : bounds);
   });
-  on(actions_->front, [this] { viewport_->setStandardView(StandardView::kFront); });
-  on(actions_->right, [this] { viewport_->setStandardView(StandardView::kRight); });
-  on(actions_->top, [this] { viewport_->setStandardView(StandardView::kTop); });
-  on(actions_->isometric, [this] { viewport_->setStandardView(StandardView::kIsometric); });
-  on(actions_->perspective, [this](bool checked) { viewport_->setPerspective(checked); });
-  on(actions_->edges, [this](bool checked) { viewport_->setEdges(checked); });
-  on(actions_->side_docks, [this](bool checked) { layouts_.showSides(checked); });
-  connect(&layouts_, &Layouts::chosen, actions_->side_docks, [this] { actions_->side_docks->setChecked(true); });
-  on(actions_->about, [this] { showAbout(*this); });
+  on(actions_->view.front, [this] { viewport_->setStandardView(StandardView::kFront); });
+  on(actions_->view.right, [this] { viewport_->setStandardView(StandardView::kRight); });
+  on(actions_->view.top, [this] { viewport_->setStandardView(StandardView::kTop); });
+  on(actions_->view.isometric, [this] { viewport_->setStandardView(StandardView::kIsometric); });
+  on(actions_->view.perspective, [this](bool checked) { viewport_->setPerspective(checked); });
+  on(actions_->view.edges, [this](bool checked) { viewport_->setEdges(checked); });
+  on(actions_->view.side_docks, [this](bool checked) { layouts_.showSides(checked); });
+  connect(&layouts_, &Layouts::chosen, actions_->view.side_docks,
+          [this] { actions_->view.side_docks->setChecked(true); });
+  on(actions_->help.about, [this] { showAbout(*this); });
 }
 
 void MainWindow::connectScene() {
@@ -203,22 +185,22 @@ void MainWindow::connectScene() {
     recording_.abandon();
     hold_choice_.forget();
     selection_.set(0);
-    going_back_ = false;
-    actions_->section->setChecked(false);
+    go_back_.cancel();
+    actions_->view.section->setChecked(false);
     setPreparedScene(nullptr);
     setSnapshot(std::nullopt);
     viewport_->forgetCell();
   });
-  connect(&document_, &DocumentModel::opened, this, [this] { memory_.forget(); });
-  connect(&messages_, &MessageLog::told, status_, &StatusLine::show);
+  connect(&document_, &DocumentModel::opened, this, [this] { go_back_.forget(); });
+  connect(&messages_, &MessageLog::told, &status_.line(), &StatusLine::show);
   connectSelection();
 }
 
 void MainWindow::connectSelection() {
   connect(&selection_, &Selection::allChanged, this, [this] {
     viewport_->scene().setSelected(selection_.all());
-    for (QAction* action :
-         {actions_->remove, actions_->duplicate, actions_->isolate, actions_->reload, actions_->export_selection})
+    for (QAction* action : {actions_->edit.remove, actions_->edit.duplicate, actions_->edit.isolate,
+                            actions_->file.reload, actions_->file.export_selection})
       action->setEnabled(!selection_.all().empty());
     viewport_->refresh();
   });
@@ -233,17 +215,17 @@ void MainWindow::connectSelection() {
               if (std::find(all.begin(), all.end(), id) == all.end()) all.push_back(id);
             selection_.setAll(std::move(all));
           });
-  connect(actions_->select_all, &QAction::triggered, this, [this] {
+  connect(actions_->edit.select_all, &QAction::triggered, this, [this] {
     std::vector<workcell::EntityId> all;
     for (const auto& entity : document_.document().state().entities)
       if (entity->visible) all.push_back(entity->id);
     selection_.setAll(std::move(all), selection_.current());
   });
-  connect(actions_->remove, &QAction::triggered, this, [this] {
+  connect(actions_->edit.remove, &QAction::triggered, this, [this] {
     if (!selection_.all().empty() && removeEntities(document_, selection_.all())) selection_.set(0);
   });
-  for (QAction* action :
-       {actions_->remove, actions_->duplicate, actions_->isolate, actions_->reload, actions_->export_selection})
+  for (QAction* action : {actions_->edit.remove, actions_->edit.duplicate, actions_->edit.isolate,
+                          actions_->file.reload, actions_->file.export_selection})
     action->setEnabled(false);
 }
 
@@ -251,7 +233,7 @@ void MainWindow::documentChanged() {
   viewport_->scene().setEntities(document_.document().snapshotEntities());
   viewport_->scene().setPairSets(document_.document().state().pair_sets);
   viewport_->refresh();
-  memory_.look();
+  go_back_.look();
   std::vector<workcell::EntityId> left;
   for (const auto id : selection_.all())
     if (document_.document().find(id)) left.push_back(id);
@@ -262,10 +244,10 @@ void MainWindow::documentChanged() {
     action->setText(text.empty() ? verb : verb + ": " + QString::fromStdString(text));
     action->setIconText(verb);
   };
-  setStep(actions_->undo, document.canUndo(), tr("Undo"), document.undoText());
-  setStep(actions_->redo, document.canRedo(), tr("Redo"), document.redoText());
+  setStep(actions_->edit.undo, document.canUndo(), tr("Undo"), document.undoText());
+  setStep(actions_->edit.redo, document.canRedo(), tr("Redo"), document.redoText());
   updateTitle();
-  updateStatus();
+  status_.show();
 }
 
 void MainWindow::updateTitle() {
@@ -283,32 +265,6 @@ void MainWindow::updateTitle() {
   menuBar()->setCornerWidget(menuBar()->cornerWidget(Qt::TopRightCorner), Qt::TopRightCorner);
 }
 
-void MainWindow::updateStatus() {
-  const auto& now = snapshot();
-  const auto count = document_.document().state().entities.size();
-  const QString still =
-      count == 0 ? tr("The cell is empty.") : tr("%n entities in the cell.", nullptr, static_cast<int>(count));
-  if (!now) {
-    status_->setSentence(Mark::kNone, still);
-    StatusLine::Rates idle;
-    status_->setRates(idle);
-    return;
-  }
-  Mark mark = Mark::kNone;
-  if (!now->pairs.empty() && now->pairs.front().near_miss) mark = Mark::kNearMiss;
-  if (!now->limits.empty()) mark = Mark::kLimit;
-  if (!now->pairs.empty() && now->pairs.front().contact) mark = Mark::kContact;
-  status_->setSentence(mark, now->status.empty() ? still : shownText(now->status));
-  StatusLine::Rates rates;
-  rates.haptic_hz = now->server.rate_hz;
-  rates.collision_hz = now->rate_manipulation_hz;
-  rates.window_hz = gui_rate_;
-  rates.idle = now->idle;
-  rates.collision_full = configuration_.manipulation.rate_hz;
-  rates.window_full = configuration_.gui.rate_hz;
-  status_->setRates(rates);
-}
-
 void MainWindow::addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto) {
   if (area == Qt::RightDockWidgetArea) {
     // All panels of the right share one place.
@@ -321,11 +277,11 @@ void MainWindow::addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget
     if (area != Qt::RightDockWidgetArea && onto && tabs->has(onto)) tabs->add(dock);
   addDockWidget(area, dock);
   if (onto) tabifyDockWidget(onto, dock);
-  actions_->windows->addAction(dock->toggleViewAction());
+  actions_->menus.windows->addAction(dock->toggleViewAction());
 }
 
 void MainWindow::removeDock(QDockWidget* dock) {
-  actions_->windows->removeAction(dock->toggleViewAction());
+  actions_->menus.windows->removeAction(dock->toggleViewAction());
   removeDockWidget(dock);
   for (TabbedDocks* tabs : findChildren<TabbedDocks*>()) tabs->remove(dock);
 }
@@ -338,13 +294,9 @@ void MainWindow::setSnapshot(const std::optional<manipulation::SceneSnapshot>& s
   const std::uint64_t before = viewport_->scene().revision();
   viewport_->scene().setSnapshot(snapshot);
   // Numbers change ten times a second; what moves, in the next frame.
-  const bool numbers = !snapshot || !since_numbers_.isValid() || since_numbers_.elapsed() >= 100;
-  if (numbers) {
-    since_numbers_.start();
-    updateStatus();
-    if (snapshot && snapshot->held != 0) memory_.look();
-  }
-  if (going_back_ && (!snapshot || snapshot->held == 0)) goBack();
+  const bool numbers = status_.showNumbers(!snapshot);
+  if (numbers && snapshot && snapshot->held != 0) go_back_.look();
+  go_back_.snapshotCame();
   if (viewport_->scene().revision() != before)
     viewport_->refresh();
   else if (numbers)
@@ -352,10 +304,10 @@ void MainWindow::setSnapshot(const std::optional<manipulation::SceneSnapshot>& s
 }
 
 void MainWindow::setDeviceText(const QString& text, bool works) {
-  status_->setDevice(text, works);
+  status_.line().setDevice(text, works);
 }
 void MainWindow::setGuiRate(double hertz) {
-  gui_rate_ = hertz;
+  status_.setGuiRate(hertz);
 }
 
 void MainWindow::loadModules(const QStringList& folders) {
@@ -364,14 +316,18 @@ void MainWindow::loadModules(const QStringList& folders) {
   for (Module* module : modules_->modules()) {
     QAction* action = makeAction(this, {"actionModule", module->name(), module->iconName(), {}, {}});
     action->setToolTip(module->purpose());
-    actions_->applications->addAction(action);
+    actions_->menus.applications->addAction(action);
     connect(action, &QAction::triggered, this, [this, module] { module->start(*this); });
   }
   for (const QString& problem : modules_->problems()) messages_.tell(Severity::kWarning, problem);
   if (modules_->modules().empty()) {
-    QAction* none = actions_->applications->addAction(tr("No application was found beside the program"));
+    QAction* none = actions_->menus.applications->addAction(tr("No application was found beside the program"));
     none->setEnabled(false);
   }
+}
+
+RecentFiles& MainWindow::recentFiles() {
+  return start_->recentFiles();
 }
 
 void MainWindow::restoreLayout() {
@@ -390,7 +346,7 @@ bool MainWindow::startModule(const QString& name) {
 
 void MainWindow::setTheme(bool dark) {
   const Theme& theme = dark ? darkTheme() : lightTheme();
-  (dark ? actions_->dark : actions_->light)->setChecked(true);
+  (dark ? actions_->view.dark : actions_->view.light)->setChecked(true);
   QApplication::setPalette(paletteOf(theme));
   update();
 }

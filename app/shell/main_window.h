@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QMainWindow>
 #include <functional>
 #include <memory>
 
-#include "app/shell/actions.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
-#include "app/shell/layouts.h"
 #include "app/host/message_log.h"
-#include "app/shell/module_loader.h"
-#include "app/host/motion_memory.h"
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
-#include "app/shell/status_line.h"
-#include "app/shell/typed_keys.h"
 #include "app/host/user_settings.h"
+#include "app/shell/actions.h"
+#include "app/shell/go_back.h"
+#include "app/shell/layouts.h"
+#include "app/shell/module_loader.h"
+#include "app/shell/status_line.h"
+#include "app/shell/status_text.h"
+#include "app/shell/typed_keys.h"
 #include "app/shell/view_menus.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "workcell/files/autosave.h"
@@ -61,7 +61,7 @@ class MainWindow : public QMainWindow, public Host {
   }
   std::shared_ptr<const manipulation::PreparedScene> preparedScene() const override { return prepared_scene_; }
   void setDeviceText(const QString& text, bool works) override;
-  void setSoundText(const QString& text, bool on) override { status_->setSound(text, on); }
+  void setSoundText(const QString& text, bool on) override { status_.line().setSound(text, on); }
   void setGuiRate(double hertz) override;
   void openCell(const QString& path, QObject* context, const std::function<void()>& opened) override;
 
@@ -73,7 +73,7 @@ class MainWindow : public QMainWindow, public Host {
   void loadModules(const QStringList& folders);
   /// The page with samples and recent files, over the scene.
   void showStartPage();
-  RecentFiles& recentFiles() { return *recent_; }
+  RecentFiles& recentFiles();
   /// Starts the module of that name; false when there is none.
   bool startModule(const QString& name);
   void setTheme(bool dark);
@@ -81,7 +81,7 @@ class MainWindow : public QMainWindow, public Host {
   Layouts& layouts() { return layouts_; }
   /// At start, once the modules' docks are there: window and docks as they were left.
   void restoreLayout();
-  const StatusLine& statusLine() const { return *status_; }
+  const StatusLine& statusLine() const { return status_.line(); }
   /// Ends the program without a question, as the system asks at its shutdown: what is being recorded goes into the
   /// cell, what is not saved is kept as after a crash and offered at the next start, modules end with their server.
   void endNow();
@@ -101,8 +101,6 @@ class MainWindow : public QMainWindow, public Host {
   void addCorner();
   void addEscape();
   void fillMenus();
-  MotionMemory::Places placesNow() const;
-  void goBack();
   void connectViewActions();
   void connectScene();
   void openFromDialog();
@@ -125,7 +123,6 @@ class MainWindow : public QMainWindow, public Host {
   bool mayDiscardCopy(const workcell::LeftWork& left);
   void documentChanged();
   void updateTitle();
-  void updateStatus();
 
   config::Configuration configuration_;
   UserSettings settings_;
@@ -135,23 +132,18 @@ class MainWindow : public QMainWindow, public Host {
   MessageLog messages_;
   RecordingHub recording_;
   ViewportWidget* viewport_;
-  StatusLine* status_;
+  StatusText status_;
   TabbedDocks* right_docks_;
-  RecentFiles* recent_;
   StartPage* start_;
   QLabel* file_label_;
   std::unique_ptr<Actions> actions_;
   Layouts layouts_;
-  std::unique_ptr<ViewMenus> view_menus_;
   std::unique_ptr<ModuleLoader> modules_;
   std::unique_ptr<FileWork> files_;
   std::unique_ptr<CrashGuard> crash_guard_;
   std::shared_ptr<const manipulation::PreparedScene> prepared_scene_;
-  MotionMemory memory_;
+  GoBack go_back_;
   TypedKeys typed_keys_;
-  bool going_back_ = false;  ///< Once what is held is let go.
-  double gui_rate_ = 0.0;
-  QElapsedTimer since_numbers_;
 };
 
 }  // namespace hapticell::app

@@ -14,11 +14,11 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "app/import/file_work.h"
+#include "app/kit/file_dialog.h"
+#include "app/panels/tree/tree_edits.h"
 #include "app/shell/crash_guard.h"
 #include "app/shell/main_window.h"
-#include "app/import/file_work.h"
-#include "app/panels/tree/tree_edits.h"
-#include "app/kit/file_dialog.h"
 #include "app/start/recent_files.h"
 #include "app/start/start_page.h"
 
@@ -30,37 +30,37 @@ constexpr int kPictureWidth = 368;  // Pixels: for the first page at 200 %.
 
 void MainWindow::connectFileActions() {
   connect(&files_->guard(), &DocumentGuard::changed, this, &MainWindow::updateTitle);
-  connect(actions_->new_cell, &QAction::triggered, this, [this] { replaceDocument([this] { files_->clear(); }); });
-  connect(actions_->open, &QAction::triggered, this, &MainWindow::openFromDialog);
-  connect(actions_->save, &QAction::triggered, this, [this] { saveDocument(false); });
-  connect(actions_->save_as, &QAction::triggered, this, [this] { saveDocument(true); });
-  connect(actions_->import_mesh, &QAction::triggered, this, &MainWindow::importFromDialog);
-  connect(actions_->add_robot_file, &QAction::triggered, this, &MainWindow::addRobotFromDialog);
+  connect(actions_->file.new_cell, &QAction::triggered, this, [this] { replaceDocument([this] { files_->clear(); }); });
+  connect(actions_->file.open, &QAction::triggered, this, &MainWindow::openFromDialog);
+  connect(actions_->file.save, &QAction::triggered, this, [this] { saveDocument(false); });
+  connect(actions_->file.save_as, &QAction::triggered, this, [this] { saveDocument(true); });
+  connect(actions_->file.import_mesh, &QAction::triggered, this, &MainWindow::importFromDialog);
+  connect(actions_->file.add_robot_file, &QAction::triggered, this, &MainWindow::addRobotFromDialog);
   ExportWork& exports = files_->exports();
   const auto on = [this](QAction* action, auto&& slot) { connect(action, &QAction::triggered, this, slot); };
-  on(actions_->export_cell, [&exports] { exports.askExport(false); });
-  on(actions_->export_selection, [&exports] { exports.askExport(true); });
-  on(actions_->pack, [&exports] { exports.askPack(); });
-  on(actions_->report_saved, [&exports] { exports.askReport(ExportWork::Against::kSaved); });
-  on(actions_->report_import, [&exports] { exports.askReport(ExportWork::Against::kImport); });
-  on(actions_->report_other, [&exports] { exports.askReport(ExportWork::Against::kOtherCell); });
-  on(actions_->mesh_care, [this] { files_->showMeshCare(); });
-  on(actions_->reload, [this] { files_->reloadSelected(); });
-  on(actions_->duplicate, [this] {
+  on(actions_->file.export_cell, [&exports] { exports.askExport(false); });
+  on(actions_->file.export_selection, [&exports] { exports.askExport(true); });
+  on(actions_->file.pack, [&exports] { exports.askPack(); });
+  on(actions_->file.report_saved, [&exports] { exports.askReport(ExportWork::Against::kSaved); });
+  on(actions_->file.report_import, [&exports] { exports.askReport(ExportWork::Against::kImport); });
+  on(actions_->file.report_other, [&exports] { exports.askReport(ExportWork::Against::kOtherCell); });
+  on(actions_->edit.mesh_care, [this] { files_->showMeshCare(); });
+  on(actions_->file.reload, [this] { files_->reloadSelected(); });
+  on(actions_->edit.duplicate, [this] {
     const Entities copies = duplicateEntities(document_, selection_.all());
     if (!copies.empty()) selection_.set(copies.front());
   });
-  on(actions_->isolate, [this] { isolateEntities(document_, selection_.all()); });
-  on(actions_->show_all, [this] { showAll(document_); });
-  connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
-  connect(actions_->undo, &QAction::triggered, &document_, &DocumentModel::undo);
-  connect(actions_->redo, &QAction::triggered, &document_, &DocumentModel::redo);
+  on(actions_->edit.isolate, [this] { isolateEntities(document_, selection_.all()); });
+  on(actions_->edit.show_all, [this] { showAll(document_); });
+  connect(actions_->file.quit, &QAction::triggered, this, &QWidget::close);
+  connect(actions_->edit.undo, &QAction::triggered, &document_, &DocumentModel::undo);
+  connect(actions_->edit.redo, &QAction::triggered, &document_, &DocumentModel::redo);
 }
 
 void MainWindow::connectStart() {
   connect(files_.get(), &FileWork::opened, this, [this](const QString& path, bool done) {
     if (!done) return;
-    if (!document_.document().path().empty()) recent_->add(path);  // Samples stand on the first page.
+    if (!document_.document().path().empty()) recentFiles().add(path);  // Samples stand on the first page.
     start_->hide();
     showSavedView();
   });
@@ -68,21 +68,21 @@ void MainWindow::connectStart() {
     if (done) start_->hide();
   });
   connectLeftWork();
-  recent_->fill(*actions_->recent);
+  recentFiles().fill(*actions_->menus.recent);
   const auto openAfterAsking = [this](const QString& path) { replaceDocument([this, path] { openFile(path); }); };
-  connect(recent_, &RecentFiles::chosen, this, openAfterAsking);
+  connect(&recentFiles(), &RecentFiles::chosen, this, openAfterAsking);
   connect(start_, &StartPage::fileWanted, this, openAfterAsking);
   connect(start_, &StartPage::actionWanted, this, [this](const QString& name) {
     if (name == QLatin1String("actionNew")) start_->hide();
     if (auto* action = findChild<QAction*>(name)) action->trigger();
   });
-  connect(actions_->first_page, &QAction::triggered, this, &MainWindow::showStartPage);
+  connect(actions_->help.first_page, &QAction::triggered, this, &MainWindow::showStartPage);
   connect(&layouts_, &Layouts::chosen, this, [this](const QString& name) {
     // Its dock is made when it is first wanted.
     auto* check = name == QLatin1String("device") ? findChild<QAbstractButton*>("buttonCheckDevice") : nullptr;
     if (check && !findChild<QDockWidget*>("dockDeviceCheck")) check->click();
   });
-  connect(actions_->reset_layout, &QAction::triggered, &layouts_, &Layouts::reset);
+  connect(actions_->view.reset_layout, &QAction::triggered, &layouts_, &Layouts::reset);
 }
 
 void MainWindow::showStartPage() {
@@ -240,7 +240,7 @@ bool MainWindow::saveDocument(bool ask_where) {
     return false;
   }
   files_->guard().noteSaved();
-  recent_->add(path);
+  recentFiles().add(path);
   keepPicture();
   files_->autosaver().discard();
   messages_.tell(Severity::kInformation, tr("%1 is saved").arg(QFileInfo(path).fileName()));
@@ -260,7 +260,7 @@ bool MainWindow::mayDiscard() {
 void MainWindow::keepPicture() {
   const QString path = QString::fromStdString(document_.document().path().string());
   if (settings_.isKept() && !path.isEmpty() && !document_.isDirty())
-    recent_->keepPicture(path, viewport_->smallPicture(kPictureWidth));
+    recentFiles().keepPicture(path, viewport_->smallPicture(kPictureWidth));
 }
 
 void MainWindow::replaceDocument(const std::function<void()>& then) {

@@ -96,7 +96,7 @@ int StatusLine::paintRate(QPainter& painter, int right, const QString& name, dou
   painter.setBrush(theme.line);
   painter.drawRoundedRect(bar, 2, 2);
   if (value > 0.0) {
-    painter.setBrush(theme.axis_z);
+    painter.setBrush(theme.scene.axis_z);
     painter.drawRoundedRect(
         QRectF(bar.left(), bar.top(), bar.width() * std::clamp(value / full, 0.08, 1.0), bar.height()), 2, 2);
   }
@@ -148,7 +148,7 @@ void StatusLine::paintEvent(QPaintEvent*) {
   cell(unitsNow().lengthUnit() + QStringLiteral(" · ") + unitsNow().angleUnit() + QStringLiteral(" · N"));
   if (!sound_.isEmpty()) cell(sound_, sound_on_ ? "sound" : "mute", theme.text2);
   if (!device_.isEmpty())
-    device_works_ ? cell(device_, "check", theme.axis_z) : cell(device_, "warning", theme.near_miss);
+    device_works_ ? cell(device_, "check", theme.scene.axis_z) : cell(device_, "warning", theme.near_miss);
   right = paintRate(painter, right, tr("Window"), rates_.window_hz, rates_.window_full, rates_.idle);
   right = paintRate(painter, right, tr("Collision"), rates_.collision_hz, rates_.collision_full, rates_.idle);
   right = paintRate(painter, right, tr("Haptic"), rates_.haptic_hz, rates_.haptic_full);

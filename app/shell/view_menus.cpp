@@ -8,11 +8,12 @@
 
 namespace hapticell::app {
 
-ViewMenus::ViewMenus(const Actions& actions, ViewportWidget& viewport) : actions_(actions), viewport_(viewport) {
+ViewMenus::ViewMenus(const Actions& actions, ViewportWidget& viewport, QObject* parent)
+    : QObject(parent), actions_(actions), viewport_(viewport) {
   projection_.setObjectName("menuProjection");
   faces_.setObjectName("menuFaces");
-  addChoice(projection_, actions.perspective, tr("Perspective"), tr("Orthographic"));
-  addChoice(faces_, actions.edges, tr("Shaded, edges"), tr("Shaded"));
+  addChoice(projection_, actions.view.perspective, tr("Perspective"), tr("Orthographic"));
+  addChoice(faces_, actions.view.edges, tr("Shaded, edges"), tr("Shaded"));
   addSection();
   show();
 }
@@ -41,8 +42,8 @@ void ViewMenus::addSection() {
     if (viewport_.section()) viewport_.setSection(flipped(*viewport_.section()));
   })};
   section_.addSeparator();
-  only_cut_ << section_.addAction(tr("Close the section"), this, [this] { actions_.section->setChecked(false); });
-  connect(actions_.section, &QAction::toggled, this, &ViewMenus::setSection);
+  only_cut_ << section_.addAction(tr("Close the section"), this, [this] { actions_.view.section->setChecked(false); });
+  connect(actions_.view.section, &QAction::toggled, this, &ViewMenus::setSection);
 }
 
 void ViewMenus::setSection(bool on) {
@@ -54,15 +55,15 @@ void ViewMenus::setSection(bool on) {
 }
 
 void ViewMenus::chooseAxis(int axis) {
-  if (!actions_.section->isChecked()) actions_.section->setChecked(true);
+  if (!actions_.view.section->isChecked()) actions_.view.section->setChecked(true);
   viewport_.setSection(sectionAcross(axis, viewport_.camera(), viewport_.scene().bounds_W()));
   show();
 }
 
 void ViewMenus::show() {
   std::vector<ViewStripCell> cells{
-      {actions_.perspective->isChecked() ? tr("Perspective") : tr("Orthographic"), &projection_},
-      {actions_.edges->isChecked() ? tr("Shaded, edges") : tr("Shaded"), &faces_}};
+      {actions_.view.perspective->isChecked() ? tr("Perspective") : tr("Orthographic"), &projection_},
+      {actions_.view.edges->isChecked() ? tr("Shaded, edges") : tr("Shaded"), &faces_}};
   const auto& plane = viewport_.section();
   cells.push_back({plane ? tr("Section %1").arg(QChar('X' + axisOf(*plane))) : tr("Section off"), &section_});
   for (QAction* action : only_cut_) action->setEnabled(plane.has_value());

@@ -9,11 +9,11 @@ namespace hapticell::app {
 struct Actions;
 class ViewportWidget;
 
-/// The menus of the view strip, kept equal to the actions of the View menu. Both arguments must outlive it.
+/// The menus of the view strip, kept equal to the actions of the View menu. Actions and viewport must outlive it.
 class ViewMenus : public QObject {
   Q_OBJECT
  public:
-  ViewMenus(const Actions& actions, ViewportWidget& viewport);
+  ViewMenus(const Actions& actions, ViewportWidget& viewport, QObject* parent);
 
  private:
   void addChoice(QMenu& menu, QAction* action, const QString& on, const QString& off);

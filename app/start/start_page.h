@@ -21,6 +21,7 @@ class StartPage : public QFrame {
   Q_OBJECT
  public:
   StartPage(QWidget& scene, UserSettings& settings, RecentFiles& recent);
+  RecentFiles& recentFiles() { return recent_; }
   /// Shows it with the newest lists, above the scene; unsaved work that a crash left stands first.
   void open(const std::vector<workcell::LeftWork>& left);
 

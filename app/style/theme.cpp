@@ -20,14 +20,14 @@ Theme makeDark() {
   theme.text1 = "#E6EAEE", theme.text2 = "#AEB7C1", theme.text3 = "#8C97A3";
   theme.on = "#1B67AD", theme.on_text = "#FFFFFF";
   theme.contact = "#FF6A45", theme.near_miss = "#FFDD66", theme.limit = "#FFB8F0";
-  theme.selection = "#3A9BFF", theme.guide = "#1FC7A0", theme.force = "#FFFFFF";
-  theme.contact_text = theme.contact, theme.near_miss_text = theme.near_miss, theme.limit_text = theme.limit;
-  theme.axis_x = "#FF8A7A", theme.axis_y = "#B6D44C", theme.axis_z = "#7DB4FF";
+  theme.selection = "#3A9BFF", theme.scene.guide = "#1FC7A0", theme.scene.force = "#FFFFFF";
+  theme.words.contact = theme.contact, theme.words.near_miss = theme.near_miss, theme.words.limit = theme.limit;
+  theme.scene.axis_x = "#FF8A7A", theme.scene.axis_y = "#B6D44C", theme.scene.axis_z = "#7DB4FF";
   theme.score = {QColor("#8FB4D6"), QColor("#F2D35E"), QColor("#F09038"), QColor("#DB4417")};
-  theme.background_top = "#3B444F", theme.background_bottom = "#20262D";
-  theme.grid = withAlpha("#8FA0B2", 72), theme.crease = withAlpha("#0C0F12", 204);
-  theme.halo = withAlpha("#101418", 190);
-  theme.label_box = withAlpha("#1B1F24", kLabelAlpha);
+  theme.scene.background_top = "#3B444F", theme.scene.background_bottom = "#20262D";
+  theme.scene.grid = withAlpha("#8FA0B2", 72), theme.scene.crease = withAlpha("#0C0F12", 204);
+  theme.scene.halo = withAlpha("#101418", 190);
+  theme.scene.label_box = withAlpha("#1B1F24", kLabelAlpha);
   return theme;
 }
 
@@ -39,14 +39,14 @@ Theme makeLight() {
   theme.text1 = "#1A2027", theme.text2 = "#45515D", theme.text3 = "#5F6C79";
   theme.on = "#0A6FCC", theme.on_text = "#FFFFFF";
   theme.contact = "#B82600", theme.near_miss = "#B98500", theme.limit = "#8A1F86";
-  theme.selection = "#0A6FCC", theme.guide = "#00806B", theme.force = "#10151A";
-  theme.contact_text = theme.text1, theme.near_miss_text = "#6E5000", theme.limit_text = theme.text1;
-  theme.axis_x = "#C0341D", theme.axis_y = "#5B7A00", theme.axis_z = "#1C5FC4";
+  theme.selection = "#0A6FCC", theme.scene.guide = "#00806B", theme.scene.force = "#10151A";
+  theme.words.contact = theme.text1, theme.words.near_miss = "#6E5000", theme.words.limit = theme.text1;
+  theme.scene.axis_x = "#C0341D", theme.scene.axis_y = "#5B7A00", theme.scene.axis_z = "#1C5FC4";
   theme.score = {QColor("#8FB4D6"), QColor("#F2D35E"), QColor("#F09038"), QColor("#DB4417")};
-  theme.background_top = "#F4F6F8", theme.background_bottom = "#D3DAE1";
-  theme.grid = withAlpha("#6B7885", 90), theme.crease = withAlpha("#14181D", 204);
-  theme.halo = withAlpha("#FFFFFF", 210);
-  theme.label_box = withAlpha("#FFFFFF", kLabelAlpha);
+  theme.scene.background_top = "#F4F6F8", theme.scene.background_bottom = "#D3DAE1";
+  theme.scene.grid = withAlpha("#6B7885", 90), theme.scene.crease = withAlpha("#14181D", 204);
+  theme.scene.halo = withAlpha("#FFFFFF", 210);
+  theme.scene.label_box = withAlpha("#FFFFFF", kLabelAlpha);
   return theme;
 }
 

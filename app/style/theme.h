@@ -7,21 +7,32 @@
 
 namespace hapticell::app {
 
+/// Colours of the scene and of what is drawn over it.
+struct SceneTheme {
+  QColor axis_x, axis_y, axis_z;
+  QColor guide, force;
+  QColor background_top, background_bottom;
+  QColor grid, crease;  ///< Lines of the floor and of parts.
+  QColor halo;          ///< Behind everything that is drawn over the scene.
+  QColor label_box;     ///< Boxes over the scene, 12 % transparent.
+};
+
+/// State words: coloured in the dark theme, text colour in the light one.
+struct StateWordTheme {
+  QColor contact, near_miss, limit;
+};
+
 /// Every colour of the program, by role. A value; docs/visual.md's table is the source of the two sets.
 struct Theme {
   bool dark = true;
   QColor window, dock, header, field;
   QColor line, button, selected_row;
-  QColor text1, text2, text3;            ///< Text, second lines, disabled.
-  QColor on, on_text;                    ///< Switched on and main buttons.
-  QColor contact, near_miss, limit, selection, guide, force;
-  QColor contact_text, near_miss_text, limit_text;  ///< State words: coloured in the dark theme, text colour in the light one.
-  QColor axis_x, axis_y, axis_z;
-  std::array<QColor, 4> score;           ///< 1-2, 3-4, 5-6, 7.
-  QColor background_top, background_bottom;
-  QColor grid, crease;                   ///< Lines of the floor and of parts.
-  QColor halo;                           ///< Behind everything that is drawn over the scene.
-  QColor label_box;                      ///< Boxes over the scene, 12 % transparent.
+  QColor text1, text2, text3;  ///< Text, second lines, disabled.
+  QColor on, on_text;          ///< Switched on and main buttons.
+  QColor contact, near_miss, limit, selection;
+  StateWordTheme words;
+  std::array<QColor, 4> score;  ///< 1-2, 3-4, 5-6, 7.
+  SceneTheme scene;
 };
 
 const Theme& darkTheme();

@@ -128,23 +128,24 @@ void Day::runOneSession(Cell& cell, const SessionOptions& options, ShiftReport& 
     return;
   }
   report.hand_s = session->duration_s;
-  report.step_median_ms = session->step_median_ms;
-  report.step_p99_ms = session->step_p99_ms;
-  report.force_max_n = session->force_max_n;
-  report.force_step_n_per_ms = session->force_max_step_n_per_ms;
-  report.penetration_m = session->penetration_blocked_m;
-  report.energy_j = session->energy_min_j;
+  report.step_median_ms = session->delays.step_median_ms;
+  report.step_p99_ms = session->delays.step_p99_ms;
+  report.force_max_n = session->forces.force_max_n;
+  report.force_step_n_per_ms = session->forces.force_max_step_n_per_ms;
+  report.penetration_m = session->forces.penetration_blocked_m;
+  report.energy_j = session->forces.energy_min_j;
   report.what = options.entity + " " + manipulation::wordOf(options.moved_by, false) + ", " +
                 std::to_string(std::lround(options.configuration.manipulation.rate_hz)) + " Hz, class " +
                 std::to_string(1 + static_cast<int>(*options.force_class));
   if (!finite) report.broken.push_back("a force or pose is no number");
-  if (session->force_max_n > device_.peak_force + kRounding) report.broken.push_back("the force is above the peak");
-  if (server_port_ == 0 && session->force_max_step_n_per_ms > kSlew + kRounding) {
+  if (session->forces.force_max_n > device_.peak_force + kRounding)
+    report.broken.push_back("the force is above the peak");
+  if (server_port_ == 0 && session->forces.force_max_step_n_per_ms > kSlew + kRounding) {
     report.broken.push_back("the force changes by more than 1 N in a millisecond");
   }
-  if (session->penetration_blocked_m > kEntered) {
+  if (session->forces.penetration_blocked_m > kEntered) {
     report.broken.push_back("'" + options.entity + "' enters what blocks it by " +
-                            std::to_string(1e3 * session->penetration_blocked_m) + " mm");
+                            std::to_string(1e3 * session->forces.penetration_blocked_m) + " mm");
   }
   keepIfWorst(cell, options, report);
   keepResult(cell, options, *session, report);
@@ -160,8 +161,7 @@ void Day::keepIfWorst(const Cell& cell, const SessionOptions& options, ShiftRepo
 void Day::keepResult(Cell& cell, const SessionOptions& options, const SessionReport& session, ShiftReport& report) {
   const workcell::Entity* entity = cell.document.findByName(options.entity);
   if (!entity || !options.recording) return;
-  const workcell::SetConfiguration moved{entity->id, session.final_configuration.X_WE,
-                                         session.final_configuration.joints};
+  const workcell::SetConfiguration moved{entity->id, session.end.configuration.X_WE, session.end.configuration.joints};
   if (const auto done = cell.document.execute(moved); !done) {
     report.broken.push_back("the document refuses where '" + options.entity + "' ended: " + done.error().message());
   }

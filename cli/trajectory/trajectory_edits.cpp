@@ -25,14 +25,19 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 using trajectory::Trajectory;
 
-struct EditOptions {
-  std::string file, output, rest, workcell, name, plane = "y";
+/// The files of an edit; `with`: the motions that follow, `rest`: the one for what comes after a split.
+struct EditFiles {
+  std::string file, output, rest, workcell, robot;
   std::vector<std::string> with;
+};
+
+struct EditOptions {
+  EditFiles files;
+  std::string name, plane = "y";
   double from = -1e300, to = 1e300, at = 0.0, offset = 0.0, speed = 0.1, reach = 0.5, seconds = 0.0, length = 0.05,
          step = 0.01;
   std::size_t frame = 0, place = 0, first = 0, last = 0;
   std::vector<double> pose, direction{0.0, 0.0, -1.0};
-  std::string robot;
   bool allow_miss = false, is_resampled = false;
 };
 
@@ -63,7 +68,7 @@ Made split(const Trajectory& given, const EditOptions& o) {
 }
 Made join(const Trajectory& given, const EditOptions& o) {
   std::vector<Trajectory> parts{given};
-  for (const std::string& file : o.with) {
+  for (const std::string& file : o.files.with) {
     auto part = readMotionFile(file);
     HAPTICELL_TRY(part);
     parts.push_back(std::move(*part));
@@ -124,12 +129,12 @@ Made resample(const Trajectory& given, const EditOptions& o) {
 /// The joints of a robot's motion whose poses were changed, found again in the cell; where there is none it has none.
 Expected<void> findJoints(const Trajectory& given, const EditOptions& options, Trajectory& made, ordered_json& result) {
   if (!given.hasJoints() || made.hasJoints()) return {};
-  if (options.workcell.empty()) {
+  if (options.files.workcell.empty()) {
     result["notes"].push_back("The joints belong to the old poses and are left out; --workcell finds them again.");
     return {};
   }
   Diagnostics notes;
-  const auto document = workcell::loadDocument(options.workcell, notes);
+  const auto document = workcell::loadDocument(options.files.workcell, notes);
   HAPTICELL_TRY(document);
   const workcell::Entity* entity = document->findByName(given.entity);
   std::vector<double> start;
@@ -153,8 +158,8 @@ Expected<void> poseByJoints(const Trajectory& given, const EditOptions& options,
   const auto apart =
       std::count_if(made.frames().begin(), made.frames().end(), [](const auto& frame) { return frame.is_pose_apart; });
   if (apart == 0 || !made.hasJoints() || !made.has_poses) return {};
-  if (!options.robot.empty()) {
-    const auto tool = ToolPoses::create(options.robot, given);
+  if (!options.files.robot.empty()) {
+    const auto tool = ToolPoses::create(options.files.robot, given);
     HAPTICELL_TRY(tool);
     if (tool->match()) {
       made = tool->posesOf(made);
@@ -169,7 +174,7 @@ Expected<void> poseByJoints(const Trajectory& given, const EditOptions& options,
 /// A resampled motion lies on the given one: read back and measured before it is kept.
 Expected<void> save(const Trajectory& given, const Trajectory& made, const EditOptions& options,
                     const std::string& path, ordered_json& result) {
-  if (!options.is_resampled || !options.robot.empty()) return saveTrajectory(made, path);
+  if (!options.is_resampled || !options.files.robot.empty()) return saveTrajectory(made, path);
   const std::string extension = fs::path(path).extension().string();
   if (!path.empty() && extension != ".csv" && extension != ".htraj" && extension != ".json")
     return saveTrajectory(made, path);
@@ -180,7 +185,7 @@ Expected<void> save(const Trajectory& given, const Trajectory& made, const EditO
 }
 
 Expected<ordered_json> run(const EditOptions& options, Edit edit) {
-  const auto given = readMotionFile(options.file);
+  const auto given = readMotionFile(options.files.file);
   HAPTICELL_TRY(given);
   auto made = edit(*given, options);
   HAPTICELL_TRY(made);
@@ -188,14 +193,14 @@ Expected<ordered_json> run(const EditOptions& options, Edit edit) {
   for (std::size_t i = 0; i < made->size(); ++i) {
     Trajectory& motion = (*made)[i];
     if (!given->has_poses && !motion.hasJoints()) {
-      return makeError({.file = options.file,
+      return makeError({.file = options.files.file,
                         .place = "poses",
                         .found = "joints alone",
                         .expected = "poses, for an edit of them",
                         .fix = "Export it with its poses first: trajectory export --to csv --robot."});
     }
     HAPTICELL_TRY(findJoints(*given, options, motion, result));
-    const std::string& path = i == 0 ? options.output : options.rest;
+    const std::string& path = i == 0 ? options.files.output : options.files.rest;
     HAPTICELL_TRY(poseByJoints(*given, options, motion, result));
     HAPTICELL_TRY(save(*given, motion, options, path, result));
     result["motions"].push_back({{"file", path},
@@ -234,9 +239,9 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   const auto options = std::make_shared<EditOptions>();
   const auto add = [&](const char* name, const char* description, Edit edit) {
     Subcommand sub = command.add(name, description);
-    sub.option("file", options->file, "A trajectory: .htraj, .csv, .json, .yaml (ROS)").required();
-    sub.option("-o,--output", options->output, "The copy: .htraj, .json or .csv");
-    sub.option("--workcell", options->workcell, "The cell in which a robot's joints are found again");
+    sub.option("file", options->files.file, "A trajectory: .htraj, .csv, .json, .yaml (ROS)").required();
+    sub.option("-o,--output", options->files.output, "The copy: .htraj, .json or .csv");
+    sub.option("--workcell", options->files.workcell, "The cell in which a robot's joints are found again");
     sub.onChosen([options, &chosen, edit] {
       options->is_resampled = edit == static_cast<Edit>(resample);
       chosen = [options, edit](ResultWriter& writer) { return finishTrajectory(writer, run(*options, edit)); };
@@ -248,9 +253,9 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   sub.option("--to", options->to, "s");
   sub = add("split", "In two at a time", split);
   sub.option("--at", options->at, "s").required();
-  sub.option("--rest", options->rest, "The file for what comes after");
+  sub.option("--rest", options->files.rest, "The file for what comes after");
   sub = add("join", "One after the other", join);
-  sub.option("--with", options->with, "The motions that follow").required();
+  sub.option("--with", options->files.with, "The motions that follow").required();
   sub.option("--speed", options->speed, "m/s from the end of one to the next (0.1)");
   add("reverse", "Backwards in time", reverse);
   sub = add("mirror", "On a plane", mirror);
@@ -284,7 +289,7 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   }
   sub = add("resample", "Frames in even steps, times as recorded", resample);
   sub.option("--step", options->step, "s (0.01)");
-  sub.option("--robot", options->robot, "Robot whose joints they are: poses by its forward kinematics");
+  sub.option("--robot", options->files.robot, "Robot whose joints they are: poses by its forward kinematics");
   addAllowMiss(sub, options->allow_miss);
 }
 

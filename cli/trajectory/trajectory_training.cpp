@@ -167,11 +167,15 @@ Expected<ordered_json> train(const TrainingOptions& options) {
   HAPTICELL_TRY(workcell::writeFilesAtomically(files));
   HAPTICELL_TRY(saveTrajectory(report->recording, options.output));
   const auto& attempt = book.attempts.back();
-  return ordered_json{{"exercise", exercise->name},      {"attempt", book.attempts.size()},
-                      {"kind", wordOf(*kind)},           {"help", help},
-                      {"success", attempt.success},      {"score", toJson(attempt.score)},
-                      {"next_help", book.nextHelp()},    {"penetration", report->penetration_max_m},
-                      {"force_max", report->force_max_n}};
+  return ordered_json{{"exercise", exercise->name},
+                      {"attempt", book.attempts.size()},
+                      {"kind", wordOf(*kind)},
+                      {"help", help},
+                      {"success", attempt.success},
+                      {"score", toJson(attempt.score)},
+                      {"next_help", book.nextHelp()},
+                      {"penetration", report->forces.penetration_max_m},
+                      {"force_max", report->forces.force_max_n}};
 }
 
 Expected<ordered_json> exercises(const TrainingOptions& options) {

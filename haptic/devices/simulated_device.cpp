@@ -46,18 +46,20 @@ DeviceCapabilities capabilitiesOf(const config::DeviceProfile& profile) {
   result.damping = profile.damping;
   result.buttons = profile.buttons;
   result.simulated = true;
-  result.delay_ticks = profile.delay_ticks;
-  result.thermal_time = profile.thermal_time;
+  result.delay_ticks = profile.electronics.delay_ticks;
+  result.thermal_time = profile.electronics.thermal_time;
   return result;
 }
 
 }  // namespace
 
 SimulatedDevice::SimulatedDevice(const config::DeviceProfile& profile)
-    : profile_(profile), capabilities_(capabilitiesOf(profile)), arm_(profile.upper_arm, profile.forearm) {
+    : profile_(profile),
+      capabilities_(capabilitiesOf(profile)),
+      arm_(profile.mechanics.upper_arm, profile.mechanics.forearm) {
   const dmat3 J = arm_.jacobian(arm_.joints(dvec3(0.0)));
   // Inertia of each joint such that the tip has the stated apparent mass where the arm was measured, in the middle.
-  for (int i = 0; i < 3; ++i) joint_inertia_[i] = profile_.apparent_mass * glm::dot(J[i], J[i]);
+  for (int i = 0; i < 3; ++i) joint_inertia_[i] = profile_.mechanics.apparent_mass * glm::dot(J[i], J[i]);
   for (int i = 0; i < 3; ++i) lever_[i] = glm::length(J[i]);
   place(Pose::identity());
 }
@@ -104,22 +106,23 @@ void SimulatedDevice::updateMass() noexcept {
   dmat3 mobility(0.0);
   for (int i = 0; i < 3; ++i) mobility += glm::outerProduct(J[i], J[i]) / joint_inertia_[i];
   // Near a singularity the mobility loses rank; a hundredth of the nominal one bounds the mass to a hundred times.
-  mobility += dmat3(0.01 / profile_.apparent_mass);
+  mobility += dmat3(0.01 / profile_.mechanics.apparent_mass);
   mass_ = glm::inverse(mobility);
   if (hand_.holding()) mass_ += dmat3(hand_.options().mass);
   inverse_mass_ = glm::inverse(mass_);
 }
 
 void SimulatedDevice::applyDelayedForce() noexcept {
-  const auto delay = static_cast<std::size_t>(std::clamp(profile_.delay_ticks, 0, static_cast<int>(kMaxDelay) - 1));
+  const auto delay =
+      static_cast<std::size_t>(std::clamp(profile_.electronics.delay_ticks, 0, static_cast<int>(kMaxDelay) - 1));
   const Command command = open_ ? commands_[delay] : Command{};
   for (std::size_t i = kMaxDelay - 1; i > 0; --i) commands_[i] = commands_[i - 1];
   // Each motor's torque goes through its own converter; its range is the tip's force at the middle's lever.
   const dmat3 J = arm_.jacobian(arm_.joints(X_DS_.p));
-  const double levels = std::ldexp(1.0, profile_.converter_bits - 1);
-  dvec3 torque = glm::transpose(J) * shortenedTo(command.force_D, profile_.converter_range);
+  const double levels = std::ldexp(1.0, profile_.electronics.converter_bits - 1);
+  dvec3 torque = glm::transpose(J) * shortenedTo(command.force_D, profile_.electronics.converter_range);
   for (int i = 0; i < 3; ++i) {
-    const double full = profile_.converter_range * lever_[i];
+    const double full = profile_.electronics.converter_range * lever_[i];
     torque[i] = std::clamp(std::round(torque[i] / full * levels), -levels, levels - 1.0) * full / levels;
   }
   const dmat3 damped = J * glm::transpose(J) + dmat3(1e-6);
@@ -137,21 +140,24 @@ dvec3 SimulatedDevice::stopForce() const noexcept {
     const double over = std::abs(X_DS_.p[i]) - 0.5 * profile_.workspace[i];
     if (over <= 0.0) continue;
     const double outward = X_DS_.p[i] > 0.0 ? 1.0 : -1.0;
-    force[i] -= outward * std::max(0.0, profile_.stop_stiffness * over + profile_.stop_damping * outward * v_DS_[i]);
+    force[i] -= outward * std::max(0.0, profile_.mechanics.stop_stiffness * over +
+                                            profile_.mechanics.stop_damping * outward * v_DS_[i]);
   }
   const dvec3 arm = X_DS_.p - arm_.shoulder();
   const double stretch = glm::length(arm);
   const double over = stretch - kReachUsed * arm_.reach();
   if (over > 0.0) {
     const dvec3 outward = arm / stretch;
-    const double push = profile_.stop_stiffness * over + profile_.stop_damping * glm::dot(outward, v_DS_);
+    const double push =
+        profile_.mechanics.stop_stiffness * over + profile_.mechanics.stop_damping * glm::dot(outward, v_DS_);
     force -= outward * std::max(0.0, push);
   }
   return force;
 }
 
 void SimulatedDevice::integrate(double h, double into_tick) noexcept {
-  dvec3 force = motor_D_ + stopForce() - profile_.viscous_friction * v_DS_ - dvec3(0.0, 0.0, profile_.weight);
+  dvec3 force =
+      motor_D_ + stopForce() - profile_.mechanics.viscous_friction * v_DS_ - dvec3(0.0, 0.0, profile_.mechanics.weight);
   hand_D_ = dvec3(0.0);
   HandIntent intent;
   if (hand_.holding()) {
@@ -164,7 +170,7 @@ void SimulatedDevice::integrate(double h, double into_tick) noexcept {
   const dvec3 v = v_DS_ + inverse_mass_ * force * h;
   // Coulomb friction takes at most its impulse and never more than stops the motion: sticking.
   const double momentum = glm::length(mass_ * v);
-  const double kept = momentum > 0.0 ? std::max(0.0, 1.0 - profile_.coulomb_friction * h / momentum) : 0.0;
+  const double kept = momentum > 0.0 ? std::max(0.0, 1.0 - profile_.mechanics.coulomb_friction * h / momentum) : 0.0;
   v_DS_ = kept * v;
   X_DS_.p += v_DS_ * h;
   integrateRotation(h, intent);
@@ -192,7 +198,7 @@ void SimulatedDevice::advance(double dt) noexcept {
   for (int i = 0; i < steps; ++i) integrate(h, (i + 1) * h);
   // Motors warm with the square of the force and reach the limit at the continuous one.
   const double load = glm::dot(motor_D_, motor_D_) / (profile_.continuous_force * profile_.continuous_force);
-  temperature_ += (load - temperature_) * (1.0 - std::exp(-dt / profile_.thermal_time));
+  temperature_ += (load - temperature_) * (1.0 - std::exp(-dt / profile_.electronics.thermal_time));
 }
 
 }  // namespace hapticell::haptic

@@ -65,4 +65,24 @@ class WorstLoss {
   std::deque<std::pair<double, double>> highest_;  ///< Falling balances of the window: its maximum first.
 };
 
+/// The worst loss of an EnergyAccount over a session. Not for the force loop: it allocates.
+class EnergyLossMeter {
+ public:
+  /// `delay_ticks` of the device.
+  explicit EnergyLossMeter(int delay_ticks = 0) : account_(delay_ticks) {}
+  /// See EnergyAccount::add().
+  void add(const MetricVector& step, const MetricVector& commanded, double stiffness) {
+    account_.add(step, commanded, stiffness);
+  }
+  /// The balance at `t` s counts.
+  void note(double t) { loss_.add(t, account_.balance()); }
+  /// What was lost so far counts no longer.
+  void forgetLoss() { loss_ = WorstLoss(); }
+  double worst() const { return loss_.value(); }  ///< J, 0 or negative.
+
+ private:
+  EnergyAccount account_;
+  WorstLoss loss_;
+};
+
 }  // namespace hapticell::haptic

@@ -1,38 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "geometry/shapes/pose.h"
 #include "haptic/rendering/constraint_set.h"
+#include "haptic/rendering/coupling_gains.h"
+#include "haptic/rendering/coupling_spring.h"
+#include "haptic/rendering/filtered_velocities.h"
 #include "haptic/rendering/held_load.h"
 #include "haptic/rendering/passivity.h"
 #include "haptic/rendering/proxy_mover.h"
-#include "haptic/rendering/proxy_rows.h"
+#include "haptic/rendering/renderer_options.h"
+#include "haptic/rendering/set_slots.h"
 
 namespace hapticell::haptic {
-
-/// How stiff and how damped the coupling between stylus and proxy is.
-struct RendererOptions {
-  double stiffness = 1000.0;  ///< K wanted, N/m.
-  double damping = 2.0;       ///< B wanted, N s/m.
-  double delay = 0.001;       ///< From the measurement to the force that answers it, seconds.
-  bool adapt = true;          ///< False: K and B are taken as they are, for finding out where they become unstable.
-  double peak_force = 6.4;    ///< Of the device, N; forces are compared at set changes after clamping to it.
-  double peak_torque = 0.0;   ///< N m. Above 0 turning is felt too, by K and B times the square of kRotationLever;
-                              ///< else the proxy's turn is free and nothing is felt of it.
-  double tick = 0.001;        ///< Nominal, s: how many ticks `delay` is.
-};
-
-/// The options that are stable with nobody holding the stylus: K <= 0.65 * 2.3 N/mm per millisecond of delay,
-/// B >= 4 N s/m from 2 ms of delay on, and B <= 8 N s/m in any case: a filtered velocity times more kicks (the limits
-/// of the project's own trial with the simulated device). Values that are not finite or not positive are replaced by
-/// the defaults.
-RendererOptions limitedByDelay(RendererOptions options);
 
 /// What one tick of the force renderer yields. All in the device frame D.
 struct RenderResult {
@@ -110,13 +93,11 @@ class ForceRenderer {
   /// *yields*: its rest point creeps after the stylus, so that the force stays there and falls at once when the hand
   /// withdraws. Scaling the force instead would stiffen the spring under load as the motors cool, and a hand that comes
   /// back from too deep would be given more than |F|^2 / 2K. What is no positive number counts as no further limit.
-  void setForceLimit(double newtons) {
-    force_limit_ = newtons > 0.0 && newtons < options_.peak_force ? newtons : kNoLimit;
-  }
+  void setForceLimit(double newtons) { spring_.motors().setWarmLimit(newtons); }
 
   const Pose& proxy() const { return proxy_; }
   /// Of the last tick's command what the coupling made, after noteApplied(): what the energy account is of.
-  const MetricVector& applied() const { return last_.applied; }
+  const MetricVector& applied() const { return spring_.last().applied; }
   /// The way from X_DA to X_DB that the device can feel.
   MetricVector way(const Pose& X_DB, const Pose& X_DA) const { return mover_.way(X_DB, X_DA); }
 
@@ -125,65 +106,37 @@ class ForceRenderer {
   struct SetJump {
     MetricVector proxy_D, stretch_D, trust_D;
   };
-  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
   ProxyStep changeSet(const Pose& X_DS, double dt, SetJump& jump);
   bool isLate(const ProxyStep& solved) const;
   MetricVector stretchOf(const ProxyStep& solved, const Pose& X_DS) const;
+  MetricVector beginAnew(const ProxyStep& solved, const MetricVector& stretch_D);
   MetricVector takeOutJump(const ProxyStep& solved, const MetricVector& stretch_D, const SetJump& jump,
                            const MetricVector& stylus_step, double dt);
-  void filterVelocities(const MetricVector& stylus_step, const MetricVector& proxy_step, double dt);
-  void decayOffset(const ProxyStep& solved, const MetricVector& stylus_step, double dt);
-  void updateCoupling(const ProxyStep& solved, double dt);
-  void updateDamper(bool catches_up, double dt);
-  MetricVector beginAnew(const ProxyStep& solved, const MetricVector& stretch_D);
-  bool restsFor(double seconds, double dt);
-  void creepBack(const ProxyStep& solved, const MetricVector& stretch_D, double dt);
-  void updateSpring(const ProxyStep& solved, const MetricVector& stretch_D, const MetricVector& relative_step,
-                    double dt);
+  void updateSpring(const ProxyStep& solved, const MetricVector& stylus_step, double dt);
   dvec3 pullOf(const Pose& X_DS) const;
   MetricVector couplingForce(const ProxyStep& solved) const;
-  MetricVector unpulling(const MetricVector& damper_D) const;
-  MetricVector pushing(const MetricVector& spring_D, const MetricVector& left_D) const;
-  MetricVector borne(const MetricVector& stretch_D);
-  double forceLimit(const MetricVector& direction_D) const;
+  bool isFinite() const;
   RenderResult resultOf(const ProxyStep& solved) const;
   RenderResult endWithoutSet(const Pose& X_DP, const Pose& X_DS);
 
   RendererOptions options_;
   ProxyMover mover_;
   HeldLoad load_;
-  std::array<GroupedSet, 2> sets_{};
-  std::size_t current_ = 0;  ///< Index of the set in use; the other one is the offered one.
-  bool has_set_ = false;
-  bool offered_ = false;
+  SetSlots sets_;
   bool started_ = false;
-  double since_adoption_ = 0.0;
-  double set_period_ = 0.1;  ///< Time between the last two adoptions, s.
-
   Pose proxy_;
   Pose stylus_;
-  MetricVector offset_D_;
-  MetricVector stretch_D_;  ///< Of the last tick, before it yields.
-  MetricVector trust_D_;    ///< Of the last tick: see ProxyStep::trust_D.
-  double yield_ = 0.0;      ///< By how much the spring has yielded, m,
-  double yielded_ = 0.0;    ///< and what of the hand's work that took and has not come back, J.
-  Pose rest_;               ///< Where the stylus rests,
-  double resting_ = 0.0;    ///< and since when, s.
-  double force_limit_ = kNoLimit;
-  MetricVector v_stylus_D_, v_proxy_D_;
-  MetricVector v_slow_D_;  ///< The stylus's for the passivity controller, more filtered.
-  HeldSpring last_;        ///< Of the last tick.
-  dvec3 load_D_{0.0};      ///< Of the last tick, N.
-  double stiffness_ = 1000.0;
-  double damping_ = 2.0;
+  MetricVector trust_D_;  ///< Of the last tick: see ProxyStep::trust_D.
+  FilteredVelocities velocities_;
+  CouplingGains gains_;
+  RestWatch rest_;
+  CouplingSpring spring_;
   PassivityController passivity_;
-  SpringRation ration_;
+  dvec3 load_D_{0.0};  ///< Of the last tick, N.
   bool contact_ = false;
   bool jumped_ = false;  ///< See noteJump().
   bool late_ = false;    ///< The proxy comes out of free air after the stylus and has not arrived: nothing presses yet.
-  bool arriving_ = false;  ///< The proxy has caught up from far off: its damping comes back by and by.
-  double damper_ = 0.0;    ///< Share of the coupling's damping that acts.
 };
 
 }  // namespace hapticell::haptic

@@ -1,37 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 
 #include "haptic/devices/device.h"
 #include "haptic/protocol/messages.h"
 #include "haptic/rendering/force_renderer.h"
 #include "haptic/rendering/safety_chain.h"
-#include "haptic/rendering/sample_gate.h"
-#include "haptic/rendering/triple_buffer.h"
+#include "haptic/server/client_inbox.h"
 #include "haptic/server/clock.h"
-#include "haptic/server/fault_recorder.h"
-#include "haptic/server/loop_statistics.h"
-#include "haptic/server/tick_log.h"
+#include "haptic/server/force_loop_options.h"
+#include "haptic/server/loop_output.h"
+#include "haptic/server/simulated_hand_driver.h"
+#include "haptic/server/stall_watch.h"
+#include "haptic/server/stylus_reader.h"
+#include "haptic/server/tick_recorder.h"
 
 namespace hapticell::haptic {
-
-class SimulatedDevice;
-
-/// How a force loop runs.
-struct ForceLoopOptions {
-  double rate_hz = 1000.0;
-  RendererOptions renderer;  ///< Stiffness and damping of the device's own, and its delay.
-  SafetyOptions safety;
-  std::size_t log_ticks = 4096;  ///< How many ticks the log keeps.
-};
-
-/// The options that follow from what a device can do: its forces, stiffness, damping and delay.
-ForceLoopOptions optionsFor(const Device& device, double rate_hz = 1000.0);
-
-/// What a client is told of a device at connection.
-DeviceDescription describe(const Device& device);
 
 /// What the caller of tick() knows about its moment.
 struct TickTiming {
@@ -64,115 +49,69 @@ class ForceLoop {
   const RenderResult& lastRender() const { return render_; }         ///< Of the last tick.
   const SafetyResult& lastSafety() const { return safety_result_; }  ///< Of the last tick.
   const ForceRenderer& renderer() const { return renderer_; }        ///< After the last tick.
-  const TickLog& log() const { return log_; }
+  const TickLog& log() const { return recorder_.ticks(); }
   /// Ticks are missed so many times at once (a stalled machine) that a hardware device's motors go off; until the
   /// client takes its enable back and gives it again. A simulated device only counts.
-  static constexpr std::uint32_t kStall = 20;
+  static constexpr std::uint32_t kStall = StallWatch::kStall;
   /// A device that exerts forces has not measured for kFreshFor, or for so long only what no hand can have made: zero
   /// is written and forces must be enabled anew. Half a tick before, so that the tick of that age writes it.
-  static constexpr double kStale = kFreshFor - 0.0005;
-  bool motorsOff() const { return motors_off_; }
-  std::uint64_t stalls() const { return stalls_; }
-  double period() const { return period_; }  ///< Seconds; any thread.
+  static constexpr double kStale = StylusReader::kStale;
+  bool motorsOff() const { return stalls_.motorsOff(); }
+  std::uint64_t stalls() const { return stalls_.stalls(); }
+  double period() const { return 1.0 / options_.rate_hz; }  ///< Seconds; any thread.
 
   // Link thread.
   /// A controlling client is there: forgets what an earlier one wanted; forces are off until it enables them.
-  void openLink() noexcept;
-  void closeLink() noexcept;
+  void openLink() noexcept { inbox_.open(clock_.now()); }
+  void closeLink() noexcept { inbox_.close(); }
   /// The client was heard (any message, a heart-beat at least every kHeartbeatPeriod).
-  void heard() noexcept { last_heard_.store(clock_.now(), std::memory_order_relaxed); }
+  void heard() noexcept { inbox_.heard(clock_.now()); }
   /// How long this client may be silent, s, by the beat of its heart so far; 0: as the options say.
-  void expectWithin(double seconds) noexcept { silence_limit_.store(seconds, std::memory_order_relaxed); }
+  void expectWithin(double seconds) noexcept { inbox_.expectWithin(seconds); }
   /// Newest wins. The set's stamp must be in this loop's clock (or 0: its age is then not counted).
-  void submit(const ConstraintSet& set) noexcept;
-  void submit(const HapticControl& control) noexcept;
-  void submit(const HandTarget& target) noexcept;
+  void submit(const ConstraintSet& set) noexcept { inbox_.submit(set); }
+  void submit(const HapticControl& control) noexcept { inbox_.submit(control); }
+  void submit(const HandTarget& target) noexcept { inbox_.submit(target); }
 
   // Reader thread.
-  bool updateState() noexcept { return states_.update(); }  ///< True when there is a newer state.
-  const HapticState& state() const { return states_.value(); }
-  bool updateFigures() noexcept { return figures_.update(); }  ///< True about ten times a second.
-  const LoopFigures& figures() const { return figures_.value(); }
+  bool updateState() noexcept { return output_.states().update(); }  ///< True when there is a newer state.
+  const HapticState& state() const { return output_.states().value(); }
+  bool updateFigures() noexcept { return output_.figures().update(); }  ///< True about ten times a second.
+  const LoopFigures& figures() const { return output_.figures().value(); }
 
   // Any one other thread: what was recorded around a fault.
-  FaultRecorder& faults() noexcept { return faults_; }
+  FaultRecorder& faults() noexcept { return recorder_.faults(); }
 
   // Any one other thread: the same figures once more, for a report.
-  bool updateReport() noexcept { return report_.update(); }
-  const LoopFigures& report() const { return report_.value(); }
+  bool updateReport() noexcept { return output_.report().update(); }
+  const LoopFigures& report() const { return output_.report().value(); }
 
  private:
-  /// A message with the session it came from, so that a late one of an earlier client is not taken.
-  template <typename T>
-  struct Incoming {
-    std::uint64_t session = 0;
-    T value;
-  };
-  template <typename T>
-  struct Inbox {
-    TripleBuffer<Incoming<T>> buffer;
-    bool waiting = false;  // Force thread's own: the newest value is not used yet.
-  };
-  template <typename T>
-  void put(Inbox<T>& inbox, const T& value) noexcept;
-  template <typename T>
-  const T* take(Inbox<T>& inbox) noexcept;
-
   bool changeSession() noexcept;
   void takeMessages(std::int64_t now) noexcept;
-  void takeHandTarget() noexcept;
-  void watchStalls(const TickTiming& timing) noexcept;
   void record(std::int64_t now, const TickTiming& timing) noexcept;
   void readDevice(double dt) noexcept;
-  bool believes(const DeviceReading& reading) noexcept;
-  bool isReady() const noexcept { return reading_.takes_force && !anew_; }
   void guardAndWrite(std::int64_t now, double dt) noexcept;
   void publish(std::int64_t now, const TickTiming& timing) noexcept;
-  void publishFigures(std::int64_t now) noexcept;
 
   Device& device_;
-  SimulatedDevice* simulated_;  // The same device, when it is a simulated one.
   const Clock& clock_;
   const ForceLoopOptions options_;
-  const double period_;
-
-  std::atomic<std::uint64_t> session_{0};  // 0: closed; else counts the sessions.
-  std::atomic<std::int64_t> last_heard_{0};
-  std::atomic<double> silence_limit_{0.0};
-  std::uint64_t last_session_ = 0;  // Link thread's own.
-  Inbox<ConstraintSet> sets_;
-  Inbox<HapticControl> controls_;
-  Inbox<HandTarget> targets_;
-  TripleBuffer<HapticState> states_;
-  TripleBuffer<LoopFigures> figures_, report_;
+  ClientInbox inbox_;
+  LoopOutput output_;
 
   // Force thread's own.
+  StylusReader reader_;
+  StallWatch stalls_;
+  SimulatedHandDriver hand_;
   ForceRenderer renderer_;
   SafetyChain safety_;
-  SampleGate gate_;
-  LoopStatistics statistics_;
-  TickLog log_;
+  TickRecorder recorder_;
   bool running_ = true;
-  std::uint64_t rendered_session_ = 0;
   std::uint64_t tick_ = 0;
   HapticControl control_;
   std::int64_t last_set_ns_ = 0;  // When a set came last, whatever became of it, or the session began.
-  bool hand_from_link_ = false;
-  DeviceReading reading_;
-  const bool pushes_;      // The device exerts forces.
-  const dvec3 middle_D_;   // Of the workspace.
-  const double reach_;     // m from there; beyond it is no place of the stylus.
-  double age_ = 0.0;       // s since a measurement was believed.
-  double judged_ = 0.0;    // s since one was judged.
-  double doubt_ = 0.0;     // s of samples that were refused, of late.
-  bool measured_ = false;  // One was believed since the start.
-  bool anew_ = true;       // Whatever is measured next is believed: nothing pushes.
-  bool device_fault_ = false;
-  bool motors_off_ = false;
-  bool engaged_ = false;                         // What the device was told last.
-  bool input_fault_ = false, too_fast_ = false;  // Of the last tick.
-  std::uint64_t stalls_ = 0;
-  FaultRecorder faults_;
+  bool engaged_ = false;          // What the device was told last.
   RenderResult render_;
   SafetyResult safety_result_;
   HapticState state_;

@@ -10,9 +10,9 @@
 #include <thread>
 
 #include "haptic/rendering/triple_buffer.h"
-#include "manipulation/engine/manipulation_step.h"
-#include "manipulation/scene/prepared_scene.h"
+#include "manipulation/engine/manipulation_engine.h"
 #include "manipulation/engine/second_stylus.h"
+#include "manipulation/scene/prepared_scene.h"
 #include "workcell/import/background_thread.h"
 
 namespace hapticell::manipulation {
@@ -166,11 +166,10 @@ struct ManipulationLoop::Worker {
     }
     const bool any = link_of_second || scene || !taken.empty() || !for_second.empty();
     if (link_of_second) changeSecond(engine, std::move(*link_of_second));
-    if (scene && second) second->engine().setScene(scene);
     if (scene) engine.setScene(std::move(scene));
     for (const Command& one : taken) engine.apply(one);
     if (!second) return any;
-    for (const Command& one : for_second) second->engine().apply(one);
+    for (const Command& one : for_second) second->holder().apply(one);
     return any;
   }
 
@@ -178,20 +177,19 @@ struct ManipulationLoop::Worker {
   bool hasOrders() const { return !commands.empty() || !second_commands.empty() || second_link || ready_scene; }
 
   void changeSecond(ManipulationEngine& engine, std::unique_ptr<haptic::HapticLink> the_link) {
-    endSecond(engine);
+    endSecond();
     if (!the_link) return;
-    second = std::make_unique<SecondStylus>(std::move(the_link), configuration);
-    second->engine().searchInThread();
-    if (engine.sharedScene()) second->engine().setScene(engine.sharedScene());
+    second = std::make_unique<SecondStylus>(std::move(the_link), engine);
+    second->holder().searchInThread();
   }
 
   /// Lets go of what the second stylus holds, and of the stylus.
-  void endSecond(ManipulationEngine& engine) {
+  void endSecond() {
     if (!second) return;
-    second->engine().apply(command::Release{});
-    second->engine().apply(command::SetForces{false});
-    second->step(engine, nanoseconds(Clock::now()));
-    keepResults(second->engine());
+    second->holder().apply(command::Release{});
+    second->holder().apply(command::SetForces{false});
+    second->step(nanoseconds(Clock::now()));
+    keepResults(second->holder().takeResults());
     second.reset();
   }
 
@@ -203,12 +201,11 @@ struct ManipulationLoop::Worker {
     snapshot.step_p99_ms = 1e3 * times.p99();
     snapshot.idle = idle;
     snapshots.publish();
-    keepResults(engine);
-    if (second) keepResults(second->engine());
+    keepResults(engine.takeResults());
+    if (second) keepResults(second->holder().takeResults());
   }
 
-  void keepResults(ManipulationEngine& engine) {
-    std::vector<Result> happened = engine.takeResults();
+  void keepResults(std::vector<Result> happened) {
     if (happened.empty()) return;
     const std::lock_guard lock(mutex);
     results.insert(results.end(), happened.begin(), happened.end());
@@ -227,11 +224,11 @@ struct ManipulationLoop::Worker {
       const Clock::time_point begin = Clock::now();
       const bool commanded = takeCommands(engine);
       engine.step(nanoseconds(begin));
-      if (second) second->step(engine, nanoseconds(begin));
+      if (second) second->step(nanoseconds(begin));
       const bool rested = rest.rests();
       rest.look(engine, commanded || second, begin);
       // A new contact is shown at once; one that chatters, no oftener than a display shows pictures.
-      const std::int64_t newest = std::max(engine.feltAt(), second ? second->engine().feltAt() : 0);
+      const std::int64_t newest = std::max(engine.feltAt(), second ? second->holder().contacts().feltAt() : 0);
       const bool new_contact = newest != felt && begin - shown >= kContactEvery;
       const bool other = new_contact || rested != rest.rests();
       if (other || begin - shown >= (rested ? kPictureAtRest : kPictureEvery)) {
@@ -256,12 +253,12 @@ struct ManipulationLoop::Worker {
       if (stopping) break;
     }
     takeCommands(engine);
-    endSecond(engine);
+    endSecond();
     engine.apply(command::Release{});
     engine.apply(command::StopRecording{});
     engine.apply(command::SetForces{false});
     engine.step(nanoseconds(Clock::now()));
-    keepResults(engine);
+    keepResults(engine.takeResults());
   }
 
   std::unique_ptr<haptic::HapticLink> link;

@@ -5,18 +5,19 @@
 
 namespace hapticell::manipulation {
 
-void SecondStylus::step(ManipulationEngine& first, std::int64_t now_ns) {
-  engine_.takeOver(first);
-  engine_.borrowPose(first);
-  engine_.marksFor(first);
-  engine_.step(now_ns);
-  if (engine_.takeMarkForOther()) first.apply(command::MarkFrame{});
-  first.takeOver(engine_);
+SecondStylus::SecondStylus(std::unique_ptr<haptic::HapticLink> link, ManipulationEngine& engine)
+    : link_(std::move(link)), engine_(engine), holder_(*link_, engine.cell()) {
+  engine_.setSecond(&holder_);
+}
+
+SecondStylus::~SecondStylus() {
+  engine_.setSecond(nullptr);
 }
 
 void SecondStylus::addTo(SceneSnapshot& snapshot) {
   SceneSnapshot own;
-  engine_.fillSnapshot(own);
+  holder_.addTo(own);
+  holder_.describe(own);
   SecondStylusState& second = snapshot.second.emplace();
   second.connected = own.connected;
   second.forces_on = own.forces_on;

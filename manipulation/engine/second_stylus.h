@@ -3,29 +3,33 @@
 
 #include <memory>
 
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 
 namespace hapticell::manipulation {
 
-/// A second stylus in the same cell, at a haptic server of its own, with an engine of its own: it holds another entity,
-/// or the other hand of the same mannequin (whose trunk then stands still: by::Hand::locks in both). What either
-/// moves counts for the other at its next step, checked exactly by both. One thread, that of the first engine.
+/// A second stylus in the cell of an engine, at a haptic server of its own: it holds another entity, or the other hand
+/// of the same mannequin (whose trunk then stands still: by::Hand::locks in both). What either moves counts for the
+/// other at its next step, checked exactly by both. One thread, that of the engine.
 class SecondStylus {
  public:
-  SecondStylus(std::unique_ptr<haptic::HapticLink> link, const config::Configuration& configuration)
-      : link_(std::move(link)), engine_(*link_, configuration) {}
+  /// `engine` outlives it, and has one of these at a time.
+  SecondStylus(std::unique_ptr<haptic::HapticLink> link, ManipulationEngine& engine);
+  ~SecondStylus();
+  SecondStylus(const SecondStylus&) = delete;
+  SecondStylus& operator=(const SecondStylus&) = delete;
 
-  ManipulationEngine& engine() { return engine_; }
+  StylusHolder& holder() { return holder_; }
 
-  /// After a step of `first`: takes over what that moved, makes its own step, hands over what it moved.
-  void step(ManipulationEngine& first, std::int64_t now_ns);
+  /// After a step of the engine, see ManipulationEngine::stepSecond().
+  void step(std::int64_t now_ns) { engine_.stepSecond(now_ns); }
 
-  /// Adds what it holds, is near to and feels to the picture of `first`.
+  /// Adds what it holds, is near to and feels to the picture of the engine.
   void addTo(SceneSnapshot& snapshot);
 
  private:
   std::unique_ptr<haptic::HapticLink> link_;
-  ManipulationEngine engine_;
+  ManipulationEngine& engine_;
+  StylusHolder holder_;
 };
 
 }  // namespace hapticell::manipulation

@@ -46,7 +46,7 @@ Expected<workcell::EntityId> findEntity(const SessionOptions& options) {
 class WatchedEngine {
  public:
   WatchedEngine(haptic::HapticLink& link, const SessionOptions& options)
-      : options_(options), engine_(link, options.configuration), forces_(options.device.delay_ticks) {}
+      : options_(options), engine_(link, options.configuration), forces_(options.device.electronics.delay_ticks) {}
 
   void searchInThread() { engine_.searchInThread(); }
 
@@ -118,31 +118,31 @@ class WatchedEngine {
     report_.rate_gui_hz = rate(pictures_);
     std::sort(times_.begin(), times_.end());
     if (!times_.empty()) {
-      report_.step_median_ms = times_[times_.size() / 2];
-      report_.step_p99_ms = times_[times_.size() * 99 / 100];
-      report_.step_max_ms = times_.back();
+      report_.delays.step_median_ms = times_[times_.size() / 2];
+      report_.delays.step_p99_ms = times_[times_.size() * 99 / 100];
+      report_.delays.step_max_ms = times_.back();
     }
-    report_.force_max_n = forces_.maxForce();
-    report_.force_max_step_n_per_ms = forces_.maxStep();
-    report_.energy_min_j = forces_.leastEnergy();
-    report_.penetration_max_m = penetration_.worst();
-    report_.penetration_blocked_m = penetration_.worstBlocked();
+    report_.forces.force_max_n = forces_.maxForce();
+    report_.forces.force_max_step_n_per_ms = forces_.maxStep();
+    report_.forces.energy_min_j = forces_.leastEnergy();
+    report_.forces.penetration_max_m = penetration_.worst();
+    report_.forces.penetration_blocked_m = penetration_.worstBlocked();
     report_.contacts = contacts_.events();
     report_.limits = limits_.events();
     report_.joints = joints_.joints();
     for (const LimitState& limit : engine_.nearLimits()) {
-      if (limit.holds) report_.final_limits.push_back(limit.text);
+      if (limit.holds) report_.end.limits.push_back(limit.text);
     }
     takeRecordings();
-    report_.held = engine_.held() != nullptr;
-    report_.final_configuration = engine_.placement(entity_);
-    report_.X_WMFinal = start_->movedFrameWhen([&](workcell::EntityId id) { return engine_.placement(id); });
+    report_.end.held = engine_.held() != nullptr;
+    report_.end.configuration = engine_.placement(entity_);
+    report_.end.X_WM = start_->movedFrameWhen([&](workcell::EntityId id) { return engine_.placement(id); });
     for (const auto& [id, at] : start_->axes()) {
-      report_.axes.push_back({engine_.scene()->find(id)->name, engine_.placement(id)});
+      report_.end.axes.push_back({engine_.scene()->find(id)->name, engine_.placement(id)});
     }
     for (const std::size_t i : engine_.contacts()) {
       const std::string& name = engine_.scene()->find(engine_.held()->pairs()[i].other)->name;
-      auto& names = report_.final_contacts;
+      auto& names = report_.end.contacts;
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
     return report_;
@@ -276,8 +276,8 @@ Expected<SessionReport> runSession(const SessionOptions& options, const TraceSin
   SessionReport report = engine.finish(static_cast<double>(ticks) * period);
   report.ticks = ticks + 1;
   report.rate_haptic_hz = 1.0 / period;
-  report.latency_p50_ms = percentile(latencies, 0.5);
-  report.latency_p99_ms = percentile(latencies, 0.99);
+  report.delays.latency_p50_ms = percentile(latencies, 0.5);
+  report.delays.latency_p99_ms = percentile(latencies, 0.99);
   report.machine_time_s = secondsSince(begin);
   return report;
 }
@@ -408,8 +408,8 @@ Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const 
   report.ticks = first && last ? last->tick - first->tick + 1 : 0;
   report.ticks_missed = server.missed_ticks;
   report.rate_haptic_hz = server.rate_hz;
-  report.latency_p50_ms = server.set_age_p50_ms;
-  report.latency_p99_ms = server.set_age_p99_ms;
+  report.delays.latency_p50_ms = server.set_age_p50_ms;
+  report.delays.latency_p99_ms = server.set_age_p99_ms;
   report.machine_time_s = secondsSince(begin);
   link.sendHandTarget({false, {}, 0});
   return report;

@@ -11,8 +11,8 @@
 #include "config/device_profile.h"
 #include "geometry/system/error.h"
 #include "haptic/devices/hand_path.h"
-#include "manipulation/session/exercise.h"
 #include "manipulation/engine/manipulation_command.h"
+#include "manipulation/session/exercise.h"
 #include "manipulation/session/session_meter.h"
 #include "trajectory/motion/recorder.h"
 #include "workcell/entity/entity.h"
@@ -64,32 +64,46 @@ struct TraceRow {
 };
 using TraceSink = std::function<void(const TraceRow&)>;
 
+/// How late things were in a session, ms.
+struct SessionDelays {
+  double step_median_ms = 0.0, step_p99_ms = 0.0, step_max_ms = 0.0;  ///< Machine time of a step.
+  double latency_p50_ms = 0.0, latency_p99_ms = 0.0;  ///< From the query of a set to its use by the force loop.
+};
+
+/// The worst of what the hand and the parts met in a session.
+struct SessionForces {
+  double force_max_n = 0.0, force_max_step_n_per_ms = 0.0;
+  double penetration_blocked_m = 0.0;  ///< Of pairs that must not pass through each other.
+  double penetration_max_m = 0.0;
+  double energy_min_j = 0.0;
+};
+
+/// How a session ended.
+struct SessionEnd {
+  bool held = false;
+  EntityConfiguration configuration;
+  /// External axes by name, where they stand; empty unless they went along.
+  std::vector<std::pair<std::string, EntityConfiguration>> axes;
+  Pose X_WM;                          ///< The moved frame.
+  std::vector<std::string> contacts;  ///< Names of what it touches.
+  std::vector<std::string> limits;    ///< Why it does not follow: "A5 is at its upper limit".
+};
+
 /// What a session showed.
 struct SessionReport {
   double duration_s = 0.0;
   double machine_time_s = 0.0;
   double rate_haptic_hz = 0.0, rate_manipulation_hz = 0.0, rate_gui_hz = 0.0;
   std::uint64_t ticks = 0, ticks_missed = 0, steps = 0;
-  double step_median_ms = 0.0, step_p99_ms = 0.0, step_max_ms = 0.0;  ///< Machine time of a step.
-  double latency_p50_ms = 0.0, latency_p99_ms = 0.0;  ///< From the query of a set to its use by the force loop.
-  double force_max_n = 0.0, force_max_step_n_per_ms = 0.0;
-  double penetration_blocked_m = 0.0;  ///< Of pairs that must not pass through each other.
-  double penetration_max_m = 0.0;
-  double energy_min_j = 0.0;
+  SessionDelays delays;
+  SessionForces forces;
   std::vector<ContactEvent> contacts;
   std::vector<LimitEvent> limits;  ///< What of the entity itself held it, in the order of their beginning.
   std::vector<JointUse> joints;    ///< One a variable of a robot; empty for others.
   std::vector<std::string> notices;
-
-  bool held = false;  ///< At the end.
-  EntityConfiguration final_configuration;
-  /// External axes by name, where they stand at the end; empty unless they went along.
-  std::vector<std::pair<std::string, EntityConfiguration>> axes;
-  Pose X_WMFinal;
-  std::vector<std::string> final_contacts;  ///< Names of what it touches.
-  std::vector<std::string> final_limits;    ///< Why it does not follow: "A5 is at its upper limit".
-  double training_share = 0.0;              ///< Of the expert's way that was gone.
-  trajectory::Trajectory recording;         ///< Without frames where none was asked for, or nothing was moved.
+  SessionEnd end;
+  double training_share = 0.0;       ///< Of the expert's way that was gone.
+  trajectory::Trajectory recording;  ///< Without frames where none was asked for, or nothing was moved.
   std::vector<trajectory::Trajectory> other_recordings;  ///< Of what moved beside the chosen entity, on its clock.
 };
 

@@ -55,8 +55,8 @@ void ForceMeter::add(const MeteredTick& tick) {
   if (started_) {
     const double ms = std::max(1e-6, 1e3 * (tick.t - last_.t));
     max_step_ = std::max(max_step_, glm::length(tick.force_D - last_.force_D) / std::max(1.0, ms));
-    account_.add(tick.step_D, last_.coupling_D, tick.stiffness);
-    loss_.add(tick.t, account_.balance());
+    energy_.add(tick.step_D, last_.coupling_D, tick.stiffness);
+    energy_.note(tick.t);
   }
   started_ = true;
   last_ = tick;

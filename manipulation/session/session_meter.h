@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "haptic/rendering/energy_account.h"
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 
 namespace hapticell::manipulation {
 
@@ -28,18 +28,17 @@ struct MeteredTick {
 class ForceMeter {
  public:
   /// `delay_ticks` of the device, where it is known.
-  explicit ForceMeter(int delay_ticks = 0) : account_(delay_ticks) {}
+  explicit ForceMeter(int delay_ticks = 0) : energy_(delay_ticks) {}
   void add(const MeteredTick& tick);
   double maxForce() const { return max_force_; }
-  double maxStep() const { return max_step_; }          ///< N per ms.
-  double leastEnergy() const { return loss_.value(); }  ///< J, 0 or negative.
+  double maxStep() const { return max_step_; }            ///< N per ms.
+  double leastEnergy() const { return energy_.worst(); }  ///< J, 0 or negative.
 
  private:
   bool started_ = false;
   MeteredTick last_;
   double max_force_ = 0.0, max_step_ = 0.0;
-  haptic::EnergyAccount account_;
-  haptic::WorstLoss loss_;
+  haptic::EnergyLossMeter energy_;
 };
 
 /// One contact of two entities.

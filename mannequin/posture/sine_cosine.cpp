@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mannequin/posture/sine_cosine.h"
 
-#include <numbers>
-
 namespace hapticell::mannequin {
 
 namespace {
 
 constexpr double kTwoOverPi = 0.63661977236758134308;
-// A quarter turn in two parts, so that taking off a few of them loses nothing.
-constexpr double kQuarterHigh = 0.5 * std::numbers::pi;
+// A quarter turn in two parts, the first with fewer digits, so that taking off a few of them loses nothing.
+constexpr double kQuarterHigh = 1.5707963267341256;
 constexpr double kQuarterLow = 6.0771005065061922e-11;
 // Adding and taking off 1.5 * 2^52 rounds to the nearest integer.
 constexpr double kRounder = 6755399441055744.0;

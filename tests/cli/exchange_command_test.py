@@ -8,9 +8,13 @@ import csv
 import fcntl
 import json
 import math
+import os
+import re
+import subprocess
 import sys
 import zipfile
 
+import command_line_test
 from command_line_test import box, main, near, write_binary_stl
 
 ARM = """<robot name="arm"><link name="base"/><link name="l"><visual><origin xyz="0.1 0 0"/><geometry><box size="0.2 0.02 0.02"/>
@@ -47,6 +51,21 @@ def test_a_cell_that_is_open_elsewhere_is_not_replaced(case):
     case.run("workcell", "new", "a.hcell", "--add", "box:2,2,2")
     assert (case.folder / "a.hcell").read_bytes() != before and not lock.exists()
     assert sorted(path.name for path in case.folder.iterdir()) == ["a.hcell"], list(case.folder.iterdir())
+
+
+def test_damaged_entries_of_a_step_file_are_named_and_no_print_of_a_reader_is_in_the_answer(case):
+    write_binary_stl(case.folder / "box.stl", box((0.2, 0.1, 0.05), (0.3, 0.0, 0.1)))
+    case.run("convert", "box.stl", "-o", "box.step")
+    text = (case.folder / "box.step").read_text()
+    loud = dict(os.environ, HAPTICELL_IMPORTER_VERBOSE="1")
+    answers = 0
+    for found in list(re.finditer(r"#(\d+) = DIRECTION\('',\([^)]*\)\)", text))[:8]:
+        (case.folder / "bent.step").write_text(text[:found.start()] + f"#{found[1]} = DIRECTION('',$)" + text[found.end():])
+        done = subprocess.run([command_line_test.CLI, "inspect", "bent.step"], capture_output=True, text=True, cwd=case.folder, env=loud)
+        said = done.stderr if done.returncode == 2 else " ".join(json.loads(done.stdout)["warnings"])
+        assert done.returncode in (0, 2) and f"1 damaged entry (#{found[1]})" in said, (done.returncode, said)
+        answers += done.returncode == 0
+    assert answers > 0, "one of them at least is read without the entry"
 
 
 def test_every_writable_format_keeps_the_solid(case):

@@ -50,7 +50,7 @@ TEST(DeviceProfile, DrivesTurningOnlyWithATorque) {
 TEST(DeviceProfile, KeepsDefaultsOfKeysThatAreMissing) {
   const auto profile = parseDeviceProfile("[mechanics]\nweight = 0.2\n", "mine.toml");
   ASSERT_TRUE(profile.has_value());
-  EXPECT_EQ(profile->weight, 0.2);
+  EXPECT_EQ(profile->mechanics.weight, 0.2);
   EXPECT_EQ(profile->peak_force, 6.4);
   EXPECT_EQ(*parseDeviceProfile("", "mine.toml"), DeviceProfile{});
 }

@@ -89,7 +89,7 @@ TEST_P(FeelOf, ComesToRestWhenLetGo) {
   for (const ClientRate rate : kRates) {
     const auto scene = GetParam().make();
     config::DeviceProfile profile;
-    profile.weight = 0.44;  // All of the apparent mass: the worst case of the trial.
+    profile.mechanics.weight = 0.44;  // All of the apparent mass: the worst case of the trial.
     FeelSession session(*scene, {rate, {}, profile});
     pressAtRest(session, *scene);
     session.letGo(3.0);
@@ -131,8 +131,8 @@ TEST(Feel, LongerDelaysStayStableWithTheirStiffness) {
   for (const int delay : {1, 2, 3}) {
     for (const bool released : {false, true}) {
       config::DeviceProfile profile;
-      profile.delay_ticks = delay;
-      profile.weight = released ? 0.44 : profile.weight;
+      profile.electronics.delay_ticks = delay;
+      profile.mechanics.weight = released ? 0.44 : profile.mechanics.weight;
       haptic::RendererOptions options;
       options.delay = 1e-3 * delay;
       for (const Case& c : {kCases[0], kCases[5]}) {
@@ -164,8 +164,8 @@ TEST(Feel, SixDrivenAxesComeToRestToo) {
 TEST(Feel, TheMeasureSeesALimitCycle) {
   // A stiffness for one millisecond of delay on a device that has four.
   config::DeviceProfile profile;
-  profile.delay_ticks = 4;
-  profile.weight = 0.44;
+  profile.electronics.delay_ticks = 4;
+  profile.mechanics.weight = 0.44;
   haptic::RendererOptions options;
   options.stiffness = 1490.0;
   const auto scene = planeScene();

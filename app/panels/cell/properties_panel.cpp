@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panels/cell/properties_panel.h"
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/controls/frame_fields.h"
+#include "app/controls/pose_text.h"
+#include "app/controls/reference_choice.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
-#include "app/controls/color_choice.h"
 #include "app/kit/form.h"
-#include "app/controls/frame_fields.h"
-#include "app/controls/pose_text.h"
-#include "app/controls/reference_choice.h"
-#include "app/kit/swatch_row.h"
+#include "app/panels/cell/entity_choices.h"
 #include "app/robot/configuration_model.h"
 #include "app/style/eliding_label.h"
-#include "app/style/segmented.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "app/viewport/widget/viewport_widget.h"
@@ -32,10 +28,6 @@ namespace {
 
 constexpr int kNarrowLabel = 68;       // The dock is narrow.
 constexpr std::size_t kFewJoints = 6;  // Of more there are infinitely many ways.
-
-QColor colorOf(const workcell::Entity& entity) {
-  return QColor::fromRgbF(entity.color[0], entity.color[1], entity.color[2]);
-}
 
 }  // namespace
 
@@ -65,7 +57,7 @@ PropertiesPanel::PropertiesPanel(Host& host, QWidget* parent) : QWidget(parent),
   place_ = addPose(*inside, "place");
   frame_ = new FrameFields(host_);
   inside->addWidget(frame_);
-  addChoices(*inside);
+  choices_ = new EntityChoices(host_, *inside, this);
   for (ValueField* field : tool_.fields)
     connect(field, &ValueField::edited, this, [this] { placeTool(reference_W() * typed(tool_)); });
   for (ValueField* field : place_.fields)
@@ -119,65 +111,6 @@ PropertiesPanel::PoseBlock PropertiesPanel::addPose(QVBoxLayout& column, const c
   return block;
 }
 
-void PropertiesPanel::addChoices(QVBoxLayout& all) {
-  feel_ = new QWidget;
-  auto* feel_column = new QVBoxLayout(feel_);
-  feel_column->setContentsMargins(0, 0, 0, 0);
-  feel_column->setSpacing(all.spacing());
-  all.addWidget(feel_);
-  QVBoxLayout& column = *feel_column;
-  on_contact_ = new Segmented({tr("Stop"), tr("Slide"), tr("Pass")});
-  on_contact_->setObjectName("segmentsEntityOnContact");
-  column.addSpacing(2);
-  addRow(column, tr("On contact"), on_contact_, kNarrowLabel);
-  force_class_ = new Segmented({tr("Constant"), tr("Contact"), tr("Dynamics")});
-  force_class_->setObjectName("segmentsEntityForce");
-  addRow(column, tr("Force"), force_class_, kNarrowLabel);
-  material_ = new QComboBox;
-  for (const auto& [key, material] : host_.configuration().materials)
-    material_->addItem(QString::fromStdString(key).replace(0, 1, QString::fromStdString(key).left(1).toUpper()) +
-                           tr(", µ %1").arg(material.friction, 0, 'f', 2),
-                       QString::fromStdString(key));
-  addRow(column, tr("Material"), material_, kNarrowLabel);
-  mass_ = new ValueField({tr("kg"), 2, 0.01, 10000.0, 0.1});
-  mass_->setObjectName("fieldEntityMass");
-  mass_->setToolTip(tr("Felt in the class Dynamics; counts in the load of the robot that carries it"));
-  addRow(column, tr("Mass"), mass_, kNarrowLabel);
-  swatches_ = new SwatchRow(quietColors());
-  swatches_->offerOther();
-  addRow(column, tr("Colour"), swatches_, kNarrowLabel);
-  checked_ = new QCheckBox(tr("Checked for collision"));
-  locked_ = new QCheckBox(tr("Locked in place"));
-  for (QCheckBox* box : {checked_, locked_}) box->setMinimumHeight(24);
-  column.addWidget(checked_);
-  all.addWidget(locked_);
-  const auto execute = [this](auto&& edit) {
-    if (!entity()) return;
-    workcell::SetProperties change;
-    change.id = entity()->id;
-    edit(change);
-    if (!host_.documentModel().execute(change)) showChoices();
-  };
-  connect(on_contact_, &Segmented::chosen, this,
-          [=](int i) { execute([&](auto& c) { c.on_contact = static_cast<workcell::OnContact>(i); }); });
-  connect(force_class_, &Segmented::chosen, this,
-          [=](int i) { execute([&](auto& c) { c.force_class = static_cast<workcell::ForceClass>(i); }); });
-  connect(material_, &QComboBox::activated, this, [=, this](int i) {
-    execute([&](auto& c) { c.material = material_->itemData(i).toString().toStdString(); });
-  });
-  connect(mass_, &ValueField::edited, this, [=](double kg) { execute([&](auto& c) { c.mass = kg; }); });
-  const auto paint = [=](const QColor& color) {
-    execute([&](auto& c) {
-      c.color = {static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
-                 static_cast<float>(color.blueF())};
-    });
-  };
-  connect(swatches_, &SwatchRow::chosen, this, paint);
-  connect(swatches_, &SwatchRow::otherWanted, this, [=, this] { choosePartColor(host_, swatches_->current(), paint); });
-  connect(checked_, &QCheckBox::clicked, this, [=](bool on) { execute([&](auto& c) { c.checked = on; }); });
-  connect(locked_, &QCheckBox::clicked, this, [=](bool on) { execute([&](auto& c) { c.locked = on; }); });
-}
-
 const workcell::Entity* PropertiesPanel::entity() const {
   return host_.documentModel().document().find(host_.selection().current());
 }
@@ -203,14 +136,13 @@ void PropertiesPanel::rebuild() {
   const bool figure = now->figure != nullptr;
   tool_.holder->setVisible(robot && !figure && !now->tip_link.empty());
   frame_->showFrame(*now);
-  feel_->setVisible(now->kind != workcell::EntityKind::kFrame);
   // Nothing is placed in what goes with it; a tool centre point may be given in a frame on its own robot.
   reference_->leaveOut(robot ? 0 : now->id);
   showReference();
   joints_holder_->setVisible(robot && !figure);  // A posture is led by hands and feet: dock Mannequin.
   const void* model = now->robot.get();
   if (model != shown_model_ || now->tip_link != shown_tip_) rebuildJoints();
-  showChoices();
+  choices_->show();
   showNow();
 }
 
@@ -289,19 +221,6 @@ void PropertiesPanel::moveJoint(std::size_t variable, double value) {
   std::vector<double> all = now->joints;
   all[variable] = value * unitOf(now->robot->joints[static_cast<std::size_t>(now->robot->moving[variable])]);
   host_.documentModel().execute(workcell::SetJoints{now->id, all});
-}
-
-void PropertiesPanel::showChoices() {
-  const workcell::Entity* now = entity();
-  if (!now) return;
-  on_contact_->setCurrent(static_cast<int>(now->on_contact));
-  force_class_->setCurrent(static_cast<int>(now->force_class));
-  material_->setCurrentIndex(material_->findData(QString::fromStdString(now->material)));
-  mass_->setValue(now->mass);
-  swatches_->setCurrent(colorOf(*now));
-  swatches_->parentWidget()->setVisible(!now->robot);
-  checked_->setChecked(now->checked);
-  locked_->setChecked(now->locked);
 }
 
 void PropertiesPanel::show(const PoseBlock& block, const Pose& X) {

@@ -21,6 +21,7 @@ class InverseModel;
 
 namespace hapticell::app {
 
+class EntityChoices;
 class Host;
 class FrameFields;
 class ReferenceChoice;
@@ -46,11 +47,9 @@ class PropertiesPanel : public QWidget {
     std::array<ValueField*, 6> fields{};
   };
   PoseBlock addPose(QVBoxLayout& column, const char* name);
-  void addChoices(QVBoxLayout& all);
   void rebuild();
   void rebuildJoints();
   void showConfiguration(const workcell::Entity& robot, const Pose& X_WE, const std::vector<double>& q);
-  void showChoices();
   void showReference();
   Pose reference_W() const;
   Pose placeReference_W() const;
@@ -70,7 +69,7 @@ class PropertiesPanel : public QWidget {
   QWidget* reference_row_;
   PoseBlock tool_, place_;
   FrameFields* frame_;
-  QWidget* feel_;  ///< How it feels and looks; a frame does neither.
+  EntityChoices* choices_;
   QWidget* joints_holder_;
   QVBoxLayout* joints_column_;
   std::vector<JointRow*> rows_;
@@ -79,11 +78,6 @@ class PropertiesPanel : public QWidget {
   std::string shown_tip_;
   std::vector<double> shown_joints_;  ///< Whose configuration is shown.
   const void* shown_model_ = nullptr;
-  Segmented *on_contact_, *force_class_;
-  QComboBox* material_;
-  ValueField* mass_;
-  SwatchRow* swatches_;
-  QCheckBox *checked_, *locked_;
 };
 
 }  // namespace hapticell::app

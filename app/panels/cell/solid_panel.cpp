@@ -23,6 +23,7 @@
 #include "app/host/selection.h"
 #include "app/kit/form.h"
 #include "app/kit/swatch_row.h"
+#include "app/panels/cell/solid_place.h"
 #include "app/style/segmented.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
@@ -32,7 +33,6 @@ namespace hapticell::app {
 namespace {
 
 constexpr const char* kCurves = "solid";
-constexpr int kInParent = 1, kInFrame = 2;  // Of the choices of a reference.
 
 /// The middle of the solid's bounds in its own frame, as the hand takes it by kGeometricCenter.
 dvec3 centerOf(const workcell::Entity& solid) {
@@ -67,7 +67,7 @@ SolidPanel::SolidPanel(Host& host, QWidget* parent) : QWidget(parent), host_(hos
   inside->setContentsMargins(0, 0, 0, 0);
   inside->setSpacing(0);
   addTurn(*inside);
-  addPlace(*inside);
+  place_ = new SolidPlace(host_, *inside, this);
   sizes_ = new PartSizes(host_);
   inside->addWidget(sizes_);
   addFeel(*inside);
@@ -106,30 +106,6 @@ void SolidPanel::addTurn(QVBoxLayout& column) {
   connect(frame_, &QComboBox::activated, this,
           [this] { host_.holdChoice().set(by::Frame{frame_->currentText().toStdString()}); });
   connect(new_frame_, &QPushButton::clicked, this, &SolidPanel::pickFrame);
-}
-
-void SolidPanel::addPlace(QVBoxLayout& column) {
-  QVBoxLayout* section = addSection(column, {});
-  place_in_ = new Segmented({tr("World"), tr("Parent"), tr("Frame")});
-  place_in_->setObjectName("segmentsPlaceIn");
-  place_in_->setCurrent(0);
-  addRow(*section, tr("Place in"), place_in_);
-  place_frame_ = new ReferenceChoice(host_, {});
-  place_frame_->setObjectName("comboPlaceFrame");
-  place_frame_row_ = addRow(*section, tr("Frame"), place_frame_);
-  const char* const names[]{"X", "Y", "Z", "A", "B", "C"};
-  for (std::size_t i = 0; i < 6; ++i) {
-    const double range = i < 3 ? 1e6 : 360.0;
-    place_[i] = new ValueField({i < 3 ? tr("mm") : QStringLiteral("°"), 1, -range, range, 1.0});
-    place_[i]->setObjectName(QStringLiteral("fieldSolid") + QString::fromLatin1(names[i]));
-    connect(place_[i], &ValueField::edited, this, &SolidPanel::place);
-  }
-  addRow(*section, tr("X Y Z"), sideBySide({place_[0], place_[1], place_[2]}));
-  addRow(*section, tr("A B C"), sideBySide({place_[3], place_[4], place_[5]}));
-  for (std::size_t i = 0; i < 6; ++i)
-    place_[i]->setAccessibleName(QString::fromLatin1(names[i]) + (i < 3 ? tr(" in millimetres") : tr(" in degrees")));
-  connect(place_in_, &Segmented::chosen, this, &SolidPanel::rebuild);
-  connect(place_frame_, &ReferenceChoice::referenceChanged, this, &SolidPanel::showNow);
 }
 
 void SolidPanel::addFeel(QVBoxLayout& column) {
@@ -247,42 +223,12 @@ void SolidPanel::showFeel(const workcell::Entity& solid) {
   triangles_->setText(
       tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(solid.mesh->triangles.size()))));
   color_->setCurrent(QColor::fromRgbF(solid.color[0], solid.color[1], solid.color[2]));
-  place_in_->setChoiceEnabled(kInParent, !solid.attachment.to.empty() || !solid.parent.empty(),
-                              tr("It stands below nothing"));
-  for (ValueField* field : place_) field->setEnabled(!solid.locked);
-  place_frame_->leaveOut(solid.id);
-  const bool frames = place_frame_->hasFrames();
-  if (!frames && place_in_->current() == kInFrame) place_in_->setCurrent(0);
-  place_in_->setChoiceEnabled(kInFrame, frames, tr("This cell has no frame yet: Insert, Frame makes one"));
-  place_frame_row_->setVisible(frames);
-  place_frame_->setEnabled(place_in_->current() == kInFrame);
-}
-
-/// What its place is given in.
-Pose SolidPanel::placeReference_W(const workcell::Entity& solid) const {
-  if (place_in_->current() == kInFrame) return place_frame_->frame_W().value_or(Pose::identity());
-  return place_in_->current() == kInParent ? parentPose_W(state(), solid) : Pose::identity();
-}
-
-void SolidPanel::showPlace(const workcell::Entity& solid) {
-  const Pose X_WE = host_.viewport().scene().placement_W(solid);
-  const auto numbers = poseNumbers(placeReference_W(solid).inverse() * X_WE);
-  for (std::size_t i = 0; i < 6; ++i)
-    if (!place_[i]->hasFocus()) place_[i]->setValue(numbers[i]);
-}
-
-void SolidPanel::place() {
-  const workcell::Entity* now = solid();
-  if (!now) return;
-  std::array<double, 6> numbers{};
-  for (std::size_t i = 0; i < 6; ++i) numbers[i] = place_[i]->value();
-  const Pose X_WE = placeReference_W(*now) * poseFromNumbers(numbers);
-  if (!host_.documentModel().execute(workcell::SetPlacement{now->id, X_WE})) showPlace(*now);
+  place_->showChoices(solid);
 }
 
 void SolidPanel::showNow() {
   const workcell::Entity* now = solid();
-  if (now && isSeen(*this)) showPlace(*now);
+  if (now && isSeen(*this)) place_->showNow(*now);
   showMarks();
 }
 

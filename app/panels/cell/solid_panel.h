@@ -17,7 +17,7 @@ namespace hapticell::app {
 class Host;
 class PartSizes;
 class Segmented;
-class ReferenceChoice;
+class SolidPlace;
 class SwatchRow;
 class ValueField;
 
@@ -35,16 +35,12 @@ class SolidPanel : public QWidget {
 
  private:
   void addTurn(QVBoxLayout& column);
-  void addPlace(QVBoxLayout& column);
   void addFeel(QVBoxLayout& column);
   void addFlags(QVBoxLayout& column);
   void rebuild();
   void showTurn(const workcell::Entity& solid);
-  void showPlace(const workcell::Entity& solid);
-  Pose placeReference_W(const workcell::Entity& solid) const;
   void showFeel(const workcell::Entity& solid);
   void pickFrame();
-  void place();
   void execute(workcell::SetProperties change);
   const workcell::Entity* solid() const;
   const workcell::DocumentState& state() const;
@@ -52,13 +48,11 @@ class SolidPanel : public QWidget {
   Host& host_;
   QLabel *nothing_, *title_, *turn_note_, *triangles_;
   QWidget* content_;
-  Segmented *turns_, *place_in_, *force_class_, *on_contact_;
+  Segmented *turns_, *force_class_, *on_contact_;
   QComboBox *frame_, *material_;
   QWidget* frame_row_;
-  ReferenceChoice* place_frame_;  ///< In which frame, where one of the cell is meant.
-  QWidget* place_frame_row_;
   QPushButton* new_frame_;
-  std::array<ValueField*, 6> place_{};
+  SolidPlace* place_;
   ValueField* mass_;
   QCheckBox *visible_, *checked_, *locked_;
   SwatchRow* color_;

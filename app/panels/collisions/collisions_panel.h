@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "app/panels/collisions/contact_log_page.h"
-#include "app/panels/collisions/pair_rows.h"
+#include "app/panels/collisions/pair_table_model.h"
 #include "app/panels/collisions/rest_check.h"
 
 class QBoxLayout;

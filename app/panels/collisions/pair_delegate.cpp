@@ -3,7 +3,7 @@
 
 #include <QPainter>
 
-#include "app/panels/collisions/pair_rows.h"
+#include "app/panels/collisions/pair_table_model.h"
 #include "app/style/fonts.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
@@ -70,8 +70,8 @@ void PairDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   QColor color = !checked ? theme.text3 : measured ? theme.text1 : theme.text2;
   if (index.column() == PairTableModel::kState) {
     paintState(*painter, QPointF(text.left() + 10.0, text.center().y() + 0.5), index, theme);
-    if (checked && markOf(index) == Mark::kContact) color = theme.contact_text;
-    if (checked && markOf(index) == Mark::kNearMiss) color = theme.near_miss_text;
+    if (checked && markOf(index) == Mark::kContact) color = theme.words.contact;
+    if (checked && markOf(index) == Mark::kNearMiss) color = theme.words.near_miss;
     text.adjust(26, 0, 0, 0);
   } else if (index.column() == PairTableModel::kDistance) {
     const bool bar = option.rect.width() >= kDistanceRoom + kBarRoom;

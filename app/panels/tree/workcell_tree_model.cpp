@@ -54,6 +54,10 @@ WorkcellTreeModel::WorkcellTreeModel(DocumentModel& document, QObject* parent)
   connect(&document_, &DocumentModel::changed, this, &WorkcellTreeModel::documentChanged);
 }
 
+std::vector<TreeRow> WorkcellTreeModel::build() const {
+  return WorkcellTreeRows(document_, motion_frames_).build();
+}
+
 void WorkcellTreeModel::documentChanged() {
   takeRows(build());
 }

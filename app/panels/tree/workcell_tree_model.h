@@ -3,12 +3,11 @@
 
 #include <QAbstractItemModel>
 #include <array>
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/host/document_model.h"
+#include "app/panels/tree/workcell_tree_rows.h"
 #include "app/viewport/scene/strip_text.h"
 #include "manipulation/engine/scene_snapshot.h"
 
@@ -39,35 +38,10 @@ class WorkcellTreeModel : public QAbstractItemModel {
     kMotionFrameRole,            ///< Index of a trajectory's frame as qulonglong; no value for other rows.
     kCheckedRole,                ///< bool: of a trajectory's frame, a check went over it.
   };
-  enum class Kind {
-    kCell,
-    kFolder,
-    kEntity,
-    kTcp,
-    kLink,
-    kFrame,
-    kPairSets,
-    kPairSet,
-    kTrajectories,
-    kTrajectory,
-    kMotionFrame
-  };
-  /// A frame of a trajectory as a row below it, standing for the way on to the next row.
-  struct MotionFrame {
-    QString name;             ///< "Frame 12 · 0.11 s", or the point's own name in front.
-    QString own_name;         ///< What users call the point; empty: nothing.
-    std::size_t frame = 0;    ///< Its index.
-    QString finding;          ///< What a check found there; empty: nothing.
-    Mark mark = Mark::kNone;  ///< The strongest of it.
-    bool checked = false;
-    bool operator==(const MotionFrame&) const = default;
-  };
-  struct MotionRows {
-    std::string entity;  ///< Whose motion it is; its row stands below that one's.
-    std::vector<MotionFrame> frames;
-    bool operator==(const MotionRows&) const = default;
-  };
-  using MotionFrames = std::map<std::string, MotionRows>;  ///< By the trajectory's name.
+  using Kind = TreeRow::Kind;
+  using MotionFrame = TreeMotionFrame;
+  using MotionRows = TreeMotionRows;
+  using MotionFrames = TreeMotionFrames;
 
   explicit WorkcellTreeModel(DocumentModel& document, QObject* parent = nullptr);
 
@@ -109,29 +83,9 @@ class WorkcellTreeModel : public QAbstractItemModel {
   void pointMoveWanted(const QString& motion, qulonglong frame, qulonglong to);
 
  private:
-  struct Node {
-    Kind kind = Kind::kEntity;
-    QString name, part;
-    workcell::EntityId entity = 0;
-    int parent = -1, row = 0;
-    std::vector<int> children;
-    Mark mark = Mark::kNone;
-    const MotionFrame* frame = nullptr;  ///< In motion_frames_.
-    bool operator==(const Node& other) const {
-      return kind == other.kind && name == other.name && part == other.part && entity == other.entity &&
-             parent == other.parent;
-    }
-  };
+  using Node = TreeRow;
   std::vector<Node> build() const;
-  using Motions = std::multimap<std::string, const workcell::TrajectoryReference*>;  // By the name of whose they are.
-  void appendMotion(std::vector<Node>& nodes, int parent, const workcell::TrajectoryReference& motion) const;
-  Motions motionsByEntity() const;
   bool dropFrame(const QByteArray& dragged, int row, const Node& onto);
-  static int append(std::vector<Node>& nodes, int parent, Node node);
-  using Children = std::multimap<std::string, const workcell::Entity*>;  // By the name of what they stand below.
-  void appendEntity(std::vector<Node>& nodes, int parent, const workcell::Entity& entity, const Children& children,
-                    const Motions& motions) const;
-  static void appendRobot(std::vector<Node>& nodes, int row, const workcell::Entity& entity);
   void documentChanged();
   void takeRows(std::vector<Node> fresh);
   void updateMarks();

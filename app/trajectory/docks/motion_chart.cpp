@@ -140,7 +140,7 @@ std::vector<MotionChart::Shown> MotionChart::shown(Order order) const {
   std::vector<Shown> result;
   if (!curves_ || curves_->samples == 0) return result;
   const Theme& theme = themeOf(palette());
-  const QColor colors[3] = {theme.axis_x, theme.axis_y, theme.axis_z};
+  const QColor colors[3] = {theme.scene.axis_x, theme.scene.axis_y, theme.scene.axis_z};
   const Qt::PenStyle styles[3] = {Qt::SolidLine, Qt::DashLine, Qt::DotLine};
   const auto add = [&](const MotionCurve& curve, std::size_t index, bool path) {
     result.push_back(shownCurve(curve, order));

@@ -2,19 +2,19 @@
 // How the panel is put together; what its buttons do stands in motion_panel_edit.cpp.
 #include "app/trajectory/docks/motion_panel.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "app/kit/form.h"
-#include "app/style/segmented.h"
-#include "app/style/theme.h"
-#include "app/style/value_field.h"
+#include "app/trajectory/docks/clean_fields.h"
+#include "app/trajectory/docks/motion_facts.h"
+#include "app/trajectory/docks/named_field.h"
+#include "app/trajectory/docks/program_fields.h"
+#include "app/trajectory/docks/recording_fields.h"
+#include "app/trajectory/docks/timing_fields.h"
 #include "app/trajectory/motions/motion_export.h"
 #include "app/trajectory/motions/motion_list.h"
 #include "app/trajectory/motions/motion_player.h"
@@ -22,13 +22,6 @@
 
 namespace hapticell::app {
 namespace {
-
-ValueField* field(const char* name, const ValueField::Format& format, double value) {
-  auto* made = new ValueField(format);
-  made->setObjectName(name);
-  made->setValue(value);
-  return made;
-}
 
 QLabel* said(const char* name, int lines) {
   auto* label = makeLive(lines, TextRole::kSecond, true);
@@ -38,9 +31,8 @@ QLabel* said(const char* name, int lines) {
 
 }  // namespace
 
-MotionPanel::MotionPanel(Host& host, const Parts& parts, QWidget* parent)
+MotionPanel::MotionPanel(const Parts& parts, QWidget* parent)
     : QWidget(parent),
-      host_(host),
       list_(parts.list),
       player_(parts.player),
       work_(parts.work),
@@ -67,10 +59,8 @@ MotionPanel::MotionPanel(Host& host, const Parts& parts, QWidget* parent)
   });
   connect(&player_, &MotionPlayer::changed, this, &MotionPanel::showFrame);
   connect(&bar_, &TimeBar::partChanged, this, &MotionPanel::showFrame);
-  connect(&list_.work(), &BackgroundWork::progressed, this, &MotionPanel::showProgress);
   show();
   showCheck();
-  showProgress();
 }
 
 QPushButton* MotionPanel::action(const char* name, const QString& text, const QString& tip, std::function<void()> act) {
@@ -84,32 +74,16 @@ QPushButton* MotionPanel::action(const char* name, const QString& text, const QS
 
 void MotionPanel::addRecording(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Recording"));
-  mode_ = new Segmented({tr("Time"), tr("Distance"), tr("By hand"), tr("All")});
-  mode_->setObjectName("segmentedRecording");
-  mode_->setCurrent(0);
-  addRow(*section, tr("A frame by"), mode_);
-  interval_ = field("fieldInterval", {tr("ms"), 0, 1, 60000, 10}, 10);
-  interval_row_ = addRow(*section, tr("Every"), interval_);
-  spacing_ = field("fieldSpacing", {tr("mm"), 1, 0.01, 10000, 1}, 5.0);
-  turn_spacing_ = field("fieldTurnSpacing", {QStringLiteral("°"), 1, 0.01, 360, 1}, 5.0);
-  spacing_row_ = addRow(*section, tr("Every"), sideBySide({spacing_, turn_spacing_}));
-  second_button_ = new QCheckBox(tr("Second stylus button adds a frame"));
-  second_button_->setObjectName("checkSecondButton");
-  section->addWidget(second_button_);
+  recording_ = new RecordingFields(*section, this);
   auto* words = makeLabel(tr("R records, Shift+R adds a frame. Recording begins with the first motion."),
                           TextRole::kSecond, true);
   words->setWordWrap(true);
   section->addWidget(words);
-  connect(mode_, &Segmented::chosen, this, &MotionPanel::show);
 }
 
 void MotionPanel::addMotion(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Motion"));
-  name_ = new QLineEdit;
-  name_->setObjectName("editMotionName");
-  addRow(*section, tr("Name"), name_);
-  facts_ = said("labelMotionFacts", 2);
-  section->addWidget(facts_);
+  facts_ = new MotionFacts(list_, *section, this);
   auto* import = new QPushButton(tr("Import…"));
   import->setObjectName("buttonImportMotion");
   connect(import, &QPushButton::clicked, this, [this] { files_.askImport(); });
@@ -117,65 +91,23 @@ void MotionPanel::addMotion(QVBoxLayout& column) {
       {import, action("buttonRemoveMotion", tr("Remove"), tr("Takes it out of the cell; its file stays"), [this] {
          if (const Motion* motion = list_.current()) list_.remove(motion->name);
        })}));
-  line_ = said("labelMotionResult", 3);
-  section->addWidget(line_);
-  busy_ = makeLabel({}, TextRole::kSecond, true);
-  busy_->setObjectName("labelMotionBusy");
-  progress_ = new QProgressBar;
-  progress_->setTextVisible(false);
-  progress_->setFixedHeight(6);
-  cancel_ = new QPushButton(tr("Cancel"));
-  cancel_->setObjectName("buttonCancelMotionWork");
-  for (QWidget* widget :
-       {static_cast<QWidget*>(busy_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
-    QSizePolicy policy = widget->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    widget->setSizePolicy(policy);
-    section->addWidget(widget);
-  }
-  connect(cancel_, &QPushButton::clicked, this, [this] { list_.work().cancel(); });
-  connect(name_, &QLineEdit::editingFinished, this, [this] {
-    const Motion* motion = list_.current();
-    if (motion && !name_->text().trimmed().isEmpty()) list_.rename(motion->name, name_->text());
-    show();
-  });
+  facts_->addResult(*section);
 }
 
 void MotionPanel::addClean(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Clean"));
-  tolerance_ = field("fieldTolerance", {tr("mm"), 2, 0.01, 1000, 0.5}, 1.0);
-  turn_tolerance_ = field("fieldTurnTolerance", {QStringLiteral("°"), 2, 0.01, 90, 0.5}, 1.0);
-  sections_.emplace_back(tr("Clean"), addRow(*section, tr("Within"), sideBySide({tolerance_, turn_tolerance_})));
-  keep_free_ = new QCheckBox(tr("Keep it free of collisions"));
-  keep_free_->setObjectName("checkKeepFree");
-  keep_free_->setChecked(true);
-  section->addWidget(keep_free_);
+  clean_ = new CleanFields(*section, this);
+  sections_.emplace_back(tr("Clean"), clean_->firstRow());
   section->addWidget(sideBySide(
       {action("buttonSmoothMotion", tr("Smooth"), tr("Takes the hand's tremor, keeps the path"), [this] { smooth(); }),
        action("buttonSimplify", tr("Simplify"), tr("Only the frames that are needed"),
-              [this] { work_.simplify(tolerance()); })}));
-}
-
-trajectory::PathTolerance MotionPanel::tolerance() const {
-  // A joint moves a tool a metre away by as much.
-  return {1e-3 * tolerance_->value(), turn_tolerance_->value() * 0.017453292519943295, 1e-3 * tolerance_->value()};
+              [this] { work_.simplify(clean_->tolerance()); })}));
 }
 
 void MotionPanel::addTiming(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Timing"));
-  timing_ = new QComboBox;
-  timing_->setObjectName("comboTiming");
-  timing_->addItems(
-      {tr("As recorded"), tr("Constant speed"), tr("Fastest in the limits"), tr("Fastest, limited jerk")});
-  timing_->setCurrentIndex(2);
-  addRow(*section, tr("Times"), timing_);
-  speed_ = field("fieldSpeed", {tr("mm/s"), 0, 1, 5000, 10}, 100);
-  speed_row_ = addRow(*section, tr("Speed"), speed_);
-  jerk_time_ = field("fieldJerkTime", {tr("ms"), 0, 5, 2000, 10}, 100);
-  jerk_row_ = addRow(*section, tr("Ramp"), jerk_time_);
-  jerk_time_->setToolTip(tr("Time in which the greatest acceleration is reached"));
+  timing_ = new TimingFields(*section, this);
   section->addWidget(action("buttonRetime", tr("Re-time"), tr("New times along the same path"), [this] { retime(); }));
-  connect(timing_, &QComboBox::currentIndexChanged, this, &MotionPanel::show);
 }
 
 void MotionPanel::addCheck(QVBoxLayout& column) {
@@ -197,31 +129,11 @@ void MotionPanel::addCheck(QVBoxLayout& column) {
 
 void MotionPanel::addExport(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Export"));
-  format_ = new QComboBox;
-  format_->setObjectName("comboMotionFormat");
-  for (const MotionFormat& format : motionFormats()) format_->addItem(format.name, format.word);
-  sections_.emplace_back(tr("Export"), addRow(*section, tr("As"), format_));
-  program_speed_ = field("fieldProgramSpeed", {tr("mm/s"), 0, 1, 5000, 10}, 250);
-  blend_ = field("fieldBlend", {tr("mm"), 1, 0, 200, 1}, 2.0);
-  blend_->setToolTip(tr("Rounding between lines"));
-  addRow(*section, tr("Speed"), sideBySide({program_speed_, blend_}));
-  program_tool_ = new QLineEdit;
-  program_tool_->setObjectName("editProgramTool");
-  program_tool_->setPlaceholderText(tr("the controller's"));
-  addRow(*section, tr("Tool"), program_tool_);
-  program_base_ = new QLineEdit;
-  program_base_->setObjectName("editProgramBase");
-  program_base_->setPlaceholderText(tr("the controller's"));
-  addRow(*section, tr("Base"), program_base_);
+  program_ = new ProgramFields(*section, this);
+  sections_.emplace_back(tr("Export"), program_->firstRow());
   section->addWidget(
-      action("buttonExport", tr("Export…"), tr("Tool, base and safety stay the controller's own"), [this] {
-        trajectory::ProgramOptions options;
-        options.speed = 1e-3 * program_speed_->value();
-        options.blend = 1e-3 * blend_->value();
-        options.tool = program_tool_->text().trimmed().toStdString();
-        options.base = program_base_->text().trimmed().toStdString();
-        files_.askExport(format_->currentData().toString(), options, tolerance());
-      }));
+      action("buttonExport", tr("Export…"), tr("Tool, base and safety stay the controller's own"),
+             [this] { files_.askExport(program_->format(), program_->options(), clean_->tolerance()); }));
 }
 
 void MotionPanel::addShape(QVBoxLayout& column) {
@@ -265,7 +177,7 @@ void MotionPanel::addShape(QVBoxLayout& column) {
                 });
               }),
        mirror_}));
-  way_ = field("fieldWay", {tr("mm"), 0, 1, 2000, 10}, 50);
+  way_ = namedField("fieldWay", {tr("mm"), 0, 1, 2000, 10}, 50);
   way_->setToolTip(tr("Length of the approach or retract, along the tool's axis"));
   section->addWidget(sideBySide(
       {action("buttonApproach", tr("Approach"), tr("A straight way before it"), [this] { addWay(true); }),
@@ -284,10 +196,10 @@ void MotionPanel::addFrames(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Frame"));
   frame_label_ = said("labelFrame", 2);
   section->addWidget(frame_label_);
-  reach_ = field("fieldReach", {tr("s"), 2, 0, 60, 0.1}, 0.5);
+  reach_ = namedField("fieldReach", {tr("s"), 2, 0, 60, 0.1}, 0.5);
   reach_->setToolTip(tr("Frames so near in time go along when a frame is moved"));
   addRow(*section, tr("Takes along"), reach_);
-  dwell_ = field("fieldDwell", {tr("s"), 2, 0, 3600, 0.5}, 0.0);
+  dwell_ = namedField("fieldDwell", {tr("s"), 2, 0, 3600, 0.5}, 0.0);
   auto* dwell = action("buttonDwell", tr("Wait here"), tr("A process point: the motion rests here so long"), [this] {
     if (!frame_) return;
     work_.edit(tr("with a wait"),

@@ -8,23 +8,23 @@
 #include "app/trajectory/docks/time_bar.h"
 #include "manipulation/engine/manipulation_command.h"
 
-class QCheckBox;
 class QComboBox;
 class QLabel;
-class QLineEdit;
 class QListWidget;
-class QProgressBar;
 class QPushButton;
 class QVBoxLayout;
 
 namespace hapticell::app {
 
-class Host;
+class CleanFields;
 class MotionExport;
+class MotionFacts;
 class MotionList;
 class MotionPlayer;
 class MotionWork;
-class Segmented;
+class ProgramFields;
+class RecordingFields;
+class TimingFields;
 class ValueField;
 
 /// The dock *Motion*: how is recorded, and all that can be done with the current motion. Every edit gives a copy.
@@ -38,7 +38,7 @@ class MotionPanel : public QWidget {
     MotionExport& files;
     TimeBar& bar;
   };
-  MotionPanel(Host& host, const Parts& parts, QWidget* parent = nullptr);
+  explicit MotionPanel(const Parts& parts, QWidget* parent = nullptr);
 
   /// As the user chose it.
   manipulation::command::StartRecording recordingWanted() const;
@@ -62,7 +62,6 @@ class MotionPanel : public QWidget {
   void addMotion(QVBoxLayout& column);
   void addShape(QVBoxLayout& column);
   void addFrames(QVBoxLayout& column);
-  trajectory::PathTolerance tolerance() const;
   void addClean(QVBoxLayout& column);
   void addTiming(QVBoxLayout& column);
   void addCheck(QVBoxLayout& column);
@@ -71,31 +70,27 @@ class MotionPanel : public QWidget {
   void show();
   void showCheck();
   void showFrame();
-  void showProgress();
   std::optional<TimeBar::Part> part() const;
   void retime();
   void insertFrame();
   void deletePart();
   void addWay(bool approach);
 
-  Host& host_;
   MotionList& list_;
   MotionPlayer& player_;
   MotionWork& work_;
   MotionExport& files_;
   TimeBar& bar_;
   std::optional<std::size_t> frame_;
-  Segmented* mode_;
-  ValueField *interval_, *spacing_, *turn_spacing_, *tolerance_, *turn_tolerance_, *speed_, *jerk_time_, *dwell_, *way_,
-      *reach_, *blend_, *program_speed_;
-  QWidget *interval_row_, *spacing_row_, *speed_row_, *jerk_row_;
-  QCheckBox *second_button_, *keep_free_;
-  QLineEdit *name_, *program_tool_, *program_base_;
-  QLabel *facts_, *line_, *frame_label_, *busy_;
-  QComboBox *format_, *mirror_, *timing_;
+  RecordingFields* recording_;
+  MotionFacts* facts_;
+  CleanFields* clean_;
+  TimingFields* timing_;
+  ProgramFields* program_;
+  ValueField *dwell_, *way_, *reach_;
+  QLabel* frame_label_;
+  QComboBox* mirror_;
   QListWidget* findings_;
-  QProgressBar* progress_;
-  QPushButton* cancel_;
   std::vector<QPushButton*> need_motion_, need_frame_;
   std::vector<std::pair<QString, QWidget*>> sections_;
 };

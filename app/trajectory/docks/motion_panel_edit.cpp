@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the buttons of the motion panel do, and what it shows.
-#include <QCheckBox>
-#include <QComboBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
-#include <QProgressBar>
 #include <QPushButton>
-#include <cmath>
 
 #include "app/host/host.h"
-#include "app/style/segmented.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
+#include "app/trajectory/docks/clean_fields.h"
+#include "app/trajectory/docks/motion_facts.h"
 #include "app/trajectory/docks/motion_panel.h"
+#include "app/trajectory/docks/recording_fields.h"
+#include "app/trajectory/docks/timing_fields.h"
 #include "app/trajectory/motions/motion_list.h"
 #include "app/trajectory/motions/motion_player.h"
 #include "app/trajectory/motions/motion_work.h"
@@ -22,8 +20,6 @@
 
 namespace hapticell::app {
 namespace {
-
-constexpr double kRadians = 0.017453292519943295;
 
 using Made = Expected<std::vector<trajectory::Trajectory>>;
 
@@ -35,15 +31,7 @@ Made oneOf(Expected<trajectory::Trajectory> made) {
 }  // namespace
 
 manipulation::command::StartRecording MotionPanel::recordingWanted() const {
-  using trajectory::RecordingMode;
-  constexpr RecordingMode kModes[] = {RecordingMode::kByTime, RecordingMode::kByDistance, RecordingMode::kByHand,
-                                      RecordingMode::kEveryStep};
-  manipulation::command::StartRecording wanted;
-  wanted.options.mode = kModes[std::max(0, mode_->current())];
-  wanted.options.interval_s = 1e-3 * interval_->value();
-  wanted.options.spacing = {1e-3 * spacing_->value(), kRadians * turn_spacing_->value()};
-  wanted.mark_by_button = second_button_->isChecked();
-  return wanted;
+  return recording_->wanted();
 }
 
 double MotionPanel::reach() const {
@@ -51,15 +39,11 @@ double MotionPanel::reach() const {
 }
 
 void MotionPanel::showLine(const QString& line, bool careful) {
-  line_->setText(line);
-  line_->setForegroundRole(careful ? QPalette::WindowText : kQuietText);
-  line_->setPalette({});
+  facts_->showLine(line, careful);
 }
 
 void MotionPanel::markMissed() {
-  QPalette red = line_->palette();
-  red.setColor(QPalette::WindowText, themeOf(palette()).contact);
-  line_->setPalette(red);
+  facts_->markMissed();
 }
 
 void MotionPanel::setFrame(std::optional<std::size_t> frame) {
@@ -79,29 +63,10 @@ std::optional<TimeBar::Part> MotionPanel::part() const {
 }
 
 void MotionPanel::show() {
-  const int mode = mode_->current();
-  interval_row_->setVisible(mode == 0);
-  spacing_row_->setVisible(mode == 1);
-  speed_row_->setVisible(timing_->currentIndex() == 1);
-  jerk_row_->setVisible(timing_->currentIndex() == 3);
   const Motion* motion = list_.current();
   const bool any = motion && motion->trajectory;
   for (QPushButton* button : need_motion_) button->setEnabled(any);
-  name_->setEnabled(motion != nullptr);
-  if (!name_->hasFocus()) name_->setText(motion ? QString::fromStdString(motion->name) : QString());
-  if (!any) {
-    facts_->setText(motion ? (motion->problem.isEmpty() ? tr("being read") : motion->problem)
-                           : tr("No motion yet. Record one, or import a file."));
-  } else {
-    const auto& trajectory = *motion->trajectory;
-    QStringList words{tr("frames: %1").arg(trajectory.size()), tr("%1 s").arg(trajectory.duration(), 0, 'f', 2)};
-    if (!trajectory.entity.empty()) words << tr("of %1").arg(QString::fromStdString(trajectory.entity));
-    if (!trajectory.moved.empty()) words << tr("by %1").arg(QString::fromStdString(trajectory.moved));
-    if (trajectory.hasJoints()) words << tr("joints: %1").arg(trajectory.joint_names.size());
-    if (!trajectory.touches.empty()) words << tr("contacts felt: %1").arg(trajectory.touches.size());
-    facts_->setText(words.join(QStringLiteral(" · ")) +
-                    (motion->problem.isEmpty() ? QString() : QStringLiteral("\n") + motion->problem));
-  }
+  facts_->show();
   showFrame();
   showCheck();
 }
@@ -147,18 +112,9 @@ void MotionPanel::showFrame() {
   frame_label_->setText(text);
 }
 
-void MotionPanel::showProgress() {
-  BackgroundWork& work = list_.work();
-  const bool busy = work.isBusy();
-  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, cancel_, busy_}) widget->setVisible(busy);
-  if (!busy) return;
-  const auto progress = work.progress();
-  busy_->setText(QStringLiteral("%1 · %2 %").arg(work.name()).arg(std::lround(100.0 * progress.share)));
-  progress_->setValue(static_cast<int>(100.0 * progress.share));
-}
-
 void MotionPanel::smooth() {
-  work_.smooth({1e-3 * tolerance_->value(), kRadians * turn_tolerance_->value()}, keep_free_->isChecked());
+  const trajectory::PathTolerance within = clean_->tolerance();
+  work_.smooth({within.position, within.angle}, clean_->keepsFree());
 }
 
 void MotionPanel::trim() {
@@ -175,17 +131,12 @@ void MotionPanel::trim() {
 }
 
 void MotionPanel::retime() {
-  trajectory::RetimingOptions options;
-  if (timing_->currentIndex() == 0) {
-    const double sample = 1e-3 * interval_->value();
+  if (timing_->isAsRecorded()) {
+    const double sample = recording_->interval();
     return work_.edit(tr("resampled"),
                       [sample](const auto& given) { return oneOf(trajectory::resampled(given, sample)); });
   }
-  options.mode =
-      timing_->currentIndex() == 1 ? trajectory::TimingMode::kConstantSpeed : trajectory::TimingMode::kTimeOptimal;
-  options.speed = 1e-3 * speed_->value();
-  if (timing_->currentIndex() == 3) options.limits.jerk = {1e-3 * jerk_time_->value()};
-  work_.retime(options, keep_free_->isChecked());
+  work_.retime(timing_->options(), clean_->keepsFree());
 }
 
 void MotionPanel::insertFrame() {
@@ -218,7 +169,7 @@ void MotionPanel::deletePart() {
 void MotionPanel::addWay(bool approach) {
   trajectory::StraightWay way;
   way.length = 1e-3 * way_->value();
-  way.speed = 1e-3 * speed_->value();
+  way.speed = timing_->speed();
   work_.edit(approach ? tr("with approach") : tr("with retract"), [way, approach](const auto& given) {
     return oneOf(approach ? trajectory::withApproach(given, way) : trajectory::withRetract(given, way));
   });

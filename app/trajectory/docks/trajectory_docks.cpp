@@ -63,7 +63,7 @@ class TrajectoryDocks : public QObject {
         training_(host, list_, this) {
     panel_ = new TrajectoryPanel(host_, list_, player_);
     dock_ = makeDock("dockTrajectory", tr("Trajectory"), panel_);
-    motion_ = new MotionPanel(host_, {list_, player_, work_, files_, panel_->timeBar()});
+    motion_ = new MotionPanel({list_, player_, work_, files_, panel_->timeBar()});
     scroll_ = new QScrollArea;
     scroll_->setWidgetResizable(true);
     scroll_->setFrameShape(QFrame::NoFrame);

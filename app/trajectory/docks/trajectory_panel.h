@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QTimer>
 #include <QWidget>
 #include <optional>
 
@@ -17,7 +16,8 @@ class Host;
 class MotionChart;
 class MotionList;
 class MotionPlayer;
-class StripChart;
+class PlayControls;
+class RecordedStrip;
 
 /// The dock under the scene: transport, recording, the time bar and the curves of the current motion on one time axis.
 class TrajectoryPanel : public QWidget {
@@ -50,28 +50,23 @@ class TrajectoryPanel : public QWidget {
   void roomWanted();  ///< All four curves are shown: they need a high dock.
 
  private:
-  QToolButton* button(const char* name, const QString& icon, const QString& tip, const QString& word = {});
   QWidget* makeTransport();
   void connectBar();
   void showMotions();
   void showCurrent();
   void showTime();
   void chooseCurves();
-  void layLiveChart();
 
-  Host& host_;
   MotionList& list_;
   MotionPlayer& player_;
   TimeBar* bar_;
   MotionChart* chart_;
-  StripChart* live_;  ///< Force and gap of what is being recorded, in the chart's place.
-  QToolButton *first_, *back_, *play_, *next_, *last_, *loop_, *shown_, *swept_, *record_, *trim_, *smooth_, *check_,
-      *export_, *edit_;
-  QComboBox *speed_, *group_, *order_;
+  RecordedStrip* live_;  ///< In the chart's place.
+  PlayControls* play_;
+  QToolButton *record_, *trim_, *smooth_, *check_, *export_, *edit_;
+  QComboBox *group_, *order_;
   QLabel* info_;
-  QTimer live_timer_;
   bool recording_ = false, slow_told_ = false;  ///< Told once a play.
-  double recorded_from_s_ = 0.0;                ///< The snapshots' time at which the recording began.
   std::shared_ptr<const trajectory::Trajectory> shown_motion_;
 };
 

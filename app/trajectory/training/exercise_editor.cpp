@@ -13,8 +13,8 @@
 #include "app/kit/form.h"
 #include "app/style/theme.h"
 #include "app/style/value_field.h"
-#include "app/trajectory/training/exercise_files.h"
 #include "app/trajectory/motions/motion_list.h"
+#include "app/trajectory/training/exercise_files.h"
 
 namespace hapticell::app {
 namespace {
@@ -47,7 +47,7 @@ QLabel* problemLine(QVBoxLayout& section, const char* name) {
 
 void setProblem(QLabel& label, const QString& problem) {
   QPalette palette = label.palette();
-  palette.setColor(QPalette::WindowText, themeOf(palette).contact_text);
+  palette.setColor(QPalette::WindowText, themeOf(palette).words.contact);
   label.setPalette(palette);
   label.setText(problem);
 }

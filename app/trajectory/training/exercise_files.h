@@ -22,8 +22,8 @@ bool isOwnExercise(const QString& file, const QString& folder);
 QString newExerciseFile(const QString& name, const QString& folder);
 
 /// Writes the expert's recording beside `file` and then the exercise, which names it. Both are read back: the recording
-/// frame by frame, the exercise field by field. Errors: one of them cannot be written, or is not what was to be written;
-/// then nothing is left of either, and an exercise that was there is as it was.
+/// frame by frame, the exercise field by field. Errors: one of them cannot be written, or is not what was to be
+/// written; then nothing is left of either, and an exercise that was there is as it was.
 Expected<void> saveExercise(manipulation::Exercise exercise, const trajectory::Trajectory& expert, const QString& file);
 
 }  // namespace hapticell::app

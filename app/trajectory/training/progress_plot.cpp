@@ -68,7 +68,7 @@ void ProgressPlot::paint(QPainter& painter, const QRect& rect, const std::vector
   for (std::size_t place = 0; place < order.size(); ++place) {
     const std::size_t i = order[place];
     const bool led = attempts[i].kind == trajectory::RunKind::kPractice;
-    const QColor colour = led ? theme.selection : theme.force;
+    const QColor colour = led ? theme.selection : theme.scene.force;
     const double left = plot.left() + width * (static_cast<double>(place) + (led || place == 0 ? 0.0 : 1.0));
     const double top = y(std::clamp(0.01 * attempts[i].score.points, 0.0, 1.0));
     const QRectF bar(left + 2, top, std::max(1.0, width - 4), plot.bottom() - top + 1);
@@ -86,7 +86,7 @@ void ProgressPlot::paint(QPainter& painter, const QRect& rect, const std::vector
       painter.drawText(QRectF(left - 10, plot.bottom() + 2, width + 20, 16), Qt::AlignCenter, QString::number(i + 1));
     }
   }
-  painter.setPen(QPen(theme.guide, 2, Qt::SolidLine));
+  painter.setPen(QPen(theme.scene.guide, 2, Qt::SolidLine));
   painter.drawPath(help);
 }
 

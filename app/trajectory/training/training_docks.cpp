@@ -5,11 +5,11 @@
 #include <QScrollArea>
 #include <QTimer>
 
+#include "app/controls/robot_ghosts.h"
 #include "app/guides/guide_curves.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/recording_hub.h"
-#include "app/controls/robot_ghosts.h"
 #include "app/style/dock_title_bar.h"
 #include "app/trajectory/training/training_panel.h"
 #include "app/viewport/widget/viewport_widget.h"

@@ -1,55 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/trajectory/training/training_panel.h"
 
-#include <QComboBox>
-#include <QDir>
+#include <QDateTime>
 #include <QFileInfo>
-#include <QLabel>
 #include <QLineEdit>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QRegularExpression>
-#include <QStandardPaths>
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "app/controls/refresh_timer.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/host/recording_hub.h"
-#include "app/kit/form.h"
-#include "app/controls/refresh_timer.h"
 #include "app/kit/file_dialog.h"
-#include "app/style/theme.h"
-#include "app/style/units.h"
+#include "app/kit/form.h"
 #include "app/style/value_field.h"
-#include "app/trajectory/training/exercise_files.h"
 #include "app/trajectory/motions/motion_list.h"
-#include "app/trajectory/training/progress_plot.h"
+#include "app/trajectory/training/exercise_editor.h"
+#include "app/trajectory/training/exercise_section.h"
+#include "app/trajectory/training/results_section.h"
+#include "app/trajectory/training/run_section.h"
 #include "app/trajectory/training/training_play.h"
 #include "app/trajectory/training/training_report.h"
-#include "app/trajectory/training/training_words.h"
-#include "app/viewport/widget/viewport_widget.h"
 #include "trajectory/files/trajectory_io.h"
-#include "workcell/text/file_content.h"
 
 namespace hapticell::app {
-namespace {
-
-QLabel* said(const char* name, int lines, TextRole role, bool quiet) {
-  auto* label = makeLive(lines, role, quiet);
-  label->setObjectName(name);
-  return label;
-}
-
-}  // namespace
 
 TrainingPanel::TrainingPanel(Host& host, MotionList& list, QWidget* parent)
-    : QWidget(parent),
-      host_(host),
-      list_(list),
-      own_folder_(ownExercisesFolder()),
-      play_(new TrainingPlay(host, this)) {
+    : QWidget(parent), host_(host), list_(list), play_(new TrainingPlay(host, this)) {
   setMinimumWidth(320);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -68,32 +45,12 @@ TrainingPanel::TrainingPanel(Host& host, MotionList& list, QWidget* parent)
 TrainingPanel::~TrainingPanel() = default;
 
 void TrainingPanel::addExercise(QVBoxLayout& column) {
-  QVBoxLayout* section = addSection(column, tr("Exercise"));
-  exercises_ = new QComboBox;
-  exercises_->setObjectName("comboExercise");
-  fillExercises();
-  addRow(*section, tr("Exercise"), exercises_);
-  text_ = said("labelExercise", 4, TextRole::kText, false);
-  section->addWidget(text_);
-  show_me_ = new QPushButton(tr("Show me"));
-  show_me_->setObjectName("buttonShowMe");
-  show_me_->setToolTip(tr("The part goes the expert's way; the cell stays as it is"));
-  new_ = new QPushButton(tr("New…"));
-  new_->setObjectName("buttonNewExercise");
-  new_->setToolTip(tr("An exercise of this cell and an expert's motion in it"));
-  edit_ = new QPushButton(tr("Edit…"));
-  edit_->setObjectName("buttonEditExercise");
-  edit_->setToolTip(tr("Name, task, guidance; of a shipped exercise a copy"));
-  section->addWidget(sideBySide({show_me_, new_, edit_}));
-  connect(show_me_, &QPushButton::clicked, this, [this] { play_->isPlaying() ? play_->stop() : play({}); });
-  connect(new_, &QPushButton::clicked, this, [this] { editExercise(true); });
-  connect(edit_, &QPushButton::clicked, this, [this] { editExercise(false); });
-  use_ = new QPushButton(tr("Teach the current motion"));
-  use_->setObjectName("buttonTeachMotion");
-  use_->setToolTip(tr("The chosen motion becomes the expert's, in the cell as it is"));
-  section->addWidget(use_);
-  connect(exercises_, &QComboBox::activated, this, &TrainingPanel::chooseExercise);
-  connect(use_, &QPushButton::clicked, this, &TrainingPanel::useCurrentMotion);
+  exercises_ = new ExerciseSection(column, this);
+  connect(exercises_, &ExerciseSection::chosen, this, &TrainingPanel::openExercise);
+  connect(exercises_, &ExerciseSection::playWanted, this, [this] { play_->isPlaying() ? play_->stop() : play({}); });
+  connect(exercises_, &ExerciseSection::newWanted, this, [this] { editExercise(true); });
+  connect(exercises_, &ExerciseSection::editWanted, this, [this] { editExercise(false); });
+  connect(exercises_, &ExerciseSection::teachWanted, this, &TrainingPanel::useCurrentMotion);
 }
 
 void TrainingPanel::addTrainee(QVBoxLayout& column) {
@@ -117,163 +74,157 @@ void TrainingPanel::addTrainee(QVBoxLayout& column) {
 }
 
 void TrainingPanel::addRun(QVBoxLayout& column) {
-  QVBoxLayout* section = addSection(column, tr("Run"));
-  kind_ = new QComboBox;
-  kind_->setObjectName("comboRunKind");
-  for (const auto each :
-       {trajectory::RunKind::kPractice, trajectory::RunKind::kRetention, trajectory::RunKind::kTransfer})
-    kind_->addItem(runKindName(each));
-  addRow(*section, tr("Kind"), kind_);
-  help_label_ = said("labelHelp", 2, TextRole::kSecond, true);
-  section->addWidget(help_label_);
-  connect(kind_, &QComboBox::currentIndexChanged, this, &TrainingPanel::show);
-  state_ = said("labelRun", 2, TextRole::kPanelState, false);
-  section->addWidget(state_);
-  way_ = new QProgressBar;
-  way_->setObjectName("progressWay");
-  way_->setTextVisible(false);
-  way_->setFixedHeight(8);
-  section->addWidget(way_);
-  forces_ = said("labelForces", 2, TextRole::kSecond, false);
-  section->addWidget(forces_);
-  start_ = new QPushButton(tr("Start the run"));
-  start_->setObjectName("buttonStartRun");
-  start_->setProperty("main", true);
-  without_ = new QPushButton(tr("Start without forces"));
-  without_->setObjectName("buttonStartWithoutForces");
-  section->addWidget(start_);
-  section->addWidget(without_);
-  connect(start_, &QPushButton::clicked, this, [this] {
+  runs_ = new RunSection(host_, column, this);
+  connect(runs_, &RunSection::kindChosen, this, &TrainingPanel::show);
+  connect(runs_, &RunSection::startClicked, this, [this] {
     if (run_) return endRun();
-    if (forcesAreOff()) switchForcesOn();
+    if (runs_->forcesAreOff()) switchForcesOn();
     start();
   });
-  connect(without_, &QPushButton::clicked, this, &TrainingPanel::start);
+  connect(runs_, &RunSection::startWithoutForces, this, &TrainingPanel::start);
   // The forces go on and off without a word to panels.
   connect(&refreshTimer(host_), &QTimer::timeout, this, [this] {
-    if (isSeen(*this)) showForces();
+    if (isSeen(*this)) runs_->showForces();
   });
 }
 
 void TrainingPanel::addResults(QVBoxLayout& column) {
-  QVBoxLayout* section = addSection(column, tr("Results"));
-  score_ = said("labelScore", 4, TextRole::kSecond, false);
-  section->addWidget(score_);
-  unaided_ = said("labelUnaided", 2, TextRole::kSecond, false);
-  section->addWidget(unaided_);
-  plot_ = new ProgressPlot;
-  section->addWidget(plot_);
-  auto* legend = said("labelLegend", 2, TextRole::kSecond, true);
-  legend->setText(tr("Bars: points of each run, hatched where it was not passed; without guidance apart. Line: help."));
-  section->addWidget(legend);
-  runs_ = new QComboBox;
-  runs_->setObjectName("comboRuns");
-  addRow(*section, tr("Run"), runs_);
-  replay_ = new QPushButton(tr("Replay beside the expert"));
-  replay_->setObjectName("buttonReplayRun");
-  replay_->setToolTip(tr("The part goes the way of the run, a ghost the expert's, both at once"));
-  section->addWidget(replay_);
-  connect(replay_, &QPushButton::clicked, this, &TrainingPanel::replayRun);
-  connect(runs_, &QComboBox::currentIndexChanged, this, &TrainingPanel::show);
-  export_ = new QPushButton(tr("Export results…"));
-  export_->setObjectName("buttonExportResults");
-  section->addWidget(export_);
-  connect(export_, &QPushButton::clicked, this, &TrainingPanel::exportResults);
+  shown_results_ = new ResultsSection(column, this);
+  connect(shown_results_, &ResultsSection::replayWanted, this, &TrainingPanel::replayRun);
+  connect(shown_results_, &ResultsSection::runChosen, this, &TrainingPanel::show);
+  connect(shown_results_, &ResultsSection::exportWanted, this, &TrainingPanel::exportResults);
 }
 
-QString TrainingPanel::resultsFile() const {
-  if (!results_.isEmpty()) return results_;
-  static const QRegularExpression kOdd(QStringLiteral("[^\\w.-]+"));
-  const QString folder =
-      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/training");
-  const QString name = trainee_->text().trimmed().isEmpty() ? tr("trainee") : trainee_->text().trimmed();
-  const QString exercise = exercise_ ? QString::fromStdString(exercise_->name) : QString();
-  return QDir(folder).filePath(QString(name + '-' + exercise).replace(kOdd, QStringLiteral("-")) +
-                               QStringLiteral(".htrain"));
+void TrainingPanel::setExercises(const QString& folder) {
+  exercises_->setFolder(folder);
+  exercises_->fill(exercise_file_);
+}
+
+bool TrainingPanel::openExercise(const QString& path) {
+  const auto exercise = manipulation::readExercise(path.toStdString());
+  auto expert = exercise ? trajectory::readTrajectory(exercise->recording)
+                         : Expected<trajectory::Trajectory>(makeError(exercise.error()));
+  if (!expert || expert->empty()) {
+    const QString why =
+        expert ? tr("The expert's recording has no frames.") : QString::fromStdString(expert.error().message());
+    host_.messages().tell(Severity::kWarning, tr("The exercise cannot be opened"), why);
+    say(why, true);
+    return false;
+  }
+  setExercise(*exercise, std::move(*expert));
+  exercise_file_ = path;
+  show();
+  cell_wanted_ = true;
+  emit cellWanted(QString::fromStdString(exercise->workcell.string()));
+  return true;
+}
+
+void TrainingPanel::useCurrentMotion() {
+  const Motion* motion = list_.current();
+  if (!motion || !motion->trajectory || motion->trajectory->size() < 2) return;
+  manipulation::Exercise exercise;
+  exercise.name = motion->name;
+  exercise.text = tr("Follow %1.").arg(QString::fromStdString(motion->name)).toStdString();
+  exercise.workcell = host_.documentModel().origin();
+  exercise.recording = motion->path;
+  setExercise(exercise, *motion->trajectory);
+}
+
+void TrainingPanel::setExercise(const manipulation::Exercise& exercise, trajectory::Trajectory expert) {
+  cancel();
+  play_->stop();
+  note_.clear();
+  exercise_file_.clear();
+  exercise_ = exercise;
+  expert_ = std::move(expert);
+  radius_->setValue(1e3 * exercise.tube_radius);
+  loadResults();
+}
+
+void TrainingPanel::cellCame(const QString& problem) {
+  cell_wanted_ = false;
+  if (!problem.isEmpty()) say(problem, true);
+}
+
+void TrainingPanel::editExercise(bool fresh) {
+  auto* editor = new ExerciseEditor(host_, list_, exercises_->folder(), &host_.window());
+  if (!fresh && exercise_) editor->edit(exercise_file_, *exercise_, expert_);
+  connect(editor, &ExerciseEditor::saved, this, [this](const QString& file) {
+    exercise_file_ = file;
+    exercises_->fill(exercise_file_);
+    if (openExercise(file)) say(tr("The exercise is saved."), false);
+  });
+  editor->show();
+}
+
+void TrainingPanel::play(const trajectory::Trajectory& run) {
+  const auto& snapshot = host_.snapshot();
+  if (snapshot && snapshot->held != 0) return say(tr("Let go of what is held first."), true);
+  emit sceneWanted();
+  const auto played = play_->play(expert_, run);
+  if (!played) say(QString::fromStdString(played.error().message()), true);
+  show();
+}
+
+void TrainingPanel::replayRun() {
+  const auto run = results_.readRun(shown_results_->chosenRun());
+  if (!run) return say(QString::fromStdString(run.error().message()), true);
+  play(*run);
 }
 
 void TrainingPanel::setResults(const QString& path) {
-  results_ = path;
+  results_.setPath(path);
   loadResults();
 }
 
 void TrainingPanel::loadResults() {
   if (run_) return;
-  session_ = {trainee_->text().trimmed().toStdString(), exercise_ ? exercise_->name : std::string(), {}};
-  if (exercise_ && QFileInfo::exists(resultsFile())) {
-    auto kept = trajectory::readTraining(resultsFile().toStdString());
-    if (kept)
-      session_ = std::move(*kept);
-    else
-      say(QString::fromStdString(kept.error().message()), true);
-  }
-  help_->setValue(100.0 * session_.nextHelp());
-  fillRuns();
+  const auto read = results_.load(trainee_->text().trimmed(), exercise_ ? exercise_->name : std::string());
+  if (!read) say(QString::fromStdString(read.error().message()), true);
+  help_->setValue(100.0 * results_.session().nextHelp());
+  shown_results_->fillRuns(results_.session());
   show();
-}
-
-void TrainingPanel::keepResults() {
-  const QString path = resultsFile();
-  QDir().mkpath(QFileInfo(path).path());
-  const auto written = workcell::writeFileAtomically(path.toStdString(), trajectory::toJsonText(session_));
-  if (!written)
-    host_.messages().tell(Severity::kWarning, tr("The result is not kept"),
-                          QString::fromStdString(written.error().message()));
 }
 
 void TrainingPanel::exportResults() {
   const QString path =
       askToSave(&host_.window(), tr("Export results"), tr("results.pdf"), tr("PDF (*.pdf);;Table (*.csv)"));
   if (path.isEmpty()) return;
-  const auto written = writeTrainingReport(path, session_, exercise_ ? exercise_->pass : 60.0);
+  const auto written = writeTrainingReport(path, results_.session(), neededPoints());
   say(written ? tr("Written: %1").arg(QFileInfo(path).fileName()) : QString::fromStdString(written.error().message()),
       !written);
 }
 
+double TrainingPanel::neededPoints() const {
+  constexpr double kUsualPass = 60.0;
+  return exercise_ ? exercise_->pass : kUsualPass;
+}
+
+std::string TrainingPanel::nowText() {
+  return QDateTime::currentDateTime().toTimeSpec(Qt::OffsetFromUTC).toString(Qt::ISODate).toStdString();
+}
+
+bool TrainingPanel::isLed() const {
+  return run_ && runs_->kind() == trajectory::RunKind::kPractice;
+}
+
+void TrainingPanel::say(const QString& line, bool careful) {
+  note_ = line;
+  emit told(line, careful);
+  show();
+}
+
 void TrainingPanel::show() {
   const Motion* motion = list_.current();
-  use_->setEnabled(!run_ && motion && motion->trajectory && motion->trajectory->size() > 1);
-  show_me_->setEnabled(exercise_ && !run_);
-  const bool replays = play_->isPlaying();
-  show_me_->setText(replays ? tr("Stop") : tr("Show me"));
-  new_->setEnabled(!run_);
-  edit_->setEnabled(exercise_ && !run_);
-  text_->setText(exercise_
-                     ? QString::fromStdString(exercise_->text)
-                     : tr("An expert's recording leads the stylus along its way; the guide waits for the trainee."));
-  showForces();
-  for (QWidget* widget : std::initializer_list<QWidget*>{exercises_, trainee_, radius_, kind_})
-    widget->setEnabled(!run_);
-  help_->setEnabled(!run_ && kind() == trajectory::RunKind::kPractice);
-  showKind();
-  way_->setValue(run_ ? static_cast<int>(100.0 * run_->share()) : 0);
-  const auto& snapshot = host_.snapshot();
-  if (run_)
-    state_->setText(snapshot && snapshot->held == 0 ? tr("Take the part with the stylus")
-                                                    : tr("%1 % of the way").arg(100.0 * run_->share(), 0, 'f', 0));
-  else
-    state_->setText(!note_.isEmpty() ? note_ : exercise_ ? tr("Ready") : tr("No exercise"));
-  export_->setEnabled(!session_.attempts.empty());
-  unaided_->setText(unaidedText(session_));
-  const int chosen = runs_->currentData().toInt();
-  replay_->setEnabled(!run_ && exercise_ && runs_->count() > 0 &&
-                      !session_.attempts[std::size_t(chosen)].recording.empty());
-  plot_->setAttempts(session_.attempts, exercise_ ? exercise_->pass : 60.0);
-  if (session_.attempts.empty()) {
-    score_->setText(tr("No run yet"));
-    return;
-  }
-  const auto& last = session_.attempts.back();
-  score_->setText(tr("Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %8, "
-                     "smoothness %6 (expert %7).")
-                      .arg(last.score.points, 0, 'f', 0)
-                      .arg(last.score.time, 0, 'f', 1)
-                      .arg(last.score.expert_time, 0, 'f', 1)
-                      .arg(lengthText(last.score.mean_deviation))
-                      .arg(last.score.max_force, 0, 'f', 1)
-                      .arg(last.score.smoothness, 0, 'f', 1)
-                      .arg(last.score.expert_smoothness, 0, 'f', 1)
-                      .arg(last.score.contacts));
+  const bool has_motion = motion && motion->trajectory && motion->trajectory->size() > 1;
+  const bool is_running = run_ != nullptr;
+  exercises_->show({&exercise_, is_running, play_->isPlaying(), has_motion});
+  trainee_->setEnabled(!is_running);
+  radius_->setEnabled(!is_running);
+  help_->setEnabled(!is_running && runs_->kind() == trajectory::RunKind::kPractice);
+  runs_->show({is_running, exercise_.has_value(), note_, run_ ? run_->share() : 0.0});
+  runs_->showKind(results_.session(), nowText());
+  shown_results_->show(results_.session(), exercise_ && !is_running, neededPoints());
 }
 
 }  // namespace hapticell::app

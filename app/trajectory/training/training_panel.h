@@ -5,21 +5,20 @@
 #include <memory>
 #include <optional>
 
+#include "app/trajectory/training/training_results.h"
 #include "manipulation/session/exercise.h"
 #include "trajectory/training/training.h"
 
-class QComboBox;
-class QLabel;
 class QLineEdit;
-class QProgressBar;
-class QPushButton;
 class QVBoxLayout;
 
 namespace hapticell::app {
 
+class ExerciseSection;
 class Host;
 class MotionList;
-class ProgressPlot;
+class ResultsSection;
+class RunSection;
 class TrainingPlay;
 class ValueField;
 
@@ -45,10 +44,10 @@ class TrainingPanel : public QWidget {
   void setResults(const QString& path);
   /// Where exercises that are made here are kept; they stand in the list behind the shipped ones.
   void setExercises(const QString& folder);
-  const trajectory::TrainingSession& session() const { return session_; }
+  const trajectory::TrainingSession& session() const { return results_.session(); }
   bool isRunning() const { return run_ != nullptr; }
   /// The run that goes on is led: its guide, its path and the expert's ghost are shown.
-  bool isLed() const { return run_ && kind() == trajectory::RunKind::kPractice; }
+  bool isLed() const;
   /// s of the expert's motion where the trainee is; 0 while no run goes on.
   double expertTime() const { return run_ ? run_->expertTime() : 0.0; }
   /// Where the moved frame of the exercise's entity is; called at each of the window's steps while a run goes on.
@@ -70,21 +69,13 @@ class TrainingPanel : public QWidget {
   void addTrainee(QVBoxLayout& column);
   void addRun(QVBoxLayout& column);
   void addResults(QVBoxLayout& column);
-  void fillExercises();
-  void chooseExercise(int index);
   void editExercise(bool fresh);
-  trajectory::RunKind kind() const;
   bool mayStart();
   void play(const trajectory::Trajectory& run);
   void replayRun();
-  std::string keepRun(const trajectory::Trajectory& run);
-  void fillRuns();
   void say(const QString& line, bool careful);
   void setExercise(const manipulation::Exercise& exercise, trajectory::Trajectory expert);
-  bool forcesAreOff() const;
   void switchForcesOn();
-  void showForces();
-  void showKind();
   void start();
   bool placeAtBeginning();
   void endRun();
@@ -93,9 +84,9 @@ class TrainingPanel : public QWidget {
   void finish(const trajectory::Trajectory& run);
   void cancel();
   void loadResults();
-  void keepResults();
-  QString resultsFile() const;
   void exportResults();
+  double neededPoints() const;   ///< To pass.
+  static std::string nowText();  ///< ISO 8601, with the zone.
   void show();
   void showGuide();
 
@@ -104,18 +95,16 @@ class TrainingPanel : public QWidget {
   std::optional<manipulation::Exercise> exercise_;
   trajectory::Trajectory expert_;
   std::unique_ptr<manipulation::TrainingRun> run_;
-  trajectory::TrainingSession session_;
-  QString results_, own_folder_, exercise_file_;
+  TrainingResults results_;
+  QString exercise_file_;
   QString note_;  ///< The last that was said; until the next run.
   TrainingPlay* play_;
   bool cell_wanted_ = false;  ///< The exercise's own cell is being opened.
-  QComboBox *exercises_, *kind_, *runs_;
   QLineEdit* trainee_;
-  QLabel *text_, *state_, *forces_, *score_, *unaided_, *help_label_;
   ValueField *radius_, *help_;
-  QProgressBar* way_;
-  QPushButton *start_, *without_, *use_, *show_me_, *new_, *edit_, *replay_, *export_;
-  ProgressPlot* plot_;
+  ExerciseSection* exercises_;
+  RunSection* runs_;
+  ResultsSection* shown_results_;
 };
 
 }  // namespace hapticell::app

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The run: what it needs before it begins, what happens in it, how it ends.
 #include <QAction>
-#include <QComboBox>
-#include <QDateTime>
-#include <QLabel>
-#include <QPushButton>
 
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
+#include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
 #include "app/style/value_field.h"
+#include "app/trajectory/training/exercise_section.h"
+#include "app/trajectory/training/results_section.h"
+#include "app/trajectory/training/run_section.h"
 #include "app/trajectory/training/training_panel.h"
 #include "app/trajectory/training/training_play.h"
-#include "app/trajectory/training/training_words.h"
 #include "manipulation/checks/motion_replay.h"
 
 namespace hapticell::app {
@@ -41,32 +40,10 @@ trajectory::Trajectory asTheExpert(const std::vector<std::shared_ptr<const workc
   return seen;
 }
 
-std::string nowText() {
-  return QDateTime::currentDateTime().toTimeSpec(Qt::OffsetFromUTC).toString(Qt::ISODate).toStdString();
-}
-
 }  // namespace
-
-bool TrainingPanel::forcesAreOff() const {
-  const auto& snapshot = host_.snapshot();
-  return snapshot && snapshot->connected && !snapshot->forces_on;
-}
 
 void TrainingPanel::switchForcesOn() {
   if (auto* action = host_.window().findChild<QAction*>("actionForcesOn")) action->trigger();
-}
-
-void TrainingPanel::showForces() {
-  const auto& snapshot = host_.snapshot();
-  const bool off = forcesAreOff();
-  const QString words = !snapshot || !snapshot->connected ? tr("No stylus is connected: the guide is seen, not felt.")
-                        : !off                            ? tr("Forces are on.")
-                        : run_                            ? tr("Forces are off: the guide is not felt.")
-                                                          : tr("Forces are off. Without them the guide is not felt.");
-  if (words != forces_->text()) forces_->setText(words);
-  start_->setEnabled(exercise_.has_value());
-  start_->setText(run_ ? tr("End the run") : off ? tr("Forces on and start") : tr("Start the run"));
-  without_->setEnabled(exercise_ && !run_ && off);
 }
 
 /// The part where the expert began. From here on what is moved is only tried.
@@ -89,43 +66,18 @@ bool TrainingPanel::placeAtBeginning() {
   return false;
 }
 
-trajectory::RunKind TrainingPanel::kind() const {
-  return static_cast<trajectory::RunKind>(std::max(0, kind_->currentIndex()));
-}
-
-void TrainingPanel::say(const QString& line, bool careful) {
-  note_ = line;
-  emit told(line, careful);
-  show();
-}
-
 /// Points without guidance prove something only where it is known what was practised.
 bool TrainingPanel::mayStart() {
-  const auto practised = session_.count(trajectory::RunKind::kPractice);
-  if (kind() == trajectory::RunKind::kRetention && practised == 0) {
+  const auto practised = results_.session().count(trajectory::RunKind::kPractice);
+  if (runs_->kind() == trajectory::RunKind::kRetention && practised == 0) {
     say(tr("There is no practice yet that could be retained: practise first."), true);
     return false;
   }
-  if (kind() == trajectory::RunKind::kTransfer && practised > 0) {
+  if (runs_->kind() == trajectory::RunKind::kTransfer && practised > 0) {
     say(tr("This exercise was practised: transfer is shown at another one, here choose Retention."), true);
     return false;
   }
   return true;
-}
-
-void TrainingPanel::showKind() {
-  const auto rest = session_.restBefore(nowText());
-  switch (kind()) {
-    case trajectory::RunKind::kPractice:
-      return help_label_->setText(
-          tr("Help fades by a fifth with each success, to nothing; after two failures it grows again."));
-    case trajectory::RunKind::kRetention:
-      return help_label_->setText(
-          rest ? tr("Without guidance, a day and a week after practice. Last practice: %1 ago.").arg(restText(*rest))
-               : tr("Without guidance, a day and a week after practice."));
-    case trajectory::RunKind::kTransfer:
-      return help_label_->setText(tr("Without guidance, at an exercise that was not practised."));
-  }
 }
 
 void TrainingPanel::start() {
@@ -143,9 +95,9 @@ void TrainingPanel::start() {
   host_.selection().set(entity->id);
   if (const auto way = manipulation::parseMovedBy(expert_.moved)) host_.holdChoice().set(*way);
   run_ = std::make_unique<manipulation::TrainingRun>(
-      *exercise_, expert_, kind() == trajectory::RunKind::kPractice ? 0.01 * help_->value() : 0.0);
+      *exercise_, expert_, runs_->kind() == trajectory::RunKind::kPractice ? 0.01 * help_->value() : 0.0);
   manipulation::command::StartRecording wanted;
-  wanted.take = tr("Run %1").arg(session_.attempts.size() + 1).toStdString();
+  wanted.take = tr("Run %1").arg(results_.session().attempts.size() + 1).toStdString();
   host_.recording().start(wanted);
   emit runStarted(expert_);
   showGuide();
@@ -189,12 +141,18 @@ void TrainingPanel::finish(const trajectory::Trajectory& run) {
     say(tr("The run has no frames: take the part with the stylus and move it."), true);
     return show();
   }
-  attempt.kind = kind();
-  attempt.recording = keepRun(run);
-  session_.attempts.push_back(attempt);
-  keepResults();
-  help_->setValue(100.0 * session_.nextHelp());
-  fillRuns();
+  attempt.kind = runs_->kind();
+  auto kept = results_.keepRun(run);
+  if (!kept)
+    host_.messages().tell(Severity::kWarning, tr("The run cannot be replayed later"),
+                          QString::fromStdString(kept.error().message()));
+  attempt.recording = kept.value_or(std::string());
+  results_.session().attempts.push_back(attempt);
+  if (const auto written = results_.keep(); !written)
+    host_.messages().tell(Severity::kWarning, tr("The result is not kept"),
+                          QString::fromStdString(written.error().message()));
+  help_->setValue(100.0 * results_.session().nextHelp());
+  shown_results_->fillRuns(results_.session());
   say(attempt.success ? tr("Passed with %1 points").arg(attempt.score.points, 0, 'f', 0)
                       : tr("%1 points; %2 are needed and the whole way")
                             .arg(attempt.score.points, 0, 'f', 0)
@@ -210,7 +168,7 @@ void TrainingPanel::forgetCell() {
   exercise_file_.clear();
   note_.clear();
   expert_ = {};
-  exercises_->setCurrentIndex(0);
+  exercises_->chooseNone();
   loadResults();
 }
 

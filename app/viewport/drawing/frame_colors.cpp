@@ -15,10 +15,10 @@ glm::vec4 rgba(const QColor& color) {
 
 FrameColors frameColors(const Theme& theme, const std::vector<workcell::PairSet>& sets) {
   FrameColors colors;
-  colors.background_top = rgb(theme.background_top);
-  colors.background_bottom = rgb(theme.background_bottom);
-  colors.grid = rgba(theme.grid);
-  colors.crease = rgba(theme.crease);
+  colors.background_top = rgb(theme.scene.background_top);
+  colors.background_bottom = rgb(theme.scene.background_bottom);
+  colors.grid = rgba(theme.scene.grid);
+  colors.crease = rgba(theme.scene.crease);
   colors.selected = rgb(theme.selection);
   colors.hovered = rgb(theme.text2);
   colors.near_miss = rgb(theme.near_miss);

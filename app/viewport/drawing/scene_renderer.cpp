@@ -94,9 +94,8 @@ struct SceneRenderer::Passes {
         edge(gl),
         floor(gl),
         triangle(gl),
-        background(loadProgram("screen", "background")),
-        occlusion(loadProgram("screen", "occlusion")),
-        present(loadProgram("screen", "present")),
+        programs{loadProgram("screen", "background"), loadProgram("screen", "occlusion"),
+                 loadProgram("screen", "present")},
         composite("screen", "composite", {"OCCLUDED", "SILHOUETTES", "STATES"}),
         scene(gl, {{GL_RGBA8, GL_R32UI}, true, true, false, false}),
         rest(gl, {{GL_RGBA8, GL_R32UI}, true, true, false, false}),
@@ -110,7 +109,9 @@ struct SceneRenderer::Passes {
   EdgePass edge;
   FloorPass floor;
   ScreenTriangle triangle;
-  std::unique_ptr<QOpenGLShaderProgram> background, occlusion, present;
+  struct Programs {
+    std::unique_ptr<QOpenGLShaderProgram> background, occlusion, present;
+  } programs;
   ProgramFamily composite;
   RenderTarget scene;  // What is picked in.
   RenderTarget rest;   // The sample that is being drawn in pieces.
@@ -122,7 +123,7 @@ struct SceneRenderer::Passes {
   RenderTarget* target = &scene;
   DrawProgress progress;
   FrameView view, picked_view;
-  bool complete() const { return background && occlusion && present; }
+  bool complete() const { return programs.background && programs.occlusion && programs.present; }
 };
 
 SceneRenderer::SceneRenderer(Gl& gl, std::function<void()> on_mesh_ready)
@@ -152,9 +153,9 @@ void SceneRenderer::drawScene(const Frame& frame, DrawShare& share) {
     const GLfloat far_away = 1.0f;
     gl_.glClearBufferfv(GL_DEPTH, 0, &far_away);
     gl_.glDisable(GL_DEPTH_TEST);
-    p.background->bind();
-    setColor(*p.background, "top", frame.colors.background_top);
-    setColor(*p.background, "bottom", frame.colors.background_bottom);
+    p.programs.background->bind();
+    setColor(*p.programs.background, "top", frame.colors.background_top);
+    setColor(*p.programs.background, "bottom", frame.colors.background_bottom);
     p.triangle.draw();
   });
   const ShadowPass* shadow = frame.detail <= DetailLevel::kNoOcclusion ? &p.shadow : nullptr;
@@ -174,12 +175,12 @@ void SceneRenderer::drawOcclusion(const Frame& frame) {
   const PixelArea band = bandArea(frame);
   gl_.glEnable(GL_SCISSOR_TEST);
   gl_.glScissor(0, band.y / 2, p.openness.width(), (band.y + band.height + 1) / 2 - band.y / 2);
-  p.occlusion->bind();
-  bindTexture(gl_, *p.occlusion, "depth_map", 0, p.target->depth());
-  setMatrix(gl_, *p.occlusion, "clip_from_view", p.view.clip_from_view);
-  setMatrix(gl_, *p.occlusion, "view_from_clip", glm::inverse(p.view.clip_from_view));
-  p.occlusion->setUniformValue("radius", static_cast<float>(kOcclusionRadius));
-  p.occlusion->setUniformValue("turn", static_cast<float>(frame.sample));
+  p.programs.occlusion->bind();
+  bindTexture(gl_, *p.programs.occlusion, "depth_map", 0, p.target->depth());
+  setMatrix(gl_, *p.programs.occlusion, "clip_from_view", p.view.clip_from_view);
+  setMatrix(gl_, *p.programs.occlusion, "view_from_clip", glm::inverse(p.view.clip_from_view));
+  p.programs.occlusion->setUniformValue("radius", static_cast<float>(kOcclusionRadius));
+  p.programs.occlusion->setUniformValue("turn", static_cast<float>(frame.sample));
   p.triangle.draw();
   gl_.glDisable(GL_SCISSOR_TEST);
 }
@@ -331,10 +332,10 @@ void SceneRenderer::present(int width, int height, GLuint framebuffer) {
     gl_.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     return;
   }
-  p.present->bind();
-  bindTexture(gl_, *p.present, "picture", 0, picture.color(0));
+  p.programs.present->bind();
+  bindTexture(gl_, *p.programs.present, "picture", 0, picture.color(0));
   p.triangle.draw();
-  p.present->release();
+  p.programs.present->release();
   gl_.glBindTexture(GL_TEXTURE_2D, 0);
 }
 

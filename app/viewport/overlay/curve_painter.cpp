@@ -15,17 +15,17 @@ constexpr double kRoom = 8.0;
 QColor colorOf(SceneCurve::Role role, const Theme& theme) {
   switch (role) {
     case SceneCurve::Role::kGuide:
-      return theme.guide;
+      return theme.scene.guide;
     case SceneCurve::Role::kGuideOff:
       return theme.text3;
     case SceneCurve::Role::kSelection:
       return theme.selection;
     case SceneCurve::Role::kAxisX:
-      return theme.axis_x;
+      return theme.scene.axis_x;
     case SceneCurve::Role::kAxisY:
-      return theme.axis_y;
+      return theme.scene.axis_y;
     case SceneCurve::Role::kAxisZ:
-      return theme.axis_z;
+      return theme.scene.axis_z;
     case SceneCurve::Role::kLimit:
       return theme.limit;
     case SceneCurve::Role::kContact:
@@ -33,7 +33,7 @@ QColor colorOf(SceneCurve::Role role, const Theme& theme) {
     case SceneCurve::Role::kNearMiss:
       return theme.near_miss;
     case SceneCurve::Role::kMeasure:
-      return theme.force;
+      return theme.scene.force;
   }
   return theme.text2;
 }
@@ -65,7 +65,7 @@ std::optional<QPointF> curveTextPoint(const SceneCurve& curve, const Camera& cam
 
 void paintCurveText(QPainter& painter, const SceneCurve& curve, const QRectF& box, const Theme& theme) {
   painter.setPen(Qt::NoPen);
-  painter.setBrush(theme.label_box);
+  painter.setBrush(theme.scene.label_box);
   painter.drawRoundedRect(box, 4, 4);
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text1);
@@ -78,7 +78,7 @@ void paintCurve(QPainter& painter, const SceneCurve& curve, const Camera& camera
   const auto runs = seenRuns(curve, camera, size);
   if (curve.points_W.size() == 1) {
     if (runs.front().isEmpty()) return;
-    painter.setPen(QPen(theme.halo, 1.5));
+    painter.setPen(QPen(theme.scene.halo, 1.5));
     painter.setBrush(color);
     painter.drawEllipse(runs.front().front(), kDisc, kDisc);
   }
@@ -92,7 +92,7 @@ void paintCurve(QPainter& painter, const SceneCurve& curve, const Camera& camera
     if (curve.style == SceneCurve::Style::kDashed) pen.setDashPattern({5.0 / curve.width, 4.0 / curve.width});
     // The halo has the same dashes, else it would be the darker line of the two.
     QPen halo = pen;
-    halo.setColor(theme.halo);
+    halo.setColor(theme.scene.halo);
     halo.setWidthF(curve.width + 3.0);
     QList<qreal> dashes = pen.dashPattern();
     for (qreal& dash : dashes) dash *= curve.width / halo.widthF();

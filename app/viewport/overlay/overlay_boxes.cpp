@@ -86,7 +86,7 @@ void haloLine(QPainter& painter, const QPolygonF& line, const QColor& color, dou
 
 void paintBox(QPainter& painter, const QRectF& box, const Theme& theme) {
   painter.setPen(Qt::NoPen);
-  painter.setBrush(theme.label_box);
+  painter.setBrush(theme.scene.label_box);
   painter.drawRoundedRect(box, 4, 4);
 }
 
@@ -94,7 +94,7 @@ void paintLabel(QPainter& painter, const OverlayLabel& label, const PlacedLabel&
   const QColor color = label.band >= 0 ? theme.text1 : markColor(label.mark, theme);
   QPolygonF leader;
   for (const auto& p : leaderOf(place)) leader << point(p);
-  haloLine(painter, leader, color, 1.2, theme.halo);
+  haloLine(painter, leader, color, 1.2, theme.scene.halo);
   const QRectF box(point(place.box.min), point(place.box.max));
   paintBox(painter, box, theme);
   paintMark(painter, label.mark, QPointF(box.left() + 16, box.top() + 15), 12, theme);

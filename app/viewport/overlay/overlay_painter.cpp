@@ -6,8 +6,8 @@
 
 #include "app/style/fonts.h"
 #include "app/style/units.h"
-#include "app/viewport/overlay/curve_painter.h"
 #include "app/viewport/drawing/frame.h"
+#include "app/viewport/overlay/curve_painter.h"
 #include "app/viewport/overlay/overlay_boxes.h"
 #include "app/viewport/overlay/pen_tags.h"
 
@@ -56,12 +56,13 @@ void paintCube(QPainter& painter, const Overlay& overlay) {
     const char* name;
     QColor color;
   };
-  const Axis axes[]{
-      {{1.55, -1, -1}, "X", theme.axis_x}, {{-1, 1.55, -1}, "Y", theme.axis_y}, {{-1, -1, 1.55}, "Z", theme.axis_z}};
+  const Axis axes[]{{{1.55, -1, -1}, "X", theme.scene.axis_x},
+                    {{-1, 1.55, -1}, "Y", theme.scene.axis_y},
+                    {{-1, -1, 1.55}, "Z", theme.scene.axis_z}};
   const auto paintAxis = [&](const Axis& axis) {
     const QPointF from = point(overlay.cube.project(corner, overlay.camera));
     const QPointF to = point(overlay.cube.project(axis.end, overlay.camera));
-    haloLine(painter, QPolygonF({from, to}), axis.color, 2.0, theme.halo);
+    haloLine(painter, QPolygonF({from, to}), axis.color, 2.0, theme.scene.halo);
     const QPointF along = to - from;
     const double length = std::hypot(along.x(), along.y());
     const QPointF at = to + (length > 1 ? along / length : QPointF(0, -1)) * 9.0;
@@ -98,16 +99,16 @@ void paintPairs(QPainter& painter, const Overlay& overlay) {
     if (pair.contact && !contact_done) {
       contact_done = true;
       painter.setBrush(Qt::NoBrush);
-      painter.setPen(QPen(theme.halo, 5.5));
+      painter.setPen(QPen(theme.scene.halo, 5.5));
       painter.drawEllipse(point(*b), 10, 10);
       painter.setPen(QPen(theme.contact, 2.5));
       painter.drawEllipse(point(*b), 10, 10);
     } else if (!pair.contact && !near_done) {
       near_done = true;
       const QColor color = pair.near_miss ? theme.near_miss : theme.text2;
-      haloLine(painter, QPolygonF({point(*a), point(*b)}), color, 2.5, theme.halo);
+      haloLine(painter, QPolygonF({point(*a), point(*b)}), color, 2.5, theme.scene.halo);
       for (const auto& end : {*a, *b}) {
-        painter.setPen(QPen(theme.halo, 1.5));
+        painter.setPen(QPen(theme.scene.halo, 1.5));
         painter.setBrush(color);
         painter.drawEllipse(point(end), 4.5, 4.5);
       }
@@ -129,8 +130,8 @@ void paintForce(QPainter& painter, const Overlay& overlay) {
         << from + u * length << from + u * (length - head) - v * 11 << from + u * (length - head) - v * 4
         << from - v * 4;
   painter.setOpacity(force->opacity);
-  painter.setBrush(theme.force);
-  painter.setPen(QPen(theme.halo, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(theme.scene.force);
+  painter.setPen(QPen(theme.scene.halo, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPolygon(arrow);
   if (const PlacedLabel* place = overlay.placeOf(kForceKey)) {
     const QRectF box(point(place->box.min), point(place->box.max));
@@ -146,7 +147,7 @@ void paintForce(QPainter& painter, const Overlay& overlay) {
 /// took a third of the overlay.
 void haloText(QPainter& painter, const QPointF& place, const QString& text, const Theme& theme) {
   constexpr double kAside = 1.25;
-  painter.setPen(theme.halo);
+  painter.setPen(theme.scene.halo);
   for (const double x : {-kAside, 0.0, kAside})
     for (const double y : {-kAside, 0.0, kAside})
       if (x != 0.0 || y != 0.0) painter.drawText(place + QPointF(x, y), text);

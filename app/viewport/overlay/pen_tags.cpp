@@ -47,7 +47,7 @@ void paintPenTags(QPainter& painter, const Overlay& overlay) {
   for (const PenTag& tag : penTags(overlay)) {
     const auto rgb = penColor(tag.number == 2, theme.dark);
     const QColor body = QColor::fromRgbF(rgb[0], rgb[1], rgb[2]);
-    painter.setPen(QPen(theme.halo, 3.0));
+    painter.setPen(QPen(theme.scene.halo, 3.0));
     painter.setBrush(body);
     painter.drawEllipse(tag.box);
     painter.setPen(theme.dark ? QColor(Qt::black) : QColor(Qt::white));

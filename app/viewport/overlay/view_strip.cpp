@@ -38,7 +38,7 @@ int ViewStrip::cellAt(const QPointF& place) const {
 void ViewStrip::paint(QPainter& painter, const Theme& theme, int hovered) const {
   if (cells_.empty()) return;
   painter.setPen(Qt::NoPen);
-  painter.setBrush(theme.label_box);
+  painter.setBrush(theme.scene.label_box);
   painter.drawRoundedRect(box(), 4, 4);
   painter.setFont(textFont(TextRole::kText));
   for (std::size_t i = 0; i < cells_.size(); ++i) {

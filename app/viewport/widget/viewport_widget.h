@@ -1,29 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QElapsedTimer>
 #include <QEvent>
 #include <QImage>
 #include <QOpenGLWidget>
-#include <QTimer>
-#include <map>
 #include <memory>
 #include <optional>
 
+#include "app/viewport/drawing/scene_renderer.h"
+#include "app/viewport/overlay/overlay_painter.h"
+#include "app/viewport/scene/scene_model.h"
 #include "app/viewport/tools/feature_picker.h"
 #include "app/viewport/tools/navigation.h"
-#include "app/viewport/overlay/overlay_painter.h"
 #include "app/viewport/tools/pick_request.h"
-#include "app/viewport/widget/rest_picture.h"
-#include "app/viewport/scene/scene_model.h"
-#include "app/viewport/drawing/scene_renderer.h"
 #include "app/viewport/tools/tool_chain.h"
 #include "app/viewport/widget/touch_meter.h"
+#include "app/viewport/widget/turning_camera.h"
 
 namespace hapticell::app {
 
+class ScenePicks;
+class ViewOverlay;
+class ViewPicture;
+class ViewPointer;
+
 /// The scene in the window. How the mouse moves the camera is a Navigation; what it leaves free picks: a click one
-/// entity, a drag all in a box. Tools (ToolChain) come before these. GUI thread only.
+/// entity, a drag all in a box. Tools (ToolChain) come before these. Its parts: ViewPicture draws, ViewOverlay paints
+/// over it, ViewPointer serves the mouse, ScenePicks finds what lies under it. GUI thread only.
 class ViewportWidget : public QOpenGLWidget {
   Q_OBJECT
  public:
@@ -31,7 +34,7 @@ class ViewportWidget : public QOpenGLWidget {
   ~ViewportWidget() override;
 
   SceneModel& scene() { return scene_; }
-  const Camera& camera() const { return camera_; }
+  const Camera& camera() const { return camera_.now; }
   /// Turns to it within 250 ms, or at once.
   void setCamera(const Camera& camera, bool animated = true);
   void fit(const geometry::Bounds& bounds_W, bool animated = true);
@@ -44,8 +47,9 @@ class ViewportWidget : public QOpenGLWidget {
   const std::optional<SectionPlane>& section() const { return section_; }
   bool edges() const { return edges_; }
   void setMotion(bool on) { motion_ = on; }
-  void setNavigation(const Navigation& navigation) { navigation_ = navigation; }
-  const Navigation& navigation() const { return navigation_; }
+  bool motion() const { return motion_; }
+  void setNavigation(const Navigation& navigation);
+  const Navigation& navigation() const;
   /// Null: no tool. The tool must outlive its being set.
   void setPointerTool(PointerTool* tool, ToolChain::Place place = ToolChain::kModule);
   /// The next click picks a face, an edge or a corner; see PickRequest. A pick that is still open is answered with
@@ -53,7 +57,7 @@ class ViewportWidget : public QOpenGLWidget {
   void startPick(PickRequest request);
   /// Answers the open pick with nothing; nothing where there is none.
   void cancelPick();
-  bool isPicking() const { return pick_.has_value(); }
+  bool isPicking() const;
   /// The face, edge or corner at a place of the widget (pixels at 100 %), at once; nothing beside parts.
   std::optional<PickedFeature> featureAt(const QPointF& position, const FeatureFilter& filter = {});
   /// The nearest face, edge or corner at a place, looking through the entities of `without`: what a part that is
@@ -73,19 +77,19 @@ class ViewportWidget : public QOpenGLWidget {
   /// Another document follows: picks, curves, labels, strips and all of the scene that was made of this one are
   /// dropped. The section is the view's: its action ends it.
   void forgetCell();
-  void setStrip(const StripContext& context) { strip_ = context; }
+  void setStrip(const StripContext& context);
   /// What a figure's work is told by, in place of the stylus's strip; above it while forces are on. Empty: none.
   void setFigureStrip(std::vector<StripCell> cells);
-  const std::vector<StripCell>& figureStrip() const { return figure_strip_; }
+  const std::vector<StripCell>& figureStrip() const;
   /// All labels that are to be seen, those of the snapshot first.
   std::vector<OverlayLabel> allLabels() const;
   /// Where labels, the force's number and the texts of curves were drawn last.
-  const std::vector<PlacedLabel>& drawnLabels() const { return drawn_labels_; }
+  const std::vector<PlacedLabel>& drawnLabels() const;
   void setViewStrip(std::vector<ViewStripCell> cells);
-  const ViewStrip& viewStrip() const { return view_strip_; }
+  const ViewStrip& viewStrip() const;
   /// What the pointer is over, as it is written beside it: "robot · link_3". Empty: nothing.
-  const QString& hoverName() const { return hover_name_; }
-  void setEmptyState(const std::optional<EmptyState>& state) { empty_ = state; }
+  const QString& hoverName() const;
+  void setEmptyState(const std::optional<EmptyState>& state);
   /// The scene changed: says so where it did (sceneChanged()), and draws when Qt finds time.
   void refresh();
   /// The picture at rest is refined as far as it will be; from now on nothing is drawn until something changes. Sooner
@@ -101,15 +105,32 @@ class ViewportWidget : public QOpenGLWidget {
   QImage finishedPicture();
   /// Median seconds of `count` frames at each level of detail, every one waited for: what the machine can do.
   std::vector<double> measureFrames(int count);
-  const FrameMeter& meter() const { return meter_; }
-  double lastFrameSeconds() const { return meter_.lastSeconds(); }
-  DetailLevel detail() const { return governor_.level(); }
+  const FrameMeter& meter() const;
+  double lastFrameSeconds() const { return meter().lastSeconds(); }
+  DetailLevel detail() const;
   /// How long after they were felt the last contacts were on the screen.
-  TouchMeter::Figures touchFigures() const { return touch_.figures(); }
+  TouchMeter::Figures touchFigures() const;
   /// No graphics card: the picture is drawn by the processor.
-  bool isSoftware() const { return software_; }
+  bool isSoftware() const;
   /// What moves is drawn with fewer pixels, or parts with visibly fewer triangles; the picture says so.
-  bool isSimplified() const { return simplified_; }
+  bool isSimplified() const;
+
+  // For its parts.
+  ViewSize viewSize() const;
+  QSize devicePixels() const;  ///< At least one each way.
+  /// The scene as it is to be drawn now.
+  Frame makeFrame() const;
+  /// The camera turns, or labels glide.
+  bool isUnderWay() const;
+  /// The scene was drawn last at this revision.
+  bool shows(std::uint64_t revision) const;
+  /// Parts that are still being made ready for drawing.
+  std::size_t missingParts() const;
+  /// Of the clock of the view's pictures.
+  double seconds() const;
+  ViewCube viewCube() const;
+  const ScenePicks& picks() const { return *picks_; }
+  const ViewPointer& pointer() const { return *pointer_; }
 
  signals:
   /// A click on an entity, or on nothing (0).
@@ -142,92 +163,17 @@ class ViewportWidget : public QOpenGLWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  ViewSize viewSize() const;
-  QSize devicePixels() const;  ///< At least one each way.
-  Frame makeFrame() const;
-  void drawFrame();
-  void drawMoving(double now);
-  bool hasMoved() const;
-  void showNewPart();
-  bool touchMatters() const;
-  void refineStep();
-  bool refine(double now);  ///< One piece of the picture at rest; true at the end of a sample.
-  void paintOverlayImage();
-  KeptFree keptFree(const Overlay& overlay) const;
-  std::vector<PlacedLabel> placeLabels(const Overlay& overlay, const KeptFree& kept);
-  Overlay makeOverlay();
-  /// What the strip and the labels say of the snapshot, to be compared with what is drawn.
-  std::vector<StripCell> spokenNumbers() const;
-  PointerEvent eventFrom(const QMouseEvent& event) const;
-  std::optional<PickedPoint> pickAt(const QPointF& position);
-  dvec3 pointUnder(const QPointF& position);
   void advanceAnimation();
-  void hover(const QPointF& position);
-  void answerPick(const std::optional<PickedFeature>& feature);
-  bool pressWhilePicking(const QMouseEvent& event);
-  void pressFree(const QMouseEvent& event, bool over_cube);
-  void setMotionFor(Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers, bool after_release);
-  void moveCamera(const glm::dvec2& step);
-  void releaseClick(const QMouseEvent& event, bool over_cube);
-  bool wheelOfTouchpad(const QWheelEvent& event);
-  bool isMovingCamera() const { return drag_ == Drag::kOrbit || drag_ == Drag::kPan || drag_ == Drag::kZoom; }
-  Strips strips() const;
-  bool pressViewStrip(const QMouseEvent& event);
-  ViewCube viewCube() const;
-  workcell::EntityId entityAt(const QPointF& position);
 
-  Gl gl_;
-  std::unique_ptr<SceneRenderer> renderer_;
   SceneModel scene_;
-  Camera camera_;
-  struct Turn {
-    Camera from, to;
-    QElapsedTimer clock;
-    bool active = false;
-  } turn_;
-  /// What a frame may take: for the window's 10 Hz; and while contacts can be felt, so that they are seen within 50 ms:
-  /// one frame may be on its way when it comes, the next one shows it, and the window puts each together.
-  static constexpr double kFrameSeconds = 0.055, kTouchFrameSeconds = 0.018;
-  DetailGovernor governor_{kFrameSeconds, DetailLevel::kHalfSize};  ///< The first picture must not wait either.
-  static constexpr double kPieceSeconds = 0.03;                     ///< Of a picture at rest.
-  RestPicture rest_{SceneRenderer::kSamples, kPieceSeconds};
-  FrameMeter meter_;
-  TouchMeter touch_;
-  bool software_ = false, simplified_ = false;
-  QElapsedTimer clock_;
-  LabelLayout label_layout_;
-  QImage overlay_image_;  ///< What is painted over the scene; only its pieces of now are valid.
-  double last_overlay_s_ = 0.0;
-  std::uint64_t drawn_revision_ = 0, told_revision_ = 0;
-  Camera drawn_camera_;
-  std::vector<StripCell> drawn_numbers_;
-  std::vector<PlacedLabel> drawn_labels_;
-  QSize drawn_pixels_;
-  bool dirty_ = true;  ///< Theme or what is shown of the scene changed, or a part came.
-  double last_motion_s_ = 0.0;
-  QTimer refine_;
-  ToolChain tools_;
-  bool tool_active_ = false;
-  StripContext strip_;
-  FeaturePicker picker_;
-  std::optional<PickRequest> pick_;
-  std::optional<PickedFeature> pick_hover_;
-  std::map<std::string, std::vector<SceneCurve>> curves_;
-  std::map<std::string, std::vector<OverlayLabel>> labels_;
-  std::vector<StripCell> figure_strip_;
-  std::optional<EmptyState> empty_;
-  bool edges_ = true, motion_ = true;
+  TurningCamera camera_;
   std::optional<SectionPlane> section_;
-  std::optional<ViewCubeSpot> cube_hover_;
-  ViewStrip view_strip_;
-  int view_strip_hover_ = -1;
-  QString hover_name_;
-  QPointF hover_place_;
-  QPointF press_place_, last_place_;
-  dvec3 pivot_W_{0.0};
-  enum class Drag { kNone, kOrbit, kPan, kZoom, kClick, kBox, kMenu, kCube, kPick, kSection } drag_ = Drag::kNone;
-  Qt::MouseButton press_button_ = Qt::NoButton;
-  Navigation navigation_ = navigationPreset({});
+  bool edges_ = true, motion_ = true;
+  std::uint64_t told_revision_ = 0;
+  std::unique_ptr<ViewPicture> picture_;
+  std::unique_ptr<ViewOverlay> overlay_;
+  std::unique_ptr<ScenePicks> picks_;
+  std::unique_ptr<ViewPointer> pointer_;
 };
 
 }  // namespace hapticell::app

@@ -20,8 +20,7 @@ namespace {
 
 namespace command = manipulation::command;
 
-constexpr int kLeastPress = 90;   // Milliseconds that a press of the stylus's button lasts at least.
-constexpr int kInputPeriod = 16;  // Milliseconds between two looks at glove and 3-D mouse.
+constexpr int kIdlePeriod = 100;  // Milliseconds between two looks at a scene in which nothing moves.
 
 /// "Fine".
 QString scaleName(manipulation::ScaleLevel level) {
@@ -45,77 +44,50 @@ QString scaleName(manipulation::ScaleLevel level) {
 VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
     : QObject(parent),
       host_(host),
+      station_(host),
       sound_(host.configuration().gui.sound),
-      mouse_([this](const haptic::HandTarget& target) { postHand(target); }),
+      mouse_(*this),
       preparation_(new PreparationBar(&host.viewport())),
-      inputs_(host_.configuration()),
-      second_mouse_([this](const haptic::HandTarget& target) {
-        if (loop_) loop_->postSecond(command::SetHandTarget{target});
-      }) {
+      second_(*this),
+      inputs_(*this, second_),
+      feed_(*this),
+      forces_(*this) {
   clock_.start();
   connect(preparation_, &PreparationBar::cancelled, this, [this] {
     if (loop_) loop_->cancelPreparation();
   });
-  profile_ = QString::fromStdString(host_.configuration().haptic.device);
-  server_host_ = QString::fromStdString(host_.configuration().server.host);
-  server_port_ = host_.configuration().server.port;
   host_.setSoundText(sound_.state(), sound_.isOn() && sound_.hasOutput());
   connect(&sound_, &SoundPlayer::changed, this,
           [this] { host_.setSoundText(sound_.state(), sound_.isOn() && sound_.hasOutput()); });
   connect(&timer_, &QTimer::timeout, this, &VirtualDesktopController::tick);
-  input_clock_.start();
-  input_timer_.setInterval(kInputPeriod);
-  connect(&input_timer_, &QTimer::timeout, this, &VirtualDesktopController::takeInputs);
-  connect(&inputs_, &InputDevices::changed, this, [this] {
-    const bool any = !inputs_.glove().isEmpty() || !inputs_.mouse().isEmpty();
-    any ? input_timer_.start() : input_timer_.stop();
-    if (inputs_.glove().isEmpty()) endGlove();
-    settleMouse();
-    takeInputs();
-    emit connectionChanged();
-  });
+  connect(&lister_, &DeviceLister::plugged, this, &VirtualDesktopController::tellOfPlugged);
+  followHost();
+}
+
+void VirtualDesktopController::followHost() {
   connect(&host_.documentModel(), &DocumentModel::closing, this, &VirtualDesktopController::forgetCell);
   connect(&host_.documentModel(), &DocumentModel::changed, this, [this] {
     takeEntityChoices();
-    postDocument();
+    feed_.postDocument();
   });
   connect(&host_.holdChoice(), &HoldChoice::changed, this, [this] {
     const HoldChoice& choice = host_.holdChoice();
     if (loop_) loop_->post(command::SetMovedBy{movedBy()});
-    postSecondSettings();
+    second_.postSettings();
     const bool same_frame = choice.frame() == manipulation::frameOf(settings_.moved_by);
     if (same_frame && manipulation::isSameWay(choice.movedBy(), settings_.moved_by)) return;
     VirtualDesktopSettings settings = settings_;
     settings.moved_by = choice.movedBy();
     change(settings);
   });
-  connect(&lister_, &DeviceLister::plugged, this, &VirtualDesktopController::tellOfPlugged);
   const auto post = [this](const auto& order) {
     if (loop_) loop_->post(order);
   };
   connect(&host_.recording(), &RecordingHub::startWanted, this, post);
   connect(&host_.recording(), &RecordingHub::stopWanted, this, [post] { post(command::StopRecording{}); });
-  connect(&host_.recording(), &RecordingHub::guideWanted, this, &VirtualDesktopController::postGuides);
+  connect(&host_.recording(), &RecordingHub::guideWanted, this, [this] { feed_.postGuides(); });
   connect(&host_.recording(), &RecordingHub::markWanted, this, [post] { post(command::MarkFrame{}); });
-  connect(&host_.viewport(), &ViewportWidget::cameraChanged, this, &VirtualDesktopController::postCamera);
-  connect(&server_, &ServerProcess::warned, this,
-          [this](const QString& sentence) { host_.messages().tell(Severity::kWarning, sentence); });
-  connect(&second_server_, &ServerProcess::warned, this,
-          [this](const QString& sentence) { host_.messages().tell(Severity::kWarning, sentence); });
-  connect(&second_server_, &ServerProcess::ended, this, [this](const QString& sentence) {
-    host_.messages().tell(Severity::kProblem, sentence, tr("The second stylus is gone. Choose it again to start it."));
-    second_profile_.clear();
-    dropSecond();
-    emit connectionChanged();
-  });
-  connect(&server_, &ServerProcess::ended, this, [this](const QString& sentence) {
-    // One that has worked is started again; one that cannot start is not tried for ever.
-    const bool worked = std::exchange(server_worked_, false);
-    if (worked) server_tried_ = false;
-    host_.messages().tell(Severity::kProblem, sentence,
-                          worked ? tr("Forces are off. The server is started again; Ctrl+Space then turns them on.")
-                                 : tr("Forces are off. Connect again to start it anew."));
-  });
+  connect(&host_.viewport(), &ViewportWidget::cameraChanged, this, [this] { feed_.postCamera(); });
 }
 
 VirtualDesktopController::~VirtualDesktopController() {
@@ -123,12 +95,12 @@ VirtualDesktopController::~VirtualDesktopController() {
   disconnectDevice();
   delete preparation_;
   host_.setSoundText({}, false);
-  server_.stop();
+  station_.stop();
 }
 
 void VirtualDesktopController::connectDevice() {
   if (loop_) return;
-  auto options = haptic::linkOptionsFor(server_host_.toStdString(), static_cast<std::uint16_t>(server_port_));
+  auto options = haptic::linkOptionsFor(station_.host().toStdString(), static_cast<std::uint16_t>(station_.port()));
   if (!options) {
     host_.messages().tell(Severity::kProblem, tr("The key for the haptic server cannot be used."),
                           QString::fromStdString(options.error().message()));
@@ -136,21 +108,20 @@ void VirtualDesktopController::connectDevice() {
   }
   options->accept_watching = true;  // Where another window has the stylus, the user is asked.
   auto link = std::make_unique<haptic::TcpLink>(*options);
-  link_ = link.get();
+  link_.set(link.get());
   // A contact that is felt is to be seen without waiting for the timer.
   loop_ = std::make_unique<manipulation::ManipulationLoop>(std::move(link), host_.configuration(), [this] {
     QMetaObject::invokeMethod(this, &VirtualDesktopController::takeSnapshot, Qt::QueuedConnection);
   });
-  connecting_.start();
-  server_tried_ = false;
-  forces_wanted_ = false;
+  station_.beginLooking();
+  forces_.connectionChanged();
   host_.recording().setLive(true);
-  postDocument();
-  postCamera();
+  feed_.postDocument();
+  feed_.postCamera();
   postSettings();
-  mouse_.hold(true);
+  mouse().hold(true);
   host_.viewport().setPointerTool(&pens_);
-  startSecond();
+  second_.start();
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.start(busyPeriod());
   emit connectionChanged();
@@ -158,53 +129,24 @@ void VirtualDesktopController::connectDevice() {
 
 void VirtualDesktopController::disconnectDevice() {
   if (!loop_) return;
-  restGlove();
+  inputs_.glove().rest();
   timer_.stop();
   preparation_->setShare(std::nullopt);
   host_.recording().setLive(false);
   // A recording that was going on, and where the entity was let go.
   take(loop_->finish());
-  link_ = second_link_ = nullptr;
+  link_.set(nullptr);
+  second_.forgetLink();
   loop_.reset();
-  dropSecond();
+  second_.drop();
   snapshot_ = {};
-  device_.reset();
-  forces_wanted_ = forces_lost_ = was_connected_ = was_watching_ = false;
-  mouse_.setState({});
+  forces_.reset();
+  mouse().setState({});
   host_.setPreparedScene(nullptr);
   host_.setSnapshot(std::nullopt);
   host_.setDeviceText({}, true);
   emit snapshotChanged();
   emit connectionChanged();
-}
-
-bool VirtualDesktopController::isConnected() const {
-  return link_ && link_->linkState() == haptic::LinkState::kConnected &&
-         link_->grantedKind() == haptic::ClientKind::kController;
-}
-
-bool VirtualDesktopController::isWatching() const {
-  return link_ && link_->linkState() == haptic::LinkState::kConnected &&
-         link_->grantedKind() == haptic::ClientKind::kWatcher;
-}
-
-void VirtualDesktopController::takeStylus() {
-  if (isWatching()) link_->takeOver();
-}
-
-void VirtualDesktopController::postHand(const haptic::HandTarget& target) {
-  if (!loop_) return;
-  const bool pressed = (target.buttons & 1u) != 0;
-  if (pressed && !pressed_.isValid()) pressed_.start();
-  haptic::HandTarget sent = target;
-  // Newest wins on the way: a press must last, or its release overtakes it where the window is slow.
-  if (!pressed && pressed_.isValid() && pressed_.elapsed() < kLeastPress) {
-    sent.buttons |= 1u;
-    QTimer::singleShot(kLeastPress, this, [this] { postHand(mouse_.target()); });
-  } else if (!pressed) {
-    pressed_.invalidate();
-  }
-  loop_->post(command::SetHandTarget{sent});
 }
 
 int VirtualDesktopController::busyPeriod() const {
@@ -213,23 +155,6 @@ int VirtualDesktopController::busyPeriod() const {
 
 double VirtualDesktopController::guiRate() const {
   return ticks_.rate(static_cast<double>(clock_.nsecsElapsed()) * 1e-9);
-}
-
-void VirtualDesktopController::postDocument() {
-  if (!loop_) return;
-  const workcell::Document& document = host_.documentModel().document();
-  workcell::PairPolicy pairs = document.state().pairPolicy();
-  if (document.state().findPairSet(settings_.against))
-    for (workcell::PairSet& set : pairs.sets) set.enabled = set.name == settings_.against;
-  loop_->post(command::SetDocument{document.snapshotEntities(), std::move(pairs)});
-  postGuides();
-}
-
-void VirtualDesktopController::postGuides() {
-  if (!loop_) return;
-  std::vector<workcell::Guide> guides = host_.documentModel().document().state().guides;
-  if (const auto& training = host_.recording().guide()) guides.push_back(*training);
-  loop_->post(command::SetGuides{std::move(guides)});
 }
 
 void VirtualDesktopController::postSettings() {
@@ -242,7 +167,7 @@ void VirtualDesktopController::postSettings() {
   loop_->post(command::SetForceClass{settings_.force_class});
   const FreeAxes& free = settings_.free;
   loop_->post(command::SetFilter{free.translates(), free.rotates(), free.moves, free.turns});
-  postSecondSettings();
+  second_.postSettings();
   updateStrip();
 }
 
@@ -250,10 +175,16 @@ void VirtualDesktopController::change(const VirtualDesktopSettings& settings) {
   const bool other_sets = settings.against != settings_.against;
   settings_ = settings;
   host_.holdChoice().set(settings.moved_by);
-  if (other_sets) postDocument();
+  if (other_sets) feed_.postDocument();
   postSettings();
-  updateMouse();  // The next motion of the mouse goes along the axes chosen now, not from the next snapshot on.
+  mouse_.update();  // The next motion of the mouse goes along the axes chosen now, not from the next snapshot on.
   emit settingsChanged();
+}
+
+void VirtualDesktopController::edit(const std::function<void(VirtualDesktopSettings&)>& edit) {
+  VirtualDesktopSettings settings = settings_;
+  edit(settings);
+  change(settings);
 }
 
 /// The chosen entity's own choices are the document's: changed in any panel, or undone, they count here too.
@@ -298,8 +229,7 @@ void VirtualDesktopController::updateStrip() {
 
 void VirtualDesktopController::setForces(bool on) {
   if (on && !isConnected()) return;
-  forces_wanted_ = on;
-  forces_cut_ = forces_lost_ = false;
+  forces_.setWanted(on);
   if (loop_) {
     loop_->post(command::SetForces{on});
     loop_->postSecond(command::SetForces{on});
@@ -312,7 +242,7 @@ void VirtualDesktopController::setClutch(bool on) {
 }
 
 void VirtualDesktopController::letGo() {
-  mouse_.setButton(false);
+  mouse().setButton(false);
   if (loop_) loop_->post(command::Release{});
 }
 
@@ -329,9 +259,8 @@ void VirtualDesktopController::handleMoved(const manipulation::result::Moved& mo
 
 /// What was chosen of the cell's own things; how the hand moves stays.
 void VirtualDesktopController::forgetCell() {
-  mouse_.setButton(false);
-  for (const auto& entity : host_.documentModel().document().state().entities)
-    closed_ids_ = std::max(closed_ids_, entity->id);
+  mouse().setButton(false);
+  feed_.closeCell();
   VirtualDesktopSettings settings = settings_;
   settings.entity = 0;
   settings.moved_by = {};
@@ -339,14 +268,6 @@ void VirtualDesktopController::forgetCell() {
   if (settings.axes == manipulation::AxesMode::kFrame) settings.axes = VirtualDesktopSettings().axes;
   settings.axes_frame.clear();
   change(settings);
-}
-
-/// The loop may still be at the cell before.
-bool VirtualDesktopController::isOfCell(const manipulation::SceneSnapshot& snapshot) const {
-  const auto isOld = [this](workcell::EntityId id) { return id != 0 && id <= closed_ids_; };
-  return !isOld(snapshot.held) && std::none_of(snapshot.pairs.begin(), snapshot.pairs.end(), [&](const auto& pair) {
-    return isOld(pair.moved) || isOld(pair.other);
-  });
 }
 
 void VirtualDesktopController::take(const std::vector<manipulation::Result>& results) {
@@ -361,30 +282,28 @@ void VirtualDesktopController::take(const std::vector<manipulation::Result>& res
   }
 }
 
+void VirtualDesktopController::followConnection() {
+  const bool connected = isConnected();
+  if (!connected && (forcesWanted() || snapshot_.forces_on)) forces_.tellOfLoss();
+  forces_.connectionChanged();  // Never on by a reconnection.
+  loop_->post(command::SetForces{false});
+  loop_->postSecond(command::SetForces{false});
+  loop_->post(command::SetHandTarget{mouse().target()});
+  inputs_.settleMouse();
+  station_.setAnswered(connected);
+  emit connectionChanged();
+}
+
 void VirtualDesktopController::tick() {
   const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
   ticks_.frame(now, 0.0);
-  helpServer();
-  const bool connected = isConnected();
-  if (connected != was_connected_) {
-    was_connected_ = connected;
-    device_ = connected ? link_->device() : std::nullopt;
-    if (!connected && (forces_wanted_ || snapshot_.forces_on)) tellOfLoss();
-    forces_wanted_ = forces_cut_ = false;  // Never on by a reconnection.
-    loop_->post(command::SetForces{false});
-    loop_->postSecond(command::SetForces{false});
-    loop_->post(command::SetHandTarget{mouse_.target()});
-    settleMouse();
-    if (connected) server_worked_ = server_.isRunning();
-    if (!connected) connecting_.restart(), server_tried_ = server_.isRunning();
-    emit connectionChanged();
-  }
-  if (isWatching() != was_watching_) {
-    was_watching_ = !was_watching_;
-    emit connectionChanged();
-  }
-  followSecond();
-  tellOfDevice();
+  if (!isConnected() && !isWatching() && !link_.isRefused()) station_.help();  // Refused: there is one.
+  if (link_.takeConnectionChange()) followConnection();
+  if (link_.takeWatchingChange()) emit connectionChanged();
+  second_.follow();
+  // Where the server is our own its warnings come by another way.
+  const std::string sentence = link_.takeSentence();
+  if (!sentence.empty() && !station_.isRunning()) host_.messages().tell(Severity::kWarning, shownText(sentence));
   take(loop_->takeResults());
   host_.setPreparedScene(loop_->scene());
   preparation_->setShare(loop_->preparation());
@@ -395,6 +314,78 @@ void VirtualDesktopController::tick() {
     told_.start();
     emit snapshotChanged();
   }
+}
+
+void VirtualDesktopController::takeSnapshot() {
+  manipulation::SceneSnapshot fresh;
+  if (!loop_ || !loop_->latest(fresh) || !feed_.isOfCell(fresh)) return;
+  sound_.play(soundCue(fresh, snapshot_));
+  const bool connected = isConnected();
+  const bool cut = connected && snapshot_.forces_on && !fresh.forces_on && forcesWanted();
+  snapshot_ = std::move(fresh);
+  if (!connected) {  // What the server said last is not so any more.
+    snapshot_.server = {};
+    snapshot_.forces_on = false;
+    snapshot_.force_n = 0.0;
+  }
+  forces_.snapshotCame(cut);
+  const int period = snapshot_.idle ? std::max(kIdlePeriod, busyPeriod()) : busyPeriod();
+  if (timer_.interval() != period) timer_.setInterval(period);
+  // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
+  const dquat q_WD = feed_.axes_W();
+  snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);
+  mouse_.update();
+  second_.updateMouse(snapshot_);
+  host_.setGuiRate(guiRate());
+  host_.setSnapshot(snapshot_);
+}
+
+void VirtualDesktopController::showDevice() {
+  if (!device()) return host_.setDeviceText(deviceLine(), false);
+  const QString forces = forces_.areLost()     ? tr(" · forces lost")
+                         : snapshot_.forces_on ? tr(" · forces on")
+                                               : tr(" · forces off");
+  host_.setDeviceText(QString::fromStdString(device()->name) + forces, !forces_.areLost());
+}
+
+void VirtualDesktopController::tellOfPlugged(const ListedDevice& device) {
+  const QString mends =
+      shownText(device.problem.toStdString()) + QLatin1Char(' ') + shownText(device.fix.toStdString());
+  host_.messages().tell(Severity::kInformation, tr("%1 has been plugged in").arg(device.name),
+                        device.usable ? tr("Choose it in the panel Virtual Desktop.") : mends);
+}
+
+/// What the first holds of a mannequin leaves the second the other hand; the trunk stands still then.
+manipulation::MovedBy VirtualDesktopController::movedBy() const {
+  manipulation::MovedBy moved_by = host_.holdChoice().movedBy();
+  auto* hand = std::get_if<by::Hand>(&moved_by);
+  if (second_.isThere() && hand) hand->locks.trunk = true;
+  return moved_by;
+}
+
+void VirtualDesktopController::useServer(const QString& host, int port) {
+  if (host == station_.host() && port == station_.port()) return;
+  const bool was_started = isStarted();
+  disconnectDevice();
+  station_.use(host, port);
+  if (was_started) connectDevice();
+  emit connectionChanged();
+}
+
+void VirtualDesktopController::chooseDevice(const QString& profile) {
+  if (profile == station_.profile()) return;
+  if (isConnected() && !station_.isRunning()) {
+    host_.messages().tell(
+        Severity::kInformation, tr("The stylus is as it was"),
+        tr("Another program started the server at %1; the device is chosen there.").arg(station_.address()));
+    emit connectionChanged();
+    return;
+  }
+  const bool was_started = isStarted();
+  disconnectDevice();
+  station_.setProfile(profile);
+  if (was_started) connectDevice();
+  emit connectionChanged();
 }
 
 }  // namespace hapticell::app

@@ -4,29 +4,31 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <memory>
 
 #include "app/viewport/drawing/detail_level.h"
 #include "app/virtual_desktop/devices/device_listing.h"
-#include "app/virtual_desktop/devices/force_reason.h"
-#include "app/virtual_desktop/devices/input_devices.h"
-#include "app/virtual_desktop/devices/mouse_stylus.h"
-#include "app/virtual_desktop/devices/server_process.h"
 #include "app/virtual_desktop/devices/sound_player.h"
 #include "app/virtual_desktop/devices/two_pens.h"
 #include "app/virtual_desktop/devices/virtual_desktop_settings.h"
-#include "haptic/client/tcp_link.h"
-#include "manipulation/engine/grasp_keeper.h"
+#include "app/virtual_desktop/module/force_state.h"
+#include "app/virtual_desktop/module/input_control.h"
+#include "app/virtual_desktop/module/loop_feed.h"
+#include "app/virtual_desktop/module/mouse_hand.h"
+#include "app/virtual_desktop/module/second_stylus_control.h"
+#include "app/virtual_desktop/module/station_server.h"
+#include "app/virtual_desktop/module/stylus_link.h"
 #include "manipulation/engine/manipulation_loop.h"
 
 namespace hapticell::app {
 
 class Host;
 class PreparationBar;
-struct GlovedHand;
 
 /// Ties the window to the manipulation loop: starts loop and, where none answers, the haptic server; hands the document
-/// and the user's choices over as commands; takes the newest snapshot at the window's rate. GUI thread; never waits.
+/// and the user's choices over as commands; takes the newest snapshot at the window's rate. Each part (StationServer,
+/// SecondStylusControl, InputControl …) has its own file. GUI thread; never waits.
 class VirtualDesktopController : public QObject {
   Q_OBJECT
  public:
@@ -36,56 +38,69 @@ class VirtualDesktopController : public QObject {
   void connectDevice();
   void disconnectDevice();
   /// A server answers, and this window has the stylus.
-  bool isConnected() const;
+  bool isConnected() const { return link_.isConnected(); }
   /// A server answers, but another window has the stylus.
-  bool isWatching() const;
+  bool isWatching() const { return link_.isWatching(); }
   /// Takes the stylus from the window that has it.
-  void takeStylus();
+  void takeStylus() { link_.takeOver(); }
   bool isStarted() const { return loop_ != nullptr; }
   /// Why there is no connection, or what the device is called; one line.
-  QString deviceLine() const;
-  const std::optional<haptic::DeviceDescription>& device() const { return device_; }
+  QString deviceLine() const { return link_.line(); }
+  const std::optional<haptic::DeviceDescription>& device() const { return link_.device(); }
 
   const VirtualDesktopSettings& settings() const { return settings_; }
   void change(const VirtualDesktopSettings& settings);
+  /// The settings as `edit` leaves them.
+  void edit(const std::function<void(VirtualDesktopSettings&)>& edit);
   /// The chosen entity's choice, as a command of the document; without one, of whatever is taken next.
   void setOnContact(workcell::OnContact on_contact);
   void setForceClass(workcell::ForceClass force_class);
   /// Another stylus, simulated or a driver's: ends the own server and starts it anew with that device.
   void chooseDevice(const QString& profile);
-  const QString& deviceProfile() const { return profile_; }
+  const QString& deviceProfile() const { return station_.profile(); }
   /// A second stylus beside the first, at a server of its own; empty: none. Where the first holds a mannequin's hand
   /// it holds the other one, else what its tip touches.
-  void chooseSecond(const QString& device);
-  const QString& secondProfile() const { return second_profile_; }
+  void chooseSecond(const QString& device) { second_.choose(device); }
+  const QString& secondProfile() const { return second_.profile(); }
   /// How it is, one line; empty where none is chosen.
-  QString secondLine() const;
+  QString secondLine() const { return second_.line(); }
   /// A hand by itself for the glove, in the middle of the view.
-  void addFreeHand();
-  bool hasFreeHand() const;
+  void addFreeHand() { inputs_.addFreeHand(); }
+  bool hasFreeHand() const { return inputs_.hasFreeHand(); }
   /// Starts the server now instead of waiting for one.
-  void startServer();
-  QString serverAddress() const;
+  void startServer() { station_.start(); }
+  QString serverAddress() const { return station_.address(); }
   /// Where the haptic server is looked for: what the configuration says until useServer() says otherwise.
-  const QString& serverHost() const { return server_host_; }
-  int serverPort() const { return server_port_; }
+  const QString& serverHost() const { return station_.host(); }
+  int serverPort() const { return station_.port(); }
   /// Another station from now on, kept in the user's configuration; connects anew when it was connected.
   void useServer(const QString& host, int port);
-  ForceFacts forceFacts() const;
+  ForceFacts forceFacts() const { return forces_.facts(); }
   /// Glove and 3-D mouse.
-  InputDevices& inputs() { return inputs_; }
+  InputDevices& inputs() { return inputs_.devices(); }
   /// What is plugged in, and what comes and goes.
   DeviceLister& lister() { return lister_; }
   SoundPlayer& sound() { return sound_; }
   void setForces(bool on);
   /// What the user asked for; whether they act is in the snapshot.
-  bool forcesWanted() const { return forces_wanted_; }
+  bool forcesWanted() const { return forces_.areWanted(); }
   void setClutch(bool on);
   /// What is held stays where it is.
   void letGo();
-  MouseStylus& mouse() { return mouse_; }
+  MouseStylus& mouse() { return mouse_.stylus(); }
   const manipulation::SceneSnapshot& snapshot() const { return snapshot_; }
   double guiRate() const;
+
+  // For its parts.
+  Host& host() { return host_; }
+  /// Null: not started.
+  manipulation::ManipulationLoop* loop() { return loop_.get(); }
+  const StylusLink& link() const { return link_; }
+  /// As HoldChoice has it; beside a second stylus that holds the other hand the trunk stands still.
+  manipulation::MovedBy movedBy() const;
+  dquat axes_W() const { return feed_.axes_W(); }
+  void postCamera() const { feed_.postCamera(); }
+  void postSettings();
 
  signals:
   void snapshotChanged();  ///< Ten times a second: for numbers. The scene itself is handed to the host each time.
@@ -94,87 +109,38 @@ class VirtualDesktopController : public QObject {
 
  private:
   int busyPeriod() const;  ///< Milliseconds between two ticks while something moves.
+  void followHost();
   void tick();
+  void followConnection();
   void takeSnapshot();
   void forgetCell();
-  bool isOfCell(const manipulation::SceneSnapshot& snapshot) const;
   void take(const std::vector<manipulation::Result>& results);
   void handleMoved(const manipulation::result::Moved& moved);
-  void postDocument();
-  void postGuides();
-  void postCamera();
-  void postSettings();
-  void postHand(const haptic::HandTarget& target);
-  void helpServer();
-  void updateMouse();
-  void takeInputs();
-  void driveByMouse(double seconds);
-  MouseStylus* penOfMouse();
-  void settleMouse();
-  void poseByGlove();
-  void keepGloved(std::vector<double> joints);
-  void keepRested();
-  void restGlove();
-  void endGlove();
-  void grasp(const GlovedHand& hand);
-  bool mayGrasp(workcell::EntityId entity, workcell::EntityId hand) const;
-  void vibrate(const GlovedHand& hand);
-  std::vector<double> posedJoints(workcell::EntityId id) const;
-  void startSecond();
-  void dropSecond();
-  void followSecond();
-  void postSecondSettings();
-  void updateSecondMouse();
-  manipulation::MovedBy movedBy() const;
-  void tellOfDevice();
   void tellOfPlugged(const ListedDevice& device);
-  /// Forces went off though nobody asked for it: by the server's safety chain, or the loop stands still.
-  void tellOfCut();
-  /// They went off because the server is gone.
-  void tellOfLoss();
   void showDevice();
   void updateStrip();
   void takeEntityChoices();
   template <typename Set>
   void choose(const Set& set);
-  Pose cameraPose_W() const;
-  dquat axes_W() const;
 
   Host& host_;
   std::unique_ptr<manipulation::ManipulationLoop> loop_;
-  haptic::TcpLink* link_ = nullptr;  // Owned by the loop; only its thread-safe questions are asked.
-  ServerProcess server_;
-  QString server_host_;
-  int server_port_ = 0;
+  StylusLink link_;
+  StationServer station_;
   SoundPlayer sound_;
-  QString profile_;
-  MouseStylus mouse_;
+  MouseHand mouse_;
   PreparationBar* preparation_;  // The viewport's.
-  InputDevices inputs_;
+  SecondStylusControl second_;
+  InputControl inputs_;
   DeviceLister lister_;
-  QTimer input_timer_;
-  std::uint32_t input_buttons_ = 0;
-  std::vector<double> gloved_joints_;  // As the glove wants them; how far they came the snapshot says.
-  workcell::EntityId closed_ids_ = 0;  // Those up to it are of cells that are closed.
-  workcell::EntityId gloved_ = 0;      // The mannequin or free hand that it poses.
-  manipulation::GraspKeeper grasp_;
-  QString second_profile_;
-  ServerProcess second_server_;
-  haptic::TcpLink* second_link_ = nullptr;  // Owned by the loop, as link_ is.
-  std::optional<haptic::DeviceDescription> second_device_;
-  MouseStylus second_mouse_;
-  TwoPens pens_{mouse_, second_mouse_};
-  std::string told_sentence_;  // The device's, when it was told last.
-  QElapsedTimer input_clock_, glove_rests_;
+  LoopFeed feed_;
+  ForceState forces_;
+  TwoPens pens_{mouse_.stylus(), second_.mouse()};
   VirtualDesktopSettings settings_;
   manipulation::SceneSnapshot snapshot_;
-  std::optional<haptic::DeviceDescription> device_;
   QTimer timer_;
-  QElapsedTimer clock_, connecting_, pressed_, told_, since_snapshot_;
+  QElapsedTimer clock_, told_;
   FrameMeter ticks_;
-  bool mouse_is_second_ = false;  // The 3-D mouse, since it is to move entities.
-  bool forces_wanted_ = false, forces_cut_ = false, forces_lost_ = false, was_connected_ = false, was_watching_ = false,
-       server_tried_ = false, server_worked_ = false;
 };
 
 }  // namespace hapticell::app

@@ -15,9 +15,9 @@
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"
-#include "app/virtual_desktop/widgets/calibration_section.h"
 #include "app/virtual_desktop/devices/device_listing.h"
 #include "app/virtual_desktop/devices/device_watch.h"
+#include "app/virtual_desktop/widgets/calibration_section.h"
 #include "app/virtual_desktop/widgets/rate_graph.h"
 
 namespace hapticell::app {
@@ -82,7 +82,7 @@ void CheckRows::paintEvent(QPaintEvent*) {
                        : check.result == Result::kProblem ? "crossed"
                        : check.result == Result::kWarning ? "warning"
                                                           : "info";
-    const QColor color = check.result == Result::kGood      ? theme.axis_z
+    const QColor color = check.result == Result::kGood      ? theme.scene.axis_z
                          : check.result == Result::kProblem ? theme.contact
                          : check.result == Result::kWarning ? theme.near_miss
                                                             : theme.text3;
@@ -283,7 +283,7 @@ void DeviceCheckPanel::addDeviceRow(const QString& title, const QString& detail,
   const Theme& theme = themeOf(palette());
   auto* head = new QHBoxLayout;
   auto* mark = new QLabel;
-  mark->setPixmap(icon(good ? "check" : "warning", good ? theme.axis_z : theme.near_miss).pixmap(16, 16));
+  mark->setPixmap(icon(good ? "check" : "warning", good ? theme.scene.axis_z : theme.near_miss).pixmap(16, 16));
   head->addWidget(mark);
   head->addWidget(new WrappedLabel(title, TextRole::kText, false), 1);
   if (isCommand(fix)) {

@@ -36,7 +36,7 @@ void ForceMeter::paintEvent(QPaintEvent*) {
   painter.fillRect(bar, theme.field);
   if (peak_ > 0.0) {
     const int reach = static_cast<int>(bar.width() * std::clamp(force_ / peak_, 0.0, 1.0));
-    painter.fillRect(QRect(bar.left(), bar.top(), reach, bar.height()), theme.force);
+    painter.fillRect(QRect(bar.left(), bar.top(), reach, bar.height()), theme.scene.force);
     const int x = static_cast<int>(bar.width() * continuous_ / peak_);
     painter.fillRect(QRect(x, bar.top() - 3, 2, bar.height() + 6), theme.limit);
     painter.fillRect(QRect(bar.right() - 1, bar.top() - 3, 2, bar.height() + 6), theme.limit);
@@ -107,7 +107,7 @@ void WorkspaceView::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(theme.text2, 1.0, Qt::DotLine));
   line(place(tx, ty, tz), place(tx, ty, z[0]));
   painter.setPen(QPen(theme.window, 1.5));
-  painter.setBrush(theme.force);
+  painter.setBrush(theme.scene.force);
   painter.drawEllipse(place(tx, ty, tz), 5.0, 5.0);
 }
 

@@ -89,7 +89,7 @@ void RangeView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setFont(textFont(TextRole::kSecond));
   const QString names[3]{tr("X, width"), tr("Y, depth"), tr("Z, height")};
-  const QColor colors[3]{theme.axis_x, theme.axis_y, theme.axis_z};
+  const QColor colors[3]{theme.scene.axis_x, theme.scene.axis_y, theme.scene.axis_z};
   for (int i = 0; i < 3; ++i) {
     const int top = 4 + 22 * i;
     painter.setPen(theme.text2);

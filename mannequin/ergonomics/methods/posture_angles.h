@@ -5,18 +5,11 @@
 
 namespace hapticell::ergonomics {
 
-/// A posture as the observation methods ask for it: one side's arm, and the body. Angles in degrees, as a person with
-/// a worksheet reads them; what nobody observed is empty and never scored as zero.
-///
-/// Flexion is positive forwards (wrist: either way), extension negative; the elbow and the knee are 0 when straight;
-/// the upper arm and the neck are measured against the trunk, the trunk against the vertical.
-struct PostureAngles {
+/// One side's arm in PostureAngles.
+struct ObservedArm {
   std::optional<double> upper_arm_flexion;
   std::optional<double> lower_arm_flexion;
   std::optional<double> wrist_flexion;
-  std::optional<double> neck_flexion;
-  std::optional<double> trunk_flexion;
-  std::optional<double> knee_flexion;
   std::optional<bool> upper_arm_abducted;
   std::optional<bool> upper_arm_rotated;  ///< REBA only.
   std::optional<bool> shoulder_raised;
@@ -24,15 +17,34 @@ struct PostureAngles {
   std::optional<bool> lower_arm_across_midline;  ///< Or out to the side.
   std::optional<bool> wrist_deviated;            ///< REBA: or twisted.
   std::optional<bool> wrist_twist_at_end;        ///< Near the end of pronation or supination; else in its middle.
+};
+
+/// Neck and trunk in PostureAngles.
+struct ObservedTrunk {
+  std::optional<double> neck_flexion;
+  std::optional<double> trunk_flexion;
   std::optional<bool> neck_twisted;
   std::optional<bool> neck_side_bent;
   std::optional<bool> trunk_twisted;
   std::optional<bool> trunk_side_bent;
   std::optional<bool> trunk_supported;  ///< Seated and well supported; not given: no.
-  std::optional<bool> legs_supported;   ///< RULA: feet supported and evenly balanced.
-  std::optional<bool> legs_bilateral;   ///< REBA: weight on both legs, or walking.
+};
+
+/// Legs in PostureAngles.
+struct ObservedLegs {
+  std::optional<double> knee_flexion;
+  std::optional<bool> legs_supported;  ///< RULA: feet supported and evenly balanced.
+  std::optional<bool> legs_bilateral;  ///< REBA: weight on both legs, or walking.
   std::optional<bool> seated;
   std::optional<double> off_seat;  ///< Degrees that a standing figure lacks to be seated: REBA's legs go up with it.
+};
+
+/// A posture as the observation methods ask for it: one side's arm, and the body. Angles in degrees, as a person with
+/// a worksheet reads them; what nobody observed is empty and never scored as zero.
+///
+/// Flexion is positive forwards (wrist: either way), extension negative; the elbow and the knee are 0 when straight;
+/// the upper arm and the neck are measured against the trunk, the trunk against the vertical.
+struct PostureAngles : ObservedArm, ObservedTrunk, ObservedLegs {
   /// By an instrument or on a figure, not by eye: then kNeutralBand counts, and RULA's neck leads up to its extension
   /// class by class. Not given: by eye, and the methods' text is followed to the letter.
   std::optional<bool> measured;
@@ -50,9 +62,8 @@ inline constexpr double kOffSeat = 4.5;
 /// The angle as it is classed: 0 where it is measured and neutral.
 double neutralSettled(const PostureAngles& angles, double degrees);
 
-/// The same measured on a figure, where twist, side bend and the rest are angles too. Each is of its own plane (see
-/// view_planes.h): a bend to the side has no flexion, a turn has neither.
-struct MeasuredPosture {
+/// One side's arm in MeasuredPosture.
+struct MeasuredArm {
   double upper_arm_flexion = 0.0;
   double upper_arm_abduction = 0.0;
   std::optional<double> upper_arm_elevation;  ///< Against hanging, whichever way; not given: out of the two before it.
@@ -64,17 +75,29 @@ struct MeasuredPosture {
   double wrist_flexion = 0.0;
   double wrist_deviation = 0.0;
   double wrist_twist_share = 0.0;  ///< |pronation or supination| over its range to that side.
+};
+
+/// Neck and trunk in MeasuredPosture.
+struct MeasuredTrunk {
   double neck_flexion = 0.0;
   double neck_twist = 0.0;
   double neck_side_bend = 0.0;
   double trunk_flexion = 0.0;
   double trunk_twist = 0.0;
   double trunk_side_bend = 0.0;
+};
+
+/// Legs in MeasuredPosture.
+struct MeasuredLegs {
   double knee_flexion = 0.0;           ///< The more bent one.
   double share_on_heavier_foot = 0.5;  ///< Of the weight, 0.5 to 1.
   bool seated = false;
   double off_seat = 180.0;  ///< Degrees that it lacks to be seated; 0 or less where it is.
 };
+
+/// PostureAngles measured on a figure, where twist, side bend and the rest are angles too. Each is of its own plane
+/// (see view_planes.h): a bend to the side has no flexion, a turn has neither.
+struct MeasuredPosture : MeasuredArm, MeasuredTrunk, MeasuredLegs {};
 
 /// From which angles on a figure counts as twisted, abducted and so on, degrees. The methods' texts name none: 10 deg
 /// is "clearly visible" in EN 1005-4, the others are this project's choice, printed in each report.

@@ -11,7 +11,7 @@
 namespace hapticell::ergonomics {
 namespace {
 
-constexpr std::array<std::string_view, 6> kNames{"hand",         "height_from_m", "height_to_m",
+constexpr std::array<std::string_view, 6> kForceNames{"hand",         "height_from_m", "height_to_m",
                                                  "reach_from_m", "reach_to_m",    "limit_n"};
 constexpr double kMostForce = 5000.0;  ///< N
 constexpr std::size_t kMostRows = 10000;
@@ -68,16 +68,16 @@ class TableReader {
 
   Expected<void> names(std::string_view line) {
     for (const std::string_view name : fieldsOf(line)) {
-      const auto known = std::find(kNames.begin(), kNames.end(), name);
-      if (known == kNames.end())
+      const auto known = std::find(kForceNames.begin(), kForceNames.end(), name);
+      if (known == kForceNames.end())
         return refused(name, "there is no column of this name",
                        "hand, height_from_m, height_to_m, reach_from_m, reach_to_m, limit_n");
-      const auto column = static_cast<std::size_t>(known - kNames.begin());
+      const auto column = static_cast<std::size_t>(known - kForceNames.begin());
       if (std::find(columns_.begin(), columns_.end(), column) != columns_.end())
         return refused(name, "it stands there twice", "each column once");
       columns_.push_back(column);
     }
-    if (std::find(columns_.begin(), columns_.end(), kNames.size() - 1) == columns_.end())
+    if (std::find(columns_.begin(), columns_.end(), kForceNames.size() - 1) == columns_.end())
       return refused("limit_n", "it is missing", "a column limit_n in newtons");
     return {};
   }
@@ -111,9 +111,9 @@ class TableReader {
     double value = 0.0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size() && std::isfinite(value);
-    const bool force = column == kNames.size() - 1;
+    const bool force = column == kForceNames.size() - 1;
     if (!whole || value < 0.0 || (force && (value == 0.0 || value > kMostForce)))
-      return refused(kNames[column], "'" + std::string(text) + "'",
+      return refused(kForceNames[column], "'" + std::string(text) + "'",
                      force ? "a force over 0 and up to 5000 N" : "metres, 0 or more");
     double* const targets[] = {&row.height[0], &row.height[1], &row.reach[0], &row.reach[1], &row.limit_n};
     *targets[column - 1] = value;

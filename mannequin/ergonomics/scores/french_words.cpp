@@ -8,7 +8,7 @@
 namespace hapticell::ergonomics {
 namespace {
 
-constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+constexpr std::pair<std::string_view, std::string_view> kFrenchWords[] = {
     {"left", "gauche"},
     {"right", "droit"},
     {"upper arm", "bras"},
@@ -188,7 +188,7 @@ constexpr std::pair<std::string_view, std::string_view> kWords[] = {
     {"no", "non"}};
 
 const std::unordered_map<std::string_view, std::string_view>& dictionary() {
-  static const std::unordered_map<std::string_view, std::string_view> words(std::begin(kWords), std::end(kWords));
+  static const std::unordered_map<std::string_view, std::string_view> words(std::begin(kFrenchWords), std::end(kFrenchWords));
   return words;
 }
 

@@ -27,7 +27,7 @@ class Themes : public testing::TestWithParam<bool> {
 TEST_P(Themes, StateColoursAreToldApartWithProtanAndDeutanVision) {
   const std::vector<std::pair<const char*, QColor>> states{
       {"contact", theme().contact},     {"near miss", theme().near_miss}, {"limit", theme().limit},
-      {"selection", theme().selection}, {"guide", theme().guide},         {"force", theme().force}};
+      {"selection", theme().selection}, {"guide", theme().scene.guide},   {"force", theme().scene.force}};
   for (const Vision vision : {Vision::kNormal, Vision::kProtan, Vision::kDeutan})
     for (std::size_t i = 0; i < states.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
@@ -60,7 +60,7 @@ TEST(PenColour, IsToldApartFromTheOtherPenItsBandAndTheGround) {
         return ciede2000(linearSeenBy(vision, a), linearSeenBy(vision, b));
       };
       EXPECT_GE(apart(color(true), color(false)), 20.0);
-      for (const QColor& other : {theme.selection, theme.background_top, theme.background_bottom}) {
+      for (const QColor& other : {theme.selection, theme.scene.background_top, theme.scene.background_bottom}) {
         EXPECT_GE(apart(color(true), other), 20.0) << dark << other.name().toStdString();
       }
     }

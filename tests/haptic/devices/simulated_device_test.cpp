@@ -14,7 +14,7 @@ constexpr double kTick = 0.001;
 
 config::DeviceProfile frictionless() {
   config::DeviceProfile profile;
-  profile.coulomb_friction = profile.viscous_friction = profile.weight = 0.0;
+  profile.mechanics.coulomb_friction = profile.mechanics.viscous_friction = profile.mechanics.weight = 0.0;
   return profile;
 }
 
@@ -67,7 +67,7 @@ TEST(SimulatedDevice, AcceleratesWithItsApparentMassInTheMiddle) {
 TEST(SimulatedDevice, DelaysTheForceByItsTicks) {
   for (const int delay : {0, 1, 3}) {
     config::DeviceProfile profile = frictionless();
-    profile.delay_ticks = delay;
+    profile.electronics.delay_ticks = delay;
     SimulatedDevice device(profile);
     ASSERT_TRUE(device.open().has_value());
     device.write(dvec3(0, 0, 1), dvec3(0.0));
@@ -100,7 +100,7 @@ TEST(SimulatedDevice, QuantisesTheForceByTwelveBits) {
 
 TEST(SimulatedDevice, SticksByFrictionAndBreaksLoose) {
   config::DeviceProfile profile = frictionless();
-  profile.coulomb_friction = 0.06;
+  profile.mechanics.coulomb_friction = 0.06;
   SimulatedDevice device(profile);
   ASSERT_TRUE(device.open().has_value());
   for (int i = 0; i < 500; ++i) {
@@ -195,7 +195,7 @@ TEST(SimulatedDevice, FallsUnderAWeightThatFrictionDoesNotHold) {
   SimulatedDevice held(profile);
   advance(held, 1000);
   EXPECT_EQ(held.truePose().p, dvec3(0.0)) << "friction holds what the counterweights leave";
-  profile.weight = 0.44;
+  profile.mechanics.weight = 0.44;
   SimulatedDevice falling(profile);
   advance(falling, 2000);
   EXPECT_NEAR(falling.truePose().p.z, -0.065, 1e-3);

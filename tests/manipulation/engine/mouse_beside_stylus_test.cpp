@@ -24,12 +24,11 @@ struct StylusAndMouse {
     first = std::make_unique<ManipulationEngine>(*first_link, configuration);
     auto link = std::make_unique<haptic::InMemoryLink>(loop, clock, haptic::describe(device));
     mouse_link = link.get();
-    second = std::make_unique<SecondStylus>(std::move(link), configuration);
+    second = std::make_unique<SecondStylus>(std::move(link), *first);
     const auto scene = PreparedScene::prepare(std::move(cell), {}, {0.001, 0.01}, nullptr);
-    for (ManipulationEngine* engine : {first.get(), &second->engine()}) {
-      engine->setScene(scene);
-      engine->apply(command::SetAxes{{AxesMode::kCell, {}}});
-    }
+    first->setScene(scene);
+    first->apply(command::SetAxes{{AxesMode::kCell, {}}});
+    second->holder().apply(command::SetAxes{{AxesMode::kCell, {}}});
     stylus.hold({});
     run(1000);
   }
@@ -46,7 +45,7 @@ struct StylusAndMouse {
       mouse_link->step();
       if (i % 10 != 0) continue;
       first->step(stylus.clock.now());
-      second->step(*first, stylus.clock.now());
+      second->step(stylus.clock.now());
     }
   }
   /// Its cap is deflected along D's x for so long.
@@ -62,8 +61,9 @@ struct StylusAndMouse {
       run(50);
     }
   }
-  bool wasTold(ManipulationEngine& engine, const std::string& sentence) {
-    for (const Result& one : engine.takeResults()) {
+  template <typename Holder>
+  bool wasTold(Holder& holder, const std::string& sentence) {
+    for (const Result& one : holder.takeResults()) {
       const auto* notice = std::get_if<result::Notice>(&one);
       if (notice && notice->sentence.find(sentence) != std::string::npos) return true;
     }
@@ -86,10 +86,10 @@ struct StylusAndMouse {
 TEST(MouseBesideStylus, EachMovesWhatItHolds) {
   StylusAndMouse both({cube(kHeld, "held", -0.2), cube(kOther, "other", 0.2)});
   both.first->apply(command::Grab{kHeld});
-  both.second->engine().apply(command::ChooseEntity{kOther});
+  both.second->holder().apply(command::ChooseEntity{kOther});
   both.pressMouse();
-  ASSERT_NE(both.second->engine().held(), nullptr);
-  EXPECT_EQ(both.second->engine().held()->id(), kOther);
+  ASSERT_NE(both.second->holder().held(), nullptr);
+  EXPECT_EQ(both.second->holder().held()->id(), kOther);
   const dvec3 held = both.at(kHeld), other = both.at(kOther);
   both.push(1.0, 200);  // 0.12 m/s for 0.2 s.
   EXPECT_NEAR(both.at(kOther).x - other.x, 0.024 * both.configuration.scale.medium, 0.002);
@@ -98,7 +98,7 @@ TEST(MouseBesideStylus, EachMovesWhatItHolds) {
   both.run(800);
   EXPECT_NEAR(both.at(kHeld).z - held.z, 0.02 * both.configuration.scale.medium, 0.002);
   both.pressMouse();
-  EXPECT_EQ(both.second->engine().held(), nullptr) << "its button lets go";
+  EXPECT_EQ(both.second->holder().held(), nullptr) << "its button lets go";
   const dvec3 left_at = both.at(kOther);
   both.push(1.0, 200);
   EXPECT_EQ(both.at(kOther), left_at);
@@ -108,11 +108,11 @@ TEST(MouseBesideStylus, EachMovesWhatItHolds) {
 TEST(MouseBesideStylus, TheSameEntityIsMovedByWhoTookItFirst) {
   StylusAndMouse both({cube(kHeld, "held", 0.0)});
   both.first->apply(command::Grab{kHeld});
-  both.second->engine().apply(command::ChooseEntity{kHeld});
+  both.second->holder().apply(command::ChooseEntity{kHeld});
   both.run(20);
   both.pressMouse();
-  EXPECT_EQ(both.second->engine().held(), nullptr);
-  EXPECT_TRUE(both.wasTold(both.second->engine(), "held is held by the other stylus"));
+  EXPECT_EQ(both.second->holder().held(), nullptr);
+  EXPECT_TRUE(both.wasTold(both.second->holder(), "held is held by the other stylus"));
   const dvec3 before = both.at(kHeld);
   both.push(1.0, 200);
   EXPECT_LT(glm::length(both.at(kHeld) - before), 1e-4);
@@ -120,7 +120,7 @@ TEST(MouseBesideStylus, TheSameEntityIsMovedByWhoTookItFirst) {
   both.first->apply(command::Release{});
   both.run(20);
   both.pressMouse();
-  ASSERT_NE(both.second->engine().held(), nullptr) << "it was let go";
+  ASSERT_NE(both.second->holder().held(), nullptr) << "it was let go";
   both.run(20);
   both.first->apply(command::Grab{kHeld});
   both.run(20);
@@ -135,9 +135,9 @@ TEST(MouseBesideStylus, WhatTheyHoldIsInEachOthersWay) {
   StylusAndMouse both({cube(kHeld, "held", 0.0), cube(kOther, "other", -0.08)});
   both.first->apply(command::SetForces{true});
   both.first->apply(command::Grab{kHeld});
-  both.second->engine().apply(command::ChooseEntity{kOther});
+  both.second->holder().apply(command::ChooseEntity{kOther});
   both.pressMouse();
-  ASSERT_NE(both.second->engine().held(), nullptr);
+  ASSERT_NE(both.second->holder().held(), nullptr);
   for (int i = 0; i < 10; ++i) both.push(1.0, 200);
   EXPECT_GT(both.at(kOther).x, -0.06) << "it was not moved";
   EXPECT_LE(both.at(kOther).x, both.at(kHeld).x - 0.05 + 1e-5) << "it went into what the stylus holds";

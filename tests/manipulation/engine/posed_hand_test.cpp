@@ -273,11 +273,11 @@ TEST(PoseJoints, TwoStylusesAndAGloveWorkTogether) {
   part.X_WE.p = {1.5, 0.0, 1.0};
   TwoStations two({worker("both_hands_forward"), part});
   two.first->apply(command::Grab{kBox});
-  two.second->engine().apply(command::SetMovedBy{by::Hand{.side = mannequin::Side::kLeft, .locks = {.trunk = true}}});
-  two.second->engine().apply(command::Grab{kWorker});
+  two.second->holder().apply(command::SetMovedBy{by::Hand{.side = mannequin::Side::kLeft, .locks = {.trunk = true}}});
+  two.second->holder().apply(command::Grab{kWorker});
   two.run(20);
   ASSERT_NE(two.first->held(), nullptr);
-  ASSERT_NE(two.second->engine().held(), nullptr);
+  ASSERT_NE(two.second->holder().held(), nullptr);
   trajectory::RecordingOptions options;
   options.mode = trajectory::RecordingMode::kEveryStep;
   two.first->apply(command::StartRecording{.options = options, .take = "all"});
@@ -293,12 +293,15 @@ TEST(PoseJoints, TwoStylusesAndAGloveWorkTogether) {
     two.run(2);
   }
   two.run(600);
-  for (const ManipulationEngine* engine : {two.first.get(), &two.second->engine()}) {
-    const EntityConfiguration end = engine->placement(kWorker);
+  for (const bool second : {false, true}) {
+    const auto placed = [&](workcell::EntityId id) {
+      return second ? two.second->holder().placement(id) : two.first->placement(id);
+    };
+    const EntityConfiguration end = placed(kWorker);
     EXPECT_NEAR(end.joints[curl], 0.9, 1e-6) << "the fingers as the glove has them";
     const dvec3 way = gripOf(figure, end, mannequin::Side::kLeft).p - gripOf(figure, start, mannequin::Side::kLeft).p;
     EXPECT_NEAR(way.z, two.configuration.scale.medium * 0.03, 0.002) << "the hand as the second stylus draws it";
-    EXPECT_NEAR(engine->placement(kBox).X_WE.p.x, 1.5 + two.configuration.scale.medium * 0.03, 0.002);
+    EXPECT_NEAR(placed(kBox).X_WE.p.x, 1.5 + two.configuration.scale.medium * 0.03, 0.002);
   }
   two.first->apply(command::StopRecording{});
   std::size_t tracks = 0;

@@ -24,7 +24,7 @@ TEST(SecondStylus, EachDrawsAHandOfTheSameMannequin) {
   }
   two.run(600);
   const EntityConfiguration end = two.first->placement(kWorker);
-  const EntityConfiguration seen = two.second->engine().placement(kWorker);
+  const EntityConfiguration seen = two.second->holder().placement(kWorker);
   for (std::size_t i = 0; i < end.joints.size(); ++i) EXPECT_NEAR(end.joints[i], seen.joints[i], 1e-9) << i;
   const double scale = two.configuration.scale.medium;
   const dvec3 right_way = gripOf(figure, end, mannequin::Side::kRight).p - right.p;
@@ -74,16 +74,16 @@ TEST(SecondStylus, TheyMeetEachOther) {
   cell[1].X_WE.p = {0.10, 0.0, 0.0};
   TwoStations two(cell);
   two.first->apply(command::SetScale{{ScaleLevel::kNumber, 1.0}});
-  two.second->engine().apply(command::SetScale{{ScaleLevel::kNumber, 1.0}});
+  two.second->holder().apply(command::SetScale{{ScaleLevel::kNumber, 1.0}});
   two.first->apply(command::Grab{kShelf});
-  two.second->engine().apply(command::Grab{kBox});
+  two.second->holder().apply(command::Grab{kBox});
   two.run(50);
   double nearest = 1.0;
   for (int ms = 1; ms <= 600; ++ms) {
     two.a.hold({1.2e-4 * ms, 0.0, 0.0});
     two.b.hold({-1.2e-4 * ms, 0.0, 0.0});
     two.run(2);
-    const double gap = two.second->engine().placement(kBox).X_WE.p.x - two.first->placement(kShelf).X_WE.p.x - 0.1;
+    const double gap = two.second->holder().placement(kBox).X_WE.p.x - two.first->placement(kShelf).X_WE.p.x - 0.1;
     nearest = std::min(nearest, gap);
   }
   two.run(1500);
@@ -93,9 +93,10 @@ TEST(SecondStylus, TheyMeetEachOther) {
   EXPECT_GT(two.b.force(), 0.5);
 }
 
-std::string noticesOf(ManipulationEngine& engine) {
+template <typename Holder>
+std::string noticesOf(Holder& holder) {
   std::string all;
-  for (const Result& one : engine.takeResults()) {
+  for (const Result& one : holder.takeResults()) {
     if (const auto* notice = std::get_if<result::Notice>(&one)) all += notice->sentence + "\n";
   }
   return all;
@@ -117,18 +118,18 @@ TEST(SecondStylus, WhatTheOneHoldsTheOtherDoesNotTake) {
   TwoStations two(twoBoxesAndLid());
   two.first->apply(command::Grab{kShelf});
   two.run(20);
-  two.second->engine().apply(command::Grab{kShelf});
-  EXPECT_EQ(two.second->engine().held(), nullptr);
-  EXPECT_EQ(noticesOf(two.second->engine()), "left is held by the other stylus\n");
-  two.second->engine().apply(command::Grab{10});
-  EXPECT_EQ(two.second->engine().held(), nullptr);
-  EXPECT_EQ(noticesOf(two.second->engine()), "lid goes with left, which the other stylus holds\n");
+  two.second->holder().apply(command::Grab{kShelf});
+  EXPECT_EQ(two.second->holder().held(), nullptr);
+  EXPECT_EQ(noticesOf(two.second->holder()), "left is held by the other stylus\n");
+  two.second->holder().apply(command::Grab{10});
+  EXPECT_EQ(two.second->holder().held(), nullptr);
+  EXPECT_EQ(noticesOf(two.second->holder()), "lid goes with left, which the other stylus holds\n");
   // The other way round, and what is free again.
   two.first->apply(command::Release{});
   two.run(20);
-  two.second->engine().apply(command::Grab{10});
+  two.second->holder().apply(command::Grab{10});
   two.run(20);
-  ASSERT_NE(two.second->engine().held(), nullptr);
+  ASSERT_NE(two.second->holder().held(), nullptr);
   two.first->apply(command::Grab{kShelf});
   EXPECT_EQ(two.first->held(), nullptr);
   EXPECT_EQ(noticesOf(*two.first), "lid, which the other stylus holds, goes with left\n");
@@ -140,11 +141,11 @@ TEST(SecondStylus, WhatTheOneHoldsTheOtherDoesNotTake) {
 TEST(SecondStylus, TakenByBothAtOnceItIsTheFirstOnes) {
   TwoStations two(twoBoxesAndLid());
   two.first->apply(command::Grab{kShelf});
-  two.second->engine().apply(command::Grab{kShelf});
+  two.second->holder().apply(command::Grab{kShelf});
   two.run(20);
   EXPECT_NE(two.first->held(), nullptr);
-  EXPECT_EQ(two.second->engine().held(), nullptr);
-  EXPECT_NE(noticesOf(two.second->engine()).find("left is held by the other stylus"), std::string::npos);
+  EXPECT_EQ(two.second->holder().held(), nullptr);
+  EXPECT_NE(noticesOf(two.second->holder()).find("left is held by the other stylus"), std::string::npos);
 }
 
 /// A mannequin's hand each, until the first one wants the whole figure.
@@ -154,13 +155,27 @@ TEST(SecondStylus, TheWholeFigureIsNotDrawnByAHandToo) {
   two.first->apply(command::SetMovedBy{by::Whole{}});
   two.run(20);
   EXPECT_NE(two.first->held(), nullptr);
-  EXPECT_EQ(two.second->engine().held(), nullptr);
+  EXPECT_EQ(two.second->holder().held(), nullptr);
+}
+
+/// One belt for both, and what the second one holds gives way to it as what the first one holds does.
+TEST(SecondStylus, WhatGoesByItselfIsInOnePlaceForBoth) {
+  std::vector<workcell::Entity> cell = twoBoxesAndLid();
+  cell[0].motion.emplace().points = {{0.0, dvec3(0.0)}, {20.0, dvec3(1.0, 0.0, 0.0)}};
+  TwoStations two(cell);
+  two.second->holder().apply(command::Grab{kBox});
+  two.run(10000);
+  const double belt = two.first->placement(kShelf).X_WE.p.x, pushed = two.first->placement(kBox).X_WE.p.x;
+  EXPECT_EQ(two.second->holder().placement(kShelf).X_WE.p.x, belt);
+  EXPECT_GT(belt, 0.1) << "it goes on";
+  EXPECT_GE(pushed - belt, 0.1) << "and is not inside of what is held";
+  EXPECT_EQ(two.second->holder().placement(kBox).X_WE.p.x, pushed);
 }
 
 TEST(SecondStylus, ATakeHasWhatBothMove) {
   TwoStations two(twoBoxesAndLid());
   two.first->apply(command::Grab{kShelf});
-  two.second->engine().apply(command::Grab{kBox});
+  two.second->holder().apply(command::Grab{kBox});
   two.run(20);
   trajectory::RecordingOptions options;
   options.mode = trajectory::RecordingMode::kEveryStep;
@@ -171,7 +186,7 @@ TEST(SecondStylus, ATakeHasWhatBothMove) {
     two.run(2);
   }
   two.run(400);
-  const Pose left = two.first->placement(kShelf).X_WE, right = two.second->engine().placement(kBox).X_WE;
+  const Pose left = two.first->placement(kShelf).X_WE, right = two.second->holder().placement(kBox).X_WE;
   two.first->takeResults();
   two.first->apply(command::StopRecording{});
   std::vector<trajectory::Trajectory> take;
@@ -192,12 +207,12 @@ TEST(SecondStylus, ATakeHasWhatBothMove) {
 TEST(SecondStylus, ItsButtonMarksFramesOfARecordingToo) {
   TwoStations two(twoBoxesAndLid());
   two.first->apply(command::Grab{kShelf});
-  two.second->engine().apply(command::Grab{kBox});
+  two.second->holder().apply(command::Grab{kBox});
   two.run(20);
   trajectory::RecordingOptions options;
   options.mode = trajectory::RecordingMode::kByHand;
   two.first->apply(command::StartRecording{.options = options, .take = "marked", .mark_by_button = true});
-  const Pose start = two.second->engine().placement(kBox).X_WE;
+  const Pose start = two.second->holder().placement(kBox).X_WE;
   const auto press = [&](Station& station, const dvec3& p_D) {
     for (const std::uint32_t buttons : {2u, 0u}) {
       station.device.hand().hold(Pose::translation(p_D), buttons);
@@ -207,7 +222,7 @@ TEST(SecondStylus, ItsButtonMarksFramesOfARecordingToo) {
   press(two.b, {0.0, 0.01, 0.0});
   press(two.a, {0.0, 0.0, 0.01});
   press(two.b, {0.0, 0.02, 0.0});
-  EXPECT_GT(two.second->engine().placement(kBox).X_WE.p.y, start.p.y + 0.01) << "it was clutched";
+  EXPECT_GT(two.second->holder().placement(kBox).X_WE.p.y, start.p.y + 0.01) << "it was clutched";
   two.first->takeResults();
   two.first->apply(command::StopRecording{});
   std::vector<trajectory::Trajectory> take;
@@ -222,10 +237,10 @@ TEST(SecondStylus, ItsButtonMarksFramesOfARecordingToo) {
   // Without such a recording the button is the clutch again.
   two.b.device.hand().hold(Pose::translation({0.0, 0.02, 0.0}), 2);
   two.run(100);
-  const Pose clutched = two.second->engine().placement(kBox).X_WE;
+  const Pose clutched = two.second->holder().placement(kBox).X_WE;
   two.b.device.hand().hold(Pose::translation({0.0, 0.0, 0.0}), 2);
   two.run(300);
-  EXPECT_LT(glm::length(two.second->engine().placement(kBox).X_WE.p - clutched.p), 1e-4);
+  EXPECT_LT(glm::length(two.second->holder().placement(kBox).X_WE.p - clutched.p), 1e-4);
 }
 
 }  // namespace

@@ -37,6 +37,12 @@ inline Pose gripOf(const workcell::Entity& figure, const EntityConfiguration& at
   return mannequin::handPose(pose, side);
 }
 
+inline config::DeviceProfile withTwoButtons() {
+  config::DeviceProfile profile;
+  profile.buttons = 2;
+  return profile;
+}
+
 /// A stylus with all that belongs to it, in virtual time.
 struct Station {
   Station() : loop(opened(), clock, haptic::configuredLoop(device, {})) {}
@@ -54,23 +60,23 @@ struct Station {
   double force() const { return glm::length(loop.current().force_D); }
 
   haptic::VirtualClock clock;
-  haptic::SimulatedDevice device{{.buttons = 2}};
+  haptic::SimulatedDevice device{withTwoButtons()};
   haptic::ForceLoop loop;
   haptic::InMemoryLink* link = nullptr;
 };
 
-/// Both styluses on one cell; a step of both engines every ten ticks.
+/// Both styluses on one cell; a step of both every ten ticks.
 struct TwoStations {
   explicit TwoStations(std::vector<workcell::Entity> entities) : cell(std::move(entities)) {
     first_link = a.makeLink();
     first = std::make_unique<ManipulationEngine>(*first_link, configuration);
-    second = std::make_unique<SecondStylus>(b.makeLink(), configuration);
+    second = std::make_unique<SecondStylus>(b.makeLink(), *first);
     const auto scene = PreparedScene::prepare(cell, {}, {0.001, 0.01}, nullptr);
     first->setScene(scene);
-    second->engine().setScene(scene);
-    for (ManipulationEngine* engine : {first.get(), &second->engine()}) {
-      engine->apply(command::SetAxes{{AxesMode::kCell, {}}});
-      engine->apply(command::SetForces{true});
+    for (const Command& command :
+         {Command(command::SetAxes{{AxesMode::kCell, {}}}), Command(command::SetForces{true})}) {
+      first->apply(command);
+      second->holder().apply(command);
     }
     a.hold({});
     b.hold({});
@@ -82,18 +88,18 @@ struct TwoStations {
       b.link->step();
       if (i % 10 != 0) continue;
       first->step(a.clock.now());
-      second->step(*first, a.clock.now());
+      second->step(a.clock.now());
     }
   }
   void takeBothHands() {
     first->apply(command::SetMovedBy{by::Hand{.side = mannequin::Side::kRight, .locks = {.trunk = true}}});
-    second->engine().apply(command::SetMovedBy{by::Hand{.side = mannequin::Side::kLeft, .locks = {.trunk = true}}});
+    second->holder().apply(command::SetMovedBy{by::Hand{.side = mannequin::Side::kLeft, .locks = {.trunk = true}}});
     first->apply(command::Grab{kWorker});
     run(20);
-    second->engine().apply(command::Grab{kWorker});
+    second->holder().apply(command::Grab{kWorker});
     run(20);
     ASSERT_NE(first->held(), nullptr);
-    ASSERT_NE(second->engine().held(), nullptr);
+    ASSERT_NE(second->holder().held(), nullptr);
   }
 
   config::Configuration configuration;

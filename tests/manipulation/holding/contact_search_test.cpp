@@ -7,7 +7,7 @@
 #include <random>
 #include <thread>
 
-#include "manipulation/engine/manipulation_step.h"
+#include "manipulation/engine/manipulation_engine.h"
 #include "manipulation/manipulators/solid_manipulator.h"
 #include "tests/manipulation/session/hand_link.h"
 #include "tests/manipulation/session/test_cells.h"

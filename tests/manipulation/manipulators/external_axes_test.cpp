@@ -149,11 +149,11 @@ TEST(ExternalAxes, AreToldOfByASessionAndSaidWhereThereAreNone) {
   options.scale = parseScale("5").value();
   const auto report = runSession(options);
   ASSERT_TRUE(report) << report.error().message();
-  ASSERT_EQ(report->axes.size(), 1u);
-  EXPECT_EQ(report->axes[0].first, "axis");
-  EXPECT_LT(report->axes[0].second.joints.at(0), -0.01);
-  EXPECT_EQ(report->final_configuration.joints.size(), 6u);
-  EXPECT_NEAR(report->final_configuration.X_WE.p.x, report->axes[0].second.joints.at(0), 1e-12);
+  ASSERT_EQ(report->end.axes.size(), 1u);
+  EXPECT_EQ(report->end.axes[0].first, "axis");
+  EXPECT_LT(report->end.axes[0].second.joints.at(0), -0.01);
+  EXPECT_EQ(report->end.configuration.joints.size(), 6u);
+  EXPECT_NEAR(report->end.configuration.X_WE.p.x, report->end.axes[0].second.joints.at(0), 1e-12);
   ASSERT_TRUE(cell.document.execute(workcell::Detach{cell.robot}));
   options.entities = cell.document.snapshotEntities();
   const auto refused = runSession(options);

@@ -202,15 +202,15 @@ TEST(MannequinSession, AHandLaidOnATableIsStoppedAndFelt) {
   options.scale = {ScaleLevel::kNumber, 1.0};
   const auto report = runSession(options);
   ASSERT_TRUE(report) << report.error().message();
-  EXPECT_TRUE(report->held);
-  EXPECT_LE(report->penetration_max_m, 1e-4);
-  EXPECT_GT(report->force_max_n, 0.5);
+  EXPECT_TRUE(report->end.held);
+  EXPECT_LE(report->forces.penetration_max_m, 1e-4);
+  EXPECT_GT(report->forces.force_max_n, 0.5);
   ASSERT_GE(report->contacts.size(), 1u);
   EXPECT_EQ(report->contacts[0].other, 1u);
   std::printf(
       "mannequin session: force %.2f N, step %.1f N/ms, step median %.2f p99 %.2f ms, machine %.2f s for 2.4 s\n",
-      report->force_max_n, report->force_max_step_n_per_ms, report->step_median_ms, report->step_p99_ms,
-      report->machine_time_s);
+      report->forces.force_max_n, report->forces.force_max_step_n_per_ms, report->delays.step_median_ms,
+      report->delays.step_p99_ms, report->machine_time_s);
 }
 
 }  // namespace

@@ -137,9 +137,9 @@ TEST(RobotBase, IsAWayToMoveARobotInASession) {
   ASSERT_TRUE(report) << report.error().message();
   std::vector<Pose> before, after;
   kinematics::forwardKinematics(*robot.robot, robot.joints, before);
-  kinematics::forwardKinematics(*robot.robot, report->final_configuration.joints, after);
-  EXPECT_GT(glm::length(report->final_configuration.X_WE.p), 0.02);
-  EXPECT_LT(glm::length(report->final_configuration.X_WE * after.back().p - before.back().p), 1e-5);
+  kinematics::forwardKinematics(*robot.robot, report->end.configuration.joints, after);
+  EXPECT_GT(glm::length(report->end.configuration.X_WE.p), 0.02);
+  EXPECT_LT(glm::length(report->end.configuration.X_WE * after.back().p - before.back().p), 1e-5);
 }
 
 }  // namespace

@@ -81,11 +81,11 @@ TEST(ExerciseFile, IsComparedFieldByField) {
   expectMiss(other, "workcell");
   other = exercise, other.recording = folder.path() / "way.htraj";
   expectMiss(other, "recording");
-  for (const auto& [field, value] : {std::pair("tube_radius", &other.tube_radius), std::pair("lead", &other.lead),
-                                     std::pair("stiffness", &other.stiffness), std::pair("pass", &other.pass),
-                                     std::pair("deviation_costs_all", &other.rule.deviation),
-                                     std::pair("force_costs_all", &other.rule.force),
-                                     std::pair("slowness_costs_all", &other.rule.slowness)}) {
+  for (const auto& [field, value] :
+       {std::pair("tube_radius", &other.tube_radius), std::pair("lead", &other.lead),
+        std::pair("stiffness", &other.stiffness), std::pair("pass", &other.pass),
+        std::pair("deviation_costs_all", &other.rule.deviation), std::pair("force_costs_all", &other.rule.force),
+        std::pair("slowness_costs_all", &other.rule.slowness)}) {
     other = exercise;
     *value *= 1.0 + 1e-12;
     expectMiss(other, field);
@@ -106,7 +106,7 @@ TEST_P(Exercises, TheSimulatedHandGetsThrough) {
   const auto report = runSession(cell.session);
   ASSERT_TRUE(report.has_value()) << report.error().message();
   EXPECT_GT(report->training_share, 0.98);
-  EXPECT_LT(report->penetration_max_m, 1e-4);
+  EXPECT_LT(report->forces.penetration_max_m, 1e-4);
   const TrainingRun run(cell.exercise, cell.expert, 1.0);
   const auto attempt = run.finish(report->recording, "2026-01-01T00:00:00Z");
   EXPECT_TRUE(attempt.success) << attempt.score.points;
@@ -167,9 +167,9 @@ TEST(TrainingRun, HelpLeadsAHandThatDoesNotGoItself) {
     cell.session.training = {cell.exercise, cell.expert, help};
     const auto report = runSession(cell.session);
     ASSERT_TRUE(report.has_value());
-    went[help] = glm::distance(report->X_WMFinal.p, cell.expert[0].X_WT.p);
+    went[help] = glm::distance(report->end.X_WM.p, cell.expert[0].X_WT.p);
     if (help > 0.0) {
-      EXPECT_GT(report->force_max_n, 0.5);
+      EXPECT_GT(report->forces.force_max_n, 0.5);
     }
   }
   EXPECT_LT(went[0.0], 5e-4);

@@ -114,8 +114,8 @@ TEST(GuideKinds, EachHoldsWhatIsShownAndIsFelt) {
       // The surface is followed by one tangent at the nearest points a step, while the wrist turns.
       EXPECT_LT(off, c.guide.kind == GuideKind::kSurface ? 1.5e-3 : 0.06e-3);
       EXPECT_GE(travel, c.least_travel);
-      EXPECT_GT(report->force_max_n, 0.3);
-      EXPECT_GE(report->energy_min_j, -1e-3);
+      EXPECT_GT(report->forces.force_max_n, 0.3);
+      EXPECT_GE(report->forces.energy_min_j, -1e-3);
     }
   }
 }
@@ -152,7 +152,7 @@ TEST(GuideKinds, TheCarDoorOpensToItsStopAndSnapsShut) {
     EXPECT_GT(resisted, 0.2) << "friction";
     EXPECT_GT(at_stop, 1.0) << "the stop is felt";
     EXPECT_NEAR(last, 0.0, 2e-3) << "shut";
-    EXPECT_LE(report->penetration_max_m, 1e-4);
+    EXPECT_LE(report->forces.penetration_max_m, 1e-4);
   }
 }
 

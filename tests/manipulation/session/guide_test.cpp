@@ -143,8 +143,8 @@ TEST(GuideSession, ADoorTurnsOnItsHingeAndMeetsItsStop) {
     EXPECT_LT(turned_off, 1e-3) << "the door's own turn follows the hinge";
     EXPECT_GT(farthest, 0.34) << "it came to its stop";
     EXPECT_LT(farthest, 0.3505);
-    EXPECT_GT(report->force_max_n, 1.0) << "the stop is felt";
-    EXPECT_GE(report->energy_min_j, -3e-3);
+    EXPECT_GT(report->forces.force_max_n, 1.0) << "the stop is felt";
+    EXPECT_GE(report->forces.energy_min_j, -3e-3);
   }
 }
 
@@ -153,7 +153,7 @@ TEST(GuideSession, WithoutTheGuideItGoesAnywhere) {
   options.guides[0].enabled = false;
   const auto report = runSession(options);
   ASSERT_TRUE(report.has_value());
-  EXPECT_NEAR(report->X_WMFinal.p.x, 0.12, 0.003);
+  EXPECT_NEAR(report->end.X_WM.p.x, 0.12, 0.003);
 }
 
 }  // namespace

@@ -35,13 +35,13 @@ INSTANTIATE_TEST_SUITE_P(Rates, RealParts, testing::Values(Rate{10.0, 0.050}, Ra
                          [](const auto& which) { return which.param.hz < 100.0 ? "Slow" : "Fast"; });
 
 void expectSafe(const SessionReport& report) {
-  EXPECT_GE(report.energy_min_j, -1e-3);
-  EXPECT_LE(report.penetration_max_m, 1e-4);
-  EXPECT_LE(report.force_max_n, 6.4);
-  EXPECT_LE(report.force_max_step_n_per_ms, 1.0 + 1e-6);
-  EXPECT_GT(report.force_max_n, 0.5);
+  EXPECT_GE(report.forces.energy_min_j, -1e-3);
+  EXPECT_LE(report.forces.penetration_max_m, 1e-4);
+  EXPECT_LE(report.forces.force_max_n, 6.4);
+  EXPECT_LE(report.forces.force_max_step_n_per_ms, 1.0 + 1e-6);
+  EXPECT_GT(report.forces.force_max_n, 0.5);
   ASSERT_FALSE(report.contacts.empty());
-  EXPECT_TRUE(report.held);
+  EXPECT_TRUE(report.end.held);
 }
 
 /// Beside the hole's middle onto its face, pressed, over the hole's rim, tilted, and away.
@@ -62,7 +62,7 @@ TEST_P(RealParts, PegPressedOnTheRimOfItsHole) {
       "peg", hand, GetParam().hz, GetParam().latency_s));
   ASSERT_TRUE(report) << report.error().message();
   expectSafe(*report);
-  EXPECT_NEAR(report->X_WMFinal.p.z, 0.03, 1e-3);
+  EXPECT_NEAR(report->end.X_WM.p.z, 0.03, 1e-3);
 }
 
 /// Searched for in a shrinking spiral under a light push, in by 18 mm, shifted in there, and out. The safety distance
@@ -101,7 +101,7 @@ TEST_P(RealParts, PegGoesIntoItsHoleAndComesOut) {
   expectSafe(*report);
   EXPECT_LT(lowest, 0.003) << "the hand goes down to 2 mm above the hole's bottom";
   EXPECT_GT(side_force, 0.5) << "the wall is felt where the hand leans by 4 mm";
-  EXPECT_NEAR(report->X_WMFinal.p.z, 0.03, 1e-3);
+  EXPECT_NEAR(report->end.X_WM.p.z, 0.03, 1e-3);
 }
 
 TEST_P(RealParts, RobotPressedOnAHousing) {

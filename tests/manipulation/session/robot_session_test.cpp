@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "manipulation/scene/own_pairs.h"
 #include "manipulation/manipulators/robot_manipulator.h"
 #include "manipulation/manipulators/singularity_wall.h"
+#include "manipulation/scene/own_pairs.h"
 #include "tests/kinematics/model/test_robots.h"
 #include "tests/manipulation/session/test_cells.h"
 
@@ -91,7 +91,7 @@ TEST(RobotSession, SingularitiesAreWallsWhereTheUserWantsThat) {
                                    [](const LimitEvent& event) { return event.kind == LimitKind::kSingularity; });
     ASSERT_NE(told, report->limits.end());
     EXPECT_EQ(told->text, "The arm is near a singularity");
-    EXPECT_NEAR(report->final_configuration.joints[4], 0.1, 0.01) << "and it comes back, " << rate;
+    EXPECT_NEAR(report->end.configuration.joints[4], 0.1, 0.01) << "and it comes back, " << rate;
   }
 }
 
@@ -115,7 +115,7 @@ TEST(RobotSession, TellsWhichJointsLimitHoldsIt) {
   ASSERT_NE(told, report->limits.end());
   EXPECT_NE(told->text.find("a5 is "), std::string::npos) << told->text;
   EXPECT_NE(told->text.find("upper limit"), std::string::npos) << told->text;
-  ASSERT_FALSE(report->final_limits.empty());
+  ASSERT_FALSE(report->end.limits.empty());
 }
 
 /// A column beside an arm, and a forearm below that arm which can turn into the column.
@@ -158,7 +158,7 @@ TEST(RobotSession, ForearmRestsOnItsOwnColumn) {
       return event.entity == event.other && event.moved_part == "base_link" && event.other_part == "j2_link";
     });
     EXPECT_EQ(met, checked);
-    EXPECT_EQ(report->penetration_max_m, 0.0);
+    EXPECT_EQ(report->forces.penetration_max_m, 0.0);
     // Seen from joint 2 the column's middle lies at 2.28 rad, 0.46 m away; it and half the forearm take 0.2 rad.
     const double furthest = report->joints.at(1).highest;
     EXPECT_TRUE(checked ? furthest < 2.2 && furthest > 1.9 : furthest > 2.4) << furthest;

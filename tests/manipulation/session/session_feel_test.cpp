@@ -34,9 +34,9 @@ TEST(SessionFeel, TapsMakeNoMoreThanAMillijoule) {
   for (const double rate : {10.0, 1000.0}) {
     const auto report = runSession(sessionOf(boxOverTable(0.012), "box", tappingHand(0.25), rate, 0.5 / rate));
     ASSERT_TRUE(report) << report.error().message();
-    EXPECT_GT(report->force_max_n, 2.0);
-    EXPECT_LT(report->energy_min_j, 0.0);
-    EXPECT_GE(report->energy_min_j, -1e-3) << rate;
+    EXPECT_GT(report->forces.force_max_n, 2.0);
+    EXPECT_LT(report->forces.energy_min_j, 0.0);
+    EXPECT_GE(report->forces.energy_min_j, -1e-3) << rate;
   }
 }
 
@@ -64,8 +64,8 @@ TEST(SessionFeel, ADeviceOfSixDrivenAxesResistsTheTurn) {
   EXPECT_GT(glm::length(torque), 0.02);
   EXPECT_LT(torque.y, 0.0) << "against the turn";
   EXPECT_LE(most, 0.188 + 1e-9);
-  EXPECT_LE(six->penetration_max_m, 1e-4);
-  EXPECT_GE(six->energy_min_j, -1e-3);
+  EXPECT_LE(six->forces.penetration_max_m, 1e-4);
+  EXPECT_GE(six->forces.energy_min_j, -1e-3);
 }
 
 workcell::ScriptedMotion going(const dvec3& way, double duration) {
@@ -88,9 +88,9 @@ TEST(SessionFeel, AConveyorUnderThePartIsFeltAsItsFrictionOnly) {
     const auto moving =
         runSession(sessionOf(cell, "box", hand, rate, 0.5 / rate), [&](const TraceRow& row) { force = row.force_D; });
     ASSERT_TRUE(still && moving);
-    EXPECT_NEAR(moving->force_max_n, still->force_max_n, 0.15 * still->force_max_n) << rate;
-    EXPECT_LE(moving->penetration_max_m, 7.5e-5) << rate;
-    EXPECT_GE(moving->energy_min_j, -0.75e-3) << rate;
+    EXPECT_NEAR(moving->forces.force_max_n, still->forces.force_max_n, 0.15 * still->forces.force_max_n) << rate;
+    EXPECT_LE(moving->forces.penetration_max_m, 7.5e-5) << rate;
+    EXPECT_GE(moving->forces.energy_min_j, -0.75e-3) << rate;
     EXPECT_GT(force.z, 1.0);
     EXPECT_GT(force.x, 0.05 * force.z) << "it drags along, steel on steel";
     EXPECT_LT(force.x, 0.4 * force.z);
@@ -109,8 +109,8 @@ TEST(SessionFeel, AWallThatComesPushesThePartAndNeverEntersIt) {
     options.configuration.hand.stiffness = 150.0;
     const auto report = runSession(options);
     ASSERT_TRUE(report) << report.error().message();
-    EXPECT_GT(report->force_max_n, 1.0) << rate;
-    EXPECT_LE(report->penetration_max_m, 7.5e-5) << rate;
+    EXPECT_GT(report->forces.force_max_n, 1.0) << rate;
+    EXPECT_LE(report->forces.penetration_max_m, 7.5e-5) << rate;
     ASSERT_EQ(report->contacts.size(), 1U) << rate;
     // 160 mm at 0.1 m/s: it arrives after 1.6 s.
     EXPECT_NEAR(report->contacts[0].time_in, 1.6, 0.15) << rate;
@@ -148,7 +148,7 @@ Felt feltOf(const SessionOptions& options) {
   });
   EXPECT_TRUE(report.has_value());
   if (report.has_value()) {
-    EXPECT_GE(report->energy_min_j, -1e-3);
+    EXPECT_GE(report->forces.energy_min_j, -1e-3);
   }
   return felt;
 }
@@ -211,7 +211,7 @@ SlidOver slidOver(std::vector<workcell::Entity> cell, geometry::TriangleMesh mes
   });
   EXPECT_TRUE(report) << report.error().message();
   if (!report) return felt;
-  EXPECT_LE(report->penetration_max_m, 1e-4);
+  EXPECT_LE(report->forces.penetration_max_m, 1e-4);
   return felt;
 }
 

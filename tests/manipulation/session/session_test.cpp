@@ -37,10 +37,10 @@ haptic::HandPath pressAndSlide() {
 }
 
 void expectFeelsRight(const SessionReport& report) {
-  EXPECT_LE(report.penetration_max_m, 1e-4);
-  EXPECT_LE(report.force_max_n, 6.4);
-  EXPECT_LE(report.force_max_step_n_per_ms, 1.0 + 1e-6);
-  EXPECT_GE(report.energy_min_j, -1e-3);
+  EXPECT_LE(report.forces.penetration_max_m, 1e-4);
+  EXPECT_LE(report.forces.force_max_n, 6.4);
+  EXPECT_LE(report.forces.force_max_step_n_per_ms, 1.0 + 1e-6);
+  EXPECT_GE(report.forces.energy_min_j, -1e-3);
 }
 
 class SessionAtRate : public testing::TestWithParam<Rate> {};
@@ -52,16 +52,16 @@ TEST_P(SessionAtRate, BoxPressedOnTableSlidesAndLeaves) {
       runSession(sessionOf(boxOverTable(0.02), "box", pressAndSlide(), GetParam().hz, GetParam().latency_s));
   ASSERT_TRUE(report) << report.error().message();
   expectFeelsRight(*report);
-  EXPECT_GT(report->force_max_n, 1.0);
+  EXPECT_GT(report->forces.force_max_n, 1.0);
   ASSERT_EQ(report->contacts.size(), 1U);
   EXPECT_EQ(report->contacts[0].other, 1U);
   EXPECT_GT(report->contacts[0].time_in, 1.2);
   EXPECT_LT(report->contacts[0].time_out, 5.0);
-  EXPECT_TRUE(report->held);
+  EXPECT_TRUE(report->end.held);
   // The hand ends 10 mm above and 50, 30 mm beside where it took the box.
-  EXPECT_NEAR(report->X_WMFinal.p.x, 0.05, 0.002);
-  EXPECT_NEAR(report->X_WMFinal.p.y, 0.03, 0.002);
-  EXPECT_NEAR(report->X_WMFinal.p.z, 0.06, 0.003);
+  EXPECT_NEAR(report->end.X_WM.p.x, 0.05, 0.002);
+  EXPECT_NEAR(report->end.X_WM.p.y, 0.03, 0.002);
+  EXPECT_NEAR(report->end.X_WM.p.z, 0.06, 0.003);
 }
 
 TEST_P(SessionAtRate, WhatStartsInsideComesFreeWithoutAJump) {
@@ -86,7 +86,7 @@ TEST_P(SessionAtRate, WhatStartsInsideComesFreeWithoutAJump) {
   // A hand of 31 mm/s moves 3.1 mm between two steps at 10 Hz.
   EXPECT_LT(longest, 1.5 * 0.0315 / std::min(GetParam().hz, 1000.0) + 5e-4);
   EXPECT_NEAR(before, 0.055, 0.002) << "it is where the hand lifted it";
-  EXPECT_TRUE(report->final_contacts.empty());
+  EXPECT_TRUE(report->end.contacts.empty());
 }
 
 TEST_P(SessionAtRate, DemonstrationFeelsRight) {
@@ -101,7 +101,7 @@ TEST_P(SessionAtRate, DemonstrationFeelsRight) {
   ASSERT_TRUE(report) << report.error().message();
   expectFeelsRight(*report);
   EXPECT_GE(report->contacts.size(), 2U);
-  EXPECT_GT(report->force_max_n, 1.0);
+  EXPECT_GT(report->forces.force_max_n, 1.0);
 }
 
 TEST_P(SessionAtRate, NothingIsTunnelledThroughAtOneMetrePerSecond) {
@@ -114,9 +114,9 @@ TEST_P(SessionAtRate, NothingIsTunnelledThroughAtOneMetrePerSecond) {
       handThrough({{0.0, {0, 0, 0.055}}, {1.2, {0, 0, 0.055}}, {1.35, {0, 0, -0.055}}, {2.0, {0, 0, -0.055}}}),
       GetParam().hz, GetParam().latency_s));
   ASSERT_TRUE(report) << report.error().message();
-  EXPECT_LE(report->penetration_max_m, 1e-4);
-  EXPECT_GT(report->X_WMFinal.p.z, 0.0105);
-  EXPECT_LE(report->force_max_n, 6.4);
+  EXPECT_LE(report->forces.penetration_max_m, 1e-4);
+  EXPECT_GT(report->end.X_WM.p.z, 0.0105);
+  EXPECT_LE(report->forces.force_max_n, 6.4);
 }
 
 TEST_P(SessionAtRate, StopHoldsWhereSlideGoesOn) {
@@ -131,8 +131,8 @@ TEST_P(SessionAtRate, StopHoldsWhereSlideGoesOn) {
     options.on_contact = on_contact;
     const auto report = runSession(options);
     EXPECT_TRUE(report);
-    EXPECT_LE(report->penetration_max_m, on_contact == workcell::OnContact::kPass ? 1.0 : 1e-4);
-    return report->X_WMFinal.p;
+    EXPECT_LE(report->forces.penetration_max_m, on_contact == workcell::OnContact::kPass ? 1.0 : 1e-4);
+    return report->end.X_WM.p;
   };
   EXPECT_GT(end(workcell::OnContact::kSlide).x, 0.015);
   EXPECT_LT(end(workcell::OnContact::kStop).x, 0.002);
@@ -146,8 +146,8 @@ TEST_P(SessionAtRate, AnEntityThatLiesOnTheTableCanBeLiftedAndNotPressedIn) {
           {{0.0, {0, 0, 0}}, {1.0, {0, 0, 0}}, {1.8, {0, 0, -0.005}}, {3.0, {0.01, 0, 0.03}}, {3.3, {0.01, 0, 0.03}}}),
       GetParam().hz, GetParam().latency_s));
   ASSERT_TRUE(report) << report.error().message();
-  EXPECT_LE(report->penetration_max_m, 1e-4);
-  EXPECT_NEAR(report->X_WMFinal.p.z, 0.06, 0.003);
+  EXPECT_LE(report->forces.penetration_max_m, 1e-4);
+  EXPECT_NEAR(report->end.X_WM.p.z, 0.06, 0.003);
 }
 
 TEST(Session, WithForcesOffItIsAThreeDimensionalMouseThatNeverPenetrates) {
@@ -155,9 +155,9 @@ TEST(Session, WithForcesOffItIsAThreeDimensionalMouseThatNeverPenetrates) {
   options.forces = false;
   const auto report = runSession(options);
   ASSERT_TRUE(report);
-  EXPECT_EQ(report->force_max_n, 0.0);
-  EXPECT_EQ(report->penetration_max_m, 0.0);
-  EXPECT_NEAR(report->X_WMFinal.p.x, 0.05, 0.001);
+  EXPECT_EQ(report->forces.force_max_n, 0.0);
+  EXPECT_EQ(report->forces.penetration_max_m, 0.0);
+  EXPECT_NEAR(report->end.X_WM.p.x, 0.05, 0.001);
 }
 
 TEST(Session, TheSameInputGivesTheSameTrace) {
@@ -188,8 +188,8 @@ TEST(Session, ScaleMultipliesTranslationOnly) {
   options.scale = {ScaleLevel::kRough, 1.0};
   const auto report = runSession(options);
   ASSERT_TRUE(report);
-  EXPECT_NEAR(report->X_WMFinal.p.x, 0.02 * options.configuration.scale.rough, 0.002);
-  EXPECT_NEAR(rotationVector(report->X_WMFinal.q).z, 0.3, 0.02);
+  EXPECT_NEAR(report->end.X_WM.p.x, 0.02 * options.configuration.scale.rough, 0.002);
+  EXPECT_NEAR(rotationVector(report->end.X_WM.q).z, 0.3, 0.02);
 }
 
 TEST(Session, UnknownNamesAreToldWithWhatThereIs) {
@@ -214,8 +214,8 @@ TEST_P(SessionAtRate, PlateThatStandsOnTheTableLeavesItWithoutDippingIn) {
                                              {4.0, {0, 0, 0.05}}});
   const auto report = runSession(sessionOf(entities, "box", hand, GetParam().hz, GetParam().latency_s));
   ASSERT_TRUE(report) << report.error().message();
-  EXPECT_LE(report->penetration_max_m, FreeMotion::kGuard);
-  EXPECT_GT(report->X_WMFinal.p.z, 0.03);
+  EXPECT_LE(report->forces.penetration_max_m, FreeMotion::kGuard);
+  EXPECT_GT(report->end.X_WM.p.z, 0.03);
 }
 
 TEST(Session, RunsInRealTimeThroughAServerOfItsOwn) {
@@ -227,8 +227,8 @@ TEST(Session, RunsInRealTimeThroughAServerOfItsOwn) {
   const auto report = runSessionOnServer(options, "127.0.0.1", (*server)->port());
   ASSERT_TRUE(report) << report.error().message();
   EXPECT_GT(report->ticks, 0U);
-  EXPECT_LE(report->penetration_max_m, 1e-4);
-  EXPECT_LE(report->force_max_n, 6.4);
+  EXPECT_LE(report->forces.penetration_max_m, 1e-4);
+  EXPECT_LE(report->forces.force_max_n, 6.4);
 }
 
 TEST(Session, EndsInAnErrorThatSaysWhenItsServerWasLost) {
@@ -250,7 +250,7 @@ TEST(Session, PassingThroughIsNotFeltEvenAtTenHertz) {
   options.on_contact = workcell::OnContact::kPass;
   const auto report = runSession(options);
   ASSERT_TRUE(report) << report.error().message();
-  EXPECT_EQ(report->force_max_n, 0.0);
+  EXPECT_EQ(report->forces.force_max_n, 0.0);
 }
 
 }  // namespace

@@ -56,9 +56,9 @@ TEST_P(SharedRobot, IsDraggedAtItsJointsSpeedAndTellsWhyItStops) {
   options.scale = {ScaleLevel::kNumber, 20.0};
   const auto report = runSession(options);
   ASSERT_TRUE(report) << report.error().message();
-  EXPECT_TRUE(report->held);
-  EXPECT_LE(report->penetration_max_m, 1e-6);
-  EXPECT_LT(report->force_max_step_n_per_ms, 1.0 + 1e-6);
+  EXPECT_TRUE(report->end.held);
+  EXPECT_LE(report->forces.penetration_max_m, 1e-6);
+  EXPECT_LT(report->forces.force_max_step_n_per_ms, 1.0 + 1e-6);
   for (const JointUse& use : report->joints) {
     const kinematics::Joint& joint = robot->robot->joints[static_cast<std::size_t>(use.joint)];
     EXPECT_LE(use.max_speed, use.greatest_speed * (1.0 + 1e-6)) << joint.name;

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "app/panels/cell/history_panel.h"
-#include "app/panels/collisions/pair_rows.h"
+#include "app/panels/collisions/pair_table_model.h"
 #include "app/controls/pose_text.h"
 #include "app/controls/strip_history.h"
 #include "app/panels/tree/workcell_tree_model.h"

@@ -18,11 +18,12 @@ PostureAngles plain(double upper_arm, double lower_arm, double wrist, double nec
   angles.neck_flexion = neck;
   angles.trunk_flexion = trunk;
   angles.knee_flexion = knee;
-  for (auto flag :
-       {&PostureAngles::upper_arm_abducted, &PostureAngles::upper_arm_rotated, &PostureAngles::shoulder_raised,
-        &PostureAngles::arm_supported, &PostureAngles::lower_arm_across_midline, &PostureAngles::wrist_deviated,
-        &PostureAngles::wrist_twist_at_end, &PostureAngles::neck_twisted, &PostureAngles::neck_side_bent,
-        &PostureAngles::trunk_twisted, &PostureAngles::trunk_side_bent, &PostureAngles::seated}) {
+  using Flag = std::optional<bool> PostureAngles::*;
+  for (const Flag flag : std::initializer_list<Flag>{
+           &PostureAngles::upper_arm_abducted, &PostureAngles::upper_arm_rotated, &PostureAngles::shoulder_raised,
+           &PostureAngles::arm_supported, &PostureAngles::lower_arm_across_midline, &PostureAngles::wrist_deviated,
+           &PostureAngles::wrist_twist_at_end, &PostureAngles::neck_twisted, &PostureAngles::neck_side_bent,
+           &PostureAngles::trunk_twisted, &PostureAngles::trunk_side_bent, &PostureAngles::seated}) {
     angles.*flag = false;
   }
   angles.legs_supported = true;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "app/style/value_field.h"
+
+class QCheckBox;
+
+namespace hapticell::app {
+
+/// A number with a box that says whether it is known. GUI thread.
+class KnownField : public QWidget {
+  Q_OBJECT
+ public:
+  /// The field has the object name `name`, the box the same with "Known" behind it; `words` for screen readers.
+  KnownField(const char* name, const QString& words, const ValueField::Format& format, QWidget* parent = nullptr);
+  /// A field that is being typed into keeps its number.
+  void setValue(const std::optional<double>& value);
+  ValueField& field() { return *field_; }
+
+ signals:
+  void edited(const std::optional<double>& value);
+
+ private:
+  ValueField* field_;
+  QCheckBox* known_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/import/bent_start.h"
+
+#include <QObject>
+#include <QStringList>
+
+#include "kinematics/model/start_posture.h"
+
+namespace hapticell::app {
+
+void startBent(workcell::Entity& entity, workcell::ImportReport& report) {
+  if (entity.kind != workcell::EntityKind::kRobot || !entity.robot || !entity.robot->home.empty()) return;
+  if (!entity.joints.empty() && entity.joints != kinematics::restPositions(*entity.robot)) return;
+  auto start = kinematics::bentStart(*entity.robot, entity.robot->findLink(entity.tip_link));
+  if (!start) return;
+  QStringList joints;
+  for (const std::string& joint : start->bent_joints) joints << QString::fromStdString(joint);
+  entity.joints = std::move(start->q);
+  report.warnings.push_back(QObject::tr("The file of %1 names no home, and at zero it is singular: it could hardly be "
+                                        "dragged. It starts with %2 bent. Keep a home of your own in the Robot dock.")
+                                .arg(QString::fromStdString(entity.name), joints.join(QStringLiteral(", ")))
+                                .toStdString());
+}
+
+}  // namespace hapticell::app

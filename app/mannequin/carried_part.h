@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+#include "workcell/entity/entity.h"
+
+class QComboBox;
+class QPushButton;
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+class MannequinContext;
+
+/// The row *In the hand*: which solid, and the button that takes it or lets it go. GUI thread.
+class CarriedPart : public QObject {
+  Q_OBJECT
+ public:
+  /// The context must outlive it.
+  CarriedPart(MannequinContext& context, QVBoxLayout& section, QObject* parent = nullptr);
+  /// 0: there is none.
+  workcell::EntityId chosen() const;
+  void show();
+
+ signals:
+  void carryWanted();
+
+ private:
+  MannequinContext& context_;
+  QComboBox* part_;
+  bool part_chosen_ = false;  ///< By the user: it stays when others come or change places.
+  QPushButton* carry_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <array>
+
+#include "workcell/entity/entity.h"
+
+class QVBoxLayout;
+class QWidget;
+
+namespace hapticell::app {
+
+class Host;
+class ReferenceChoice;
+class Segmented;
+class ValueField;
+
+/// Where the selected solid stands: in the world, in what it hangs on, or in a frame. Typed values are commands of the
+/// document. GUI thread.
+class SolidPlace : public QObject {
+  Q_OBJECT
+ public:
+  /// The host must outlive it.
+  SolidPlace(Host& host, QVBoxLayout& column, QObject* parent = nullptr);
+  /// What its place can be given in, as the document is.
+  void showChoices(const workcell::Entity& solid);
+  /// Where it is shown now.
+  void showNow(const workcell::Entity& solid);
+
+ private:
+  void place();
+  void showAgain();
+  const workcell::Entity* solid() const;
+  Pose placeReference_W(const workcell::Entity& solid) const;
+
+  Host& host_;
+  Segmented* in_;
+  ReferenceChoice* frame_;  ///< In which frame, where one of the cell is meant.
+  QWidget* frame_row_;
+  std::array<ValueField*, 6> fields_{};
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/style/value_field.h"
+
+namespace hapticell::app {
+
+/// A field of a number with an object name, as it begins.
+inline ValueField* namedField(const char* name, const ValueField::Format& format, double value) {
+  auto* made = new ValueField(format);
+  made->setObjectName(name);
+  made->setValue(value);
+  return made;
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+#include "trajectory/training/training.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+class ProgressPlot;
+
+/// The section *Results* of the dock *Training*: the last run's score, progress over all runs, a run chosen to be
+/// replayed, export. GUI thread.
+class ResultsSection : public QObject {
+  Q_OBJECT
+ public:
+  explicit ResultsSection(QVBoxLayout& column, QObject* parent = nullptr);
+
+  /// The list of runs anew, the last one first.
+  void fillRuns(const trajectory::TrainingSession& session);
+  /// Index of the chosen run among the session's attempts; 0 where there is none.
+  std::size_t chosenRun() const;
+  /// `pass`: points that are needed.
+  void show(const trajectory::TrainingSession& session, bool may_replay, double pass);
+
+ signals:
+  void replayWanted();
+  void runChosen();
+  void exportWanted();
+
+ private:
+  QLabel *score_, *unaided_;
+  ProgressPlot* plot_;
+  QComboBox* runs_;
+  QPushButton *replay_, *export_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <string>
+
+#include "trajectory/training/training.h"
+
+namespace hapticell::app {
+
+/// A trainee's results at one exercise, and the file that keeps them, its runs beside it. GUI thread.
+class TrainingResults {
+ public:
+  const trajectory::TrainingSession& session() const { return session_; }
+  trajectory::TrainingSession& session() { return session_; }
+  /// The file; empty: by trainee and exercise, among the user's data.
+  void setPath(const QString& path) { path_ = path; }
+  /// Those of this trainee at this exercise (empty: none, then nothing is read). Errors: the file cannot be read; then
+  /// there are none yet.
+  Expected<void> load(const QString& trainee, const std::string& exercise);
+  Expected<void> keep() const;
+  /// Writes a run beside the results; its name relative to them.
+  Expected<std::string> keepRun(const trajectory::Trajectory& run) const;
+  Expected<trajectory::Trajectory> readRun(std::size_t attempt) const;
+
+ private:
+  QString file() const;
+
+  QString path_, trainee_;
+  std::string exercise_;
+  trajectory::TrainingSession session_;
+};
+
+}  // namespace hapticell::app

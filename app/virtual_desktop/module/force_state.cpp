@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/virtual_desktop/module/force_state.h"
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/style/library_text.h"
+#include "app/virtual_desktop/module/virtual_desktop_controller.h"
+
+namespace hapticell::app {
+
+void ForceState::setWanted(bool on) {
+  wanted_ = on;
+  cut_ = lost_ = false;
+}
+
+void ForceState::connectionChanged() {
+  wanted_ = cut_ = false;
+}
+
+void ForceState::reset() {
+  wanted_ = lost_ = false;
+}
+
+void ForceState::snapshotCame(bool cut) {
+  since_snapshot_.start();
+  if (owner_.snapshot().forces_on) cut_ = false;
+  if (cut) tellOfCut();
+}
+
+ForceFacts ForceState::facts() const {
+  ForceFacts facts;
+  facts.started = owner_.isStarted();
+  facts.connected = owner_.isConnected();
+  facts.watching = owner_.isWatching();
+  facts.lost = lost_;
+  facts.forceless = owner_.device() && owner_.device()->driven_axes == 0;
+  facts.wanted = wanted_;
+  facts.on = facts.connected && owner_.snapshot().forces_on;
+  facts.ramp = owner_.snapshot().force_ramp;
+  facts.device_fault = facts.connected && owner_.snapshot().device_fault;
+  // A loop that hangs brings no snapshot that could say so.
+  constexpr qint64 kStalled = 2000;  // ms
+  facts.stalled =
+      facts.connected && wanted_ &&
+      (owner_.snapshot().loop_stalled || (since_snapshot_.isValid() && since_snapshot_.elapsed() > kStalled));
+  facts.cut = cut_;
+  constexpr double kEdge = 1e-3;  // m
+  facts.at_edge = owner_.device() && owner_.snapshot().device_edge_m < kEdge;
+  facts.held = owner_.snapshot().held != 0;
+  if (const workcell::Entity* held = owner_.host().documentModel().document().find(owner_.snapshot().held)) {
+    facts.checked = held->checked;
+    facts.passes = owner_.settings().on_contact == workcell::OnContact::kPass;
+  }
+  if (!facts.connected) facts.problem = owner_.link().problem();
+  return facts;
+}
+
+void ForceState::tellOfCut() {
+  cut_ = true;
+  owner_.sound().strike(SoundEvent::kFault);
+  owner_.host().messages().tell(Severity::kWarning, QObject::tr("The forces went off"), forceReason(facts()).why);
+}
+
+void ForceState::tellOfLoss() {
+  owner_.sound().strike(SoundEvent::kFault);
+  if (owner_.isWatching() || owner_.link().isRefused()) {
+    owner_.host().messages().tell(Severity::kProblem,
+                                  QObject::tr("The forces went off: another window took the stylus"),
+                                  QObject::tr("Take the stylus in the panel Virtual Desktop takes it back."));
+    return;
+  }
+  lost_ = true;
+  owner_.host().messages().tell(
+      Severity::kProblem, QObject::tr("The forces went off: the haptic server is gone"),
+      owner_.link().problem() + QLatin1Char(' ') +
+          QObject::tr("What is held stays where it is. Once a server answers again, Ctrl+Space turns the forces on."));
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include "app/virtual_desktop/devices/mouse_stylus.h"
+
+namespace hapticell::app {
+
+class VirtualDesktopController;
+
+/// The mouse as the hand of a simulated first stylus. GUI thread.
+class MouseHand : public QObject {
+ public:
+  /// The owner must outlive it.
+  explicit MouseHand(VirtualDesktopController& owner);
+
+  MouseStylus& stylus() { return mouse_; }
+  /// The pen as the newest snapshot and the view have it.
+  void update();
+
+ private:
+  void post(const haptic::HandTarget& target);
+
+  VirtualDesktopController& owner_;
+  MouseStylus mouse_;
+  QElapsedTimer pressed_;
+};
+
+}  // namespace hapticell::app

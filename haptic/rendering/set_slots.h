@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "haptic/rendering/proxy_rows.h"
+
+namespace hapticell::haptic {
+
+/// The constraint set in use and the one that was offered last, until the next tick changes them.
+///
+/// Force loop's thread; never allocates, locks or throws. About 60 kB.
+class SetSlots {
+ public:
+  /// Forgets both.
+  void reset();
+  /// `dt` s pass for the set in use.
+  void advance(double dt);
+
+  /// Whether a set of this number is older than the one in use, which was taken within the last 2.5 s.
+  bool isOutdated(std::uint64_t sequence) const;
+  /// `age` (s, at most 1 counts): how long ago the set was made.
+  void offer(const ConstraintSet& set, double age);
+  /// The offered set becomes the one in use.
+  void change();
+
+  bool holds() const { return has_set_; }
+  bool offered() const { return offered_; }
+  const GroupedSet& current() const { return sets_[current_]; }
+  const GroupedSet& next() const { return sets_[1 - current_]; }  ///< The offered one.
+  std::uint64_t sequence() const { return has_set_ ? current().set.sequence : 0; }
+
+ private:
+  std::array<GroupedSet, 2> sets_{};
+  std::size_t current_ = 0;  ///< Index of the set in use; the other one is the offered one.
+  bool has_set_ = false;
+  bool offered_ = false;
+  double since_change_ = 0.0;  ///< s.
+};
+
+}  // namespace hapticell::haptic

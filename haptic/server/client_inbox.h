@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "haptic/protocol/messages.h"
+#include "haptic/rendering/constraint_set.h"
+#include "haptic/rendering/triple_buffer.h"
+
+namespace hapticell::haptic {
+
+/// What the controlling client sends to the force loop: its session, its signs of life and the newest message of each
+/// kind. The link thread writes, the force thread takes; neither ever waits, allocates or throws.
+///
+/// Messages carry the session that they came in, so that a late one of an earlier client is not taken.
+class ClientInbox {
+ public:
+  // Link thread. `now`: the loop's clock, ns.
+  void open(std::int64_t now) noexcept;
+  void close() noexcept { session_.store(0, std::memory_order_release); }
+  void heard(std::int64_t now) noexcept { last_heard_.store(now, std::memory_order_relaxed); }
+  /// How long this client may be silent, s; 0: as the loop's options say.
+  void expectWithin(double seconds) noexcept { silence_limit_.store(seconds, std::memory_order_relaxed); }
+  void submit(const ConstraintSet& set) noexcept { put(sets_, set); }
+  void submit(const HapticControl& control) noexcept { put(controls_, control); }
+  void submit(const HandTarget& target) noexcept { put(targets_, target); }
+
+  // Force thread.
+  bool isOpen() const noexcept { return session_.load(std::memory_order_acquire) != 0; }
+  /// True when a session is open that has not been seen before: its messages are taken from now on.
+  bool beginSession() noexcept;
+  double silence(std::int64_t now) const noexcept;  ///< s since the client was heard.
+  double silenceLimit() const noexcept { return silence_limit_.load(std::memory_order_relaxed); }
+  /// The newest message of the session that has begun, once; null when there is none.
+  const ConstraintSet* takeSet() noexcept { return take(sets_); }
+  const HapticControl* takeControl() noexcept { return take(controls_); }
+  const HandTarget* takeHandTarget() noexcept { return take(targets_); }
+
+ private:
+  template <typename T>
+  struct Incoming {
+    std::uint64_t session = 0;
+    T value;
+  };
+  template <typename T>
+  struct Slot {
+    TripleBuffer<Incoming<T>> buffer;
+    bool waiting = false;  // Force thread's own: the newest value is not used yet.
+  };
+
+  template <typename T>
+  void put(Slot<T>& slot, const T& value) noexcept {
+    Incoming<T>& incoming = slot.buffer.writeSlot();
+    incoming.session = last_session_;
+    incoming.value = value;
+    slot.buffer.publish();
+  }
+  template <typename T>
+  const T* take(Slot<T>& slot) noexcept {
+    if (slot.buffer.update()) slot.waiting = true;
+    // One of a session that the loop has not seen yet waits for the next tick.
+    if (!slot.waiting || slot.buffer.value().session != begun_) return nullptr;
+    slot.waiting = false;
+    return &slot.buffer.value().value;
+  }
+
+  std::atomic<std::uint64_t> session_{0};  // 0: closed; else counts the sessions.
+  std::atomic<std::int64_t> last_heard_{0};
+  std::atomic<double> silence_limit_{0.0};
+  std::uint64_t last_session_ = 0;  // Link thread's own.
+  std::uint64_t begun_ = 0;         // Force thread's own: the session whose messages it takes.
+  Slot<ConstraintSet> sets_;
+  Slot<HapticControl> controls_;
+  Slot<HandTarget> targets_;
+};
+
+}  // namespace hapticell::haptic

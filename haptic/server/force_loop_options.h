@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "haptic/devices/device.h"
+#include "haptic/protocol/messages.h"
+#include "haptic/rendering/renderer_options.h"
+#include "haptic/rendering/safety_chain.h"
+
+namespace hapticell::haptic {
+
+/// How a force loop runs.
+struct ForceLoopOptions {
+  double rate_hz = 1000.0;
+  RendererOptions renderer;  ///< Stiffness and damping of the device's own, and its delay.
+  SafetyOptions safety;
+  std::size_t log_ticks = 4096;  ///< How many ticks the log keeps.
+};
+
+/// The options that follow from what a device can do: its forces, stiffness, damping and delay.
+ForceLoopOptions optionsFor(const Device& device, double rate_hz = 1000.0);
+
+/// What a client is told of a device at connection.
+DeviceDescription describe(const Device& device);
+
+}  // namespace hapticell::haptic
