@@ -69,12 +69,12 @@ std::optional<Pose> EntityGizmo::pose_W() const {
   const workcell::Entity& entity = *state.find(among ? current : ids.back());
   Pose X_WG = entity.X_WE;
   const HoldChoice& hold = host_.holdChoice();
-  if (hold.kind() == HoldChoice::Kind::kGeometricCenter) {
+  if (hold.is<by::Center>()) {
     const auto bounds = entity.mesh ? entity.mesh->bounds() : geometry::Bounds();
     X_WG.p = entity.mesh ? X_WG * bounds.center() : host_.viewport().scene().boundsOf_W(entity.id).center();
   }
   for (const workcell::Frame& frame : entity.frames)
-    if (hold.kind() == HoldChoice::Kind::kFrame && frame.name == hold.frame()) X_WG = entity.X_WE * frame.X_EF;
+    if (hold.is<by::Frame>() && frame.name == hold.frame()) X_WG = entity.X_WE * frame.X_EF;
   if (axes_ == EditAxes::kWorld) X_WG.q = dquat(1, 0, 0, 0);
   if (axes_ == EditAxes::kFrame) X_WG.q = R_WF_;
   if (axes_ == EditAxes::kParent) X_WG.q = parentPose_W(state, entity).q;

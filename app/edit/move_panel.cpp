@@ -10,14 +10,14 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "app/controls/pose_text.h"
+#include "app/controls/reference_choice.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/host/user_settings.h"
 #include "app/kit/form.h"
-#include "app/controls/pose_text.h"
-#include "app/controls/reference_choice.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 
@@ -25,7 +25,6 @@ namespace hapticell::app {
 namespace {
 
 using Mode = EntityGizmo::Mode;
-using Kind = HoldChoice::Kind;
 
 constexpr int kFrameAxes = static_cast<int>(EditAxes::kFrame);
 
@@ -82,10 +81,10 @@ void MovePanel::addTool(QVBoxLayout& column) {
   connect(frame_, &ReferenceChoice::referenceChanged, this, &MovePanel::showFrames);
   connect(frame_, &ReferenceChoice::framesListed, this, &MovePanel::showFrames);
   connect(about_, &Segmented::chosen, this, [this](int index) {
-    const Kind kinds[]{Kind::kSelfOrigin, Kind::kGeometricCenter, Kind::kFrame};
     const workcell::Entity* now = host_.documentModel().document().find(host_.selection().current());
     const std::string frame = now && !now->frames.empty() ? now->frames.front().name : std::string();
-    host_.holdChoice().set(kinds[index], index == 2 ? frame : std::string());
+    const HoldChoice::MovedBy ways[]{by::Origin{}, by::Center{}, by::Frame{frame}};
+    host_.holdChoice().set(ways[index]);
   });
 }
 
@@ -198,8 +197,8 @@ void MovePanel::storeSteps() {
 void MovePanel::showTool() {
   mode_->setCurrent(static_cast<int>(gizmo_.mode()));
   showFrames();
-  const Kind kind = host_.holdChoice().kind();
-  about_->setCurrent(kind == Kind::kGeometricCenter ? 1 : kind == Kind::kFrame ? 2 : 0);
+  const HoldChoice& hold = host_.holdChoice();
+  about_->setCurrent(hold.is<by::Center>() ? 1 : hold.is<by::Frame>() ? 2 : 0);
 }
 
 void MovePanel::showSelection() {

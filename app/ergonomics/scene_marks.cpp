@@ -15,8 +15,6 @@
 namespace hapticell::app {
 namespace {
 
-using Kind = HoldChoice::Kind;
-
 constexpr std::uint64_t kFirstKey = 100;  ///< Of the labels, one a part.
 constexpr int kArcPieces = 24;
 constexpr double kArcShare = 0.55;     ///< Of the limb's length: the arc's radius.
@@ -63,27 +61,20 @@ StripCell sizeCell(const LiveScores& scores, const MannequinContext& context) {
   return {Mark::kNone, said(name), said(lengthText(scores.figure()->body[mannequin::Dimension::kStature], 0))};
 }
 
+QString heldText(const manipulation::MovedBy& held) {
+  using manipulation::isSameWay;
+  if (isSameWay(held, by::Hand{mannequin::Side::kLeft})) return MarkText::tr("Left hand");
+  if (isSameWay(held, by::Hand{mannequin::Side::kRight})) return MarkText::tr("Right hand");
+  if (std::holds_alternative<by::BothHands>(held)) return MarkText::tr("Both hands");
+  return std::holds_alternative<by::Head>(held) ? MarkText::tr("Head") : MarkText::tr("Figure");
+}
+
 StripCell handCell(const MannequinContext& context, const std::array<bool, 2>& active) {
   QString who = active[0] && active[1] ? MarkText::tr("Both hands")
                 : active[0]            ? MarkText::tr("Left hand")
                                        : MarkText::tr("Right hand");
   if (!context.isHeld()) return {Mark::kNone, said(who), said(MarkText::tr("at work"))};
-  switch (context.host().holdChoice().kind()) {
-    case Kind::kLeftHand:
-      who = MarkText::tr("Left hand");
-      break;
-    case Kind::kRightHand:
-      who = MarkText::tr("Right hand");
-      break;
-    case Kind::kBothHands:
-      who = MarkText::tr("Both hands");
-      break;
-    case Kind::kHead:
-      who = MarkText::tr("Head");
-      break;
-    default:
-      who = MarkText::tr("Figure");
-  }
+  who = heldText(context.host().holdChoice().movedBy());
   return {Mark::kNone, said(who), said(MarkText::tr("held"))};
 }
 
@@ -104,13 +95,13 @@ std::vector<StripCell> stripOf(const LiveScores& scores, const MannequinContext&
   constexpr double kLittle = 0.01;  // m
   const auto active = ergonomics::activeHands(pose, scores.posture());
   const double left = ergonomics::reachLeft(*scores.figure(), pose, active);
-  const HoldChoice::Locks& locks = context.host().holdChoice().locks();
+  const by::BothHands& chosen = context.host().holdChoice().hands();
   return {sizeCell(scores, context),
           handCell(context, active),
           {left < kLittle ? Mark::kLimit : Mark::kNone, said(lengthText(left, 0)), said(MarkText::tr("of reach left"))},
           balanceCell(scores, pose),
-          {Mark::kNone, said(locks.feet ? MarkText::tr("Feet locked") : MarkText::tr("Feet may step")),
-           said(locks.trunk ? MarkText::tr("trunk locked") : MarkText::tr("trunk free"))}};
+          {Mark::kNone, said(chosen.may_step ? MarkText::tr("Feet may step") : MarkText::tr("Feet locked")),
+           said(chosen.locks.trunk ? MarkText::tr("trunk locked") : MarkText::tr("trunk free"))}};
 }
 
 }  // namespace

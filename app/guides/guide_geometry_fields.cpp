@@ -81,8 +81,7 @@ void GuideGeometryFields::show(const workcell::Guide& guide) {
   geometry_->setCursorPosition(0);
   geometry_->setToolTip(geometry_->text());
   const HoldChoice& hold = host_.holdChoice();
-  handle_->setText(hold.kind() == HoldChoice::Kind::kFrame ? QString::fromStdString(hold.frame())
-                                                           : tr("as it is held"));
+  handle_->setText(hold.is<by::Frame>() ? QString::fromStdString(hold.frame()) : tr("as it is held"));
   path_row_->setVisible(guide.kind == workcell::GuideKind::kTube);
 }
 

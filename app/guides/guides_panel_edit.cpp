@@ -128,7 +128,7 @@ void GuidesPanel::pickHandle() {
          frames.push_back({kHandle, self->host_.viewport().scene().placement_W(*entity).inverse() *
                                         Pose::translation(feature->p_WQ)});
          if (self->host_.documentModel().execute(workcell::SetFrames{entity->id, std::move(frames)}))
-           self->host_.holdChoice().set(HoldChoice::Kind::kFrame, kHandle);
+           self->host_.holdChoice().set(by::Frame{kHandle});
          self->show();
        }});
 }
@@ -173,12 +173,12 @@ dvec3 GuidesPanel::movedPoint_W(const Guide& guide) const {
   const Pose X_WE = scene.placement_W(*entity);
   const HoldChoice& hold = host_.holdChoice();
   for (const workcell::Frame& frame : entity->frames)
-    if (hold.kind() == HoldChoice::Kind::kFrame && frame.name == hold.frame()) return X_WE * frame.X_EF.p;
-  if (hold.kind() == HoldChoice::Kind::kGeometricCenter && entity->mesh) {
+    if (hold.is<by::Frame>() && frame.name == hold.frame()) return X_WE * frame.X_EF.p;
+  if (hold.is<by::Center>() && entity->mesh) {
     const geometry::Bounds bounds = entity->mesh->bounds();
     return X_WE * (0.5 * (bounds.min + bounds.max));
   }
-  if (entity->robot && hold.kind() != HoldChoice::Kind::kBase) return tcpPose_W(*entity, X_WE, scene.joints(*entity)).p;
+  if (entity->robot && !hold.is<by::Base>()) return tcpPose_W(*entity, X_WE, scene.joints(*entity)).p;
   return X_WE.p;
 }
 

@@ -4,81 +4,73 @@
 #include <QObject>
 #include <string>
 
-#include "manipulation/engine/manipulation_command.h"
+#include "manipulation/manipulators/moved_by.h"
 #include "workcell/entity/entity.h"
 
 namespace hapticell::app {
 
+namespace by = manipulation::by;
+
 /// What the hand takes of an entity (its tool centre point, its base, its origin ...): one choice for all panels and
-/// for the module that moves. It holds for the entity taken next. GUI thread.
+/// for the module that moves. It holds for the entity taken next. What can be chosen of each way is kept while another
+/// one is chosen. GUI thread.
 class HoldChoice : public QObject {
   Q_OBJECT
  public:
-  using Kind = manipulation::MovedBy::Kind;
+  using MovedBy = manipulation::MovedBy;
   using QObject::QObject;
-  Kind kind() const { return kind_; }
-  /// What is taken where nobody has chosen: of a mannequin its right hand, where its arrows are.
-  static Kind usual(const workcell::Entity& entity) { return entity.figure ? Kind::kRightHand : Kind::kDefault; }
-  /// What of a mannequin is taken: what was chosen where that is a mannequin's, else the usual.
-  Kind kindFor(const workcell::Entity& mannequin) const { return kind_ < Kind::kWhole ? usual(mannequin) : kind_; }
-  const std::string& frame() const { return frame_; }  ///< For kFrame: its name.
-  /// What else counts for a robot.
-  struct Robot {
-    bool keep_tcp = false;       ///< By its base: the tool stays where it is.
-    bool with_axes = false;      ///< By its tool: what it stands on goes along.
-    std::string at_singularity;  ///< As `robot.at_singularity`; empty: as configured.
-    bool operator==(const Robot&) const = default;
-  };
-  const Robot& robot() const { return robot_; }
-  /// What of a mannequin does not move while a hand or the head is drawn.
-  struct Locks {
-    bool trunk = false, pelvis = false, seat = false;
-    bool feet = true;          ///< False: they may step.
-    bool hands_apart = false;  ///< Of both hands: each goes its own way, else they hold one thing.
-    bool operator==(const Locks&) const = default;
-  };
-  const Locks& locks() const { return locks_; }
-  void setLocks(const Locks& locks) {
-    if (locks == locks_) return;
-    locks_ = locks;
-    emit changed();
-  }
-  void set(Kind kind, const std::string& frame = {}) {
-    if (kind == kind_ && frame == frame_) return;
-    kind_ = kind;
-    frame_ = frame;
-    emit changed();
-  }
-  void set(Kind kind, const Robot& robot) {
-    if (kind == kind_ && robot == robot_) return;
-    kind_ = kind;
-    robot_ = robot;
-    frame_.clear();
-    emit changed();
-  }
+
   /// All of it, as the manipulation loop takes it.
-  manipulation::MovedBy movedBy() const {
-    manipulation::MovedBy moved_by{.kind = kind_,
-                                   .frame = frame_,
-                                   .keep_tcp = robot_.keep_tcp,
-                                   .with_axes = robot_.with_axes,
-                                   .at_singularity = robot_.at_singularity};
-    // Anything else has no trunk to lock and is refused with one.
-    if (kind_ < Kind::kWhole) return moved_by;
-    moved_by.lock_trunk = locks_.trunk;
-    moved_by.lock_pelvis = locks_.pelvis;
-    moved_by.on_seat = locks_.seat;
-    moved_by.hands_apart = locks_.hands_apart;
-    moved_by.may_step = !locks_.feet;
-    return moved_by;
+  const MovedBy& movedBy() const { return moved_by_; }
+  /// The chosen way is this one, whatever is chosen of it.
+  template <typename Way>
+  bool is() const {
+    return std::holds_alternative<Way>(moved_by_);
+  }
+  /// The name of the frame where one is chosen; else empty.
+  std::string frame() const { return manipulation::frameOf(moved_by_); }
+
+  /// What is taken where nobody has chosen: of a mannequin its right hand, where its arrows are.
+  static MovedBy usual(const workcell::Entity& entity) {
+    return entity.figure ? MovedBy(by::Hand{mannequin::Side::kRight}) : MovedBy(by::Default{});
+  }
+  /// How a mannequin is taken: as was chosen where that is a mannequin's way, else as usual.
+  MovedBy movedByFor(const workcell::Entity& mannequin) const {
+    return manipulation::isOfBody(moved_by_) ? moved_by_ : withOptions(usual(mannequin));
+  }
+
+  /// Chooses a way (and its frame), with what was chosen of it before.
+  void set(const MovedBy& way) { change(withOptions(way)); }
+
+  /// Of a robot that is held by its tool: what goes along, what yields.
+  const by::Tool& tool() const { return tool_; }
+  void setTool(const by::Tool& tool) {
+    tool_ = tool;
+    change(withOptions(moved_by_));
+  }
+  /// Of a robot that is held by its base: whether the tool stays where it is.
+  bool keepsTool() const { return keeps_tool_; }
+  /// By its base, so.
+  void setBase(bool keeps_tool) {
+    keeps_tool_ = keeps_tool;
+    set(by::Base{});
+  }
+
+  /// Of a mannequin that is drawn by a hand, both, or the head: what of it does not move, and how both hands go.
+  const by::BothHands& hands() const { return hands_; }
+  void setHands(const by::BothHands& hands) {
+    if (hands == hands_) return;
+    hands_ = hands;
+    moved_by_ = withOptions(moved_by_);
+    emit changed();
   }
 
   /// As it is where nobody has chosen.
   void forget() {
-    kind_ = Kind::kDefault;
-    frame_.clear();
-    robot_ = {};
-    locks_ = {};
+    moved_by_ = {};
+    tool_ = {};
+    keeps_tool_ = false;
+    hands_ = {};
     emit changed();
   }
 
@@ -90,10 +82,17 @@ class HoldChoice : public QObject {
   void letGoWanted();
 
  private:
-  Kind kind_ = Kind::kDefault;
-  std::string frame_;
-  Robot robot_;
-  Locks locks_;
+  MovedBy withOptions(const MovedBy& way) const;
+  void change(const MovedBy& moved_by) {
+    if (moved_by == moved_by_) return;
+    moved_by_ = moved_by;
+    emit changed();
+  }
+
+  MovedBy moved_by_;
+  by::Tool tool_;
+  bool keeps_tool_ = false;
+  by::BothHands hands_;
 };
 
 }  // namespace hapticell::app

@@ -44,7 +44,7 @@ void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_b
   const workcell::Entity* entity = context_.entity();
   if (open_ || !entity || !context_.isFree()) return;
   entity_ = entity->id;
-  kind_ = moved_by.kind;
+  moved_by_ = moved_by;
   open_ = true;
   ending_ = under_way_ = false;
   keep_ = true;
@@ -145,7 +145,7 @@ void FigureDrag::forgetReach() {
   if (open_ || !reach_) return;
   const workcell::Entity* entity = context_.host().documentModel().document().find(entity_);
   if (entity && entity->figure &&
-      glm::length(movedFrame_W(*entity, {entity->X_WE, entity->joints}, kind_).p - reach_->X_WM.p) < kSamePlace)
+      glm::length(movedFrame_W(*entity, {entity->X_WE, entity->joints}, moved_by_).p - reach_->X_WM.p) < kSamePlace)
     return;
   reach_.reset();
   emit moved();
@@ -169,26 +169,23 @@ void FigureDrag::finish() {
 }
 
 Pose movedFrame_W(const workcell::Entity& entity, const manipulation::EntityConfiguration& stands,
-                  manipulation::MovedBy::Kind kind) {
-  using Kind = manipulation::MovedBy::Kind;
+                  const manipulation::MovedBy& held) {
+  namespace by = manipulation::by;
   using mannequin::Side;
   const mannequin::Figure& figure = *entity.figure;
   const auto pose = mannequin::forwardKinematics(figure, mannequin::toPosture(figure, {stands.X_WE, stands.joints}));
   const Pose left = mannequin::handPose(pose, Side::kLeft), right = mannequin::handPose(pose, Side::kRight);
-  switch (kind) {
-    case Kind::kLeftHand:
-      return {left * figure.p_HandGrip[0], left.q};
-    case Kind::kRightHand:
-      return {right * figure.p_HandGrip[1], right.q};
-    case Kind::kBothHands:
-      return {0.5 * (left.p + right.p), left.q};
-    case Kind::kHead: {
-      const Pose head = pose[mannequin::Segment::kHead].pose();
-      return {head * figure.p_HeadEyes, head.q};
-    }
-    default:
-      return stands.X_WE;
+  if (const auto* hand = std::get_if<by::Hand>(&held)) {
+    const bool is_left = hand->side == Side::kLeft;
+    const Pose& one = is_left ? left : right;
+    return {one * figure.p_HandGrip[is_left ? 0 : 1], one.q};
   }
+  if (std::holds_alternative<by::BothHands>(held)) return {0.5 * (left.p + right.p), left.q};
+  if (std::holds_alternative<by::Head>(held)) {
+    const Pose head = pose[mannequin::Segment::kHead].pose();
+    return {head * figure.p_HeadEyes, head.q};
+  }
+  return stands.X_WE;
 }
 
 }  // namespace hapticell::app

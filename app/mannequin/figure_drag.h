@@ -54,7 +54,7 @@ class FigureDrag : public QObject {
   MannequinContext& context_;
   std::shared_ptr<Work> work_;
   workcell::EntityId entity_ = 0;
-  manipulation::MovedBy::Kind kind_ = manipulation::MovedBy::Kind::kDefault;
+  manipulation::MovedBy moved_by_;
   std::optional<Pose> wanted_;
   std::optional<Reach> reach_;
   bool open_ = false, busy_ = false, under_way_ = false, ending_ = false, keep_ = true;
@@ -63,6 +63,6 @@ class FigureDrag : public QObject {
 
 /// Pose of what a hand or the head is drawn by: the grip, the middle between both hands, the point between the eyes.
 Pose movedFrame_W(const workcell::Entity& entity, const manipulation::EntityConfiguration& stands,
-                  manipulation::MovedBy::Kind kind);
+                  const manipulation::MovedBy& held);
 
 }  // namespace hapticell::app

@@ -13,7 +13,8 @@
 namespace hapticell::app {
 namespace {
 
-using Kind = manipulation::MovedBy::Kind;
+using manipulation::isSameWay;
+using manipulation::MovedBy;
 constexpr double kHandPixels = 84.0;    // Of an arrow.
 constexpr double kShortShown = 1.5e-3;  // m
 
@@ -32,16 +33,16 @@ HandGizmo::HandGizmo(MannequinContext& context, FigureDrag& drag, QObject* paren
 
 HandGizmo::~HandGizmo() = default;
 
-Kind HandGizmo::kind() const {
+MovedBy HandGizmo::held() const {
   const HoldChoice& choice = context_.host().holdChoice();
   const workcell::Entity* entity = context_.entity();
-  return entity ? choice.kindFor(*entity) : choice.kind();
+  return entity ? choice.movedByFor(*entity) : choice.movedBy();
 }
 
 Pose HandGizmo::frame_W() const {
   const workcell::Entity& entity = *context_.entity();
   const SceneModel& scene = context_.host().viewport().scene();
-  return movedFrame_W(entity, {scene.placement_W(entity), scene.joints(entity)}, kind());
+  return movedFrame_W(entity, {scene.placement_W(entity), scene.joints(entity)}, held());
 }
 
 bool HandGizmo::isReady() const {
@@ -69,7 +70,7 @@ void HandGizmo::showNow() {
   if (isReady()) {
     const ViewSize view{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
     curves = gizmoNow(viewport.camera(), view).curves(drag_ ? drag_->handle : over_);
-    const QString text = drag_ ? reachText(figure_, kind()) : QString();
+    const QString text = drag_ ? reachText(figure_, held()) : QString();
     if (!text.isEmpty())
       curves.push_back({{frame_W().p}, SceneCurve::Role::kLimit, SceneCurve::Style::kSolid, 2.0, text.toStdString()});
   }
@@ -83,12 +84,9 @@ bool HandGizmo::press(const PointerEvent& event) {
   const auto from = handle ? gizmo.valueOf(*handle, event.camera.rayThrough(event.pixel, event.size)) : std::nullopt;
   if (!from) return false;
   drag_ = Drag{gizmo, *handle, *from, frame_W()};
-  manipulation::MovedBy moved_by = context_.host().holdChoice().movedBy();
-  moved_by.kind = kind();
-  moved_by.frame.clear();
   figure_.begin(
-      tr("Draw the %1 of %2").arg(nameOfHeld(kind()).toLower(), QString::fromStdString(context_.entity()->name)),
-      moved_by, handle->turns ? FigureDrag::Turn::kAsWanted : FigureDrag::Turn::kWithTheForearm);
+      tr("Draw the %1 of %2").arg(nameOfHeld(held()).toLower(), QString::fromStdString(context_.entity()->name)),
+      held(), handle->turns ? FigureDrag::Turn::kAsWanted : FigureDrag::Turn::kWithTheForearm);
   showNow();
   return true;
 }
@@ -128,34 +126,26 @@ QString HandGizmo::hint() const {
   return over_->turns ? tr("Drag to turn it; the body follows") : tr("Drag to move it; the body follows");
 }
 
-QString nameOfHeld(Kind kind) {
-  switch (kind) {
-    case Kind::kLeftHand:
-      return HandGizmo::tr("Left hand");
-    case Kind::kBothHands:
-      return HandGizmo::tr("Both hands");
-    case Kind::kHead:
-      return HandGizmo::tr("Head");
-    case Kind::kRightHand:
-      return HandGizmo::tr("Right hand");
-    default:
-      return HandGizmo::tr("Whole figure");
-  }
+QString nameOfHeld(const MovedBy& held) {
+  if (isSameWay(held, by::Hand{mannequin::Side::kLeft})) return HandGizmo::tr("Left hand");
+  if (isSameWay(held, by::Hand{mannequin::Side::kRight})) return HandGizmo::tr("Right hand");
+  if (std::holds_alternative<by::BothHands>(held)) return HandGizmo::tr("Both hands");
+  return std::holds_alternative<by::Head>(held) ? HandGizmo::tr("Head") : HandGizmo::tr("Whole figure");
 }
 
-QString reachText(const FigureDrag& drag, Kind kind) {
+QString reachText(const FigureDrag& drag, const MovedBy& held) {
   if (!drag.reach() || drag.reach()->short_m < kShortShown) return {};
   if (drag.isOwnBody()) {
     return HandGizmo::tr("%1: the body itself is in the way, %2 short of the target")
-        .arg(nameOfHeld(kind))
+        .arg(nameOfHeld(held))
         .arg(lengthText(drag.reach()->short_m, 0));
   }
   if (!drag.reach()->obstacle.empty()) {
     return HandGizmo::tr("%1: %2 is in the way, %3 short of the target")
-        .arg(nameOfHeld(kind), QString::fromStdString(drag.reach()->obstacle))
+        .arg(nameOfHeld(held), QString::fromStdString(drag.reach()->obstacle))
         .arg(lengthText(drag.reach()->short_m, 0));
   }
-  return HandGizmo::tr("%1: %2 short of the target").arg(nameOfHeld(kind)).arg(lengthText(drag.reach()->short_m, 0));
+  return HandGizmo::tr("%1: %2 short of the target").arg(nameOfHeld(held)).arg(lengthText(drag.reach()->short_m, 0));
 }
 
 }  // namespace hapticell::app

@@ -33,7 +33,7 @@ class HandGizmo final : public QObject, public PointerTool {
   QString hint() const override;
 
  private:
-  manipulation::MovedBy::Kind kind() const;
+  manipulation::MovedBy held() const;
   Pose frame_W() const;
   bool isReady() const;
   Gizmo gizmoNow(const Camera& camera, const ViewSize& view) const;
@@ -51,8 +51,8 @@ class HandGizmo final : public QObject, public PointerTool {
 };
 
 /// "Right hand is 62 mm short of the target", "Right hand touches Bench"; empty: it is where it was wanted.
-QString reachText(const FigureDrag& drag, manipulation::MovedBy::Kind kind);
+QString reachText(const FigureDrag& drag, const manipulation::MovedBy& held);
 /// "Right hand".
-QString nameOfHeld(manipulation::MovedBy::Kind kind);
+QString nameOfHeld(const manipulation::MovedBy& held);
 
 }  // namespace hapticell::app

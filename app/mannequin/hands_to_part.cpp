@@ -6,11 +6,11 @@
 #include <QMenu>
 #include <cmath>
 
-#include "app/kit/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
+#include "app/kit/action_face.h"
 #include "app/kit/beside.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
@@ -62,12 +62,13 @@ std::optional<Targets> targetsOf(Hands hands, const PickedFeature& place, const 
 
 /// What stays as it is: what is locked, and the pelvis of who sits.
 mannequin::PostureTask taskOf(const mannequin::Figure& figure, const mannequin::Posture& posture,
-                              const HoldChoice::Locks& locks) {
+                              const by::BothHands& chosen) {
+  const manipulation::BodyLocks& locks = chosen.locks;
   mannequin::PostureTask task = ergonomics::taskAt(figure, posture, figure, dvec3(0.0));
   task.hands = {};
   task.trunk_locked = locks.trunk;
   task.pelvis_locked = task.pelvis_locked || locks.pelvis || locks.seat;
-  task.may_step = !locks.feet && !task.pelvis_locked && !task.trunk_locked;
+  task.may_step = chosen.may_step && !task.pelvis_locked && !task.trunk_locked;
   if (locks.seat) task.balance = false;
   return task;
 }
@@ -153,7 +154,7 @@ void HandsToPart::send(Hands hands, const PickedFeature& place) {
   runBeside(
       this,
       [figure = entity->figure, from, targets = *targets,
-       task = taskOf(*entity->figure, from, context_.host().holdChoice().locks())] {
+       task = taskOf(*entity->figure, from, context_.host().holdChoice().hands())] {
         return mannequin::handsTo(*figure, from, task, targets);
       },
       [this, hands, id = entity->id, from, part = QString::fromStdString(part->name),
@@ -194,9 +195,9 @@ void HandsToPart::sit(const PickedFeature& place) {
   if (!context_.host().documentModel().executeAll(tr("%1 sits on %2").arg(name, seat),
                                                   {postureCommand(*entity, sitting.posture)}))
     return;
-  HoldChoice::Locks locks = context_.host().holdChoice().locks();
-  locks.seat = true;  // The seat bears it when a hand is drawn next.
-  context_.host().holdChoice().setLocks(locks);
+  by::BothHands hands = context_.host().holdChoice().hands();
+  hands.locks.seat = true;  // The seat bears it when a hand is drawn next.
+  context_.host().holdChoice().setHands(hands);
   if (sitting.feet_above_floor_m > 0.0)
     context_.host().messages().tell(Severity::kWarning, tr("The feet of %1 do not reach the floor").arg(name),
                                     tr("They hang %1 above it: lower the seat or put a rest under them.")

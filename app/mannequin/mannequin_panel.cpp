@@ -34,10 +34,13 @@
 namespace hapticell::app {
 namespace {
 
-using Kind = manipulation::MovedBy::Kind;
+using manipulation::isSameWay;
+using manipulation::MovedBy;
 using mannequin::Side;
 
-constexpr std::array<Kind, 5> kKinds{Kind::kWhole, Kind::kLeftHand, Kind::kRightHand, Kind::kBothHands, Kind::kHead};
+std::array<MovedBy, 5> waysOfHolding() {
+  return {by::Whole{}, by::Hand{Side::kLeft}, by::Hand{Side::kRight}, by::BothHands{}, by::Head{}};
+}
 
 QString bodyText(const mannequin::Figure& figure) {
   const QString text = figure.sex == mannequin::Sex::kMale ? MannequinPanel::tr("Man, %1, %2 kg")
@@ -46,16 +49,17 @@ QString bodyText(const mannequin::Figure& figure) {
 }
 
 /// Bodies of what is held, for the sketch.
-std::vector<std::size_t> bodiesOf(Kind kind) {
+std::vector<std::size_t> bodiesOf(const MovedBy& held) {
   using S = mannequin::Segment;
   std::vector<std::size_t> bodies;
   const auto add = [&](S first, S last) {
     for (std::size_t i = mannequin::indexOf(first); i <= mannequin::indexOf(last); ++i) bodies.push_back(i);
   };
-  if (kind == Kind::kWhole) add(S::kPelvis, S::kRightToes);
-  if (kind == Kind::kLeftHand || kind == Kind::kBothHands) add(S::kLeftUpperArm, S::kLeftHand);
-  if (kind == Kind::kRightHand || kind == Kind::kBothHands) add(S::kRightUpperArm, S::kRightHand);
-  if (kind == Kind::kHead) add(S::kLowerNeck, S::kHead);
+  const bool both = std::holds_alternative<by::BothHands>(held);
+  if (std::holds_alternative<by::Whole>(held)) add(S::kPelvis, S::kRightToes);
+  if (both || isSameWay(held, by::Hand{Side::kLeft})) add(S::kLeftUpperArm, S::kLeftHand);
+  if (both || isSameWay(held, by::Hand{Side::kRight})) add(S::kRightUpperArm, S::kRightHand);
+  if (std::holds_alternative<by::Head>(held)) add(S::kLowerNeck, S::kHead);
   return bodies;
 }
 
@@ -145,7 +149,7 @@ void MannequinPanel::addHolding(QVBoxLayout& column) {
     button->setCheckable(true);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setMinimumHeight(26);
-    connect(button, &QPushButton::clicked, this, [this, i] { hold(kKinds[i]); });
+    connect(button, &QPushButton::clicked, this, [this, i] { hold(waysOfHolding()[i]); });
     choices->addWidget(button);
   }
   choices->addSpacing(4);
@@ -183,9 +187,9 @@ void MannequinPanel::addHands(QVBoxLayout& column) {
           [this] { context_.host().documentModel().beginStep(tr("Curl fingers")); });
   connect(curl_, &QSlider::sliderReleased, this, [this] { context_.host().documentModel().endStep(); });
   connect(two_hands_, &Segmented::chosen, this, [this](int i) {
-    HoldChoice::Locks locks = context_.host().holdChoice().locks();
-    locks.hands_apart = i == 0;
-    context_.host().holdChoice().setLocks(locks);
+    by::BothHands hands = context_.host().holdChoice().hands();
+    hands.apart = i == 0;
+    context_.host().holdChoice().setHands(hands);
   });
   connect(part_, &CarriedPart::carryWanted, this, &MannequinPanel::carry);
 }
@@ -222,23 +226,25 @@ void MannequinPanel::addPostures(QVBoxLayout& column) {
   });
 }
 
-void MannequinPanel::hold(Kind kind) {
-  context_.host().holdChoice().set(kind);
+void MannequinPanel::hold(const MovedBy& way) {
+  context_.host().holdChoice().set(way);
   showHolding();
 }
 
 void MannequinPanel::setLock(int which, bool on) {
-  HoldChoice::Locks locks = context_.host().holdChoice().locks();
-  bool* const flags[4]{&locks.trunk, &locks.pelvis, &locks.feet, &locks.seat};
+  by::BothHands hands = context_.host().holdChoice().hands();
+  bool stand = !hands.may_step;
+  bool* const flags[4]{&hands.locks.trunk, &hands.locks.pelvis, &stand, &hands.locks.seat};
   *flags[which] = on;
-  context_.host().holdChoice().setLocks(locks);
+  hands.may_step = !stand;
+  context_.host().holdChoice().setHands(hands);
 }
 
 std::vector<Side> MannequinPanel::chosenHands() const {
-  const Kind kind = context_.host().holdChoice().kind();
-  if (kind == Kind::kLeftHand) return {Side::kLeft};
-  if (kind == Kind::kBothHands) return {Side::kLeft, Side::kRight};
-  return {Side::kRight};
+  const HoldChoice& choice = context_.host().holdChoice();
+  if (choice.is<by::BothHands>()) return {Side::kLeft, Side::kRight};
+  const auto* hand = std::get_if<by::Hand>(&choice.movedBy());
+  return {hand ? hand->side : Side::kRight};
 }
 
 void MannequinPanel::setGrasp(int index) {
@@ -302,12 +308,14 @@ void MannequinPanel::showNow() {
 void MannequinPanel::showHolding() {
   const HoldChoice& choice = context_.host().holdChoice();
   const workcell::Entity* entity = context_.entity();
-  const Kind kind = entity ? choice.kindFor(*entity) : choice.kind();
-  for (std::size_t i = 0; i < holds_.size(); ++i) holds_[i]->setChecked(kind == kKinds[i]);
-  const std::array<bool, 4> on{choice.locks().trunk, choice.locks().pelvis, choice.locks().feet, choice.locks().seat};
+  const MovedBy held = entity ? choice.movedByFor(*entity) : choice.movedBy();
+  const auto ways = waysOfHolding();
+  for (std::size_t i = 0; i < holds_.size(); ++i) holds_[i]->setChecked(isSameWay(held, ways[i]));
+  const by::BothHands& hands = choice.hands();
+  const std::array<bool, 4> on{hands.locks.trunk, hands.locks.pelvis, !hands.may_step, hands.locks.seat};
   for (std::size_t i = 0; i < locks_.size(); ++i) locks_[i]->setChecked(on[i]);
-  two_hands_->setCurrent(choice.locks().hands_apart ? 0 : 1);
-  sketch_->setHeld(bodiesOf(kind));
+  two_hands_->setCurrent(hands.apart ? 0 : 1);
+  sketch_->setHeld(bodiesOf(held));
 }
 
 void MannequinPanel::showHands() {

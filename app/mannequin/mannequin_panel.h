@@ -60,7 +60,7 @@ class MannequinPanel : public QWidget {
   void showMannequin();
   void showHolding();
   void showHands();
-  void hold(manipulation::MovedBy::Kind kind);
+  void hold(const manipulation::MovedBy& way);
   void setLock(int which, bool on);
   void takePosture(const QString& name);
   void openPostureMenu();

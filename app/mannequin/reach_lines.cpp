@@ -35,12 +35,12 @@ ReachLines::ReachLines(MannequinContext& context, FigureDrag& drag, QVBoxLayout&
 
 void ReachLines::show() {
   const HoldChoice& choice = context_.host().holdChoice();
-  QString text = reachText(drag_, choice.kind()), advice;
+  QString text = reachText(drag_, choice.movedBy()), advice;
   const auto& snapshot = context_.host().snapshot();
   if (context_.isHeld() && snapshot && !snapshot->limits.empty() && snapshot->limits.front().holds)
     text = QString::fromStdString(snapshot->limits.front().text);
   if (!text.isEmpty() && drag_.reach() && drag_.reach()->obstacle.empty()) {
-    advice = choice.locks().trunk
+    advice = choice.hands().locks.trunk
                  ? QObject::tr("At full reach with the trunk locked. Unlock the trunk, or move it %1 closer.")
                  : QObject::tr("At full reach. Move it %1 closer, or let the feet step.");
     advice = advice.arg(lengthText(0.01 * std::ceil(100.0 * drag_.reach()->short_m + 0.8), 0));

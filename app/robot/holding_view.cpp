@@ -23,8 +23,6 @@
 namespace hapticell::app {
 namespace {
 
-using Kind = HoldChoice::Kind;
-
 /// As `robot.at_singularity` has them.
 constexpr const char* kChoices[]{"keep_position", "keep_joint_4", "keep_orientation", "stop"};
 constexpr int kKeepJoint = 1;
@@ -74,15 +72,14 @@ HoldingView::HoldingView(RobotContext& context, QWidget* parent) : QWidget(paren
   addSingularity(*rows);
   connect(edit, &QPushButton::clicked, this, &HoldingView::toolsWanted);
   connect(held_by_, &Segmented::chosen, this, [this](int i) {
-    HoldChoice::Robot robot = context_.host().holdChoice().robot();
-    robot.keep_tcp = i == 2;
-    context_.host().holdChoice().set(i == 0 ? Kind::kTcp : Kind::kBase, robot);
+    HoldChoice& choice = context_.host().holdChoice();
+    i == 0 ? choice.set(by::Tool{}) : choice.setBase(i == 2);
   });
   connect(axes_, &QCheckBox::clicked, this, [this](bool on) {
     HoldChoice& choice = context_.host().holdChoice();
-    HoldChoice::Robot robot = choice.robot();
-    robot.with_axes = on;
-    choice.set(choice.kind(), robot);
+    by::Tool tool = choice.tool();
+    tool.with_axes = on;
+    choice.setTool(tool);
   });
   connect(tool_, &QComboBox::activated, this, [this](int i) {
     const workcell::Entity* robot = context_.robot();
@@ -104,18 +101,17 @@ void HoldingView::addSingularity(QVBoxLayout& rows) {
   singularity_->setToolTip(tr("What is kept where a wrist would have to swing round faster than it can"));
   connect(singularity_, &QComboBox::activated, this, [this](int i) {
     HoldChoice& choice = context_.host().holdChoice();
-    HoldChoice::Robot robot = choice.robot();
-    robot.at_singularity = kChoices[i];
-    choice.set(choice.kind(), robot);
+    by::Tool tool = choice.tool();
+    tool.at_singularity = kChoices[i];
+    choice.setTool(tool);
   });
 }
 
 void HoldingView::showNow() {
   if (!context_.robot()) return;
   const HoldChoice& choice = context_.host().holdChoice();
-  const bool by_tool = choice.kind() == Kind::kTcp || choice.kind() == Kind::kDefault;
-  const bool by_base = choice.kind() == Kind::kBase;
-  held_by_->setCurrent(by_tool ? 0 : !by_base ? -1 : choice.robot().keep_tcp ? 2 : 1);
+  const bool by_tool = manipulation::toolOf(choice.movedBy()) != nullptr;
+  held_by_->setCurrent(by_tool ? 0 : !choice.is<by::Base>() ? -1 : choice.keepsTool() ? 2 : 1);
   showTools();
   showAxes();
   showSingularity();
@@ -150,8 +146,8 @@ void HoldingView::showAxes() {
   if (names.isEmpty()) return;
   axes_->setText(tr("%1 goes along").arg(names.join(QStringLiteral(", "))));
   const HoldChoice& choice = context_.host().holdChoice();
-  axes_->setChecked(choice.robot().with_axes);
-  const bool by_tool = choice.kind() == Kind::kTcp || choice.kind() == Kind::kDefault;
+  axes_->setChecked(choice.tool().with_axes);
+  const bool by_tool = manipulation::toolOf(choice.movedBy()) != nullptr;
   axes_->setEnabled(by_tool);
   axes_->setToolTip(by_tool ? tr("External axes follow the tool with the robot's own joints")
                             : tr("Only while the robot is held by its tool"));
@@ -173,7 +169,7 @@ void HoldingView::showSingularity() {
     item->setToolTip(tr("Only where the arm's last three of six or more turning joints are a wrist"));
   }
   singularity_->setEnabled(chain != nullptr);
-  const std::string& own = context_.host().holdChoice().robot().at_singularity;
+  const std::string& own = context_.host().holdChoice().tool().at_singularity;
   const std::string& chosen = own.empty() ? context_.host().configuration().robot.at_singularity : own;
   int index = 0;
   for (int i = 0; i < 4; ++i) {

@@ -12,8 +12,6 @@ namespace hapticell::endurance {
 
 namespace {
 
-using manipulation::MovedBy;
-
 /// As printf() has it.
 __attribute__((format(printf, 1, 2))) std::string text(const char* format, ...) {
   std::va_list arguments;
@@ -34,27 +32,6 @@ std::string handText(const haptic::HandPath& hand) {
   return csv;
 }
 
-const char* wordFor(MovedBy::Kind kind) {
-  switch (kind) {
-    case MovedBy::Kind::kTcp:
-      return "tcp";
-    case MovedBy::Kind::kBase:
-      return "base";
-    case MovedBy::Kind::kWhole:
-      return "whole";
-    case MovedBy::Kind::kLeftHand:
-      return "left_hand";
-    case MovedBy::Kind::kRightHand:
-      return "right_hand";
-    case MovedBy::Kind::kBothHands:
-      return "both_hands";
-    case MovedBy::Kind::kHead:
-      return "head";
-    default:
-      return nullptr;
-  }
-}
-
 std::string commandText(const manipulation::SessionOptions& options) {
   constexpr const char* kClasses[] = {"constant", "contact", "dynamics"};
   std::string command = text(
@@ -62,7 +39,8 @@ std::string commandText(const manipulation::SessionOptions& options) {
       "--rate-manipulation %g --latency %.17g --set scale=%.17g",
       options.entity.c_str(), options.rate_gui_hz, options.configuration.manipulation.rate_hz, 1e3 * options.latency_s,
       options.scale.number);
-  if (const char* word = wordFor(options.moved_by.kind)) command += text(" --set moved_by=%s", word);
+  if (!std::holds_alternative<manipulation::by::Default>(options.moved_by))
+    command += text(" --set moved_by=%s", manipulation::wordOf(options.moved_by, false).c_str());
   const bool stops = options.on_contact == workcell::OnContact::kStop;
   command += text(" --set on_contact=%s", stops ? "stop" : "slide");
   if (options.force_class)

@@ -19,6 +19,7 @@ namespace hapticell::endurance {
 namespace {
 
 using manipulation::MovedBy;
+namespace by = manipulation::by;
 using manipulation::SessionOptions;
 using manipulation::SessionReport;
 using workcell::Document;
@@ -101,11 +102,11 @@ SessionOptions Day::drawOptions(Cell& cell, double hand_seconds) {
   options.latency_s = 1e-3 * between(0.0, 20.0);
   options.scale = {manipulation::ScaleLevel::kNumber, between(0.5, 6.0)};
   if (options.entity == "operator") {
-    constexpr MovedBy::Kind kWays[] = {MovedBy::Kind::kWhole, MovedBy::Kind::kLeftHand, MovedBy::Kind::kRightHand,
-                                       MovedBy::Kind::kBothHands, MovedBy::Kind::kHead};
-    options.moved_by.kind = kWays[draw(5)];
+    using mannequin::Side;
+    const MovedBy ways[] = {by::Whole{}, by::Hand{Side::kLeft}, by::Hand{Side::kRight}, by::BothHands{}, by::Head{}};
+    options.moved_by = ways[draw(5)];
   } else if (options.entity == "robot") {
-    options.moved_by.kind = draw(4) == 0 ? MovedBy::Kind::kBase : MovedBy::Kind::kTcp;
+    options.moved_by = draw(4) == 0 ? MovedBy(by::Base{}) : MovedBy(by::Tool{});
   }
   options.on_contact = draw(3) == 0 ? workcell::OnContact::kStop : workcell::OnContact::kSlide;
   options.force_class = static_cast<workcell::ForceClass>(draw(3));
@@ -133,7 +134,7 @@ void Day::runOneSession(Cell& cell, const SessionOptions& options, ShiftReport& 
   report.force_step_n_per_ms = session->forces.force_max_step_n_per_ms;
   report.penetration_m = session->forces.penetration_blocked_m;
   report.energy_j = session->forces.energy_min_j;
-  report.what = options.entity + " " + std::to_string(static_cast<int>(options.moved_by.kind)) + ", " +
+  report.what = options.entity + " " + manipulation::wordOf(options.moved_by, false) + ", " +
                 std::to_string(std::lround(options.configuration.manipulation.rate_hz)) + " Hz, class " +
                 std::to_string(1 + static_cast<int>(*options.force_class));
   if (!finite) report.broken.push_back("a force or pose is no number");

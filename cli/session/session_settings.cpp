@@ -59,11 +59,10 @@ Expected<void> applySessionSetting(const std::string& setting, SessionOptions& o
   }
   const std::string key = setting.substr(0, equals), value = setting.substr(equals + 1);
   if (key == "moved_by") {
-    const bool trunk = options.moved_by.lock_trunk, pelvis = options.moved_by.lock_pelvis;
-    const auto taken = take(manipulation::parseMovedBy(value), options.moved_by);
-    options.moved_by.lock_trunk = trunk;
-    options.moved_by.lock_pelvis = pelvis;
-    return taken;
+    const manipulation::BodyLocks* locked = manipulation::locksOf(options.moved_by);
+    const manipulation::BodyLocks locks = locked ? *locked : manipulation::BodyLocks();
+    HAPTICELL_TRY(take(manipulation::parseMovedBy(value), options.moved_by));
+    return manipulation::setLocks(options.moved_by, locks);
   }
   if (key == "axes") return take(manipulation::parseAxes(value), options.axes);
   if (key == "scale") return take(manipulation::parseScale(value), options.scale);
@@ -76,7 +75,11 @@ Expected<void> applySessionSetting(const std::string& setting, SessionOptions& o
   if (key == "force_class" || key == "manipulation.force_class") {
     return take(manipulation::parseForceClass(value), options.force_class);
   }
-  if (key == "lock") return manipulation::parseLock(value, options.moved_by);
+  if (key == "lock") {
+    const auto locks = manipulation::parseLock(value);
+    HAPTICELL_TRY(locks);
+    return manipulation::setLocks(options.moved_by, *locks);
+  }
   if (!isConfigurationKey(key, options)) {
     return makeError(
         {.place = "--set", .found = "there is no key '" + key + "'", .expected = "one of " + knownKeys(options)});

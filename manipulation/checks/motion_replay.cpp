@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/system/overloaded.h"
 #include "kinematics/closed_form/inverse_factory.h"
 #include "manipulation/manipulators/moved_by.h"
 #include "manipulation/manipulators/robot_manipulator.h"
@@ -19,39 +20,51 @@ Error replayRefusal(const std::string& place, std::string found, std::string exp
   return {.place = place, .found = std::move(found), .expected = std::move(expected)};
 }
 
+/// Where a frame of the cell is in the entity.
+Expected<std::optional<Pose>> namedFrame(const std::vector<std::shared_ptr<const Entity>>& entities,
+                                         const Entity& entity, const std::string& name) {
+  for (const auto& other : entities) {
+    const Pose X_EO = entity.X_WE.inverse() * other->X_WE;
+    if (other->name == name) return std::optional<Pose>(X_EO);
+    for (const workcell::Frame& frame : other->frames) {
+      if (frame.name == name) return std::optional<Pose>(X_EO * frame.X_EF);
+    }
+  }
+  return makeError(replayRefusal("moved", "there is no frame '" + name + "'", "one of an entity"));
+}
+
 /// Where the moved frame is fixed in the entity; nothing where its joints move it.
 Expected<std::optional<Pose>> fixedFrame(const std::vector<std::shared_ptr<const Entity>>& entities,
                                          const Entity& entity, const MovedBy& moved_by) {
-  using Kind = MovedBy::Kind;
-  switch (moved_by.kind) {
-    case Kind::kDefault:
-      if (entity.robot && entity.kind != workcell::EntityKind::kMannequin) return std::optional<Pose>();
-      return std::optional<Pose>(Pose::identity());
-    case Kind::kTcp:
-      return std::optional<Pose>();
-    case Kind::kBase:
-    case Kind::kSelfOrigin:
-    case Kind::kWhole:
-      return std::optional<Pose>(Pose::identity());
-    case Kind::kGeometricCenter:
-      return std::optional<Pose>(entity.mesh ? Pose::translation(entity.mesh->bounds().center()) : Pose::identity());
-    case Kind::kFrame:
-      if (entity.robot && entity.robot->findLink(moved_by.frame) >= 0) return std::optional<Pose>();
-      for (const auto& other : entities) {
-        const Pose X_EO = entity.X_WE.inverse() * other->X_WE;
-        if (other->name == moved_by.frame) return std::optional<Pose>(X_EO);
-        for (const workcell::Frame& frame : other->frames) {
-          if (frame.name == moved_by.frame) return std::optional<Pose>(X_EO * frame.X_EF);
-        }
-      }
-      return makeError(replayRefusal("moved", "there is no frame '" + moved_by.frame + "'", "one of an entity"));
-    case Kind::kLeftHand:
-    case Kind::kRightHand:
-    case Kind::kBothHands:
-    case Kind::kHead:
-      break;
-  }
-  return makeError(replayRefusal("moved", "the motion of a hand alone", "a mannequin's whole posture (moved: whole)"));
+  using Fixed = Expected<std::optional<Pose>>;
+  const auto fixed = [](const Pose& X_EM) { return Fixed(std::optional<Pose>(X_EM)); };
+  const auto by_joints = [] { return Fixed(std::optional<Pose>()); };
+  const auto of_a_body = [](const auto&) -> Fixed {
+    return makeError(
+        replayRefusal("moved", "the motion of a hand alone", "a mannequin's whole posture (moved: whole)"));
+  };
+  return std::visit(
+      Overloaded{
+          [&](const by::Default&) {
+            const bool is_robot = entity.robot && entity.kind != workcell::EntityKind::kMannequin;
+            return is_robot ? by_joints() : fixed(Pose::identity());
+          },
+          [&](const by::Tool&) { return by_joints(); },
+          [&](const by::Base&) { return fixed(Pose::identity()); },
+          [&](const by::Origin&) { return fixed(Pose::identity()); },
+          [&](const by::Center&) {
+            return fixed(entity.mesh ? Pose::translation(entity.mesh->bounds().center()) : Pose::identity());
+          },
+          [&](const by::Frame& frame) {
+            if (entity.robot && entity.robot->findLink(frame.name) >= 0) return by_joints();
+            return namedFrame(entities, entity, frame.name);
+          },
+          [&](const by::Whole&) { return fixed(Pose::identity()); },
+          [&](const by::Hand& way) { return of_a_body(way); },
+          [&](const by::BothHands& way) { return of_a_body(way); },
+          [&](const by::Head& way) { return of_a_body(way); },
+      },
+      moved_by);
 }
 
 }  // namespace
@@ -132,7 +145,7 @@ Expected<std::vector<std::size_t>> jointColumns(const Entity& entity, const Traj
     const bool is_counted = joint < 0 && name == "q" + std::to_string(j + 1) && j < entity.robot->dof();
     if (variable < 0 && !is_counted) {
       return makeError(replayRefusal("joint '" + name + "'", "'" + entity.name + "' has no such joint",
-                               "names of its joints, or q1, q2, ..."));
+                                     "names of its joints, or q1, q2, ..."));
     }
     columns.push_back(is_counted ? j : static_cast<std::size_t>(variable));
   }

@@ -372,7 +372,7 @@ Expected<PathCheckResult> checkPath(std::shared_ptr<const PreparedScene> scene, 
   HAPTICELL_TRY(columns);
   HoldOptions hold = options.hold;
   // A motion tells the robot's own joints; what it stands on moves only where a motion of that is there too.
-  hold.moved_by.with_axes = !options.axes.empty() && !columns->empty();
+  if (by::Tool* tool = toolOf(hold.moved_by)) tool->with_axes = !options.axes.empty() && !columns->empty();
   const auto held = HeldEntity::take(scene, entity->id, {}, hold, configuration);
   HAPTICELL_TRY(held);
   auto axes = axisTracks(*scene, **held, options);

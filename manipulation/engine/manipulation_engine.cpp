@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "manipulation/engine/overloaded.h"
+#include "geometry/system/overloaded.h"
 
 namespace hapticell::manipulation {
 

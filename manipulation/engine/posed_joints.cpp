@@ -56,8 +56,8 @@ HeldEntity* PosedJoints::ownHand() {
   const workcell::EntityId entity = wanted_->entity;
   if (poses(entity)) return posed_.get();
   const workcell::Entity& found = *cell_.find(entity);
-  const MovedBy moved_by{.kind = found.figure ? MovedBy::Kind::kWhole : MovedBy::Kind::kBase, .joints_move = true};
-  const HoldOptions options{moved_by, found.on_contact, found.force_class};
+  const MovedBy moved_by = found.figure ? MovedBy(by::Whole{}) : MovedBy(by::Base{});
+  const HoldOptions options{moved_by, found.on_contact, found.force_class, true};
   auto taken = HeldEntity::take(cell_.scene(), entity, cell_.placements(), options, cell_.configuration());
   if (!taken) {
     log_.notice(taken.error().message());

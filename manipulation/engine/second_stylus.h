@@ -8,7 +8,7 @@
 namespace hapticell::manipulation {
 
 /// A second stylus in the cell of an engine, at a haptic server of its own: it holds another entity, or the other hand
-/// of the same mannequin (whose trunk then stands still: MovedBy::lock_trunk in both). What either moves counts for the
+/// of the same mannequin (whose trunk then stands still: by::Hand::locks in both). What either moves counts for the
 /// other at its next step, checked exactly by both. One thread, that of the engine.
 class SecondStylus {
  public:

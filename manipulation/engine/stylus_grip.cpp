@@ -10,10 +10,8 @@ namespace {
 
 /// One mannequin, drawn by its two hands.
 bool areBothHands(const MovedBy& a, const MovedBy& b) {
-  const auto is_hand = [](const MovedBy& by) {
-    return by.kind == MovedBy::Kind::kLeftHand || by.kind == MovedBy::Kind::kRightHand;
-  };
-  return is_hand(a) && is_hand(b) && a.kind != b.kind;
+  const auto *one = std::get_if<by::Hand>(&a), *other = std::get_if<by::Hand>(&b);
+  return one != nullptr && other != nullptr && one->side != other->side;
 }
 
 }  // namespace
@@ -49,9 +47,7 @@ void StylusGrip::choose(workcell::EntityId entity) {
 bool StylusGrip::take(workcell::EntityId entity) {
   const workcell::Entity* found = cell_.find(entity);
   if (found == nullptr) return false;
-  MovedBy moved_by = moved_by_;
-  moved_by.joints_move = joints_move_;
-  const HoldOptions options{moved_by, on_contact_.value_or(found->on_contact), forceClassOf(*found)};
+  const HoldOptions options{moved_by_, on_contact_.value_or(found->on_contact), forceClassOf(*found), joints_move_};
   auto taken = HeldEntity::take(cell_.scene(), entity, cell_.placements(), options, cell_.configuration());
   if (!taken) {
     log_.notice(taken.error().message());

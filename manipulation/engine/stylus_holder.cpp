@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "manipulation/engine/overloaded.h"
+#include "geometry/system/overloaded.h"
 #include "manipulation/holding/felt_load.h"
 
 namespace hapticell::manipulation {

@@ -13,9 +13,9 @@ std::string pathOf(const std::string& entity, const std::string& part) {
 }
 
 /// What moves by itself is recorded by: a mannequin as a whole, a robot by its base.
-MovedBy::Kind wholeOf(const workcell::Entity& entity) {
-  if (entity.figure) return MovedBy::Kind::kWhole;
-  return entity.robot ? MovedBy::Kind::kBase : MovedBy::Kind::kSelfOrigin;
+MovedBy wholeOf(const workcell::Entity& entity) {
+  if (entity.figure) return by::Whole{};
+  return entity.robot ? MovedBy(by::Base{}) : MovedBy(by::Origin{});
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ void TakeRecording::addBeside(workcell::EntityId id, bool by_hand) {
   sample.entity = cell_.find(id);
   sample.at = &at;
   sample.X_WM = at.X_WE;
-  sample.moved_by.kind = wholeOf(*sample.entity);
+  sample.moved_by = wholeOf(*sample.entity);
   recorder_->take(sample, by_hand);
 }
 

@@ -42,12 +42,14 @@ Expected<std::unique_ptr<FigureWay>> FigureWay::take(std::shared_ptr<const Prepa
   way->held_ = std::move(*held);
   way->X_WTaken_ = way->X_WTarget_ = way->held_->movedFrame();
   way->mapping_.anchor(way->X_WTaken_, way->X_WTaken_);
-  using Kind = MovedBy::Kind;
-  const Kind kind = options.moved_by.kind;
-  const bool both = kind == Kind::kBothHands;
-  if (turn == Turn::kWithTheForearm)
-    way->turns_with_ = {both || kind == Kind::kLeftHand, both || kind == Kind::kRightHand};
-  way->may_step_ = options.moved_by.may_step;
+  if (const auto* hand = std::get_if<by::Hand>(&options.moved_by)) {
+    const bool left = hand->side == mannequin::Side::kLeft;
+    if (turn == Turn::kWithTheForearm) way->turns_with_ = {left, !left};
+    way->may_step_ = hand->may_step;
+  } else if (const auto* both = std::get_if<by::BothHands>(&options.moved_by)) {
+    if (turn == Turn::kWithTheForearm) way->turns_with_ = {true, true};
+    way->may_step_ = both->may_step;
+  }
   way->shown_ = way->held_->accepted();
   way->forearms_at_start_ = way->forearms();
   return way;

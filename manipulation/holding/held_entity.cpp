@@ -10,16 +10,17 @@ namespace {
 using workcell::Entity;
 
 bool goesAlongWithAxes(const MovedBy& moved_by) {
-  const bool by_tcp = moved_by.kind == MovedBy::Kind::kTcp || moved_by.kind == MovedBy::Kind::kDefault;
-  return by_tcp && moved_by.with_axes;
+  const by::Tool* tool = toolOf(moved_by);
+  return tool != nullptr && tool->with_axes;
 }
 
-Expected<std::unique_ptr<Manipulator>> manipulatorOf(const HeldModel& model, const MovedBy& moved_by,
+Expected<std::unique_ptr<Manipulator>> manipulatorOf(const HeldModel& model, const HoldOptions& options,
                                                      const config::Configuration& configuration) {
   std::vector<Taking::Part> parts;
   for (const MovedPart& part : model.parts()) parts.push_back({part.link, part.X_LP});
-  const Taking taking{model.form(),   model.taken(), resolved(moved_by, model.form()),
-                      *model.scene(), configuration, parts};
+  const Taking taking{model.form(),       model.taken(), resolved(options.moved_by, model.form()),
+                      *model.scene(),     configuration, parts,
+                      options.joints_move};
   return makeManipulator(taking, manipulatorKinds());
 }
 
@@ -54,7 +55,7 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   if (found->locked) return makeError(takingRefused(*found, "it is locked", "an entity that may be moved"));
   std::vector<std::string> notes;
   HeldModel model(std::move(scene), *found, placements, goesAlongWithAxes(options.moved_by), notes);
-  auto manipulator = manipulatorOf(model, options.moved_by, configuration);
+  auto manipulator = manipulatorOf(model, options, configuration);
   HAPTICELL_TRY(manipulator);
   HeldPairs pairs(model, **manipulator, placements, options, configuration);
   if (!pairs.leftOutNote().empty()) notes.push_back(pairs.leftOutNote());

@@ -6,11 +6,12 @@
 
 namespace hapticell::manipulation {
 
-/// Choices of the user that override the entity's own.
+/// How an entity is held: choices of the user that override the entity's own.
 struct HoldOptions {
   MovedBy moved_by;
   workcell::OnContact on_contact = workcell::OnContact::kSlide;
   workcell::ForceClass force_class = workcell::ForceClass::kContact;
+  bool joints_move = false;  ///< Something else moves the entity's joints meanwhile: a glove, another hand.
 };
 
 }  // namespace hapticell::manipulation

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/system/overloaded.h"
 #include "kinematics/closed_form/inverse_factory.h"
 #include "manipulation/manipulators/jointed_whole.h"
 #include "manipulation/manipulators/mannequin_head.h"
@@ -19,7 +20,6 @@ namespace {
 
 using workcell::Entity;
 using workcell::EntityKind;
-using Kind = MovedBy::Kind;
 using Made = Expected<std::unique_ptr<Manipulator>>;
 
 /// Or a mechanism.
@@ -66,34 +66,39 @@ std::vector<RobotManipulator::Part> robotParts(const Taking& taking) {
 }
 
 bool isByHead(const Taking& taking) {
-  return isFigure(taking.entity) && taking.moved_by.kind == Kind::kHead;
+  return isFigure(taking.entity) && std::holds_alternative<by::Head>(taking.moved_by);
 }
 
 Made makeHead(const Taking& taking) {
-  return std::make_unique<MannequinHead>(taking.entity.figure, taking.entity.robot, taking.moved_by.lock_trunk,
-                                         bodyParts(taking));
+  const bool trunk_locked = std::get<by::Head>(taking.moved_by).locks.trunk;
+  return std::make_unique<MannequinHead>(taking.entity.figure, taking.entity.robot, trunk_locked, bodyParts(taking));
 }
 
 bool isByHands(const Taking& taking) {
-  const Kind kind = taking.moved_by.kind;
-  return isFigure(taking.entity) && (kind == Kind::kLeftHand || kind == Kind::kRightHand || kind == Kind::kBothHands);
+  return isFigure(taking.entity) &&
+         (std::holds_alternative<by::Hand>(taking.moved_by) || std::holds_alternative<by::BothHands>(taking.moved_by));
 }
 
-Made makeHands(const Taking& taking) {
-  using Hands = MannequinManipulator::Hands;
-  const MovedBy& moved_by = taking.moved_by;
-  const Hands both = moved_by.hands_apart ? Hands::kBothApart : Hands::kBoth;
-  const Hands hands = moved_by.kind == Kind::kLeftHand    ? Hands::kLeft
-                      : moved_by.kind == Kind::kRightHand ? Hands::kRight
-                                                          : both;
-  const MannequinManipulator::Locks locks{moved_by.lock_trunk, moved_by.lock_pelvis,  moved_by.on_seat,
-                                          moved_by.may_step,   hangsInTheAir(taking), loadsInHands(taking)};
+Made makeHandsWith(const Taking& taking, MannequinManipulator::Hands hands, const BodyLocks& body, bool may_step) {
+  const MannequinManipulator::Locks locks{body.trunk, body.pelvis,           body.seat,
+                                          may_step,   hangsInTheAir(taking), loadsInHands(taking)};
   return std::make_unique<MannequinManipulator>(taking.entity.figure, taking.entity.robot, hands, locks, taking.stands,
                                                 bodyParts(taking));
 }
 
+Made makeHands(const Taking& taking) {
+  using Hands = MannequinManipulator::Hands;
+  if (const auto* hand = std::get_if<by::Hand>(&taking.moved_by)) {
+    const Hands one = hand->side == mannequin::Side::kLeft ? Hands::kLeft : Hands::kRight;
+    return makeHandsWith(taking, one, hand->locks, hand->may_step);
+  }
+  const auto& both = std::get<by::BothHands>(taking.moved_by);
+  return makeHandsWith(taking, both.apart ? Hands::kBothApart : Hands::kBoth, both.locks, both.may_step);
+}
+
 bool lockNeedsTrunk(const Taking& taking) {
-  return (taking.moved_by.lock_trunk || taking.moved_by.lock_pelvis) && taking.entity.kind != EntityKind::kMannequin;
+  const BodyLocks* locks = locksOf(taking.moved_by);
+  return locks != nullptr && (locks->trunk || locks->pelvis) && taking.entity.kind != EntityKind::kMannequin;
 }
 
 Made refuseLock(const Taking& taking) {
@@ -102,24 +107,34 @@ Made refuseLock(const Taking& taking) {
 
 /// The link of the robot that the frame names; -1: none.
 int namedLink(const Taking& taking) {
-  const bool named = isRobot(taking.entity) && taking.moved_by.kind == Kind::kFrame;
-  return named ? taking.entity.robot->findLink(taking.moved_by.frame) : -1;
+  const auto* frame = std::get_if<by::Frame>(&taking.moved_by);
+  return frame != nullptr && isRobot(taking.entity) ? taking.entity.robot->findLink(frame->name) : -1;
 }
 
 bool isByBaseKeepingTool(const Taking& taking) {
-  return isRobot(taking.entity) && taking.moved_by.kind == Kind::kBase && taking.moved_by.keep_tcp;
+  const auto* base = std::get_if<by::Base>(&taking.moved_by);
+  return base != nullptr && base->keeps_tool && isRobot(taking.entity);
 }
 
 bool isByTool(const Taking& taking) {
-  return isRobot(taking.entity) && (taking.moved_by.kind == Kind::kTcp || namedLink(taking) >= 0);
+  return isRobot(taking.entity) && (std::holds_alternative<by::Tool>(taking.moved_by) || namedLink(taking) >= 0);
 }
 
-const std::string& atSingularity(const Taking& taking) {
-  const std::string& chosen = taking.moved_by.at_singularity;
+/// Of a way that has a tool, or keeps one.
+std::string atSingularity(const Taking& taking) {
+  const std::string chosen = std::visit(
+      [](const auto& way) {
+        if constexpr (requires { way.at_singularity; }) {
+          return way.at_singularity;
+        } else {
+          return std::string();
+        }
+      },
+      taking.moved_by);
   return chosen.empty() ? taking.configuration.robot.at_singularity : chosen;
 }
 
-Expected<RobotManipulator::Tool> toolOf(const Taking& taking) {
+Expected<RobotManipulator::Tool> heldTool(const Taking& taking) {
   const Entity& entity = taking.entity;
   const int named = namedLink(taking);
   int tip = named >= 0 ? named : entity.robot->findLink(entity.tip_link);
@@ -137,7 +152,7 @@ Expected<std::unique_ptr<kinematics::InverseModel>> inverseOf(const Taking& taki
 }
 
 Made makeByBaseKeepingTool(const Taking& taking) {
-  const auto tool = toolOf(taking);
+  const auto tool = heldTool(taking);
   HAPTICELL_TRY(tool);
   auto inverse = inverseOf(taking, *tool);
   HAPTICELL_TRY(inverse);
@@ -146,7 +161,7 @@ Made makeByBaseKeepingTool(const Taking& taking) {
 }
 
 Made makeByTool(const Taking& taking) {
-  const auto tool = toolOf(taking);
+  const auto tool = heldTool(taking);
   HAPTICELL_TRY(tool);
   auto inverse = inverseOf(taking, *tool);
   HAPTICELL_TRY(inverse);
@@ -159,33 +174,52 @@ bool isAny(const Taking&) {
   return true;
 }
 
+/// Where the moved frame is in what moves as a rigid whole; an error where that is not moved by it.
+Expected<Pose> frameOfWhole(const Taking& taking) {
+  const Entity& entity = taking.entity;
+  const auto refused = [&](const auto&) -> Expected<Pose> {
+    return makeError(takingRefused(entity, "it cannot be moved by that", choicesOf(entity)));
+  };
+  const auto by_origin = [&](const auto& way) -> Expected<Pose> {
+    return isRobot(entity) ? refused(way) : Pose::identity();
+  };
+  return std::visit(Overloaded{
+                        [&](const by::Default& way) { return by_origin(way); },
+                        [&](const by::Tool& way) { return refused(way); },
+                        [&](const by::Base& way) { return isRobot(entity) ? Pose::identity() : refused(way); },
+                        [&](const by::Origin& way) { return by_origin(way); },
+                        [&](const by::Center& way) {
+                          return entity.mesh ? Pose::translation(entity.mesh->bounds().center()) : by_origin(way);
+                        },
+                        [&](const by::Frame& way) -> Expected<Pose> {
+                          const PreparedScene::FoundFrame frame = taking.scene.findFrame(way.name);
+                          if (frame.entity != nullptr) return entity.X_WE.inverse() * frame.entity->X_WE * frame.X_EF;
+                          return makeError(takingRefused(entity, "there is no frame '" + way.name + "' to move it by",
+                                                         choicesOf(entity)));
+                        },
+                        [&](const by::Whole& way) { return by_origin(way); },
+                        [&](const by::Hand& way) { return refused(way); },
+                        [&](const by::BothHands& way) { return refused(way); },
+                        [&](const by::Head& way) { return refused(way); },
+                    },
+                    taking.moved_by);
+}
+
 /// As a rigid whole, by its origin, its middle or a frame.
 Made makeWhole(const Taking& taking) {
   const Entity& entity = taking.entity;
-  const Kind kind = taking.moved_by.kind;
-  Pose X_EM;
-  if (kind == Kind::kFrame) {
-    const PreparedScene::FoundFrame frame = taking.scene.findFrame(taking.moved_by.frame);
-    if (frame.entity == nullptr) {
-      return makeError(
-          takingRefused(entity, "there is no frame '" + taking.moved_by.frame + "' to move it by", choicesOf(entity)));
-    }
-    X_EM = entity.X_WE.inverse() * frame.entity->X_WE * frame.X_EF;
-  } else if (kind == Kind::kGeometricCenter && entity.mesh) {
-    X_EM = Pose::translation(entity.mesh->bounds().center());
-  } else if (kind == Kind::kTcp || kind > Kind::kWhole || (kind == Kind::kBase) != isRobot(entity)) {
-    return makeError(takingRefused(entity, "it cannot be moved by that", choicesOf(entity)));
-  }
-  if (taking.moved_by.joints_move && entity.robot && !entity.robot->closure) {
+  const Expected<Pose> X_EM = frameOfWhole(taking);
+  HAPTICELL_TRY(X_EM);
+  if (taking.joints_move && entity.robot && !entity.robot->closure) {
     std::vector<JointedWhole::Part> parts;
     for (const Taking::Part& part : taking.parts) parts.push_back({part.link, part.X_LP});
-    return std::make_unique<JointedWhole>(entity.robot, X_EM, std::move(parts));
+    return std::make_unique<JointedWhole>(entity.robot, *X_EM, std::move(parts));
   }
   std::vector<Pose> X_EP;
   for (const Taking::Part& part : taking.parts) {
     X_EP.push_back(PreparedScene::partPose(entity, Pose::identity(), taking.stands.joints, part.link) * part.X_LP);
   }
-  return std::make_unique<SolidManipulator>(X_EM, std::move(X_EP));
+  return std::make_unique<SolidManipulator>(*X_EM, std::move(X_EP));
 }
 
 constexpr ManipulatorKind kKinds[] = {
@@ -204,13 +238,13 @@ std::span<const ManipulatorKind> manipulatorKinds() {
 }
 
 MovedBy resolved(const MovedBy& moved_by, const Entity& entity) {
-  MovedBy result = moved_by;
-  if (result.kind == Kind::kWhole) result.kind = Kind::kSelfOrigin;
-  const bool whole = isRobot(entity) && mannequin::isFreeHand(*entity.robot);  // Its fingers are the glove's.
-  if (result.kind == Kind::kDefault) {
-    result.kind = !isRobot(entity) ? Kind::kSelfOrigin : whole ? Kind::kBase : Kind::kTcp;
-  }
-  return result;
+  if (std::holds_alternative<by::Whole>(moved_by)) return by::Origin{};
+  const auto* usual = std::get_if<by::Default>(&moved_by);
+  if (usual == nullptr) return moved_by;
+  if ((usual->locks.trunk || usual->locks.pelvis) && entity.kind != EntityKind::kMannequin) return moved_by;
+  if (!isRobot(entity)) return by::Origin{};
+  if (mannequin::isFreeHand(*entity.robot)) return by::Base{};  // Its fingers are the glove's.
+  return usual->tool;
 }
 
 Made makeManipulator(const Taking& taking, std::span<const ManipulatorKind> kinds) {

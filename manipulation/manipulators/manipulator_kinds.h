@@ -18,7 +18,7 @@ namespace hapticell::manipulation {
 struct Taking {
   const workcell::Entity& entity;     ///< With external axes: all of them as one model.
   const EntityConfiguration& stands;  ///< How it stands now.
-  MovedBy moved_by;                   ///< kDefault and kWhole are resolved already.
+  MovedBy moved_by;                   ///< by::Default and by::Whole are resolved already; see resolved().
   const PreparedScene& scene;
   const config::Configuration& configuration;
   /// What moves with it, in the order of Manipulator::partPoses: a link of the entity (-1: the entity itself) and the
@@ -28,6 +28,7 @@ struct Taking {
     Pose X_LP;
   };
   std::span<const Part> parts;
+  bool joints_move = false;  ///< Something else moves the entity's joints meanwhile.
 };
 
 /// One way in which an entity follows the hand.
@@ -41,7 +42,8 @@ struct ManipulatorKind {
 /// is one class, a Manipulator, and one line of this list; docs/architecture.md has an example.
 std::span<const ManipulatorKind> manipulatorKinds();
 
-/// `moved_by` with what is meant by default for that entity.
+/// `moved_by` with what is meant by default for that entity. Only what is to be refused stays by::Default: locks of
+/// what is no mannequin.
 MovedBy resolved(const MovedBy& moved_by, const workcell::Entity& entity);
 
 /// The first of `kinds` that suits makes it. An error where none does.

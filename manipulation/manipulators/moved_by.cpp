@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "geometry/system/overloaded.h"
+
 namespace hapticell::manipulation {
 
 namespace {
@@ -17,24 +19,76 @@ tl::unexpected<Error> unknownWord(const std::string& key, const std::string& tex
 
 }  // namespace
 
+bool isSameWay(const MovedBy& a, const MovedBy& b) {
+  if (a.index() != b.index()) return false;
+  const auto* hand = std::get_if<by::Hand>(&a);
+  return hand == nullptr || hand->side == std::get<by::Hand>(b).side;
+}
+
+bool isOfBody(const MovedBy& moved_by) {
+  return std::visit(Overloaded{
+                        [](const by::Default&) { return false; },
+                        [](const by::Tool&) { return false; },
+                        [](const by::Base&) { return false; },
+                        [](const by::Origin&) { return false; },
+                        [](const by::Center&) { return false; },
+                        [](const by::Frame&) { return false; },
+                        [](const by::Whole&) { return true; },
+                        [](const by::Hand&) { return true; },
+                        [](const by::BothHands&) { return true; },
+                        [](const by::Head&) { return true; },
+                    },
+                    moved_by);
+}
+
+std::string frameOf(const MovedBy& moved_by) {
+  const auto* frame = std::get_if<by::Frame>(&moved_by);
+  return frame == nullptr ? std::string() : frame->name;
+}
+
+const by::Tool* toolOf(const MovedBy& moved_by) {
+  if (const auto* usual = std::get_if<by::Default>(&moved_by)) return &usual->tool;
+  return std::get_if<by::Tool>(&moved_by);
+}
+
+by::Tool* toolOf(MovedBy& moved_by) {
+  return const_cast<by::Tool*>(toolOf(std::as_const(moved_by)));
+}
+
+const BodyLocks* locksOf(const MovedBy& moved_by) {
+  return std::visit(
+      [](const auto& way) -> const BodyLocks* {
+        if constexpr (requires { way.locks; }) {
+          return &way.locks;
+        } else {
+          return nullptr;
+        }
+      },
+      moved_by);
+}
+
+BodyLocks* locksOf(MovedBy& moved_by) {
+  return const_cast<BodyLocks*>(locksOf(std::as_const(moved_by)));
+}
+
 Expected<MovedBy> parseMovedBy(const std::string& text) {
-  using Kind = MovedBy::Kind;
-  const std::pair<const char*, Kind> words[] = {{"tcp", Kind::kTcp},
-                                                {"base", Kind::kBase},
-                                                {"self_origin", Kind::kSelfOrigin},
-                                                {"geometric_center", Kind::kGeometricCenter},
-                                                {"whole", Kind::kWhole},
-                                                {"left_hand", Kind::kLeftHand},
-                                                {"right_hand", Kind::kRightHand},
-                                                {"both_hands", Kind::kBothHands},
-                                                {"head", Kind::kHead}};
-  for (const auto& [word, kind] : words) {
-    if (text == word) return MovedBy{kind};
+  using mannequin::Side;
+  const std::pair<const char*, MovedBy> words[] = {{"tcp", by::Tool{}},
+                                                   {"tcp_with_axes", by::Tool{.with_axes = true}},
+                                                   {"base", by::Base{}},
+                                                   {"base_keeping_tcp", by::Base{.keeps_tool = true}},
+                                                   {"self_origin", by::Origin{}},
+                                                   {"geometric_center", by::Center{}},
+                                                   {"whole", by::Whole{}},
+                                                   {"left_hand", by::Hand{Side::kLeft}},
+                                                   {"right_hand", by::Hand{Side::kRight}},
+                                                   {"both_hands", by::BothHands{}},
+                                                   {"head", by::Head{}}};
+  for (const auto& [word, moved_by] : words) {
+    if (text == word) return moved_by;
   }
-  if (text == "tcp_with_axes") return MovedBy{.kind = Kind::kTcp, .with_axes = true};
-  if (text == "base_keeping_tcp") return MovedBy{.kind = Kind::kBase, .keep_tcp = true};
   if (text.starts_with(kNamedFrame) && text.size() > kNamedFrame.size()) {
-    return MovedBy{Kind::kFrame, text.substr(kNamedFrame.size())};
+    return by::Frame{.name = text.substr(kNamedFrame.size())};
   }
   return unknownWord(
       "moved_by", text,
@@ -42,53 +96,54 @@ Expected<MovedBy> parseMovedBy(const std::string& text) {
       "right_hand, both_hands or head");
 }
 
-Expected<void> parseLock(const std::string& text, MovedBy& moved_by) {
-  MovedBy locked = moved_by;
-  locked.lock_trunk = locked.lock_pelvis = locked.on_seat = false;
+Expected<BodyLocks> parseLock(const std::string& text) {
+  BodyLocks locks;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
     if (word == "trunk") {
-      locked.lock_trunk = true;
+      locks.trunk = true;
     } else if (word == "pelvis") {
-      locked.lock_pelvis = true;
+      locks.pelvis = true;
     } else if (word == "seat") {
-      locked.on_seat = true;
+      locks.seat = true;
     } else if (word != "feet" && word != "none") {
       return unknownWord("lock", word, "trunk, feet, pelvis, seat or none");
     }
     begin = end + 1;
   }
-  moved_by = locked;
+  return locks;
+}
+
+Expected<void> setLocks(MovedBy& moved_by, const BodyLocks& locks) {
+  if (BodyLocks* own = locksOf(moved_by)) {
+    *own = locks;
+  } else if (locks.any() && !isOfBody(moved_by)) {
+    return unknownWord("lock",
+                       locks.trunk    ? "trunk"
+                       : locks.pelvis ? "pelvis"
+                                      : "seat",
+                       "none, as no part of a mannequin is moved by " + wordOf(moved_by, false));
+  }
   return {};
 }
 
 std::string wordOf(const MovedBy& moved_by, bool is_robot) {
-  switch (moved_by.kind) {
-    case MovedBy::Kind::kDefault:
-      return is_robot ? "tcp" : "self_origin";
-    case MovedBy::Kind::kTcp:
-      return moved_by.with_axes ? "tcp_with_axes" : "tcp";
-    case MovedBy::Kind::kBase:
-      return moved_by.keep_tcp ? "base_keeping_tcp" : "base";
-    case MovedBy::Kind::kSelfOrigin:
-      return "self_origin";
-    case MovedBy::Kind::kGeometricCenter:
-      return "geometric_center";
-    case MovedBy::Kind::kFrame:
-      return "frame:" + moved_by.frame;
-    case MovedBy::Kind::kWhole:
-      return "whole";
-    case MovedBy::Kind::kLeftHand:
-      return "left_hand";
-    case MovedBy::Kind::kRightHand:
-      return "right_hand";
-    case MovedBy::Kind::kHead:
-      return "head";
-    case MovedBy::Kind::kBothHands:
-      return "both_hands";
-  }
-  return {};
+  return std::visit(Overloaded{
+                        [&](const by::Default&) { return std::string(is_robot ? "tcp" : "self_origin"); },
+                        [](const by::Tool& tool) { return std::string(tool.with_axes ? "tcp_with_axes" : "tcp"); },
+                        [](const by::Base& base) { return std::string(base.keeps_tool ? "base_keeping_tcp" : "base"); },
+                        [](const by::Origin&) { return std::string("self_origin"); },
+                        [](const by::Center&) { return std::string("geometric_center"); },
+                        [](const by::Frame& frame) { return std::string(kNamedFrame) + frame.name; },
+                        [](const by::Whole&) { return std::string("whole"); },
+                        [](const by::Hand& hand) {
+                          return std::string(hand.side == mannequin::Side::kLeft ? "left_hand" : "right_hand");
+                        },
+                        [](const by::BothHands&) { return std::string("both_hands"); },
+                        [](const by::Head&) { return std::string("head"); },
+                    },
+                    moved_by);
 }
 
 }  // namespace hapticell::manipulation

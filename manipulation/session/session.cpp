@@ -166,7 +166,8 @@ class WatchedEngine {
                                    options_.force_class.value_or(entity->force_class)},
                                   options_.configuration);
     HAPTICELL_TRY(taken);
-    if (options_.moved_by.with_axes && (*taken)->axes().empty()) {
+    const by::Tool* tool = toolOf(options_.moved_by);
+    if (tool != nullptr && tool->with_axes && (*taken)->axes().empty()) {
       const auto& notes = (*taken)->notes();
       return makeError({.file = {},
                         .place = "entity '" + entity->name + "'",

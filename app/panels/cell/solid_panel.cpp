@@ -32,8 +32,6 @@
 namespace hapticell::app {
 namespace {
 
-using Kind = HoldChoice::Kind;
-
 constexpr const char* kCurves = "solid";
 
 /// The middle of the solid's bounds in its own frame, as the hand takes it by kGeometricCenter.
@@ -102,11 +100,11 @@ void SolidPanel::addTurn(QVBoxLayout& column) {
   turn_note_->setContentsMargins(kLabelColumn, 0, 0, 0);
   section->addWidget(turn_note_);
   connect(turns_, &Segmented::chosen, this, [this](int index) {
-    const Kind kinds[]{Kind::kSelfOrigin, Kind::kGeometricCenter, Kind::kFrame};
-    host_.holdChoice().set(kinds[index], index == 2 ? frame_->currentText().toStdString() : std::string());
+    const HoldChoice::MovedBy ways[]{by::Origin{}, by::Center{}, by::Frame{frame_->currentText().toStdString()}};
+    host_.holdChoice().set(ways[index]);
   });
   connect(frame_, &QComboBox::activated, this,
-          [this] { host_.holdChoice().set(Kind::kFrame, frame_->currentText().toStdString()); });
+          [this] { host_.holdChoice().set(by::Frame{frame_->currentText().toStdString()}); });
   connect(new_frame_, &QPushButton::clicked, this, &SolidPanel::pickFrame);
 }
 
@@ -202,7 +200,7 @@ void SolidPanel::showTurn(const workcell::Entity& solid) {
   frame_->clear();
   for (const workcell::Frame& frame : solid.frames) frame_->addItem(QString::fromStdString(frame.name));
   const HoldChoice& hold = host_.holdChoice();
-  const int index = hold.kind() == Kind::kGeometricCenter ? 1 : hold.kind() == Kind::kFrame ? 2 : 0;
+  const int index = hold.is<by::Center>() ? 1 : hold.is<by::Frame>() ? 2 : 0;
   turns_->setChoiceEnabled(2, !solid.frames.empty(), tr("This solid has no frame yet: make one below"));
   turns_->setCurrent(index);
   frame_row_->setVisible(index == 2);
@@ -243,13 +241,13 @@ void SolidPanel::showMarks() {
     const HoldChoice& hold = host_.holdChoice();
     const double length = 0.5 * glm::length(now->mesh->bounds().size()) + 0.03;
     const Pose center = X_WE * Pose::translation(centerOf(*now));
-    const bool by_center = hold.kind() == Kind::kGeometricCenter;
+    const bool by_center = hold.is<by::Center>();
     const Pose* taken = by_center ? &center : &X_WE;
     std::vector<std::pair<Pose, std::string>> marks{{X_WE, tr("origin").toStdString()},
                                                     {center, tr("centre").toStdString()}};
     for (const workcell::Frame& frame : now->frames) marks.emplace_back(X_WE * frame.X_EF, frame.name);
     for (std::size_t i = 2; i < marks.size(); ++i)
-      if (hold.kind() == Kind::kFrame && marks[i].second == hold.frame()) taken = &marks[i].first;
+      if (hold.is<by::Frame>() && marks[i].second == hold.frame()) taken = &marks[i].first;
     for (const auto& [X_WF, name] : marks)
       curves.push_back({{X_WF.p}, SceneCurve::Role::kSelection, SceneCurve::Style::kSolid, 1.6, name});
     appendAxes(*taken, length, curves);
@@ -275,7 +273,7 @@ void SolidPanel::pickFrame() {
          const Pose X_WE = self->host_.viewport().scene().placement_W(*entity);
          frames.push_back({name, X_WE.inverse() * featureFrame_W(*feature)});
          if (self->host_.documentModel().execute(workcell::SetFrames{id, std::move(frames)}))
-           self->host_.holdChoice().set(Kind::kFrame, name);
+           self->host_.holdChoice().set(by::Frame{name});
        }});
 }
 

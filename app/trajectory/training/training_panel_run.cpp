@@ -93,7 +93,7 @@ void TrainingPanel::start() {
   if (!placeAtBeginning()) return;
   // What the stylus's button takes, by the frame that the guide leads.
   host_.selection().set(entity->id);
-  if (const auto by = manipulation::parseMovedBy(expert_.moved)) host_.holdChoice().set(by->kind, by->frame);
+  if (const auto way = manipulation::parseMovedBy(expert_.moved)) host_.holdChoice().set(*way);
   run_ = std::make_unique<manipulation::TrainingRun>(
       *exercise_, expert_, runs_->kind() == trajectory::RunKind::kPractice ? 0.01 * help_->value() : 0.0);
   manipulation::command::StartRecording wanted;

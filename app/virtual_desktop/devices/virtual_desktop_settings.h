@@ -10,16 +10,15 @@ namespace hapticell::app {
 
 /// What the user chose in the Virtual Desktop panel. A value; the controller turns changes into commands.
 struct VirtualDesktopSettings {
-  workcell::EntityId entity = 0;  ///< 0: whatever the tip touches.
-  manipulation::MovedBy::Kind moved_by = manipulation::MovedBy::Kind::kDefault;
+  workcell::EntityId entity = 0;   ///< 0: whatever the tip touches.
+  manipulation::MovedBy moved_by;  ///< The way and its frame; what else is chosen of it, HoldChoice has.
   manipulation::AxesMode axes = manipulation::AxesMode::kScreen;
   manipulation::ScaleLevel scale = manipulation::ScaleLevel::kMedium;
   workcell::OnContact on_contact = workcell::OnContact::kSlide;
   workcell::ForceClass force_class = workcell::ForceClass::kContact;
   FreeAxes free;
-  std::string moved_frame;  ///< For moved_by kFrame: a frame of the entity, a link, or another entity.
-  std::string axes_frame;   ///< For axes kFrame: an entity's name.
-  std::string against;      ///< The one pair set that counts; empty: all that are switched on.
+  std::string axes_frame;  ///< For axes kFrame: an entity's name.
+  std::string against;     ///< The one pair set that counts; empty: all that are switched on.
 };
 
 }  // namespace hapticell::app

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/virtual_desktop/module/held_section.h"
 
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 
 #include "app/controls/entity_icon.h"
 #include "app/host/document_model.h"
@@ -18,45 +20,35 @@
 namespace hapticell::app {
 namespace {
 
+using manipulation::isSameWay;
+using manipulation::MovedBy;
+
+/// In the order of the segments.
+std::array<MovedBy, 10> waysOffered() {
+  using mannequin::Side;
+  return {by::Tool{},      by::Base{},  by::Origin{},          by::Center{},
+          by::Frame{},     by::Whole{}, by::Hand{Side::kLeft}, by::Hand{Side::kRight},
+          by::BothHands{}, by::Head{}};
+}
+
 void showMoved(Segmented& moved_by, const VirtualDesktopSettings& settings, const workcell::Entity* entity) {
-  using Kind = manipulation::MovedBy::Kind;
+  constexpr int kTool = 0, kOrigin = 2, kWhole = 5;  // Among the ways offered.
   const bool mannequin = entity && entity->kind == workcell::EntityKind::kMannequin;
   const bool robot = entity && entity->robot && !mannequin;
   for (int i = 0; i < 4; ++i) moved_by.button(i)->setVisible(!entity || (!mannequin && (i < 2) == robot));
   moved_by.button(4)->setVisible(!mannequin);
   for (int i = 5; i < 10; ++i) moved_by.button(i)->setVisible(mannequin);
-  const auto index = [&] {
-    switch (settings.moved_by) {
-      case Kind::kTcp:
-        return 0;
-      case Kind::kBase:
-        return 1;
-      case Kind::kSelfOrigin:
-        return 2;
-      case Kind::kGeometricCenter:
-        return 3;
-      case Kind::kFrame:
-        return 4;
-      case Kind::kLeftHand:
-        return 6;
-      case Kind::kRightHand:
-        return 7;
-      case Kind::kBothHands:
-        return 8;
-      case Kind::kHead:
-        return 9;
-      default:
-        return mannequin ? 5 : robot ? 0 : entity ? 2 : -1;
-    }
-  };
-  moved_by.setCurrent(index());
+  const auto ways = waysOffered();
+  const auto chosen =
+      std::find_if(ways.begin(), ways.end(), [&](const MovedBy& way) { return isSameWay(way, settings.moved_by); });
+  const int usual = mannequin ? kWhole : robot ? kTool : entity ? kOrigin : -1;
+  moved_by.setCurrent(chosen == ways.end() ? usual : static_cast<int>(chosen - ways.begin()));
 }
 
 }  // namespace
 
 HeldSection::HeldSection(Host& host, VirtualDesktopController& controller, QVBoxLayout& column, QObject* parent)
     : QObject(parent), host_(host), controller_(controller) {
-  using Kind = manipulation::MovedBy::Kind;
   QVBoxLayout* section = addSection(column, tr("What is held"));
   entity_ = new QComboBox;
   entity_->setObjectName("comboEntity");
@@ -77,22 +69,22 @@ HeldSection::HeldSection(Host& host, VirtualDesktopController& controller, QVBox
     controller_.edit([&](VirtualDesktopSettings& settings) {
       settings.entity = entity_->itemData(index).toULongLong();
       const workcell::Entity* entity = host_.documentModel().document().find(settings.entity);
-      settings.moved_by = entity ? HoldChoice::usual(*entity) : Kind::kDefault;
+      settings.moved_by = entity ? HoldChoice::usual(*entity) : MovedBy();
       if (entity) settings.on_contact = entity->on_contact, settings.force_class = entity->force_class;
       if (entity) host_.selection().set(entity->id);
     });
   });
   connect(moved_by_, &Segmented::chosen, this, [this](int index) {
-    const Kind kinds[]{Kind::kTcp,   Kind::kBase,     Kind::kSelfOrigin, Kind::kGeometricCenter, Kind::kFrame,
-                       Kind::kWhole, Kind::kLeftHand, Kind::kRightHand,  Kind::kBothHands,       Kind::kHead};
     controller_.edit([&](VirtualDesktopSettings& settings) {
-      settings.moved_by = kinds[index];
-      settings.moved_frame = index == 4 ? moved_frame_->currentText().toStdString() : std::string();
+      settings.moved_by = waysOffered()[static_cast<std::size_t>(index)];
+      if (auto* frame = std::get_if<by::Frame>(&settings.moved_by))
+        frame->name = moved_frame_->currentText().toStdString();
     });
   });
   connect(moved_frame_, &QComboBox::activated, this, [this] {
-    controller_.edit(
-        [&](VirtualDesktopSettings& settings) { settings.moved_frame = moved_frame_->currentText().toStdString(); });
+    controller_.edit([&](VirtualDesktopSettings& settings) {
+      settings.moved_by = by::Frame{moved_frame_->currentText().toStdString()};
+    });
   });
   connect(against_, &QComboBox::activated, this, [this](int index) {
     controller_.edit([&](VirtualDesktopSettings& settings) {
@@ -135,7 +127,7 @@ void HeldSection::listFrames(const workcell::Entity* entity) {
     for (const auto& link : entity->robot->links)
       moved_frame_->addItem(icon("frame"), QString::fromStdString(link.name));
   moved_by_->setChoiceEnabled(4, moved_frame_->count() > 0, tr("This entity has no frames"));
-  moved_frame_->setCurrentText(QString::fromStdString(controller_.settings().moved_frame));
+  moved_frame_->setCurrentText(QString::fromStdString(manipulation::frameOf(controller_.settings().moved_by)));
 }
 
 void HeldSection::showSettings() {
@@ -144,7 +136,7 @@ void HeldSection::showSettings() {
   listSets();
   listFrames(entity);
   showMoved(*moved_by_, settings, entity);
-  moved_frame_row_->setVisible(settings.moved_by == manipulation::MovedBy::Kind::kFrame);
+  moved_frame_row_->setVisible(std::holds_alternative<by::Frame>(settings.moved_by));
   on_contact_->setCurrent(static_cast<int>(settings.on_contact));
   const int index = entity_->findData(static_cast<qulonglong>(settings.entity));
   entity_->setCurrentIndex(index >= 0 ? index : 0);

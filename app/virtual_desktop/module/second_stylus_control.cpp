@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/style/library_text.h"
@@ -16,7 +17,6 @@ namespace hapticell::app {
 namespace {
 
 namespace command = manipulation::command;
-using Kind = manipulation::MovedBy::Kind;
 
 /// One of this machine's that nobody listens on now; 0 where none is to be had.
 int freePort() {
@@ -29,10 +29,6 @@ int freePort() {
   const bool bound = probe >= 0 && bind(probe, any, length) == 0 && getsockname(probe, any, &length) == 0;
   if (probe >= 0) close(probe);
   return bound ? ntohs(address.sin_port) : 0;
-}
-
-bool isHandKind(Kind kind) {
-  return kind == Kind::kLeftHand || kind == Kind::kRightHand;
 }
 
 }  // namespace
@@ -87,13 +83,13 @@ void SecondStylusControl::start() {
 void SecondStylusControl::postSettings() {
   if (!owner_.loop() || !link_) return;
   manipulation::MovedBy moved_by = owner_.movedBy();
-  const bool other_hand = isHandKind(moved_by.kind);
-  if (other_hand) {
-    moved_by.kind = moved_by.kind == Kind::kLeftHand ? Kind::kRightHand : Kind::kLeftHand;
+  auto* hand = std::get_if<by::Hand>(&moved_by);
+  owner_.loop()->postSecond(command::ChooseEntity{hand ? owner_.settings().entity : 0});
+  if (hand) {
+    hand->side = mannequin::other(hand->side);
   } else {
     moved_by = {};
   }
-  owner_.loop()->postSecond(command::ChooseEntity{other_hand ? owner_.settings().entity : 0});
   owner_.loop()->postSecond(command::SetMovedBy{moved_by});
   owner_.loop()->postSecond(command::SetAxes{{owner_.settings().axes, owner_.settings().axes_frame}});
   owner_.loop()->postSecond(command::SetScale{{owner_.settings().scale, 1.0}});
@@ -105,7 +101,8 @@ QString SecondStylusControl::line() const {
   if (link_->linkState() != haptic::LinkState::kConnected) return shownText(link_->problem());
   if (owner_.snapshot().second && owner_.snapshot().second->device_fault)
     return tr("It does not answer: its force is zero");
-  if (!isHandKind(owner_.movedBy().kind)) return tr("Connected, pen 2 in the scene; it holds what its tip touches");
+  if (!owner_.host().holdChoice().is<by::Hand>())
+    return tr("Connected, pen 2 in the scene; it holds what its tip touches");
   return tr("Connected, pen 2 in the scene; it holds the other hand, the trunk stands still");
 }
 

@@ -39,10 +39,6 @@ QString scaleName(manipulation::ScaleLevel level) {
   return {};
 }
 
-bool isHand(manipulation::MovedBy::Kind kind) {
-  return kind == manipulation::MovedBy::Kind::kLeftHand || kind == manipulation::MovedBy::Kind::kRightHand;
-}
-
 }  // namespace
 
 VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
@@ -78,10 +74,10 @@ void VirtualDesktopController::followHost() {
     const HoldChoice& choice = host_.holdChoice();
     if (loop_) loop_->post(command::SetMovedBy{movedBy()});
     second_.postSettings();
-    if (choice.kind() == settings_.moved_by && choice.frame() == settings_.moved_frame) return;
+    const bool same_frame = choice.frame() == manipulation::frameOf(settings_.moved_by);
+    if (same_frame && manipulation::isSameWay(choice.movedBy(), settings_.moved_by)) return;
     VirtualDesktopSettings settings = settings_;
-    settings.moved_by = choice.kind();
-    settings.moved_frame = choice.frame();
+    settings.moved_by = choice.movedBy();
     change(settings);
   });
   const auto post = [this](const auto& order) {
@@ -180,7 +176,7 @@ void VirtualDesktopController::postSettings() {
 void VirtualDesktopController::change(const VirtualDesktopSettings& settings) {
   const bool other_sets = settings.against != settings_.against;
   settings_ = settings;
-  host_.holdChoice().set(settings.moved_by, settings.moved_frame);
+  host_.holdChoice().set(settings.moved_by);
   if (other_sets) feed_.postDocument();
   postSettings();
   mouse_.update();  // The next motion of the mouse goes along the axes chosen now, not from the next snapshot on.
@@ -269,8 +265,7 @@ void VirtualDesktopController::forgetCell() {
   feed_.closeCell();
   VirtualDesktopSettings settings = settings_;
   settings.entity = 0;
-  settings.moved_by = manipulation::MovedBy::Kind::kDefault;
-  settings.moved_frame.clear();
+  settings.moved_by = {};
   settings.against.clear();
   if (settings.axes == manipulation::AxesMode::kFrame) settings.axes = VirtualDesktopSettings().axes;
   settings.axes_frame.clear();
@@ -365,7 +360,8 @@ void VirtualDesktopController::tellOfPlugged(const ListedDevice& device) {
 /// What the first holds of a mannequin leaves the second the other hand; the trunk stands still then.
 manipulation::MovedBy VirtualDesktopController::movedBy() const {
   manipulation::MovedBy moved_by = host_.holdChoice().movedBy();
-  if (second_.isThere() && isHand(moved_by.kind)) moved_by.lock_trunk = true;
+  auto* hand = std::get_if<by::Hand>(&moved_by);
+  if (second_.isThere() && hand) hand->locks.trunk = true;
   return moved_by;
 }
 

@@ -128,7 +128,7 @@ void VirtualDesktopModule::openCheck(VirtualDesktopPanel& panel) {
 void VirtualDesktopModule::chooseFirstRobot() {
   VirtualDesktopSettings settings = controller_->settings();
   settings.entity = 0;
-  settings.moved_by = manipulation::MovedBy::Kind::kDefault;
+  settings.moved_by = manipulation::MovedBy();
   for (const auto& entity : host_->documentModel().document().state().entities) {
     if (!entity->robot || entity->locked) continue;
     settings.entity = entity->id;

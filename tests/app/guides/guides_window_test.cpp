@@ -138,7 +138,7 @@ TEST(SolidPanel, TurnsAboutTheCentreAndFeelsAsChosen) {
   page.select(page.door);
   EXPECT_EQ(page.find<QLabel>("labelSolid")->text(), "door");
   page.chooseSegment("segmentsTurns", 1);
-  EXPECT_EQ(page.window().holdChoice().kind(), HoldChoice::Kind::kGeometricCenter);
+  EXPECT_TRUE(page.window().holdChoice().is<by::Center>());
   page.chooseSegment("segmentsSolidForce", 2);
   EXPECT_EQ(page.document().find(page.door)->force_class, workcell::ForceClass::kDynamics);
   page.type("fieldSolidMass", "2.35");
@@ -164,7 +164,7 @@ TEST(SolidPanel, IsPlacedByTypedNumbersAndGetsAFrameOnPickedGeometry) {
   const workcell::Entity* door = page.document().find(page.door);
   ASSERT_EQ(door->frames.size(), 1u);
   EXPECT_NEAR((door->X_WE * door->frames[0].X_EF).p.y, -0.015, 1e-6) << "on the face";
-  EXPECT_EQ(page.window().holdChoice().kind(), HoldChoice::Kind::kFrame);
+  EXPECT_TRUE(page.window().holdChoice().is<by::Frame>());
   EXPECT_EQ(page.window().holdChoice().frame(), "frame 1");
   page.select(page.post);
   page.select(0);

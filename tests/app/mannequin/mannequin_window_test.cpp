@@ -28,8 +28,9 @@
 namespace hapticell::app {
 namespace {
 
+using manipulation::MovedBy;
 using mannequin::Dof;
-using Kind = manipulation::MovedBy::Kind;
+using mannequin::Side;
 
 workcell::Entity table() {
   workcell::Entity entity;
@@ -58,20 +59,20 @@ TEST(MannequinDock, WhatIsHeldAndLockedGoesToTheStylus) {
   HoldChoice& choice = page.window().holdChoice();
   EXPECT_TRUE(page.window().findChild<QAbstractButton*>("hold2")->isChecked())
       << "the right hand, where its arrows are";
-  const Kind kinds[]{Kind::kWhole, Kind::kLeftHand, Kind::kRightHand, Kind::kBothHands, Kind::kHead};
+  const MovedBy ways[]{by::Whole{}, by::Hand{Side::kLeft}, by::Hand{Side::kRight}, by::BothHands{}, by::Head{}};
   for (int i = 0; i < 5; ++i) {
     page.click(QStringLiteral("hold%1").arg(i));
-    EXPECT_EQ(choice.kind(), kinds[i]);
+    EXPECT_EQ(choice.movedBy(), ways[i]);
   }
   page.click("lock0");
   page.click("lock3");
   page.click("lock2");
-  EXPECT_TRUE(choice.locks().trunk);
-  EXPECT_TRUE(choice.locks().seat);
-  EXPECT_FALSE(choice.locks().feet);
-  EXPECT_TRUE(choice.movedBy().may_step);
+  EXPECT_TRUE(choice.hands().locks.trunk);
+  EXPECT_TRUE(choice.hands().locks.seat);
+  EXPECT_TRUE(choice.hands().may_step);
   page.segment("segmentsTwoHands", 0);
-  EXPECT_TRUE(choice.movedBy().hands_apart);
+  EXPECT_TRUE(choice.hands().apart);
+  EXPECT_EQ(choice.movedBy(), MovedBy(by::Head{choice.hands().locks})) << "the way that was chosen last";
 }
 
 TEST(MannequinDock, SizeIsChosenTypedAndUndone) {
@@ -257,8 +258,8 @@ TEST(MannequinDock, AJointIsDraggedWithinItsLimitsAsOneStep) {
 /// The right hand forward, or both as they hang, seen from the right: the arrow upwards, and how far it is.
 class HandArrow {
  public:
-  explicit HandArrow(MannequinPage& page, Kind kind = Kind::kRightHand) : page_(page), kind_(kind) {
-    const bool both = kind == Kind::kBothHands;
+  explicit HandArrow(MannequinPage& page, const MovedBy& held = by::Hand{Side::kRight}) : page_(page), held_(held) {
+    const bool both = std::holds_alternative<by::BothHands>(held);
     EXPECT_TRUE(page.addMannequin());
     EXPECT_TRUE(page.choose("buttonPostures", both ? "posture_standing" : "posture_both_hands_forward"));
     page.click(both ? "hold3" : "hold2");
@@ -268,7 +269,7 @@ class HandArrow {
   }
   dvec3 grip() const {
     const workcell::Entity& figure = *page_.selected();
-    return movedFrame_W(figure, {figure.X_WE, figure.joints}, kind_).p;
+    return movedFrame_W(figure, {figure.X_WE, figure.joints}, held_).p;
   }
   /// Draws it up by the mouse and waits until that is one step.
   bool drag(double up, int moves) {
@@ -283,12 +284,12 @@ class HandArrow {
 
  private:
   MannequinPage& page_;
-  Kind kind_;
+  MovedBy held_;
 };
 
 TEST(MannequinGizmo, BothHandsDrawnUpFromHangingGetToTheShoulders) {
   MannequinPage page;
-  HandArrow hands(page, Kind::kBothHands);
+  HandArrow hands(page, by::BothHands{});
   const dvec3 start = hands.grip();
   ASSERT_TRUE(hands.drag(0.5, 20));
   EXPECT_LT(glm::length(hands.grip() - start - dvec3(0.0, 0.0, 0.5)), 0.01) << page.words("labelReach").toStdString();
@@ -432,7 +433,7 @@ TEST(HandsToPart, SitsOnAChairLookingAsTheChairDoes) {
   EXPECT_NEAR(pose[mannequin::Segment::kPelvis].p_WS.x, 1.0, 2e-3);
   EXPECT_LT(mannequin::footPose(pose, mannequin::Side::kLeft).p.y, -0.2) << "along the chair's -y";
   EXPECT_NEAR(mannequin::footPose(pose, mannequin::Side::kLeft).p.z + figure->figure->sole.z, 0.0, 3e-3);
-  EXPECT_TRUE(page.window().holdChoice().locks().seat);
+  EXPECT_TRUE(page.window().holdChoice().hands().locks.seat);
 }
 
 TEST(HandsToPart, TheMenusEntriesAreThereOnlyWithAMannequin) {

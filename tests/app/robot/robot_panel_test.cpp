@@ -8,8 +8,8 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/host/hold_choice.h"
 #include "app/controls/pose_text.h"
+#include "app/host/hold_choice.h"
 #include "app/robot/configuration_model.h"
 #include "app/style/proxy_style.h"
 #include "app/style/segmented.h"
@@ -186,13 +186,13 @@ TEST(RobotPanel, HeldByIsOneChoiceForAllPanels) {
   RobotPage page;
   page.addRobot("kuka_kr16_2");
   page.find<Segmented>("segmentsHeldBy")->button(1)->click();
-  EXPECT_EQ(page.window().holdChoice().kind(), HoldChoice::Kind::kBase);
-  page.window().holdChoice().set(HoldChoice::Kind::kTcp);
+  EXPECT_TRUE(page.window().holdChoice().is<by::Base>());
+  page.window().holdChoice().set(by::Tool{});
   page.settle();
   EXPECT_EQ(page.find<Segmented>("segmentsHeldBy")->current(), 0);
   page.find<Segmented>("segmentsHeldBy")->button(2)->click();
-  EXPECT_EQ(page.window().holdChoice().kind(), HoldChoice::Kind::kBase);
-  EXPECT_TRUE(page.window().holdChoice().movedBy().keep_tcp);
+  EXPECT_TRUE(page.window().holdChoice().is<by::Base>());
+  EXPECT_EQ(page.window().holdChoice().movedBy(), HoldChoice::MovedBy(by::Base{.keeps_tool = true}));
 }
 
 TEST(RobotPanel, TheListIsGreyedFromTheJogUntilTheNewOneIsThere) {
@@ -219,7 +219,7 @@ TEST(RobotPanel, WhatYieldsAtASingularityIsChosenAndGreyedWithoutAWrist) {
   EXPECT_TRUE(items->item(1)->isEnabled());
   choice->setCurrentIndex(1);
   emit choice->activated(1);
-  EXPECT_EQ(page.window().holdChoice().movedBy().at_singularity, "keep_joint_4");
+  EXPECT_EQ(manipulation::toolOf(page.window().holdChoice().movedBy())->at_singularity, "keep_joint_4");
   page.addRobot("denso_hsr065");
   EXPECT_FALSE(items->item(1)->isEnabled());
   EXPECT_FALSE(items->item(1)->toolTip().isEmpty()) << "it says why";
@@ -239,7 +239,7 @@ TEST(RobotPanel, TheAxisThatTheRobotStandsOnIsOfferedToGoAlong) {
   ASSERT_TRUE(go_along->isVisible());
   EXPECT_TRUE(go_along->text().contains(QString::fromStdString(table.name))) << go_along->text().toStdString();
   page.click("switchAxes");
-  EXPECT_TRUE(page.window().holdChoice().movedBy().with_axes);
+  EXPECT_TRUE(manipulation::toolOf(page.window().holdChoice().movedBy())->with_axes);
   page.find<Segmented>("segmentsHeldBy")->button(1)->click();
   EXPECT_FALSE(go_along->isEnabled()) << "the base is held itself";
 }

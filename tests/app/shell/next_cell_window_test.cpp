@@ -160,7 +160,7 @@ TEST(NextCell, HasNothingOfTheOneBefore) {
   openB(page, b);
   EXPECT_FALSE(page.window().viewport().section().has_value());
   EXPECT_TRUE(page.window().viewport().scene().ghosts().empty());
-  EXPECT_EQ(page.window().holdChoice().locks(), HoldChoice::Locks());
+  EXPECT_EQ(page.window().holdChoice().hands(), by::BothHands());
   after = saidAtRest(page.window());
   QStringList left, missing;
   std::set_difference(after.begin(), after.end(), fresh.begin(), fresh.end(), std::back_inserter(left));

@@ -76,7 +76,7 @@ TEST(PoseJoints, FingersStopAtWhatTheyGraspAndTellIt) {
 
 TEST(PoseJoints, TheStylusHoldsTheFigureMeanwhile) {
   GlovedWorker gloved({worker("both_hands_forward")});
-  gloved.engine.apply(command::SetMovedBy{{.kind = MovedBy::Kind::kLeftHand, .lock_trunk = true}});
+  gloved.engine.apply(command::SetMovedBy{by::Hand{.side = mannequin::Side::kLeft, .locks = {.trunk = true}}});
   gloved.engine.apply(command::Grab{kWorker});
   gloved.pose(0.9, 0.3);
   EXPECT_NEAR(gloved.curl(), 0.9, 1e-6);
@@ -94,7 +94,7 @@ TEST(PoseJoints, FingersStopAlsoWhileTheWholeFigureIsHeld) {
   workcell::Entity bar = test::solid(kBox, "bar", geometry::makeBox({0.03, 0.03, 0.03}), {});
   bar.X_WE.p = hand * figure.figure->p_HandGrip[1];
   GlovedWorker gloved({figure, bar});
-  gloved.engine.apply(command::SetMovedBy{{.kind = MovedBy::Kind::kWhole}});
+  gloved.engine.apply(command::SetMovedBy{by::Whole{}});
   gloved.engine.apply(command::Grab{kWorker});
   gloved.step(3);
   gloved.pose(1.5, 0.8);
@@ -112,10 +112,9 @@ TEST(PoseJoints, FingersStopAlsoWhileTheWholeFigureIsHeld) {
 TEST(PoseJoints, NoFingertipMovesFartherThanItsBound) {
   const workcell::Entity figure = worker("both_hands_forward");
   const auto scene = PreparedScene::prepare({figure}, {}, {0.001, 0.01}, nullptr);
-  for (const MovedBy& moved_by :
-       {MovedBy{.kind = MovedBy::Kind::kWhole, .joints_move = true}, MovedBy{.kind = MovedBy::Kind::kRightHand},
-        MovedBy{.kind = MovedBy::Kind::kLeftHand}, MovedBy{.kind = MovedBy::Kind::kHead}}) {
-    const auto held = HeldEntity::take(scene, kWorker, {}, {moved_by, {}, {}}, {});
+  for (const MovedBy& moved_by : {MovedBy(by::Whole{}), MovedBy(by::Hand{mannequin::Side::kRight}),
+                                  MovedBy(by::Hand{mannequin::Side::kLeft}), MovedBy(by::Head{})}) {
+    const auto held = HeldEntity::take(scene, kWorker, {}, {moved_by, {}, {}, true}, {});
     ASSERT_TRUE(held);
     const Manipulator& manipulator = (*held)->manipulator();
     ASSERT_TRUE(manipulator.movesJoints());
@@ -274,7 +273,7 @@ TEST(PoseJoints, TwoStylusesAndAGloveWorkTogether) {
   part.X_WE.p = {1.5, 0.0, 1.0};
   TwoStations two({worker("both_hands_forward"), part});
   two.first->apply(command::Grab{kBox});
-  two.second->holder().apply(command::SetMovedBy{{.kind = MovedBy::Kind::kLeftHand, .lock_trunk = true}});
+  two.second->holder().apply(command::SetMovedBy{by::Hand{.side = mannequin::Side::kLeft, .locks = {.trunk = true}}});
   two.second->holder().apply(command::Grab{kWorker});
   two.run(20);
   ASSERT_NE(two.first->held(), nullptr);

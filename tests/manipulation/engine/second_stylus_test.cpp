@@ -152,7 +152,7 @@ TEST(SecondStylus, TakenByBothAtOnceItIsTheFirstOnes) {
 TEST(SecondStylus, TheWholeFigureIsNotDrawnByAHandToo) {
   TwoStations two({worker("both_hands_forward")});
   two.takeBothHands();
-  two.first->apply(command::SetMovedBy{{.kind = MovedBy::Kind::kWhole}});
+  two.first->apply(command::SetMovedBy{by::Whole{}});
   two.run(20);
   EXPECT_NE(two.first->held(), nullptr);
   EXPECT_EQ(two.second->holder().held(), nullptr);

@@ -92,8 +92,8 @@ struct TwoStations {
     }
   }
   void takeBothHands() {
-    first->apply(command::SetMovedBy{{.kind = MovedBy::Kind::kRightHand, .lock_trunk = true}});
-    second->holder().apply(command::SetMovedBy{{.kind = MovedBy::Kind::kLeftHand, .lock_trunk = true}});
+    first->apply(command::SetMovedBy{by::Hand{.side = mannequin::Side::kRight, .locks = {.trunk = true}}});
+    second->holder().apply(command::SetMovedBy{by::Hand{.side = mannequin::Side::kLeft, .locks = {.trunk = true}}});
     first->apply(command::Grab{kWorker});
     run(20);
     second->holder().apply(command::Grab{kWorker});

@@ -13,8 +13,6 @@
 namespace hapticell::manipulation {
 namespace {
 
-using Kind = MovedBy::Kind;
-
 workcell::Entity hangingFigure(const char* body) {
   Diagnostics diagnostics;
   workcell::Entity entity = *workcell::EntityLoader(".").load(body, 1.0, diagnostics);
@@ -26,12 +24,13 @@ workcell::Entity hangingFigure(const char* body) {
   return entity;
 }
 
-HoldOptions holding(Kind kind, bool apart = false, bool steps = false) {
+HoldOptions holding(const MovedBy& moved_by) {
   HoldOptions options;
-  options.moved_by.kind = kind;
-  options.moved_by.hands_apart = apart;
-  options.moved_by.may_step = steps;
+  options.moved_by = moved_by;
   return options;
+}
+by::Hand rightHand(bool steps = false) {
+  return {.side = mannequin::Side::kRight, .may_step = steps};
 }
 
 /// Draws `by` (m) as a mouse does: some thirty places, each followed for one picture; then until it is there.
@@ -63,15 +62,12 @@ void expectAllReached(const char* body, bool steps) {
   const double stature = entity.figure->body[mannequin::Dimension::kStature];
   const auto scene = PreparedScene::prepare({entity}, {}, {});
   for (const Gesture& gesture : kGestures) {
-    for (const HoldOptions& hold : {holding(Kind::kBothHands, false, steps), holding(Kind::kBothHands, true, steps),
-                                    holding(Kind::kRightHand, false, steps)}) {
+    for (const HoldOptions& hold :
+         {holding(by::BothHands{false, steps}), holding(by::BothHands{true, steps}), holding(rightHand(steps))}) {
       auto way = FigureWay::take(scene, entity.id, hold, FigureWay::Turn::kWithTheForearm, {});
       ASSERT_TRUE(way) << way.error().message();
       const FigureWay::Reach reach = drawn(**way, stature * gesture.by);
-      EXPECT_LT(reach.short_m, 0.01) << body << ", " << gesture.name
-                                     << (hold.moved_by.kind == Kind::kRightHand ? ", right hand"
-                                         : hold.moved_by.hands_apart            ? ", both apart"
-                                                                                : ", both as one");
+      EXPECT_LT(reach.short_m, 0.01) << body << ", " << gesture.name << ", " << wordOf(hold.moved_by, false);
     }
   }
 }
@@ -124,9 +120,9 @@ void expectAllOfASweep(const char* body, const HoldOptions& hold, const char* na
 }
 
 TEST(FigureWay, ASweepFromPlaceToPlaceLeavesNoneShort) {
-  expectAllOfASweep("mannequin:female:5", holding(Kind::kBothHands), "both as one", 1);
-  expectAllOfASweep("mannequin:female:5", holding(Kind::kRightHand), "right hand", 3);
-  expectAllOfASweep("mannequin:male:50", holding(Kind::kBothHands, true), "both apart", 5);
+  expectAllOfASweep("mannequin:female:5", holding(by::BothHands{}), "both as one", 1);
+  expectAllOfASweep("mannequin:female:5", holding(rightHand()), "right hand", 3);
+  expectAllOfASweep("mannequin:male:50", holding(by::BothHands{.apart = true}), "both apart", 5);
 }
 
 /// Draws one figure that may step to places at random on the floor round it, as it stands after each; how many it left
@@ -138,7 +134,7 @@ int leftShortOfWalks(const char* body, bool apart, std::uint64_t seed) {
   const double stature = entity.figure->body[mannequin::Dimension::kStature];
   const auto scene = PreparedScene::prepare({entity}, {}, {});
   auto way =
-      FigureWay::take(scene, entity.id, holding(Kind::kBothHands, apart, true), FigureWay::Turn::kWithTheForearm, {});
+      FigureWay::take(scene, entity.id, holding(by::BothHands{apart, true}), FigureWay::Turn::kWithTheForearm, {});
   int left_short = 0;
   for (int i = 0; i < 4; ++i) {
     const dvec3 p = stature * dvec3(2.0 * unit() - 1.0, 2.0 * unit() - 1.0, 0.35 + 0.45 * unit());
@@ -162,8 +158,8 @@ TEST(FigureWay, ItEndsWhereItCameNearest) {
   const workcell::Entity entity = hangingFigure("mannequin:male:50");
   const auto scene = PreparedScene::prepare({entity}, {}, {});
   for (const bool steps : {false, true}) {
-    auto way = FigureWay::take(scene, entity.id, holding(Kind::kBothHands, false, steps),
-                               FigureWay::Turn::kWithTheForearm, {});
+    auto way =
+        FigureWay::take(scene, entity.id, holding(by::BothHands{false, steps}), FigureWay::Turn::kWithTheForearm, {});
     ASSERT_TRUE(way) << way.error().message();
     (*way)->aim({{-0.2, -0.6, 2.6}, (*way)->follow().X_WM.q});  // Higher than anybody gets.
     FigureWay::Reach reach;
@@ -182,7 +178,7 @@ TEST(FigureWay, ItEndsWhereItCameNearest) {
 TEST(FigureWay, ASearchForAWayRoundIsGivenUpForSomethingNewer) {
   const workcell::Entity entity = hangingFigure("mannequin:male:50");
   const auto scene = PreparedScene::prepare({entity}, {}, {});
-  auto way = FigureWay::take(scene, entity.id, holding(Kind::kBothHands), FigureWay::Turn::kWithTheForearm, {});
+  auto way = FigureWay::take(scene, entity.id, holding(by::BothHands{}), FigureWay::Turn::kWithTheForearm, {});
   ASSERT_TRUE(way) << way.error().message();
   const Pose start = (*way)->follow().X_WM;
   const Pose over_head{start.p + dvec3(0.0, 0.0, 1.0), start.q};
@@ -208,7 +204,8 @@ TEST(FigureWay, WhatAnotherPartHoldsUpIsNotGoneRound) {
   board.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.6, 1.6, 0.03}));
   board.X_WE.p = {0.75, 0.0, 1.3};
   const auto scene = PreparedScene::prepare({entity, board}, {}, {});
-  auto way = FigureWay::take(scene, entity.id, holding(Kind::kBothHands, true), FigureWay::Turn::kWithTheForearm, {});
+  auto way =
+      FigureWay::take(scene, entity.id, holding(by::BothHands{.apart = true}), FigureWay::Turn::kWithTheForearm, {});
   ASSERT_TRUE(way) << way.error().message();
   ASSERT_LT(drawn(**way, {0.35, 0.0, 0.1}).short_m, 0.01);
   const FigureWay::Reach reach = drawn(**way, {0.0, 0.0, 0.7});

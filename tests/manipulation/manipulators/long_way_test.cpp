@@ -32,7 +32,7 @@ double turned(const EntityConfiguration& from, const EntityConfiguration& to) {
 TEST(LongWay, IsGoneInStepsUntilTheHandIsReached) {
   const auto scene = PreparedScene::prepare({worker()}, {}, {});
   HoldOptions options;
-  options.moved_by.kind = MovedBy::Kind::kLeftHand;
+  options.moved_by = by::Hand{mannequin::Side::kLeft};
   auto held = HeldEntity::take(scene, 7, {}, options, config::Configuration{});
   ASSERT_TRUE(held) << held.error().message();
   MotionMapping mapping;

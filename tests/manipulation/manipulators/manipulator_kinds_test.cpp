@@ -18,8 +18,6 @@
 namespace hapticell::manipulation {
 namespace {
 
-using Kind = MovedBy::Kind;
-
 /// Turns about its own z axis as the hand goes round it; nothing else gives way.
 class TurntableManipulator final : public Manipulator {
  public:
@@ -84,10 +82,10 @@ struct Taken {
     parts.resize(std::max<std::size_t>(1, entity.robot ? entity.robot->links.size() : 1));
     for (std::size_t i = 0; entity.robot && i < parts.size(); ++i) parts[i].link = static_cast<int>(i);
   }
-  Expected<std::unique_ptr<Manipulator>> by(const MovedBy& moved_by, std::span<const ManipulatorKind> kinds) const {
+  Expected<std::unique_ptr<Manipulator>> heldBy(const MovedBy& moved_by,
+                                                std::span<const ManipulatorKind> kinds = manipulatorKinds()) const {
     return makeManipulator({entity, stands, resolved(moved_by, entity), *scene, configuration, parts}, kinds);
   }
-  Expected<std::unique_ptr<Manipulator>> by(Kind kind) const { return by(MovedBy{.kind = kind}, manipulatorKinds()); }
   workcell::Entity entity;
   std::shared_ptr<const PreparedScene> scene;
   EntityConfiguration stands;
@@ -110,23 +108,22 @@ workcell::Entity loaded(const char* source) {
 
 TEST(ManipulatorKinds, ASolidIsMovedAsAWholeAndSaysWhatElseGoes) {
   const Taken solid(test::solid(1, "box", geometry::makeBox(dvec3(0.1))));
-  EXPECT_TRUE(is<SolidManipulator>(solid.by(Kind::kDefault)));
-  EXPECT_TRUE(is<SolidManipulator>(solid.by(Kind::kGeometricCenter)));
-  const auto refused = solid.by(Kind::kTcp);
+  EXPECT_TRUE(is<SolidManipulator>(solid.heldBy(by::Default{})));
+  EXPECT_TRUE(is<SolidManipulator>(solid.heldBy(by::Center{})));
+  const auto refused = solid.heldBy(by::Tool{});
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message().find("geometric_center"), std::string::npos) << refused.error().message();
-  EXPECT_FALSE(solid.by({.kind = Kind::kFrame, .frame = "nowhere"}, manipulatorKinds()));
-  EXPECT_FALSE(solid.by({.lock_trunk = true}, manipulatorKinds())) << "it has no trunk";
+  EXPECT_FALSE(solid.heldBy(by::Frame{"nowhere"}));
+  EXPECT_FALSE(solid.heldBy(by::Default{.locks = {.trunk = true}})) << "it has no trunk";
 }
 
 TEST(ManipulatorKinds, ARobotIsMovedByItsToolOrItsBase) {
   const Taken robot(loaded("library:hc6"));
-  EXPECT_TRUE(is<RobotManipulator>(robot.by(Kind::kDefault)));
-  EXPECT_TRUE(is<RobotManipulator>(
-      robot.by({.kind = Kind::kFrame, .frame = robot.entity.robot->links[3].name}, manipulatorKinds())));
-  EXPECT_TRUE(is<SolidManipulator>(robot.by(Kind::kBase)));
-  EXPECT_TRUE(is<RobotBaseManipulator>(robot.by({.kind = Kind::kBase, .keep_tcp = true}, manipulatorKinds())));
-  EXPECT_FALSE(robot.by(Kind::kHead));
+  EXPECT_TRUE(is<RobotManipulator>(robot.heldBy(by::Default{})));
+  EXPECT_TRUE(is<RobotManipulator>(robot.heldBy(by::Frame{robot.entity.robot->links[3].name})));
+  EXPECT_TRUE(is<SolidManipulator>(robot.heldBy(by::Base{})));
+  EXPECT_TRUE(is<RobotBaseManipulator>(robot.heldBy(by::Base{.keeps_tool = true})));
+  EXPECT_FALSE(robot.heldBy(by::Head{}));
 }
 
 TEST(ManipulatorKinds, OfOnesOwnIsOneClassAndOneRegistration) {
@@ -135,9 +132,9 @@ TEST(ManipulatorKinds, OfOnesOwnIsOneClassAndOneRegistration) {
   const Taken taken(table);
   std::vector<ManipulatorKind> kinds{kTurntable};
   kinds.insert(kinds.end(), manipulatorKinds().begin(), manipulatorKinds().end());
-  const auto made = taken.by({}, kinds);
+  const auto made = taken.heldBy({}, kinds);
   ASSERT_TRUE(is<TurntableManipulator>(made));
-  EXPECT_TRUE(is<SolidManipulator>(taken.by(Kind::kDefault))) << "without the registration it is a solid";
+  EXPECT_TRUE(is<SolidManipulator>(taken.heldBy(by::Default{}))) << "without the registration it is a solid";
   // A quarter round, whatever else the hand wants.
   const EntityConfiguration turned = (*made)->propose(taken.stands, {dvec3(1.0, 0.4, 0.9), dquat(1, 0, 0, 0)}, 1.0);
   EXPECT_LT(glm::length(turned.X_WE.p - table.X_WE.p), 1e-12);

@@ -162,7 +162,7 @@ TEST(MannequinManipulator, WhatTheHandHoldsGoesWithIt) {
                                                          Pose::translation({X_WHand.p.x + 0.2, X_WHand.p.y, lowest}))},
                                             {}, {});
   HoldOptions options;
-  options.moved_by.kind = MovedBy::Kind::kRightHand;
+  options.moved_by = by::Hand{mannequin::Side::kRight};
   auto held = HeldEntity::take(scene, worker.id, {}, options, config::Configuration{});
   ASSERT_TRUE(held) << held.error().message();
   const auto met = [](const HeldPair& pair) { return pair.owner == 3 && pair.other == 1; };
@@ -198,7 +198,7 @@ TEST(MannequinSession, AHandLaidOnATableIsStoppedAndFelt) {
       test::handThrough(
           {{0.0, {0, 0, 0.0}}, {0.5, {0, 0, 0.0}}, {1.5, {0, 0, -0.09}}, {2.2, {0, 0, -0.02}}, {2.4, {0, 0, -0.02}}}),
       kRate, 0.002);
-  options.moved_by.kind = MovedBy::Kind::kRightHand;
+  options.moved_by = by::Hand{mannequin::Side::kRight};
   options.scale = {ScaleLevel::kNumber, 1.0};
   const auto report = runSession(options);
   ASSERT_TRUE(report) << report.error().message();

@@ -7,15 +7,15 @@
 #include <cmath>
 
 #include "geometry/shapes/shapes.h"
+#include "manipulation/checks/mannequin_sight.h"
+#include "manipulation/checks/mannequin_workplace.h"
+#include "manipulation/checks/workplace_check.h"
 #include "manipulation/holding/held_entity.h"
 #include "manipulation/manipulators/mannequin_head.h"
 #include "manipulation/manipulators/mannequin_manipulator.h"
 #include "manipulation/scene/mannequin_own_pairs.h"
-#include "manipulation/checks/mannequin_sight.h"
-#include "manipulation/checks/mannequin_workplace.h"
-#include "manipulation/checks/workplace_check.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/support_polygon.h"
+#include "mannequin/shape/figure_model.h"
 #include "tests/manipulation/session/test_cells.h"
 #include "workcell/import/entity_source.h"
 
@@ -23,7 +23,6 @@ namespace hapticell::manipulation {
 namespace {
 
 using Hands = MannequinManipulator::Hands;
-using Kind = MovedBy::Kind;
 
 workcell::Entity worker(const char* posture) {
   Diagnostics diagnostics;
@@ -122,7 +121,7 @@ TEST(MannequinManipulator, OnASeatThePelvisStays) {
 double marginAfter(const std::vector<workcell::Entity>& cell, const dvec3& way) {
   const auto scene = PreparedScene::prepare(cell, {}, {});
   HoldOptions options;
-  options.moved_by.kind = Kind::kRightHand;
+  options.moved_by = by::Hand{mannequin::Side::kRight};
   auto held = HeldEntity::take(scene, cell.front().id, {}, options, config::Configuration{});
   EXPECT_TRUE(held) << held.error().message();
   MotionMapping mapping;
@@ -179,7 +178,7 @@ TEST(HeldMannequin, TheHandStopsAtTheOwnChestAndAtATable) {
   const auto scene = PreparedScene::prepare({entity, box(8, "table", {0.6, 0.8, 0.04}, {0.75, 0.0, 0.80})}, {}, {});
   const config::Configuration configuration;
   HoldOptions options;
-  options.moved_by.kind = Kind::kRightHand;
+  options.moved_by = by::Hand{mannequin::Side::kRight};
   // Chest, table, own hip.
   for (const dvec3& way : {dvec3(-0.6, 0.25, 0.0), dvec3(0.1, 0.0, -0.6), dvec3(-0.6, 0.15, -0.18)}) {
     auto held = HeldEntity::take(scene, entity.id, {}, options, configuration);

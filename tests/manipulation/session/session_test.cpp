@@ -197,7 +197,7 @@ TEST(Session, UnknownNamesAreToldWithWhatThereIs) {
   ASSERT_FALSE(unknown);
   EXPECT_NE(unknown.error().message().find("table, box"), std::string::npos);
   SessionOptions options = sessionOf(boxOverTable(0.1), "box", pressAndSlide(), 60.0, 0.0);
-  options.moved_by = {MovedBy::Kind::kTcp, {}};
+  options.moved_by = by::Tool{};
   const auto unfit = runSession(options);
   ASSERT_FALSE(unfit);
   EXPECT_NE(unfit.error().message().find("self_origin"), std::string::npos);
