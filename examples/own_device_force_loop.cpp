@@ -31,7 +31,7 @@ class Weight final : public haptic::Device {
   hapticell::Expected<void> open() override { return {}; }
   haptic::DeviceStatus read(haptic::DeviceReading& reading) noexcept override {
     const double acceleration = force_z_ / kMass - 9.81 - 8.0 * velocity_;
-    velocity_ += acceleration * kTick;
+    velocity_ = held ? 0.0 : velocity_ + acceleration * kTick;
     z_ += velocity_ * kTick;
     reading.X_DS = Pose::translation({0.0, 0.0, z_});
     return haptic::DeviceStatus::kOk;
@@ -41,6 +41,8 @@ class Weight final : public haptic::Device {
     return haptic::DeviceStatus::kOk;
   }
   void close() noexcept override { force_z_ = 0.0; }
+
+  bool held = true;  ///< By a hand, which lets it fall later.
 
  private:
   static constexpr double kMass = 0.15;  // kg
@@ -68,6 +70,7 @@ int main() {
       ++floor.sequence;
       loop.submit(floor);
     }
+    device.held = millisecond < 500;  // Until then the forces have been switched on, smoothly.
     clock.advance(haptic::toNanoseconds(kTick));
     loop.tick();
     if (millisecond % 250 == 249) {

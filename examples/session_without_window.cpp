@@ -60,11 +60,11 @@ int main() {
     std::fprintf(stderr, "%s\n", report.error().message().c_str());
     return 1;
   }
-  std::printf("%.1f s, most force %.1f N, deepest %.4f mm\n", report->duration_s, report->force_max_n,
-              1e3 * report->penetration_max_m);
+  std::printf("%.1f s, most force %.1f N, deepest %.4f mm\n", report->duration_s, report->forces.force_max_n,
+              1e3 * report->forces.penetration_max_m);
   for (const auto& contact : report->contacts)
     std::printf("touched %s from %.2f to %.2f s\n", options.entities[contact.other - 1].name.c_str(), contact.time_in,
                 contact.time_out);
-  std::printf("the box ends at %.1f mm\n", 1e3 * report->final_configuration.X_WE.p.z);
+  std::printf("the box ends at %.1f mm\n", 1e3 * report->end.configuration.X_WE.p.z);
   return 0;
 }
