@@ -72,29 +72,49 @@ target_precompile_headers(hapticell_program_headers PRIVATE ${HAPTICELL_COMMON_H
 # the linker takes the program's.
 set(HAPTICELL_SELDOM_RUN $<$<CONFIG:Release>:-O1>)
 
-# hapticell_add_library(NAME SOURCES ... [HEADERS ...] [PUBLIC libs...] [PRIVATE libs...] [PRECOMPILED <headers>...])
+# What the sources of all libraries are compiled for: another program's sources find the headers as <folder/file.h>.
+add_library(hapticell_interface INTERFACE)
+add_library(hapticell::interface ALIAS hapticell_interface)
+set_target_properties(hapticell_interface PROPERTIES EXPORT_NAME interface)
+target_include_directories(hapticell_interface INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hapticell>)
+target_compile_features(hapticell_interface INTERFACE cxx_std_20)
+target_compile_definitions(hapticell_interface INTERFACE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
+target_link_libraries(hapticell_interface INTERFACE glm::glm tl::expected)
+
+# A program links the engine's folders as libraries of their own, or all of them as hapticell::engine; with both it would
+# have two of each state. CMake refuses what links both.
+function(hapticell_linked_as target way)
+  set_target_properties(${target} PROPERTIES INTERFACE_HAPTICELL_LINKED ${way} COMPATIBLE_INTERFACE_STRING HAPTICELL_LINKED)
+endfunction()
+
+# hapticell_add_library(NAME [INTERNAL] SOURCES ... [HEADERS ...] [PUBLIC libs...] [PRIVATE libs...]
+#                       [PRECOMPILED <headers>...])
 #
-# A library with the alias hapticell::NAME. Headers are found as "folder/file.h" from the project's root, and as
-# <folder/file.h> under include/hapticell once installed. Sources with flags of their own skip what is precompiled.
+# A library with the alias hapticell::NAME. HEADERS are public (docs/library.md): they are installed, and what they declare is
+# seen outside of hapticell::engine. They are found as "folder/file.h" from the project's root, and as <folder/file.h> under
+# include/hapticell once installed. Headers that only the project uses stand among the SOURCES. INTERNAL: for the project's own
+# programs; it is neither installed nor part of hapticell::engine. Sources with flags of their own skip what is precompiled.
 function(hapticell_add_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE;PRECOMPILED" ${ARGN})
+  cmake_parse_arguments(ARG "INTERNAL" "" "SOURCES;HEADERS;PUBLIC;PRIVATE;PRECOMPILED" ${ARGN})
   set(target hapticell_${name})
   add_library(${target} STATIC ${ARG_SOURCES} ${ARG_HEADERS})
   add_library(hapticell::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
-  target_include_directories(${target} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hapticell>)
-  target_compile_features(${target} PUBLIC cxx_std_20)
-  target_link_libraries(${target} PUBLIC glm::glm tl::expected)
-  target_compile_definitions(${target} PUBLIC GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
-  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:hapticell_warnings>)
+  target_link_libraries(${target} PUBLIC hapticell::interface ${ARG_PUBLIC}
+    PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:hapticell_warnings>)
   target_compile_options(${target} PRIVATE ${HAPTICELL_PRECOMPILED_WARNINGS})
   if(ARG_PRECOMPILED)  # Besides the common ones; such a library parses its own.
     target_precompile_headers(${target} PRIVATE ${HAPTICELL_COMMON_HEADERS} ${ARG_PRECOMPILED})
   else()
     target_precompile_headers(${target} REUSE_FROM hapticell_common_headers)
   endif()
+  if(ARG_INTERNAL)
+    return()
+  endif()
+  hapticell_linked_as(${target} static)
   set_property(GLOBAL APPEND PROPERTY HAPTICELL_LIBRARIES ${target})
+  set_property(GLOBAL APPEND PROPERTY HAPTICELL_ENGINE_LIBRARIES ${target})
   foreach(header IN LISTS ARG_HEADERS)
     cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE folder)
     cmake_path(GET header PARENT_PATH below)

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# install(EXPORT): another project can say find_package(HaptiCell) and link hapticell::collision.
+# install(EXPORT): another project can say find_package(HaptiCell) and link hapticell::engine or hapticell::collision.
 include(CMakePackageConfigHelpers)
 
+install(TARGETS hapticell_engine hapticell_interface EXPORT HaptiCellEngineTargets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT HaptiCellEngineTargets NAMESPACE hapticell:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/HaptiCell)
 get_property(hapticell_libraries GLOBAL PROPERTY HAPTICELL_LIBRARIES)
 install(TARGETS ${hapticell_libraries} EXPORT HaptiCellTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT HaptiCellTargets NAMESPACE hapticell:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/HaptiCell)

@@ -95,8 +95,8 @@ Expected<void> setValue(Configuration& configuration, std::string_view key, std:
 /// All settings in the order of the shipped file.
 std::vector<Setting> settings(const Configuration& configuration);
 
-/// Where shipped files stand: the folder named by HAPTICELL_CONFIG_DIR, else share/hapticell beside the program's
-/// folder, else the source tree's config/. The path of `relative` in the first of them that has it.
+/// Where shipped files stand: the folder named by HAPTICELL_CONFIG_DIR, else share/hapticell beside the folders of
+/// program_folders.h, else the source tree's config/. The path of `relative` in the first of them that has it.
 Expected<std::string> findShippedFile(const std::string& relative);
 
 /// The configuration in force: the shipped hapticell.toml, then the user's ($XDG_CONFIG_HOME/hapticell/hapticell.toml)

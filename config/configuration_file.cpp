@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "config/configuration.h"
+#include "config/program_folders.h"
 #include "config/toml_place.h"
 #include "config/user_folders.h"
 #include "geometry/system/nesting_limit.h"
@@ -108,8 +109,7 @@ Expected<std::string> findShippedFile(const std::string& relative) {
     folders.emplace_back(named);
   }
   std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  if (!program.empty()) folders.push_back(program.parent_path().parent_path() / "share" / "hapticell");
+  for (const fs::path& programs : programFolders()) folders.push_back(programs.parent_path() / "share" / "hapticell");
   folders.emplace_back(HAPTICELL_CONFIG_SOURCE_DIR);
   for (const fs::path& folder : folders) {
     if (fs::exists(folder / relative, ignored)) return (folder / relative).string();

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "config/program_folders.h"
 #include "config/user_folders.h"
 #include "haptic/devices/driver_support.h"
 
@@ -30,9 +31,10 @@ std::string userName() {
 /// The rules beside the program, for the command that copies them.
 std::string rulesFile() {
   std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path installed = program.parent_path().parent_path() / "share" / "hapticell" / "udev" / kRules;
-  if (!program.empty() && fs::exists(installed, ignored)) return installed.string();
+  for (const fs::path& programs : config::programFolders()) {
+    const fs::path installed = programs.parent_path() / "share" / "hapticell" / "udev" / kRules;
+    if (fs::exists(installed, ignored)) return installed.string();
+  }
   const fs::path source = fs::path(HAPTICELL_UDEV_SOURCE_DIR) / kRules;
   return fs::exists(source, ignored) ? source.string() : std::string("packaging/udev/") + kRules;
 }

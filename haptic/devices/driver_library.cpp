@@ -12,6 +12,7 @@
 #include <set>
 #include <thread>
 
+#include "config/program_folders.h"
 #include "config/user_folders.h"
 #include "haptic/devices/driver_support.h"
 
@@ -64,11 +65,9 @@ void tellSettings(driver::Driver& driver, const DriverSettings& settings) {
 std::vector<fs::path> driverFolders() {
   std::vector<fs::path> folders;
   for (const fs::path& folder : config::absoluteEntries(std::getenv("HAPTICELL_DRIVERS"))) folders.push_back(folder);
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  if (!program.empty()) {
-    folders.push_back(program.parent_path() / "drivers");
-    folders.push_back(program.parent_path().parent_path() / "lib" / "hapticell" / "drivers");
+  for (const fs::path& programs : config::programFolders()) {
+    folders.push_back(programs / "drivers");
+    folders.push_back(programs.parent_path() / "lib" / "hapticell" / "drivers");
   }
   if (const auto own = config::userLibraryFolder()) folders.push_back(*own / "drivers");
   return folders;

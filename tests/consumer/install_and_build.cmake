@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -DFLAGS=... -P install_and_build.cmake
+# Installs to an empty prefix, then uses that installation as others would: every header, every library, a driver of one's own.
+# cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -DFLAGS=... -DPYTHON=... -P install_and_build.cmake
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -8,10 +9,18 @@ function(run)
 endfunction()
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=Release
-  -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS})
+separate_arguments(flag_list UNIX_COMMAND "${FLAGS}")
+run(${PYTHON} ${SOURCE}/lone_headers.py ${WORK}/prefix/include/hapticell ${COMPILER} ${flag_list})
+
+set(configure ${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=Release
+  -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_EXE_LINKER_FLAGS=${LINKER_FLAGS})
+run(${configure} -B ${WORK}/build)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
+execute_process(COMMAND ${configure} -B ${WORK}/both -DLINK_BOTH=ON RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
+if(status EQUAL 0 OR NOT said MATCHES "HAPTICELL_LINKED")
+  message(FATAL_ERROR "a program could link the engine and its libraries both: ${said}")
+endif()
 
 # A driver of somebody else, built with nothing but the installed headers, as docs/drivers.md says, then found and driven.
 run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE}/../../examples/driver -B ${WORK}/driver -DCMAKE_BUILD_TYPE=Release

@@ -21,6 +21,7 @@
 #include <optional>
 #include <string_view>
 
+#include "config/program_folders.h"
 #include "config/user_folders.h"
 #include "geometry/system/sanitizers.h"
 #include "workcell/text/text_cursor.h"
@@ -59,11 +60,11 @@ class Descriptor {
 /// Beside the running program, where an installation puts it, or (for developers) where the environment says.
 fs::path findProgram() {
   if (const char* named = std::getenv("HAPTICELL_IMPORTER")) return named[0] == '/' ? fs::path(named) : fs::path();
-  std::error_code fault;
-  const fs::path self = fs::read_symlink("/proc/self/exe", fault);
-  for (const char* place : {".", "../bin", "../libexec/hapticell", "../lib/hapticell"}) {
-    const fs::path beside = self.parent_path() / place / kProgram;
-    if (!fault && ::access(beside.c_str(), X_OK) == 0) return beside;
+  for (const fs::path& programs : config::programFolders()) {
+    for (const char* place : {".", "../bin", "../libexec/hapticell", "../lib/hapticell"}) {
+      const fs::path beside = programs / place / kProgram;
+      if (::access(beside.c_str(), X_OK) == 0) return beside;
+    }
   }
   return config::systemProgram(kProgram);
 }
