@@ -6,6 +6,7 @@
 
 #include "app/host/host.h"
 #include "app/host/message_log.h"
+#include "app/style/style_painting.h"
 #include "app/viewport/scene/part_colors.h"
 
 namespace hapticell::app {
@@ -18,7 +19,7 @@ void choosePartColor(Host& host, const QColor& now, std::function<void(const QCo
   dialog->setWindowTitle(QObject::tr("Colour of the part"));
   QObject::connect(dialog, &QColorDialog::colorSelected, &host.window(), [&host, take](const QColor& chosen) {
     take(chosen);
-    const std::array<float, 3> own{chosen.redF(), chosen.greenF(), chosen.blueF()};
+    const std::array<float, 3> own = channelsOf(chosen);
     if (partColor(own) != own)
       host.messages().tell(
           Severity::kInformation, QObject::tr("The part is shown in a quieter colour than %1").arg(chosen.name()),

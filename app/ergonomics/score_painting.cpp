@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ergonomics/score_painting.h"
+#include "app/style/style_painting.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -10,7 +11,7 @@ namespace hapticell::app {
 LinkLook lookOf(int band, const Theme& theme) {
   const int place = std::clamp(band, 0, 3);
   const QColor& color = theme.score[static_cast<std::size_t>(place)];
-  return {{static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())},
+  return {channelsOf(color),
           static_cast<std::uint8_t>(place < 2 ? 0 : place - 1)};
 }
 

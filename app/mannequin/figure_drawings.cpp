@@ -13,6 +13,7 @@
 #include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
+#include "app/style/style_painting.h"
 #include "app/style/units.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "manipulation/checks/mannequin_sight.h"
@@ -54,10 +55,6 @@ std::vector<Mesh> reachOfSizes(const mannequin::Figure& figure, const mannequin:
           mannequin::reachEnvelope(*other, stands, side, {false, kMeridians})));
   }
   return found;
-}
-
-std::array<float, 3> rgb(const QColor& color) {
-  return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
 }
 
 }  // namespace
@@ -150,7 +147,7 @@ void FigureDrawings::drawVolumes() {
   for (const auto& [kind, meshes] : reach_) {
     const QColor sizes[]{theme.scene.guide, theme.selection, theme.near_miss};
     for (std::size_t i = 0; i < meshes.size(); ++i)
-      items.push_back(volume(meshes[i], rgb(kind == kSizesReach ? sizes[i / 2 % 3]
+      items.push_back(volume(meshes[i], channelsOf(kind == kSizesReach ? sizes[i / 2 % 3]
                                             : kind == kReach    ? theme.selection
                                                                 : theme.scene.axis_z)));
   }
@@ -158,7 +155,7 @@ void FigureDrawings::drawVolumes() {
     for (const auto zone : {mannequin::WorkZone::kPreferred, mannequin::WorkZone::kAcceptable}) {
       const bool preferred = zone == mannequin::WorkZone::kPreferred;
       items.push_back(volume(std::make_shared<geometry::TriangleMesh>(mannequin::workZone(*figure_, posture_, zone)),
-                             rgb(preferred ? theme.scene.guide : theme.near_miss)));
+                             channelsOf(preferred ? theme.scene.guide : theme.near_miss)));
     }
   }
   if (isOn(kSight)) {
@@ -170,7 +167,7 @@ void FigureDrawings::drawVolumes() {
                                                                          : 2;
       items.push_back(volume(std::make_shared<geometry::TriangleMesh>(
                                  mannequin::visionVolume(*figure_, pose, posture_.gaze, zone, kSightLength)),
-                             rgb(theme.score[tone])));
+                             channelsOf(theme.score[tone])));
     }
   }
   context_.host().viewport().scene().setExtras("figure", std::move(items));

@@ -16,6 +16,7 @@
 #include "app/kit/file_dialog.h"
 #include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
+#include "app/style/style_painting.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "geometry/shapes/shapes.h"
 #include "mannequin/motion/marker_set.h"
@@ -26,10 +27,6 @@ namespace {
 constexpr int kPlayMilliseconds = 33;
 constexpr double kBallRadius = 0.009;  // m, about a real marker's.
 constexpr const char* kOwner = "markers";
-
-std::array<float, 3> rgb(const QColor& color) {
-  return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
-}
 
 }  // namespace
 
@@ -157,7 +154,7 @@ void MarkerPanel::draw(bool on) {
       item.mesh = ball_;
       item.bounds_M = ball_->bounds();
       item.X_WM = X_WG * Pose::translation(*p - dvec3(middle.x, middle.y, 0.0));
-      item.color = rgb(themeOf(palette()).scene.force);
+      item.color = channelsOf(themeOf(palette()).scene.force);
       item.casts_shadow = false;
       items.push_back(std::move(item));
     }

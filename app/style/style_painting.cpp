@@ -48,6 +48,10 @@ bool isMain(const QStyleOption* option, const QWidget* widget) {
 
 }  // namespace
 
+std::array<float, 3> channelsOf(const QColor& color) {
+  return {color.redF(), color.greenF(), color.blueF()};
+}
+
 void drawBox(QPainter* painter, const QRect& rect, const QColor& fill, const QColor& frame, double radius) {
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QRect>
 #include <QStyleOption>
+#include <array>
 
 class QComboBox;
 
@@ -14,6 +15,9 @@ constexpr int kFieldHeight = 26;
 constexpr int kHeaderMargin = 4;  ///< Either side of a heading.
 constexpr int kRowHeight = 24;
 constexpr double kRadius = 4.0;
+
+/// Red, green and blue, 0 .. 1, as workcell::Entity::color has them.
+std::array<float, 3> channelsOf(const QColor& color);
 
 /// A box with one-pixel frame whose lines lie on whole pixels.
 void drawBox(QPainter* painter, const QRect& rect, const QColor& fill, const QColor& frame, double radius = kRadius);

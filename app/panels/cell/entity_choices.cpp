@@ -12,6 +12,7 @@
 #include "app/kit/form.h"
 #include "app/kit/swatch_row.h"
 #include "app/style/segmented.h"
+#include "app/style/style_painting.h"
 #include "app/style/value_field.h"
 
 namespace hapticell::app {
@@ -75,8 +76,7 @@ void EntityChoices::connectChoices() {
           [this](int i) { execute({.material = material_->itemData(i).toString().toStdString()}); });
   connect(mass_, &ValueField::edited, this, [this](double kg) { execute({.mass = kg}); });
   const auto paint = [this](const QColor& color) {
-    execute({.color = std::array<float, 3>{static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
-                                           static_cast<float>(color.blueF())}});
+    execute({.color = channelsOf(color)});
   };
   connect(swatches_, &SwatchRow::chosen, this, paint);
   connect(swatches_, &SwatchRow::otherWanted, this,

@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/kit/action_face.h"
-#include "app/host/host.h"
-#include "app/host/selection.h"
-#include "app/kit/top_menus.h"
-#include "app/panels/collisions/collisions_panel.h"
 #include "app/controls/color_choice.h"
 #include "app/controls/entity_icon.h"
+#include "app/host/host.h"
+#include "app/host/selection.h"
+#include "app/kit/action_face.h"
 #include "app/kit/swatch_row.h"
+#include "app/kit/top_menus.h"
+#include "app/panels/collisions/collisions_panel.h"
 #include "app/style/icon.h"
+#include "app/style/style_painting.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "geometry/shapes/bounds.h"
 
@@ -81,7 +82,7 @@ class EntityMenu {
       QPixmap swatch(16, 16);
       swatch.fill(color);
       colors->addAction(QIcon(swatch), color.name().toUpper(), &menu_, [&document = document_, ids = ids_, color] {
-        colorEntities(document, ids, {color.redF(), color.greenF(), color.blueF()});
+        colorEntities(document, ids, channelsOf(color));
       });
     }
     QAction* other = colors->addAction(QObject::tr("Another colour…"), &menu_, [&host = host_, ids = ids_] {
@@ -89,7 +90,7 @@ class EntityMenu {
       if (!first) return;
       choosePartColor(host, QColor::fromRgbF(first->color[0], first->color[1], first->color[2]),
                       [&host, ids](const QColor& color) {
-                        colorEntities(host.documentModel(), ids, {color.redF(), color.greenF(), color.blueF()});
+                        colorEntities(host.documentModel(), ids, channelsOf(color));
                       });
     });
     other->setObjectName("treeOtherColor");

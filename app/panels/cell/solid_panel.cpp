@@ -25,6 +25,7 @@
 #include "app/kit/swatch_row.h"
 #include "app/panels/cell/solid_place.h"
 #include "app/style/segmented.h"
+#include "app/style/style_painting.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "app/viewport/widget/viewport_widget.h"
@@ -161,8 +162,7 @@ void SolidPanel::addFlags(QVBoxLayout& column) {
   connect(locked_, &QCheckBox::clicked, this, [this](bool on) { execute({.locked = on}); });
   connect(visible_, &QCheckBox::clicked, this, [this](bool on) { execute({.visible = on}); });
   const auto paint = [this](const QColor& color) {
-    execute({.color = std::array<float, 3>{static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
-                                           static_cast<float>(color.blueF())}});
+    execute({.color = channelsOf(color)});
   };
   connect(color_, &SwatchRow::chosen, this, paint);
   connect(color_, &SwatchRow::otherWanted, this, [this, paint] { choosePartColor(host_, color_->current(), paint); });

@@ -16,6 +16,7 @@
 #include "app/kit/swatch_row.h"
 #include "app/kit/switch_list.h"
 #include "app/style/icon.h"
+#include "app/style/style_painting.h"
 #include "app/style/theme.h"
 #include "app/style/value_field.h"
 
@@ -30,10 +31,6 @@ std::vector<QColor> contactColors() {
 }
 std::vector<QColor> nearMissColors() {
   return {QColor("#FFDD66"), QColor("#FFB02E"), QColor("#E9E2C0"), QColor("#BFE3FF")};
-}
-
-std::array<float, 3> parts(const QColor& color) {
-  return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
 }
 
 QColor colorOr(const std::optional<std::array<float, 3>>& own, const QColor& otherwise) {
@@ -133,9 +130,9 @@ void PairSetEditor::addFields(QVBoxLayout& column) {
   connect(safety_, &ValueField::edited, this,
           [this](double mm) { edit([mm](auto& set) { set.safety_distance = mm / 1000.0; }); });
   connect(near_miss_color_, &SwatchRow::chosen, this,
-          [this](const QColor& color) { edit([&](auto& set) { set.near_miss_color = parts(color); }); });
+          [this](const QColor& color) { edit([&](auto& set) { set.near_miss_color = channelsOf(color); }); });
   connect(contact_color_, &SwatchRow::chosen, this,
-          [this](const QColor& color) { edit([&](auto& set) { set.contact_color = parts(color); }); });
+          [this](const QColor& color) { edit([&](auto& set) { set.contact_color = channelsOf(color); }); });
   connect(name_, &QLineEdit::editingFinished, this, [this] {
     const QString name = name_->text().trimmed();
     if (const workcell::PairSet* set = currentSet();
