@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Keeps the public interface whole (docs/library.md). Public is what a folder of the engine lists as HEADERS in its
+"""Keeps the public interface whole (docs/library/index.md). Public is what a folder of the engine lists as HEADERS in its
 CMakeLists.txt: a public header includes public ones only, and so do the programs over the engine (cli/, app/), their tests and
 the examples.
 
