@@ -189,8 +189,7 @@ void BodySize::begin() {
           context_.host().messages().tell(Severity::kWarning, tr("No body of that size"),
                                           QString::fromStdString(commands.error().message()));
         } else if (now && now->id == id && context_.isFree()) {
-          context_.host().documentModel().executeAll(tr("Size of %1").arg(QString::fromStdString(now->name)),
-                                                     *commands);
+          context_.host().documentModel().executeAll(tr("Resize %1").arg(QString::fromStdString(now->name)), *commands);
         }
         if (again_) {
           again_ = false;

@@ -31,7 +31,7 @@ CartesianJog::CartesianJog(RobotContext& context, JointMover& mover, QWidget* pa
   column->setSpacing(4);
   frame_ = new Segmented({tr("Base"), tr("Tool"), tr("World"), tr("Frame")});
   frame_->setObjectName("segmentsJogFrame");
-  app::addRow(*static_cast<QVBoxLayout*>(layout()), tr("Axes of"), frame_);
+  app::addRow(*static_cast<QVBoxLayout*>(layout()), tr("Axes"), frame_);
   frame_->setCurrent(0);
   given_ = new ReferenceChoice(context_.host(), {});
   given_->setObjectName("comboJogFrame");
@@ -53,7 +53,7 @@ CartesianJog::CartesianJog(RobotContext& context, JointMover& mover, QWidget* pa
 void CartesianJog::showFrames() {
   const bool any = given_->hasFrames();
   if (!any && frame_->current() == kGivenFrame) frame_->setCurrent(0);
-  frame_->setChoiceEnabled(kGivenFrame, any, tr("This cell has no frame yet: Insert, Frame makes one"));
+  frame_->setChoiceEnabled(kGivenFrame, any, tr("No frame in this cell yet. Add one with Insert > Frame."));
   given_row_->setVisible(any);
   given_->setEnabled(frame_->current() == kGivenFrame);
 }

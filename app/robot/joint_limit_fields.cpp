@@ -58,7 +58,7 @@ JointLimitFields::JointLimitFields(QVBoxLayout& rows, Edit edit, QObject* parent
     connect(friction_[i], &ValueField::edited, this,
             [this](double value) { edit_([&](workcell::MechanismJoint& joint) { joint.friction = value; }); });
   }
-  pitch_ = limitField("fieldPitch", {tr("mm a turn"), 1, -1e4, 1e4, 1.0});
+  pitch_ = limitField("fieldPitch", {tr("mm/turn"), 1, -1e4, 1e4, 1.0});
   pitch_row_ = addRow(rows, tr("Pitch"), pitch_, kLimitLabel);
   connectFields();
 }

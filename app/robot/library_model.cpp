@@ -43,7 +43,7 @@ std::vector<std::pair<QString, QString>> LibraryModel::sheet(int number) const {
   const Row& row = rows_[static_cast<std::size_t>(number)];
   const workcell::RobotSheet& sheet = row.robot.sheet;
   std::vector<std::pair<QString, QString>> lines{{tr("Maker"), QString::fromStdString(sheet.maker)},
-                                                 {tr("Kind"), QString::fromStdString(sheet.kind)}};
+                                                 {tr("Type"), QString::fromStdString(sheet.kind)}};
   if (sheet.payload > 0.0) lines.emplace_back(tr("Payload"), payloadText(sheet.payload));
   if (row.entity) lines.emplace_back(tr("Joints"), QString::number(row.entity->robot->dof()));
   if (row.reach > 0.0) lines.emplace_back(tr("Reach"), tr("%1 to the flange").arg(lengthText(row.reach, 0)));

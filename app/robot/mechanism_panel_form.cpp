@@ -93,7 +93,7 @@ void MechanismPanel::addJoint(QVBoxLayout& column) {
   addRow(*rows, tr("Name"), joint_name_, kLabel);
   kind_ = new Segmented({tr("Hinge"), tr("Slide"), tr("Screw"), tr("Fixed")});
   kind_->setObjectName("segmentsJointKind");
-  addRow(*rows, tr("Kind"), kind_, kLabel);
+  addRow(*rows, tr("Type"), kind_, kLabel);
   partRow(*rows, tr("Moves"), "comboChild", child_, tr("Click the part that moves"));
   partRow(*rows, tr("Carried by"), "comboParent", parent_, tr("Click the part that it moves on"));
   axis_ = makeLive(2, TextRole::kText);

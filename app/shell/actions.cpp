@@ -88,7 +88,7 @@ void Actions::makeActions(QMainWindow& window) {
   file.export_cell = make({"actionExport", tr("Export cell…"), {}, QKeySequence(Qt::CTRL | Qt::Key_E), {}});
   file.export_selection =
       make({"actionExportSelection", tr("Export selection…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), {}});
-  file.reload = make({"actionReload", tr("Read again from disk"), {}, QKeySequence(Qt::Key_F5), {}});
+  file.reload = make({"actionReload", tr("Reload from disk"), {}, QKeySequence(Qt::Key_F5), {}});
   edit.mesh_care = make({"actionMeshCare", tr("Mesh and collision shape…"), {}, {}, {}});
   file.pack = make({"actionPack", tr("Pack with all files…"), {}, {}, {}});
   file.report_saved = make({"actionReportSaved", tr("Against the saved cell…"), {}, {}, {}});
@@ -111,7 +111,7 @@ void Actions::makeActions(QMainWindow& window) {
   edit.move = make({"actionMove", tr("Move"), "move", QKeySequence(Qt::Key_W), {}});
   edit.rotate = make({"actionRotate", tr("Rotate"), "rotate", QKeySequence(Qt::Key_E), {}});
   edit.snap = make({"actionSnap", tr("Snap to corner, edge, face, frame"), "snap", {}, tr("Snap")});
-  edit.move_by = make({"actionMoveBy", tr("Move by numbers…"), {}, {}, {}});
+  edit.move_by = make({"actionMoveBy", tr("Move by values…"), {}, {}, {}});
   edit.measure = make({"actionMeasure", tr("Measure…"), "measure", QKeySequence(Qt::CTRL | Qt::Key_M), tr("Measure")});
   edit.select_all = make({"actionSelectAll", tr("Select all"), {}, QKeySequence::SelectAll, {}});
   view.fit_selection = make({"actionFit", tr("Fit selection"), "fit", QKeySequence(Qt::Key_F), tr("Fit")});

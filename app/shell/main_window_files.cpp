@@ -306,7 +306,7 @@ void MainWindow::guardAgainstCrash() {
   Autosaver& autosaver = files_->autosaver();
   const auto folder = autosaver.runFolder();
   if (!folder) {
-    messages_.tell(Severity::kWarning, tr("No copy against a crash could be written"),
+    messages_.tell(Severity::kWarning, tr("The recovery copy could not be saved"),
                    QString::fromStdString(folder.error().message()));
     return;
   }

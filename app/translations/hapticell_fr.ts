@@ -171,8 +171,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 ne peut pas en faire partie</translation>
     </message>
     <message>
-        <source>%1 cannot be made of that</source>
-        <translation>%1 ne peut pas être fait de cela</translation>
+        <source>%1 cannot be made from this geometry</source>
+        <translation>%1 : impossible avec cette géométrie</translation>
     </message>
     <message>
         <source>%1 cat. %2</source>
@@ -195,20 +195,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 j</translation>
     </message>
     <message>
-        <source>%1 edges of more than two faces</source>
-        <translation>%1 arêtes de plus de deux faces</translation>
+        <source>%1 edges between faces of opposite orientation</source>
+        <translation>%1 arêtes entre faces d'orientations opposées</translation>
     </message>
     <message>
-        <source>%1 edges whose faces look opposite ways</source>
-        <translation>%1 arêtes dont les faces sont opposées</translation>
+        <source>%1 edges with more than two faces</source>
+        <translation>%1 arêtes à plus de deux faces</translation>
     </message>
     <message>
-        <source>%1 faces were turned outwards.</source>
-        <translation>%1 faces ont été tournées vers l'extérieur.</translation>
+        <source>%1 faces were flipped outwards.</source>
+        <translation>%1 faces ont été retournées vers l'extérieur.</translation>
     </message>
     <message>
-        <source>%1 files lie outside of the workcell's folder. Pack them too?</source>
-        <translation>%1 fichiers se trouvent hors du dossier de la cellule. Les archiver aussi ?</translation>
+        <source>%1 files are outside the workcell's folder. Pack them too?</source>
+        <translation>%1 fichiers sont hors du dossier de la cellule. Les archiver aussi ?</translation>
     </message>
     <message>
         <source>%1 files of this cell are missing</source>
@@ -264,7 +264,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 is %2 from %3: a near miss.</source>
-        <translation>%1 est à %2 de %3 : quasi-contact.</translation>
+        <translation>%1 est à %2 de %3 : quasi-collision.</translation>
     </message>
     <message>
         <source>%1 is %2 from its limit</source>
@@ -279,8 +279,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est à %2 de sa butée supérieure</translation>
     </message>
     <message>
-        <source>%1 is as it was</source>
-        <translation>%1 est comme avant</translation>
+        <source>%1 is added to the cell</source>
+        <translation>%1 est ajouté à la cellule</translation>
     </message>
     <message>
         <source>%1 is at its lower limit</source>
@@ -293,10 +293,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 is free</source>
         <translation>%1 est libre</translation>
-    </message>
-    <message>
-        <source>%1 is in the cell</source>
-        <translation>%1 est dans la cellule</translation>
     </message>
     <message>
         <source>%1 is kept</source>
@@ -335,12 +331,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est enregistré</translation>
     </message>
     <message>
-        <source>%1 is used, but only until the end of the program.</source>
-        <translation>%1 est utilisé, mais seulement jusqu'à la fin du programme.</translation>
+        <source>%1 is unchanged</source>
+        <translation>%1 est inchangé</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>%1 est écrit</translation>
+        <source>%1 is used, but only until the end of the program.</source>
+        <translation>%1 est utilisé, mais seulement jusqu'à la fin du programme.</translation>
     </message>
     <message>
         <source>%1 kg</source>
@@ -375,15 +371,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 min</translation>
     </message>
     <message>
-        <source>%1 mm in front of the flange. Change it in the Robot dock, or undo the insertion.</source>
-        <translation>À %1 mm devant la bride. Changez-le dans le panneau Robot, ou annulez l'insertion.</translation>
+        <source>%1 mm in front of the flange. To change it, use the Robot panel or undo the insertion.</source>
+        <translation>À %1 mm devant la bride. Pour le changer, utilisez le panneau Robot ou annulez l'insertion.</translation>
     </message>
     <message>
         <source>%1 mm&lt;br&gt;%2°</source>
         <translation>%1 mm&lt;br&gt;%2°</translation>
     </message>
     <message>
-        <source>%1 moved, %2 added, %3 removed. Places: X Y Z in mm, A B C in degrees about z, y, x.</source>
+        <source>%1 moved, %2 added, %3 removed. Placements: X Y Z in mm, A B C in degrees about z, y, x.</source>
         <translation>%1 déplacés, %2 ajoutés, %3 retirés. Places : X Y Z en mm, A B C en degrés autour de z, y, x.</translation>
     </message>
     <message>
@@ -415,7 +411,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 solutions sur %2 dans les butées</translation>
     </message>
     <message>
-        <source>%1 of %2 triangles are left, off the surface by at most %3.</source>
+        <source>%1 of %2 triangles left, at most %3 from the surface.</source>
         <translation>Il reste %1 triangles sur %2, à %3 au plus de la surface.</translation>
     </message>
     <message>
@@ -503,8 +499,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 à %2</translation>
     </message>
     <message>
-        <source>%1 to %2, being measured</source>
-        <translation>%1 à %2, mesure en cours</translation>
+        <source>%1 to %2: measuring…</source>
+        <translation>%1 à %2 : mesure…</translation>
     </message>
     <message>
         <source>%1 to the edge</source>
@@ -535,7 +531,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 triangles</translation>
     </message>
     <message>
-        <source>%1 triangles, off the mesh by at most %2</source>
+        <source>%1 triangles, at most %2 from the mesh</source>
         <translation>%1 triangles, à %2 au plus du maillage</translation>
     </message>
     <message>
@@ -555,20 +551,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 n'a pas été ouvert</translation>
     </message>
     <message>
-        <source>%1 was not read again</source>
-        <translation>%1 n'a pas été relu</translation>
+        <source>%1 was not reloaded</source>
+        <translation>%1 n'a pas été rechargé</translation>
     </message>
     <message>
-        <source>%1 was not written</source>
-        <translation>%1 n'a pas été écrit</translation>
+        <source>%1 was not saved</source>
+        <translation>%1 n'a pas été enregistré</translation>
     </message>
     <message>
-        <source>%1 was read with remarks</source>
-        <translation>%1 a été lu avec des remarques</translation>
+        <source>%1 was read with warnings</source>
+        <translation>%1 a été lu avec des avertissements</translation>
     </message>
     <message>
-        <source>%1 was written with remarks</source>
-        <translation>%1 a été écrit avec des remarques</translation>
+        <source>%1 was saved with warnings</source>
+        <translation>%1 a été enregistré avec des avertissements</translation>
     </message>
     <message>
         <source>%1 would be %2 over its upper limit</source>
@@ -615,7 +611,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 × %2 × %3, crête %4 N, %5 N en continu, %6 axes mesurés et %7 motorisés</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3, unit not known</source>
+        <source>%1 × %2 × %3, unit unknown</source>
         <translation>%1 × %2 × %3, unité inconnue</translation>
     </message>
     <message>
@@ -643,20 +639,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, %2, %3 par %4, %5, %6</translation>
     </message>
     <message>
-        <source>%1, as the file says</source>
-        <translation>%1, comme le dit le fichier</translation>
+        <source>%1, from the file</source>
+        <translation>%1, d'après le fichier</translation>
     </message>
     <message>
         <source>%1, heaviest class</source>
         <translation>%1, classe la plus lourde</translation>
     </message>
     <message>
-        <source>%1, least distance</source>
-        <translation>%1, distance minimale</translation>
-    </message>
-    <message>
         <source>%1, left</source>
         <translation>%1, gauche</translation>
+    </message>
+    <message>
+        <source>%1, minimum distance</source>
+        <translation>%1, distance minimale</translation>
     </message>
     <message>
         <source>%1, not calibrated for you</source>
@@ -731,8 +727,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : l'une est à l'intérieur de l'autre</translation>
     </message>
     <message>
-        <source>%1: one of them has no shape to measure.</source>
-        <translation>%1 : l'une d'elles n'a pas de forme à mesurer.</translation>
+        <source>%1: one part has no shape to measure.</source>
+        <translation>%1 : l'une des pièces n'a pas de forme à mesurer.</translation>
     </message>
     <message>
         <source>%1: stiffness</source>
@@ -747,8 +743,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : %2 n'approche qu'à %3.</translation>
     </message>
     <message>
-        <source>%1: they touch or cut each other</source>
-        <translation>%1 : elles se touchent ou se coupent</translation>
+        <source>%1: they touch or overlap</source>
+        <translation>%1 : elles se touchent ou se chevauchent</translation>
     </message>
     <message>
         <source>%1: why %2, and what brings it down</source>
@@ -787,8 +783,8 @@ Voulez-vous le remplacer ?</translation>
         <translation><numerusform>%n articulation</numerusform><numerusform>%n articulations</numerusform></translation>
     </message>
     <message numerus="yes">
-        <source>%n limits push back.</source>
-        <translation><numerusform>%n butée repousse.</numerusform><numerusform>%n butées repoussent.</numerusform></translation>
+        <source>%n limits reached.</source>
+        <translation><numerusform>%n butée atteinte.</numerusform><numerusform>%n butées atteintes.</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n mannequins</source>
@@ -859,10 +855,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>, %1 libres</translation>
     </message>
     <message>
-        <source>, as it says</source>
-        <translation>, comme il le dit</translation>
-    </message>
-    <message>
         <source>, at most %1</source>
         <translation>, au plus %1</translation>
     </message>
@@ -881,6 +873,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>, firmware %1</source>
         <translation>, micrologiciel %1</translation>
+    </message>
+    <message>
+        <source>, from the file</source>
+        <translation>, d'après le fichier</translation>
     </message>
     <message>
         <source>, guessed from the size</source>
@@ -935,8 +931,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>. Le robot ne peut pas tout atteindre : jusqu'à %1 d'écart</translation>
     </message>
     <message>
-        <source>. Their parts are kept without a shape; the rest is here. Show a folder that holds them.</source>
-        <translation>. Leurs pièces sont gardées sans forme ; le reste est là. Montrez un dossier qui les contient.</translation>
+        <source>. Their parts have no shape until you choose the folder that contains the files.</source>
+        <translation>. Leurs pièces restent sans forme tant que vous n'avez pas choisi le dossier des fichiers.</translation>
     </message>
     <message>
         <source>/min</source>
@@ -971,12 +967,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Souris 3D</translation>
     </message>
     <message>
-        <source>; it names none itself</source>
-        <translation> ; il n'en nomme aucune</translation>
-    </message>
-    <message>
         <source>; limits used: speed %1 %, acceleration %2 %</source>
         <translation> ; limites employées : vitesse %1 %, accélération %2 %</translation>
+    </message>
+    <message>
+        <source>; the file states none</source>
+        <translation> ; il n'en nomme aucune</translation>
     </message>
     <message>
         <source>&lt; P 1</source>
@@ -1035,8 +1031,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un repère de ce solide sur la géométrie désignée</translation>
     </message>
     <message>
-        <source>A guide holds what you move on a line, a plane, a hinge … Select an entity, choose a kind, then pick an edge or a face.</source>
-        <translation>Un guide tient ce que vous déplacez sur une ligne, un plan, une charnière… Choisissez une entité, un genre, puis désignez une arête ou une face.</translation>
+        <source>A guide keeps what you move on a line, a plane, a hinge and so on. Select an entity, choose a type, then pick an edge or a face.</source>
+        <translation>Un guide maintient ce que vous déplacez sur une ligne, un plan, une charnière, etc. Choisissez une entité, un type, puis désignez une arête ou une face.</translation>
     </message>
     <message>
         <source>A hand by itself, each finger as the glove has it; the stylus carries it</source>
@@ -1075,10 +1071,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une image en tête de chaque rapport ; aucune n'est choisie</translation>
     </message>
     <message>
-        <source>A point of the entity by which the hand holds it</source>
-        <translation>Un point de l'entité par lequel la main la tient</translation>
-    </message>
-    <message>
         <source>A process point: the motion rests here so long</source>
         <translation>Un point de travail : le mouvement y reste ce temps</translation>
     </message>
@@ -1111,16 +1103,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une valeur est nécessaire</translation>
     </message>
     <message>
-        <source>A workcell that somebody sent may name any file of this computer. Look whether all of these belong to it.</source>
-        <translation>Une cellule reçue de quelqu'un peut nommer n'importe quel fichier de cet ordinateur. Vérifiez que tous ceux-ci lui appartiennent.</translation>
+        <source>A workcell from someone else can name any file on this computer. Check that all of these belong to it.</source>
+        <translation>Une cellule reçue d'autrui peut nommer n'importe quel fichier de cet ordinateur. Vérifiez que tous ceux-ci lui appartiennent.</translation>
     </message>
     <message>
         <source>ABB RAPID (.mod)</source>
         <translation>ABB RAPID (.mod)</translation>
-    </message>
-    <message>
-        <source>About</source>
-        <translation>Autour de</translation>
     </message>
     <message>
         <source>About HaptiCell</source>
@@ -1207,10 +1195,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Contre</translation>
     </message>
     <message>
-        <source>Against %1</source>
-        <translation>Contre %1</translation>
-    </message>
-    <message>
         <source>Against another workcell…</source>
         <translation>Par rapport à une autre cellule…</translation>
     </message>
@@ -1239,8 +1223,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Toutes comme à la livraison</translation>
     </message>
     <message>
-        <source>All faces look outwards already.</source>
-        <translation>Toutes les faces regardent déjà vers l'extérieur.</translation>
+        <source>All faces already point outwards.</source>
+        <translation>Toutes les faces sont déjà orientées vers l'extérieur.</translation>
     </message>
     <message>
         <source>All four</source>
@@ -1283,6 +1267,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Angle</translation>
     </message>
     <message>
+        <source>Angle step</source>
+        <translation>Pas d'angle</translation>
+    </message>
+    <message>
         <source>Angles in</source>
         <translation>Angles en</translation>
     </message>
@@ -1299,12 +1287,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un autre programme (%1) commande le stylet. Fermez-le, ou connectez-vous en observateur.</translation>
     </message>
     <message>
-        <source>Another program has had it open.</source>
-        <translation>Un autre programme l’a ouvert.</translation>
+        <source>Another program changed this file after it was opened here. If you save, those changes are lost.</source>
+        <translation>Un autre programme a modifié ce fichier depuis son ouverture ici. Si vous enregistrez, ces modifications sont perdues.</translation>
     </message>
     <message>
-        <source>Another program has written the file since it was opened here. Saving it undoes what that program wrote.</source>
-        <translation>Un autre programme a écrit le fichier depuis qu’il est ouvert ici. L’enregistrer défait ce que ce programme a écrit.</translation>
+        <source>Another program has it open.</source>
+        <translation>Un autre programme l’a ouvert.</translation>
     </message>
     <message>
         <source>Another program started the server at %1; the device is chosen there.</source>
@@ -1329,6 +1317,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Applications</source>
         <translation>Applications</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
     </message>
     <message>
         <source>Approach</source>
@@ -1453,10 +1445,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Axes at %1</source>
         <translation>Axes en %1</translation>
-    </message>
-    <message>
-        <source>Axes of</source>
-        <translation>Axes de</translation>
     </message>
     <message>
         <source>Axis</source>
@@ -1599,10 +1587,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Largeur du bassin</translation>
     </message>
     <message>
-        <source>Bring in as</source>
-        <translation>Importer comme</translation>
-    </message>
-    <message>
         <source>Bring the mannequin or the part nearer, or unlock the feet so that it may step.</source>
         <translation>Rapprochez le mannequin ou la pièce, ou libérez les pieds pour qu'il puisse faire un pas.</translation>
     </message>
@@ -1612,7 +1596,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Built-in parts</source>
-        <translation>Pièces intégrées</translation>
+        <translation>Pièces paramétriques</translation>
     </message>
     <message>
         <source>Built-in robots</source>
@@ -1631,8 +1615,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>À la main</translation>
     </message>
     <message>
-        <source>By numbers</source>
-        <translation>Par des nombres</translation>
+        <source>By values</source>
+        <translation>Par valeurs</translation>
     </message>
     <message>
         <source>Cabinet</source>
@@ -1719,6 +1703,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Modifié</translation>
     </message>
     <message>
+        <source>Changes are felt immediately.</source>
+        <translation>Les modifications se sentent aussitôt.</translation>
+    </message>
+    <message>
         <source>Changes are not saved</source>
         <translation>Changements non enregistrés</translation>
     </message>
@@ -1731,8 +1719,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les changements de cette page valent au prochain démarrage.</translation>
     </message>
     <message>
-        <source>Changes up to %1 were kept. What is open does not have them.</source>
-        <translation>Les modifications jusqu’au %1 ont été gardées. Ce qui est ouvert ne les contient pas.</translation>
+        <source>Changes up to %1 were kept. The open cell does not include them.</source>
+        <translation>Les modifications jusqu’au %1 ont été gardées. La cellule ouverte ne les contient pas.</translation>
     </message>
     <message>
         <source>Check</source>
@@ -1775,8 +1763,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifié pour les collisions</translation>
     </message>
     <message>
-        <source>Checked for contact by</source>
-        <translation>Forme de contact</translation>
+        <source>Checking the mesh</source>
+        <translation>Examen du maillage</translation>
     </message>
     <message>
         <source>Chest depth</source>
@@ -1789,10 +1777,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Choose a file to see what it is.</source>
         <translation>Choisissez un fichier pour voir ce que c'est.</translation>
-    </message>
-    <message>
-        <source>Choose a kind below, then pick its geometry in the scene</source>
-        <translation>Choisissez un genre, puis désignez sa géométrie dans la scène</translation>
     </message>
     <message>
         <source>Choose a motion first.</source>
@@ -1823,12 +1807,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez une ligne, puis pressez sa nouvelle touche.</translation>
     </message>
     <message>
+        <source>Choose a type below, then pick its geometry in the scene</source>
+        <translation>Choisissez un type ci-dessous, puis désignez sa géométrie dans la scène</translation>
+    </message>
+    <message>
         <source>Choose a typical task…</source>
         <translation>Choisissez une tâche type…</translation>
     </message>
     <message>
         <source>Choose an exercise</source>
         <translation>Choisissez un exercice</translation>
+    </message>
+    <message>
+        <source>Choose folder…</source>
+        <translation>Choisir le dossier…</translation>
     </message>
     <message>
         <source>Choose it in the panel Virtual Desktop.</source>
@@ -1863,8 +1855,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Effacer</translation>
     </message>
     <message>
+        <source>Clearance, nearest pair</source>
+        <translation>Distance minimale</translation>
+    </message>
+    <message>
+        <source>Click Pick to measure again.</source>
+        <translation>Cliquez Désigner pour mesurer de nouveau.</translation>
+    </message>
+    <message>
         <source>Click a bore, a shaft, an edge or a face: its axis becomes the joint's</source>
         <translation>Cliquez un alésage, un arbre, une arête ou une face : son axe devient celui de l'articulation</translation>
+    </message>
+    <message>
+        <source>Click a corner, an edge, a face or the floor to place the frame; Esc: cancel</source>
+        <translation>Cliquez un coin, une arête, une face ou le sol pour poser le repère ; Échap : annuler</translation>
     </message>
     <message>
         <source>Click a dot in the time bar to take hold of a frame; drag it in the scene.</source>
@@ -1883,7 +1887,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez d'abord une pièce, puis demandez.</translation>
     </message>
     <message>
-        <source>Click a part, or draw a box about several.</source>
+        <source>Click a part, or draw a box around several.</source>
         <translation>Cliquez une pièce, ou tracez un cadre autour de plusieurs.</translation>
     </message>
     <message>
@@ -1923,28 +1927,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez pour choisir pour cette paire</translation>
     </message>
     <message>
-        <source>Click to play it</source>
-        <translation>Cliquez pour le jouer</translation>
+        <source>Click to place it; Esc: cancel</source>
+        <translation>Cliquez pour le poser ; Échap : annuler</translation>
     </message>
     <message>
-        <source>Click where it shall stand; Esc: not now</source>
-        <translation>Cliquez où le poser ; Échap : pas maintenant</translation>
+        <source>Click to play it</source>
+        <translation>Cliquez pour le jouer</translation>
     </message>
     <message>
         <source>Click where the base shall stand</source>
         <translation>Cliquez où la base se posera</translation>
     </message>
     <message>
-        <source>Click where the frame shall be: a corner, an edge, a face or the floor; Esc: not now</source>
-        <translation>Cliquez où poser le repère : un coin, une arête, une face ou le sol ; Échap : pas maintenant</translation>
+        <source>Click where the centre of its underside goes</source>
+        <translation>Cliquez où poser le centre de sa face inférieure</translation>
     </message>
     <message>
         <source>Click where the hand shall be</source>
         <translation>Cliquez là où la main doit être</translation>
-    </message>
-    <message>
-        <source>Click where the middle of its lower side shall stand</source>
-        <translation>Cliquez là où doit se poser le milieu de sa face inférieure</translation>
     </message>
     <message>
         <source>Close</source>
@@ -1975,8 +1975,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Collision</translation>
     </message>
     <message>
-        <source>Collision loop, dashed</source>
-        <translation>Boucle de collision, en tirets</translation>
+        <source>Collision shape</source>
+        <translation>Forme de collision</translation>
     </message>
     <message>
         <source>Collisions</source>
@@ -2009,6 +2009,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Compare with</source>
         <translation>Comparer avec</translation>
+    </message>
+    <message>
+        <source>Compared with %1</source>
+        <translation>Comparé à %1</translation>
     </message>
     <message>
         <source>Computer</source>
@@ -2155,10 +2159,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ctrl</translation>
     </message>
     <message>
-        <source>Ctrl snaps to corners, edges, faces and frames · Esc takes it back</source>
-        <translation>Ctrl aimante aux coins, arêtes, faces et repères · Échap annule</translation>
-    </message>
-    <message>
         <source>Ctrl+I imports a solid, Ctrl+Shift+I adds a robot, Ctrl+O opens a workcell.</source>
         <translation>Ctrl+I importe un solide, Ctrl+Maj+I ajoute un robot, Ctrl+O ouvre une cellule.</translation>
     </message>
@@ -2169,6 +2169,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Ctrl+Space turns them on</source>
         <translation>Ctrl+Espace les met en marche</translation>
+    </message>
+    <message>
+        <source>Ctrl: snap to corners, edges, faces and frames · Esc: cancel</source>
+        <translation>Ctrl : aimanter aux coins, arêtes, faces et repères · Échap : annuler</translation>
     </message>
     <message>
         <source>Curl fingers</source>
@@ -2243,6 +2247,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Détacher %1</translation>
     </message>
     <message>
+        <source>Details</source>
+        <translation>Détails</translation>
+    </message>
+    <message>
         <source>Detents</source>
         <translation>Crans</translation>
     </message>
@@ -2257,6 +2265,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Diameter</source>
         <translation>Diamètre</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Différence</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -2311,12 +2323,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tirez pour déplacer</translation>
     </message>
     <message>
-        <source>Drag to move in the plane of the screen</source>
-        <translation>Tirez pour déplacer dans le plan de l'écran</translation>
-    </message>
-    <message>
         <source>Drag to move it; the body follows</source>
         <translation>Tirez pour la déplacer ; le corps suit</translation>
+    </message>
+    <message>
+        <source>Drag to move parallel to the screen</source>
+        <translation>Tirez pour déplacer parallèlement à l'écran</translation>
     </message>
     <message>
         <source>Drag to move the frame</source>
@@ -2327,7 +2339,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tirez pour déplacer l'outil</translation>
     </message>
     <message>
-        <source>Drag to turn</source>
+        <source>Drag to rotate</source>
         <translation>Tirez pour tourner</translation>
     </message>
     <message>
@@ -2361,14 +2373,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Driver</source>
         <translation>Cause</translation>
-    </message>
-    <message>
-        <source>Dropped: %1 triangles that were there twice.</source>
-        <translation>Écartés : %1 triangles présents deux fois.</translation>
-    </message>
-    <message>
-        <source>Dropped: %1 triangles without area.</source>
-        <translation>Écartés : %1 triangles sans surface.</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -2627,10 +2631,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Senti comme la frontière</translation>
     </message>
     <message>
-        <source>Felt at once while it is edited.</source>
-        <translation>Senti aussitôt pendant la modification.</translation>
-    </message>
-    <message>
         <source>Felt in the class Dynamics; counts in the load of the robot that carries it</source>
         <translation>Sentie dans la classe Dynamique ; compte dans la charge du robot qui la porte</translation>
     </message>
@@ -2687,16 +2687,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pli des doigts</translation>
     </message>
     <message>
-        <source>First a face, edge or corner of what moves, then where it shall go</source>
-        <translation>D'abord une face, une arête ou un coin de ce qui bouge, puis où cela doit aller</translation>
-    </message>
-    <message>
         <source>First column</source>
         <translation>Première colonne</translation>
     </message>
     <message>
         <source>First page</source>
         <translation>Première page</translation>
+    </message>
+    <message>
+        <source>First pick a face, edge or corner of the moving part, then the target</source>
+        <translation>Désignez d'abord une face, une arête ou un coin de la pièce à déplacer, puis la cible</translation>
     </message>
     <message>
         <source>First steps</source>
@@ -2731,6 +2731,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>À plat</translation>
     </message>
     <message>
+        <source>Flip</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Flip the axis or normal</source>
+        <translation>Inverser l'axe ou la normale</translation>
+    </message>
+    <message>
         <source>Foam</source>
         <translation>Mousse</translation>
     </message>
@@ -2743,16 +2751,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Dossier %1</translation>
     </message>
     <message>
-        <source>Folder above</source>
-        <translation>Dossier parent</translation>
-    </message>
-    <message>
-        <source>Folder after</source>
-        <translation>Dossier suivant</translation>
-    </message>
-    <message>
-        <source>Folder before</source>
-        <translation>Dossier précédent</translation>
+        <source>Folder of the missing files</source>
+        <translation>Dossier des fichiers manquants</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -2795,7 +2795,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Force au-dessus de celle de l'expert qui coûte tous ses points</translation>
     </message>
     <message>
-        <source>Force and gap over the last seconds</source>
+        <source>Force and clearance over the last seconds</source>
         <translation>Effort et distance sur les dernières secondes</translation>
     </message>
     <message>
@@ -2847,12 +2847,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les forces sont coupées : le guide ne se sent pas.</translation>
     </message>
     <message>
-        <source>Forces are on, %1 now.</source>
-        <translation>Les efforts sont en marche, %1 maintenant.</translation>
-    </message>
-    <message>
         <source>Forces are on.</source>
         <translation>Les forces sont actives.</translation>
+    </message>
+    <message>
+        <source>Forces are on: %1.</source>
+        <translation>Les efforts sont en marche : %1.</translation>
     </message>
     <message>
         <source>Forces did not come on: the device is not ready.</source>
@@ -2867,8 +2867,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Efforts coupés</translation>
     </message>
     <message>
-        <source>Forces off; else ends a pick or a tool</source>
-        <translation>Coupe les efforts ; sinon quitte pointage ou outil</translation>
+        <source>Forces off; otherwise end picking or the tool</source>
+        <translation>Coupe les efforts ; sinon termine la désignation ou l'outil</translation>
     </message>
     <message>
         <source>Forces on</source>
@@ -2989,10 +2989,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Full screen</source>
         <translation>Plein écran</translation>
-    </message>
-    <message>
-        <source>Gap, nearest pair</source>
-        <translation>Distance minimale</translation>
     </message>
     <message>
         <source>Gaze of %1</source>
@@ -3139,10 +3135,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Haptique</translation>
     </message>
     <message>
-        <source>Haptic loop</source>
-        <translation>Boucle haptique</translation>
-    </message>
-    <message>
         <source>Haptics</source>
         <translation>Haptique</translation>
     </message>
@@ -3235,10 +3227,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tenue plus d'1 min</translation>
     </message>
     <message>
-        <source>Held: the hand moves without the entity (clutch)</source>
-        <translation>Tenu : la main bouge sans l'entité (débrayage)</translation>
-    </message>
-    <message>
         <source>Help</source>
         <translation>Aide</translation>
     </message>
@@ -3249,10 +3237,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Help on this panel</source>
         <translation>Aide sur ce panneau</translation>
-    </message>
-    <message>
-        <source>Here it is for reading: save it under another name, or when it is closed there.</source>
-        <translation>Ici il est en lecture : enregistrez-le sous un autre nom, ou quand il sera fermé là-bas.</translation>
     </message>
     <message>
         <source>Hide</source>
@@ -3301,6 +3285,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Hold the stylus with the mouse</source>
         <translation>Tenir le stylet avec la souris</translation>
+    </message>
+    <message>
+        <source>Hold: move the hand without the entity (clutch)</source>
+        <translation>Maintenue : la main bouge sans l'entité (débrayage)</translation>
     </message>
     <message>
         <source>Home</source>
@@ -3353,6 +3341,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Import all %1</source>
         <translation>Tout importer, %1</translation>
+    </message>
+    <message>
+        <source>Import as</source>
+        <translation>Importer comme</translation>
     </message>
     <message>
         <source>Import motions</source>
@@ -3439,8 +3431,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Elle suit la main et est vérifiée avec elle</translation>
     </message>
     <message>
-        <source>It has no frame yet: the panel Solid makes one</source>
-        <translation>Pas encore de repère : le panneau Solide en crée un</translation>
+        <source>It has no frame yet. Add one in the Solid panel.</source>
+        <translation>Pas encore de repère. Ajoutez-en un dans le panneau Solide.</translation>
     </message>
     <message>
         <source>It is locked in place. Unlock it in the tree first.</source>
@@ -3449,6 +3441,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>It is out of reach</source>
         <translation>C'est hors d'atteinte</translation>
+    </message>
+    <message>
+        <source>It is read-only here. Save it under another name, or close it there first.</source>
+        <translation>Il est ici en lecture seule. Enregistrez-le sous un autre nom, ou fermez-le d'abord là-bas.</translation>
     </message>
     <message>
         <source>It moves</source>
@@ -3475,20 +3471,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ses paires et ensembles</translation>
     </message>
     <message>
-        <source>Its picture is made when it is saved or left here.</source>
-        <translation>Son image est faite quand on l'enregistre ou la quitte ici.</translation>
-    </message>
-    <message>
         <source>Its way is being checked.</source>
         <translation>Sa voie est vérifiée.</translation>
     </message>
     <message>
         <source>Its way is free.</source>
         <translation>Sa voie est libre.</translation>
-    </message>
-    <message>
-        <source>Itself</source>
-        <translation>Lui-même</translation>
     </message>
     <message>
         <source>Jerk</source>
@@ -3581,10 +3569,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Keys</source>
         <translation>Touches</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>Genre</translation>
     </message>
     <message>
         <source>Kneeling</source>
@@ -3699,6 +3683,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Longueur de l'approche ou du retrait, le long de l'axe de l'outil</translation>
     </message>
     <message>
+        <source>Length step</source>
+        <translation>Pas de longueur</translation>
+    </message>
+    <message>
         <source>Lengths in</source>
         <translation>Longueurs en</translation>
     </message>
@@ -3791,6 +3779,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Charge : aucune. La charge admise n'est pas connue</translation>
     </message>
     <message>
+        <source>Local</source>
+        <translation>Local</translation>
+    </message>
+    <message>
         <source>Lock</source>
         <translation>Verrouiller</translation>
     </message>
@@ -3825,10 +3817,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Look at it</source>
         <translation>La regarder</translation>
-    </message>
-    <message>
-        <source>Looking at the mesh</source>
-        <translation>Examen du maillage</translation>
     </message>
     <message>
         <source>Looking for it</source>
@@ -3877,6 +3865,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Man, %1, %2 kg</source>
         <translation>Homme, %1, %2 kg</translation>
+    </message>
+    <message>
+        <source>Manipulation loop, dashed</source>
+        <translation>Boucle de manipulation, en tirets</translation>
     </message>
     <message>
         <source>Mannequin</source>
@@ -4031,12 +4023,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacer de %1</translation>
     </message>
     <message>
-        <source>Move by numbers…</source>
-        <translation>Déplacer par des nombres…</translation>
-    </message>
-    <message>
-        <source>Move by this</source>
-        <translation>Déplacer de cela</translation>
+        <source>Move by values…</source>
+        <translation>Déplacer par valeurs…</translation>
     </message>
     <message>
         <source>Move down</source>
@@ -4067,6 +4055,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacer le poste de travail</translation>
     </message>
     <message>
+        <source>Move to entity</source>
+        <translation>Mener à l'entité</translation>
+    </message>
+    <message>
         <source>Move up</source>
         <translation>Monter</translation>
     </message>
@@ -4087,8 +4079,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Bouge</translation>
     </message>
     <message>
-        <source>Moves the guide to where the entity is held, turned as it is</source>
-        <translation>Mène le guide où l'entité est tenue, tourné comme elle</translation>
+        <source>Moves the guide to the handle of the entity; its direction stays</source>
+        <translation>Mène le guide à la poignée de l'entité ; sa direction reste</translation>
     </message>
     <message>
         <source>Moving the view</source>
@@ -4199,8 +4191,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Quasi-contact 00</translation>
     </message>
     <message>
-        <source>Near miss under %1</source>
-        <translation>Quasi-contact sous %1</translation>
+        <source>Near miss below %1</source>
+        <translation>Quasi-collision sous %1</translation>
     </message>
     <message>
         <source>Near miss: shown and heard from</source>
@@ -4267,6 +4259,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Nouveau…</translation>
     </message>
     <message>
+        <source>Next folder</source>
+        <translation>Dossier suivant</translation>
+    </message>
+    <message>
         <source>Next page</source>
         <translation>Page suivante</translation>
     </message>
@@ -4299,10 +4295,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun contact envoyé récemment</translation>
     </message>
     <message>
-        <source>No copy against a crash could be written</source>
-        <translation>Aucune copie contre une panne n'a pu être écrite</translation>
-    </message>
-    <message>
         <source>No device</source>
         <translation>Pas de périphérique</translation>
     </message>
@@ -4317,6 +4309,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No forces</source>
         <translation>Pas d'efforts</translation>
+    </message>
+    <message>
+        <source>No frame in this cell yet. Add one with Insert &gt; Frame.</source>
+        <translation>Pas encore de repère dans cette cellule. Ajoutez-en un : Insérer &gt; Repère.</translation>
     </message>
     <message>
         <source>No frames</source>
@@ -4375,6 +4371,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas encore de carte</translation>
     </message>
     <message>
+        <source>No measurements yet. Connect a stylus and hold an entity.</source>
+        <translation>Pas encore de mesures. Connectez un stylet et tenez une entité.</translation>
+    </message>
+    <message>
         <source>No messages yet.</source>
         <translation>Aucun message.</translation>
     </message>
@@ -4415,6 +4415,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun robot de ce nom</translation>
     </message>
     <message>
+        <source>No rotation about %1</source>
+        <translation>Pas de rotation autour de %1</translation>
+    </message>
+    <message>
         <source>No run without guidance yet.</source>
         <translation>Pas encore d'essai sans guidage.</translation>
     </message>
@@ -4449,10 +4453,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No table of strength is shipped; yours can be read in.</source>
         <translation>Aucune table de force n'est fournie ; la vôtre peut être lue.</translation>
-    </message>
-    <message>
-        <source>No turning about %1</source>
-        <translation>Pas de rotation autour de %1</translation>
     </message>
     <message>
         <source>Nobody to report on: add a mannequin.</source>
@@ -4491,10 +4491,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas encore ressenti : préparation des contacts %1 %</translation>
     </message>
     <message>
-        <source>Not known yet</source>
-        <translation>Pas encore connue</translation>
-    </message>
-    <message>
         <source>Not tried yet: the server has to answer first</source>
         <translation>Pas encore essayé : le serveur doit d'abord répondre</translation>
     </message>
@@ -4505,6 +4501,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Nothing</source>
         <translation>Rien</translation>
+    </message>
+    <message>
+        <source>Nothing (free-standing)</source>
+        <translation>Rien (libre)</translation>
     </message>
     <message>
         <source>Nothing but the simulated stylus, and nothing is in the way.</source>
@@ -4529,10 +4529,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Nothing is held: the stylus button takes it</source>
         <translation>Rien n'est tenu : le bouton du stylet le prend</translation>
-    </message>
-    <message>
-        <source>Nothing is measured yet. Connect a stylus and hold an entity.</source>
-        <translation>Rien n'est encore mesuré. Connectez un stylet et tenez une entité.</translation>
     </message>
     <message>
         <source>Nothing is picked yet. The middle button and the wheel still move the view.</source>
@@ -4571,10 +4567,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien encore. On peut aussi déposer des fichiers ici.</translation>
     </message>
     <message>
-        <source>Nothing: it stands free</source>
-        <translation>Rien : elle se pose librement</translation>
-    </message>
-    <message>
         <source>OBJ (*.obj)</source>
         <translation>OBJ (*.obj)</translation>
     </message>
@@ -4593,10 +4585,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Off</source>
         <translation>Arrêt</translation>
-    </message>
-    <message>
-        <source>Off by at most</source>
-        <translation>Écart d'au plus</translation>
     </message>
     <message>
         <source>Off mm</source>
@@ -4755,6 +4743,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir…</translation>
     </message>
     <message>
+        <source>Orient faces outwards</source>
+        <translation>Orienter les faces vers l'extérieur</translation>
+    </message>
+    <message>
         <source>Orientation kept</source>
         <translation>Orientation gardée</translation>
     </message>
@@ -4799,10 +4791,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Au-dessus de la tête</translation>
     </message>
     <message>
-        <source>Own</source>
-        <translation>Propre</translation>
-    </message>
-    <message>
         <source>Own frame %1</source>
         <translation>Repère propre %1</translation>
     </message>
@@ -4833,6 +4821,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Own measure</source>
         <translation>Mesure propre</translation>
+    </message>
+    <message>
+        <source>Own mesh</source>
+        <translation>Maillage</translation>
     </message>
     <message>
         <source>Own origin</source>
@@ -4908,7 +4900,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Pack the workcell with its files</source>
-        <translation>Empaqueter la cellule avec ses fichiers</translation>
+        <translation>Archiver la cellule avec ses fichiers</translation>
     </message>
     <message>
         <source>Pack them too</source>
@@ -4921,14 +4913,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Page %1 of %2</source>
         <translation>Page %1 sur %2</translation>
-    </message>
-    <message>
-        <source>Page after</source>
-        <translation>Page suivante</translation>
-    </message>
-    <message>
-        <source>Page before</source>
-        <translation>Page précédente</translation>
     </message>
     <message>
         <source>Pages of the settings</source>
@@ -4969,6 +4953,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Parent</source>
         <translation>Parent</translation>
+    </message>
+    <message>
+        <source>Parent folder</source>
+        <translation>Dossier parent</translation>
     </message>
     <message>
         <source>Part</source>
@@ -5071,8 +5059,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Désigner</translation>
     </message>
     <message>
-        <source>Pick a face, edge or corner of what moves · Esc: end</source>
-        <translation>Désignez une face, une arête ou un coin de ce qui bouge · Échap : terminer</translation>
+        <source>Pick a face, edge or corner of the moving part · Esc: end</source>
+        <translation>Désignez une face, une arête ou un coin de la pièce à déplacer · Échap : terminer</translation>
     </message>
     <message>
         <source>Pick a part to measure from</source>
@@ -5091,16 +5079,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Désignez des entités pour la seconde colonne · Échap : terminer</translation>
     </message>
     <message>
-        <source>Pick from and to</source>
-        <translation>Désigner départ et arrivée</translation>
-    </message>
-    <message>
         <source>Pick in the scene</source>
         <translation>Désigner dans la scène</translation>
     </message>
     <message>
-        <source>Pick measures again.</source>
-        <translation>Désigner mesure de nouveau.</translation>
+        <source>Pick start and target</source>
+        <translation>Désigner départ et cible</translation>
     </message>
     <message>
         <source>Pick the axes: a face, an edge or a corner</source>
@@ -5139,16 +5123,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Désignez la surface à suivre</translation>
     </message>
     <message>
+        <source>Pick the target · Esc: end</source>
+        <translation>Désignez la cible · Échap : terminer</translation>
+    </message>
+    <message>
         <source>Pick what to measure</source>
         <translation>Désignez ce qu'il faut mesurer</translation>
     </message>
     <message>
         <source>Pick what to measure to</source>
         <translation>Désignez jusqu'où mesurer</translation>
-    </message>
-    <message>
-        <source>Pick where it shall go · Esc: end</source>
-        <translation>Désignez où cela doit aller · Échap : terminer</translation>
     </message>
     <message>
         <source>Pick where the frame shall be · Esc: end</source>
@@ -5187,8 +5171,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas</translation>
     </message>
     <message>
+        <source>Pivot</source>
+        <translation>Pivot</translation>
+    </message>
+    <message>
+        <source>Place %1 on %2</source>
+        <translation>Poser %1 sur %2</translation>
+    </message>
+    <message>
         <source>Place in</source>
         <translation>Place dans</translation>
+    </message>
+    <message>
+        <source>Place on</source>
+        <translation>Poser sur</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Placement</translation>
     </message>
     <message>
         <source>Plane</source>
@@ -5233,6 +5233,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Point %1</source>
         <translation>Point %1</translation>
+    </message>
+    <message>
+        <source>Point at which the hand holds the entity</source>
+        <translation>Point par lequel la main tient l'entité</translation>
     </message>
     <message>
         <source>Points</source>
@@ -5331,6 +5335,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pressez les boutons ici, avec Ctrl, Alt, Maj</translation>
     </message>
     <message>
+        <source>Previous folder</source>
+        <translation>Dossier précédent</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>Page précédente</translation>
+    </message>
+    <message>
         <source>Problem</source>
         <translation>Problème</translation>
     </message>
@@ -5355,20 +5367,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Mettre %1 sous %2</translation>
     </message>
     <message>
-        <source>Put %1 onto %2</source>
-        <translation>Poser %1 sur %2</translation>
-    </message>
-    <message>
         <source>Put into a new folder</source>
         <translation>Mettre dans un nouveau dossier</translation>
     </message>
     <message>
         <source>Put it there</source>
         <translation>Le mettre là</translation>
-    </message>
-    <message>
-        <source>Put onto</source>
-        <translation>Poser sur</translation>
     </message>
     <message>
         <source>Quantity of the curves</source>
@@ -5495,22 +5499,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>En atteignant</translation>
     </message>
     <message>
-        <source>Read %1 again</source>
-        <translation>Relire %1</translation>
-    </message>
-    <message>
-        <source>Read %1 files again</source>
-        <translation>Relire %1 fichiers</translation>
-    </message>
-    <message>
-        <source>Read again</source>
-        <translation>Relire</translation>
-    </message>
-    <message>
-        <source>Read again from disk</source>
-        <translation>Relire depuis le disque</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>Lecture</translation>
     </message>
@@ -5575,6 +5563,22 @@ Voulez-vous le remplacer ?</translation>
         <translation>Lâcher</translation>
     </message>
     <message>
+        <source>Reload</source>
+        <translation>Recharger</translation>
+    </message>
+    <message>
+        <source>Reload %1</source>
+        <translation>Recharger %1</translation>
+    </message>
+    <message>
+        <source>Reload %1 files</source>
+        <translation>Recharger %1 fichiers</translation>
+    </message>
+    <message>
+        <source>Reload from disk</source>
+        <translation>Recharger depuis le disque</translation>
+    </message>
+    <message>
         <source>Remove</source>
         <translation>Retirer</translation>
     </message>
@@ -5595,16 +5599,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Retirer ce repère</translation>
     </message>
     <message>
+        <source>Removed: %1 duplicate triangles.</source>
+        <translation>Retirés : %1 triangles en double.</translation>
+    </message>
+    <message>
+        <source>Removed: %1 zero-area triangles.</source>
+        <translation>Retirés : %1 triangles de surface nulle.</translation>
+    </message>
+    <message>
         <source>Rename</source>
         <translation>Renommer</translation>
     </message>
     <message>
         <source>Rename %1</source>
         <translation>Renommer %1</translation>
-    </message>
-    <message>
-        <source>Repaired: %1 corners of neighbouring triangles were made one.</source>
-        <translation>Réparés : %1 coins de triangles voisins ont été réunis.</translation>
     </message>
     <message>
         <source>Repetition</source>
@@ -5623,12 +5631,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rapport des changements</translation>
     </message>
     <message>
-        <source>Report what was changed</source>
-        <translation>Rapporter ce qui a changé</translation>
-    </message>
-    <message>
         <source>Report…</source>
         <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>Resize %1</source>
+        <translation>Redimensionner %1</translation>
     </message>
     <message>
         <source>Rest</source>
@@ -5719,6 +5727,22 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tourner</translation>
     </message>
     <message>
+        <source>Rotate %1</source>
+        <translation>Tourner %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rotate %n entities</source>
+        <translation><numerusform>Tourner %n entité</numerusform><numerusform>Tourner %n entités</numerusform></translation>
+    </message>
+    <message>
+        <source>Rotate the view; with Shift, pan</source>
+        <translation>Tourne la vue ; avec Maj, la décale</translation>
+    </message>
+    <message>
+        <source>Rotate too: axes aligned, faces flush</source>
+        <translation>Tourner aussi : axes alignés, faces à plat</translation>
+    </message>
+    <message>
         <source>Rotation</source>
         <translation>Rotation</translation>
     </message>
@@ -5793,6 +5817,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Save the cell first (Ctrl+S): the exercise opens its file.</source>
         <translation>Enregistrez d'abord la cellule (Ctrl+S) : l'exercice ouvre son fichier.</translation>
+    </message>
+    <message>
+        <source>Save the change report</source>
+        <translation>Enregistrer le rapport des changements</translation>
     </message>
     <message>
         <source>Save the exercise</source>
@@ -6019,10 +6047,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Montrer le dossier</translation>
     </message>
     <message>
-        <source>Show folder…</source>
-        <translation>Montrer un dossier…</translation>
-    </message>
-    <message>
         <source>Show me</source>
         <translation>Montrer</translation>
     </message>
@@ -6075,12 +6099,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Simplifier d'abord</translation>
     </message>
     <message>
-        <source>Single keys act while the pointer is over the scene; elsewhere they are text.</source>
-        <translation>Les touches seules agissent tant que le pointeur est sur la scène ; ailleurs c'est du texte.</translation>
-    </message>
-    <message>
         <source>Single keys without Ctrl are on</source>
         <translation>Les touches seules, sans Ctrl, sont en service</translation>
+    </message>
+    <message>
+        <source>Single keys work while the pointer is over the scene; elsewhere they type text.</source>
+        <translation>Les touches seules agissent quand le pointeur est sur la scène ; ailleurs elles saisissent du texte.</translation>
     </message>
     <message>
         <source>Singularity</source>
@@ -6101,10 +6125,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Size %1</source>
         <translation>Taille %1</translation>
-    </message>
-    <message>
-        <source>Size of %1</source>
-        <translation>Taille de %1</translation>
     </message>
     <message>
         <source>Size of the page</source>
@@ -6143,16 +6163,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aimanter</translation>
     </message>
     <message>
+        <source>Snap positions, separated by spaces</source>
+        <translation>Positions d'enclenchement, séparées par des espaces</translation>
+    </message>
+    <message>
         <source>Snap to corner, edge, face, frame</source>
         <translation>Aimanter aux coins, arêtes, faces, repères</translation>
     </message>
     <message>
-        <source>Snaps to corners, edges, faces and frames · Ctrl: free · Esc takes it back</source>
-        <translation>Aimante aux coins, arêtes, faces et repères · Ctrl : libre · Échap annule</translation>
-    </message>
-    <message>
-        <source>So contacts stay easy to see. Settings, Appearance, &quot;Parts in their full colours&quot; changes it.</source>
-        <translation>Ainsi les contacts restent bien visibles. Réglages, Apparence, « Pièces en pleines couleurs » le change.</translation>
+        <source>Snapping to corners, edges, faces and frames · Ctrl: free · Esc: cancel</source>
+        <translation>Aimante aux coins, arêtes, faces et repères · Ctrl : libre · Échap : annuler</translation>
     </message>
     <message>
         <source>Solid</source>
@@ -6259,22 +6279,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Étape %1 sur %2 : %3</translation>
     </message>
     <message>
-        <source>Step of angle</source>
-        <translation>Pas d'angle</translation>
-    </message>
-    <message>
-        <source>Step of length</source>
-        <translation>Pas de longueur</translation>
-    </message>
-    <message>
-        <source>Steps of angle</source>
-        <translation>Pas d'angle</translation>
-    </message>
-    <message>
-        <source>Steps of length</source>
-        <translation>Pas de longueur</translation>
-    </message>
-    <message>
         <source>Stiffness</source>
         <translation>Raideur</translation>
     </message>
@@ -6329,6 +6333,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Stylus at start</source>
         <translation>Stylet au démarrage</translation>
+    </message>
+    <message>
+        <source>Stylus button: hold and release</source>
+        <translation>Bouton du stylet : tenir et relâcher</translation>
     </message>
     <message>
         <source>Stylus in the device's workspace</source>
@@ -6511,20 +6519,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le bras est près d'une singularité</translation>
     </message>
     <message>
-        <source>The axis or normal points the other way</source>
-        <translation>L'axe ou la normale va dans l'autre sens</translation>
-    </message>
-    <message>
         <source>The base follows the hand; the joints keep the tool where it is in the cell</source>
         <translation>La base suit la main ; les articulations gardent l'outil où il est dans la cellule</translation>
     </message>
     <message>
         <source>The bodies that bound most users: P5 and P50 woman, P50 and P95 man</source>
         <translation>Les corps qui encadrent la plupart des utilisateurs : femmes P5 et P50, hommes P50 et P95</translation>
-    </message>
-    <message>
-        <source>The cell is as it was.</source>
-        <translation>La cellule est comme avant.</translation>
     </message>
     <message>
         <source>The cell is empty</source>
@@ -6535,20 +6535,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>La cellule est vide.</translation>
     </message>
     <message>
-        <source>The cell shows what it held before. Placements, names and colours stay when it is read again.</source>
-        <translation>La cellule montre ce qu'elle contenait. Places, noms et couleurs restent à la relecture.</translation>
+        <source>The cell is unchanged.</source>
+        <translation>La cellule est inchangée.</translation>
     </message>
     <message>
-        <source>The cell stays usable meanwhile.</source>
-        <translation>La cellule reste utilisable pendant ce temps.</translation>
+        <source>The cell still shows the old version. Reloading keeps placements, names and colours.</source>
+        <translation>La cellule montre encore l'ancienne version. Places, noms et couleurs restent au rechargement.</translation>
     </message>
     <message>
         <source>The cell was changed or saved, so the run was given up. The part stands where it stood before.</source>
         <translation>La cellule a été modifiée ou enregistrée : l'essai est abandonné. La pièce est revenue à sa place.</translation>
-    </message>
-    <message>
-        <source>The cell was never saved. Compare it with the import instead.</source>
-        <translation>La cellule n'a jamais été enregistrée. Comparez-la plutôt à l'importation.</translation>
     </message>
     <message>
         <source>The chosen motion becomes the expert's, in the cell as it is</source>
@@ -6575,6 +6571,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les périphériques n'ont pas pu être listés : %1</translation>
     </message>
     <message>
+        <source>The displayed mesh.</source>
+        <translation>Le maillage affiché.</translation>
+    </message>
+    <message>
         <source>The exercise cannot be opened</source>
         <translation>L'exercice ne peut pas être ouvert</translation>
     </message>
@@ -6595,11 +6595,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le corps dans sa posture</translation>
     </message>
     <message>
-        <source>The file holds one part.</source>
+        <source>The file contains one part.</source>
         <translation>Le fichier contient une pièce.</translation>
     </message>
     <message>
-        <source>The file holds triangles.</source>
+        <source>The file contains triangles.</source>
         <translation>Le fichier contient des triangles.</translation>
     </message>
     <message>
@@ -6607,16 +6607,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le fichier est en lecture</translation>
     </message>
     <message>
-        <source>The file names no unit. Is this size right?</source>
+        <source>The file of %1 has no home pose, and its zero pose is singular, so it could hardly be dragged. It starts with %2 bent. To set a home pose, use the Robot panel.</source>
+        <translation>Le fichier de %1 n'indique pas de position de repos, et sa pose zéro est singulière : on pourrait à peine le tirer. Il démarre avec %2 plié. Fixez sa position de repos dans le panneau Robot.</translation>
+    </message>
+    <message>
+        <source>The file states no unit. Is this size right?</source>
         <translation>Le fichier n'indique pas d'unité. Cette taille est-elle la bonne ?</translation>
     </message>
     <message>
-        <source>The file names no unit. Which size is right?</source>
+        <source>The file states no unit. Which size is right?</source>
         <translation>Le fichier n'indique pas d'unité. Quelle taille est la bonne ?</translation>
-    </message>
-    <message>
-        <source>The file of %1 names no home, and at zero it is singular: it could hardly be dragged. It starts with %2 bent. Keep a home of your own in the Robot dock.</source>
-        <translation>Le fichier de %1 n'indique pas de position d'origine, et à zéro il est singulier : on pourrait à peine le tirer. Il démarre avec %2 plié. Gardez votre propre origine dans le volet Robot.</translation>
     </message>
     <message>
         <source>The file was written since by another program; the copy does not have that.</source>
@@ -6643,8 +6643,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les forces sont coupées : le serveur haptique a disparu</translation>
     </message>
     <message>
-        <source>The frame goes with it, and keeps its place now</source>
-        <translation>Le repère le suit, et garde sa place pour l'instant</translation>
+        <source>The frame keeps its current placement and moves with it</source>
+        <translation>Le repère garde sa place actuelle et se déplace avec</translation>
     </message>
     <message>
         <source>The frame, or all between the brackets</source>
@@ -6759,10 +6759,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Celle du matériau, de hapticell.toml ; le serveur l'abaisse à ce que le périphérique supporte</translation>
     </message>
     <message>
-        <source>The mesh as it is drawn.</source>
-        <translation>Le maillage tel qu'il est dessiné.</translation>
-    </message>
-    <message>
         <source>The module %1 was left out. %2</source>
         <translation>Le module %1 a été laissé de côté. %2</translation>
     </message>
@@ -6815,8 +6811,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les pièces redeviennent des solides, où elles sont maintenant</translation>
     </message>
     <message>
-        <source>The path of a recorded motion, thinned</source>
-        <translation>Le chemin d'un mouvement enregistré, éclairci</translation>
+        <source>The path of a recorded motion, simplified</source>
+        <translation>Le chemin d'un mouvement enregistré, simplifié</translation>
     </message>
     <message>
         <source>The pelvis stays on the seat, which bears the body</source>
@@ -6835,6 +6831,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>La posture n'a pas été prise</translation>
     </message>
     <message>
+        <source>The preview is made when the file is saved or closed here.</source>
+        <translation>L'aperçu est créé quand le fichier est enregistré ou fermé ici.</translation>
+    </message>
+    <message>
         <source>The program was ended from outside, or the power failed.</source>
         <translation>Le programme a été arrêté de l’extérieur, ou le courant a manqué.</translation>
     </message>
@@ -6845,6 +6845,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The recording was not read</source>
         <translation>L'enregistrement n'a pas été lu</translation>
+    </message>
+    <message>
+        <source>The recovery copy could not be saved</source>
+        <translation>La copie de récupération n'a pas pu être enregistrée</translation>
     </message>
     <message>
         <source>The report is written</source>
@@ -6928,15 +6932,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>The size was not changed</source>
-        <translation>La dimension n'a pas été changée</translation>
+        <translation>La taille n'a pas été changée</translation>
     </message>
     <message>
         <source>The stylus button must stay pressed to move</source>
         <translation>Le bouton du stylet doit rester appuyé pour déplacer</translation>
-    </message>
-    <message>
-        <source>The stylus button: grabs and releases</source>
-        <translation>Le bouton du stylet : saisit et lâche</translation>
     </message>
     <message>
         <source>The stylus follows the mouse · wheel: depth · Ctrl: turn · left button %1 · H: end</source>
@@ -7027,16 +7027,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ils pendent à %1 au-dessus : abaissez le siège ou mettez un repose-pieds.</translation>
     </message>
     <message>
-        <source>They move together, about the one chosen last.</source>
-        <translation>Elles bougent ensemble, autour de celle choisie en dernier.</translation>
+        <source>They move together. The last one selected is the pivot.</source>
+        <translation>Elles bougent ensemble. La dernière choisie sert de pivot.</translation>
     </message>
     <message>
         <source>Thigh clearance</source>
         <translation>Épaisseur de la cuisse</translation>
     </message>
     <message>
-        <source>This cell has no frame yet: Insert, Frame makes one</source>
-        <translation>Cette cellule n'a pas encore de repère : Insérer, Repère en pose un</translation>
+        <source>This cell has never been saved. Compare it with the imported files instead.</source>
+        <translation>Cette cellule n'a jamais été enregistrée. Comparez-la plutôt aux fichiers importés.</translation>
     </message>
     <message>
         <source>This device exerts no force.</source>
@@ -7053,6 +7053,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>This exercise was practised: transfer is shown at another one, here choose Retention.</source>
         <translation>Cet exercice a été pratiqué : le transfert se montre sur un autre ; ici, choisissez Rétention.</translation>
+    </message>
+    <message>
+        <source>This keeps contacts easy to see. To change it: Settings &gt; Appearance &gt; Show parts in full colour.</source>
+        <translation>Les contacts restent ainsi bien visibles. Pour changer : Réglages &gt; Apparence &gt; Pièces en pleines couleurs.</translation>
     </message>
     <message>
         <source>This motion and the one below it, one after the other</source>
@@ -7089,10 +7093,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>This station</source>
         <translation>Ce poste</translation>
-    </message>
-    <message>
-        <source>Through entity</source>
-        <translation>Par l'entité</translation>
     </message>
     <message>
         <source>Through its eyes</source>
@@ -7149,6 +7149,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Told once the figure rests</source>
         <translation>Dit dès que le corps est au repos</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
     </message>
     <message>
         <source>Too heavy: %1 of %2 allowed</source>
@@ -7263,44 +7267,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tourner</translation>
     </message>
     <message>
-        <source>Turn %1</source>
-        <translation>Tourner %1</translation>
-    </message>
-    <message>
         <source>Turn %1 of %2</source>
         <translation>Tourner %1 de %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>Turn %n entities</source>
-        <translation><numerusform>Tourner %n entité</numerusform><numerusform>Tourner %n entités</numerusform></translation>
-    </message>
-    <message>
-        <source>Turn faces outwards</source>
-        <translation>Tourner les faces vers l'extérieur</translation>
-    </message>
-    <message>
-        <source>Turn it too: axes along, faces flat</source>
-        <translation>Tourner aussi : axes alignés, faces à plat</translation>
-    </message>
-    <message>
-        <source>Turn round</source>
-        <translation>Retourner</translation>
     </message>
     <message>
         <source>Turned</source>
         <translation>Rotation</translation>
     </message>
     <message>
-        <source>Turns about</source>
-        <translation>Pivot</translation>
-    </message>
-    <message>
         <source>Turns its eyes, as far as they go, to the part that was chosen last</source>
         <translation>Tourne ses yeux, autant qu'ils le peuvent, vers la dernière pièce choisie</translation>
-    </message>
-    <message>
-        <source>Turns the view; with Shift it shifts it</source>
-        <translation>Tourne la vue ; avec Maj la décale</translation>
     </message>
     <message>
         <source>Two fingers turn; with Shift they shift, with Ctrl they zoom</source>
@@ -7311,6 +7287,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Deux mains</translation>
     </message>
     <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
         <source>Typing</source>
         <translation>À la frappe</translation>
     </message>
@@ -7319,8 +7299,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>URDF (*.urdf)</translation>
     </message>
     <message>
-        <source>URDF of the one robot (*.urdf)</source>
-        <translation>URDF du seul robot (*.urdf)</translation>
+        <source>URDF of the robot (*.urdf)</source>
+        <translation>URDF du robot (*.urdf)</translation>
     </message>
     <message>
         <source>URDF, xacro, SDF or robot.toml</source>
@@ -7353,6 +7333,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Universal Robots script (.script)</source>
         <translation>Script Universal Robots (.script)</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Inconnue</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -7435,8 +7419,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>En attente du serveur haptique</translation>
     </message>
     <message>
-        <source>Waits for the file before it</source>
-        <translation>Attend le fichier précédent</translation>
+        <source>Waiting for the previous file</source>
+        <translation>En attente du fichier précédent</translation>
     </message>
     <message>
         <source>Walking</source>
@@ -7503,10 +7487,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce qui est gardé où un poignet devrait tourner plus vite qu'il ne peut</translation>
     </message>
     <message>
-        <source>What is picked</source>
-        <translation>Ce qui est désigné</translation>
-    </message>
-    <message>
         <source>What it sees</source>
         <translation>Ce qu'il voit</translation>
     </message>
@@ -7531,6 +7511,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce que l'élève doit faire</translation>
     </message>
     <message>
+        <source>What to pick</source>
+        <translation>Quoi désigner</translation>
+    </message>
+    <message>
         <source>What you asked for last was not done, and the workcell is as it was before. Save it, then close other programs, or remove parts that are not needed.</source>
         <translation>Ce que vous avez demandé en dernier n'a pas été fait, et la cellule est comme avant. Enregistrez-la, puis fermez d'autres programmes ou retirez les pièces inutiles.</translation>
     </message>
@@ -7551,24 +7535,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Quand</translation>
     </message>
     <message>
-        <source>Where it snaps in, several with spaces between</source>
-        <translation>Où il s'enclenche, plusieurs séparés par des espaces</translation>
-    </message>
-    <message>
-        <source>Where it stands</source>
-        <translation>Où elle se pose</translation>
-    </message>
-    <message>
         <source>Where it stands now</source>
         <translation>Où il est maintenant</translation>
     </message>
     <message>
         <source>Where its base stands</source>
         <translation>Où se tient sa base</translation>
-    </message>
-    <message>
-        <source>Where the missing files are</source>
-        <translation>Où sont les fichiers manquants</translation>
     </message>
     <message>
         <source>Where the stylus is plugged in and its haptic server runs</source>
@@ -7593,10 +7565,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Window</source>
         <translation>Fenêtre</translation>
-    </message>
-    <message>
-        <source>With size and time</source>
-        <translation>Avec taille et date</translation>
     </message>
     <message>
         <source>Within</source>
@@ -7719,6 +7687,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Oui</translation>
     </message>
     <message>
+        <source>You can keep working in the cell.</source>
+        <translation>Vous pouvez continuer à travailler.</translation>
+    </message>
+    <message>
         <source>Your own</source>
         <translation>À vous</translation>
     </message>
@@ -7741,10 +7713,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Zoom to the pointer</source>
         <translation>Zoomer vers le pointeur</translation>
-    </message>
-    <message>
-        <source>Zooms to the pointer</source>
-        <translation>Zoome vers le pointeur</translation>
     </message>
     <message>
         <source>a high risk</source>
@@ -7777,10 +7745,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>another clicked</source>
         <translation>un autre cliqué</translation>
-    </message>
-    <message>
-        <source>as it is held</source>
-        <translation>comme il est tenu</translation>
     </message>
     <message>
         <source>at work</source>
@@ -8059,16 +8023,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>mm</translation>
     </message>
     <message>
-        <source>mm a turn</source>
-        <translation>mm par tour</translation>
-    </message>
-    <message>
         <source>mm wide</source>
         <translation>mm de large</translation>
     </message>
     <message>
         <source>mm/s</source>
         <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>mm/turn</source>
+        <translation>mm/tour</translation>
     </message>
     <message>
         <source>ms</source>
@@ -8091,16 +8055,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>non</translation>
     </message>
     <message>
+        <source>no clearance</source>
+        <translation>pas de distance</translation>
+    </message>
+    <message>
         <source>no device</source>
         <translation>pas de périphérique</translation>
     </message>
     <message>
         <source>no flip</source>
         <translation>non ret.</translation>
-    </message>
-    <message>
-        <source>no gap</source>
-        <translation>pas de distance</translation>
     </message>
     <message>
         <source>no load is acceptable</source>
@@ -8357,6 +8321,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>what the motion moves</source>
         <translation>ce que le mouvement déplace</translation>
+    </message>
+    <message>
+        <source>where it is held</source>
+        <translation>là où elle est tenue</translation>
     </message>
     <message>
         <source>with a frame</source>

@@ -28,9 +28,9 @@ struct PictureMenu {
 void tell(Host& host, const QString& file, const Expected<void>& done) {
   const QString name = QFileInfo(file).fileName();
   if (done)
-    host.messages().tell(Severity::kInformation, PictureMenu::tr("%1 is written").arg(name));
+    host.messages().tell(Severity::kInformation, PictureMenu::tr("%1 is saved").arg(name));
   else
-    host.messages().tell(Severity::kProblem, PictureMenu::tr("%1 was not written").arg(name),
+    host.messages().tell(Severity::kProblem, PictureMenu::tr("%1 was not saved").arg(name),
                          QString::fromStdString(done.error().message()));
 }
 

@@ -88,7 +88,7 @@ void SolidPanel::addTurn(QVBoxLayout& column) {
   section->addWidget(title_);
   turns_ = new Segmented({tr("Own origin"), tr("Centre"), tr("Frame")});
   turns_->setObjectName("segmentsTurns");
-  addRow(*section, tr("Turns about"), turns_);
+  addRow(*section, tr("Pivot"), turns_);
   frame_ = new QComboBox;
   frame_->setObjectName("comboOwnFrame");
   frame_row_ = addRow(*section, tr("Frame"), frame_);

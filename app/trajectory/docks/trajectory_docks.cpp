@@ -201,7 +201,7 @@ class TrajectoryDocks : public QObject {
             [this] { film_->setText(tr("Stop the video, %1 % done").arg(static_cast<int>(100.0 * video_.share()))); });
     connect(&video_, &PlayVideo::ended, this, [this](const QString& file, const QString& problem) {
       film_->setText(tr("Video of the motion…"));
-      panel_->showLine(problem.isEmpty() ? tr("%1 is written").arg(QFileInfo(file).fileName()) : problem,
+      panel_->showLine(problem.isEmpty() ? tr("%1 is saved").arg(QFileInfo(file).fileName()) : problem,
                        !problem.isEmpty());
     });
     entry({"actionImportMotion", tr("Import motions…"), "import", {}, {}}, [this] { files_.askImport(); });

@@ -30,7 +30,7 @@ RunSection::RunSection(Host& host, QVBoxLayout& column, QObject* parent) : QObje
   for (const auto each :
        {trajectory::RunKind::kPractice, trajectory::RunKind::kRetention, trajectory::RunKind::kTransfer})
     kind_->addItem(runKindName(each));
-  addRow(*section, tr("Kind"), kind_);
+  addRow(*section, tr("Type"), kind_);
   help_label_ = saidLine("labelHelp", 2, TextRole::kSecond, true);
   section->addWidget(help_label_);
   connect(kind_, &QComboBox::currentIndexChanged, this, &RunSection::kindChosen);

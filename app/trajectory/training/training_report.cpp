@@ -23,7 +23,7 @@ struct Column {
 
 std::vector<Column> columns() {
   const auto tr = [](const char* text) { return QObject::tr(text); };
-  return {{tr("Run"), 28},     {tr("When"), 100},  {tr("Kind"), 62},     {tr("Rest"), 40},   {tr("Help"), 40},
+  return {{tr("Run"), 28},     {tr("When"), 100},  {tr("Type"), 62},     {tr("Rest"), 40},   {tr("Help"), 40},
           {tr("Points"), 44},  {tr("Way"), 42},    {tr("Time s"), 44},   {tr("Off mm"), 48}, {tr("Max mm"), 48},
           {tr("Force N"), 52}, {tr("Smooth"), 48}, {tr("Contacts"), 50}, {tr("Passed"), 42}};
 }

@@ -23,7 +23,7 @@ AxesSection::AxesSection(Host& host, VirtualDesktopController& controller, QVBox
   QVBoxLayout* section = addSection(column, tr("Axes and scale"));
   axes_ = new Segmented({tr("Screen"), tr("Cell"), tr("Frame")});
   axes_->setObjectName("segmentsAxes");
-  addRow(*section, tr("Axes of"), axes_);
+  addRow(*section, tr("Axes"), axes_);
   axes_frame_ = new QComboBox;
   axes_frame_->setObjectName("comboAxesFrame");
   axes_frame_row_ = addRow(*section, {}, axes_frame_);
