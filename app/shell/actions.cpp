@@ -91,9 +91,9 @@ void Actions::makeActions(QMainWindow& window) {
   file.reload = make({"actionReload", tr("Reload from disk"), {}, QKeySequence(Qt::Key_F5), {}});
   edit.mesh_care = make({"actionMeshCare", tr("Mesh and collision shape…"), {}, {}, {}});
   file.pack = make({"actionPack", tr("Pack with all files…"), {}, {}, {}});
-  file.report_saved = make({"actionReportSaved", tr("Against the saved cell…"), {}, {}, {}});
-  file.report_import = make({"actionReportImport", tr("Against the imported files…"), {}, {}, {}});
-  file.report_other = make({"actionReportOther", tr("Against another workcell…"), {}, {}, {}});
+  file.report_saved = make({"actionReportSaved", tr("Compared with the saved cell…"), {}, {}, {}});
+  file.report_import = make({"actionReportImport", tr("Compared with the imported files…"), {}, {}, {}});
+  file.report_other = make({"actionReportOther", tr("Compared with another workcell…"), {}, {}, {}});
   edit.duplicate = make({"actionDuplicate", tr("Duplicate"), {}, QKeySequence(Qt::CTRL | Qt::Key_D), {}});
   edit.isolate = make({"actionIsolate", tr("Isolate"), {}, {}, {}});
   edit.show_all = make({"actionShowAll", tr("Show all"), {}, {}, {}});
@@ -103,7 +103,7 @@ void Actions::makeActions(QMainWindow& window) {
   file.quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});
   edit.undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
   edit.redo = make({"actionRedo", tr("Redo"), "redo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), tr("Redo")});
-  edit.go_back = make({"actionGoBack", tr("Go back ten seconds of motion"), "history",
+  edit.go_back = make({"actionGoBack", tr("Go back 10 seconds of motion"), "history",
                        QKeySequence(Qt::CTRL | Qt::Key_G), tr("Go back")});
   edit.remove =
       make({"actionRemove", tr("Remove from the cell"), "delete", QKeySequence(Qt::Key_Delete), tr("Remove")});
@@ -129,10 +129,9 @@ void Actions::makeActions(QMainWindow& window) {
   edit.settings = make({"actionSettings", tr("Settings…"), "settings", QKeySequence(Qt::CTRL | Qt::Key_Comma), {}});
   help.panel_help = make({"actionHelp", tr("Help on this panel"), "help", QKeySequence(Qt::Key_F1), {}});
   help.manual = make({"actionManual", tr("Manual"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F1), {}});
-  help.scene_text =
-      make({"actionSceneText", tr("The scene in words"), "text", QKeySequence(Qt::CTRL | Qt::Key_F1), {}});
-  help.first_page = make({"actionFirstPage", tr("First page"), "home", {}, {}});
-  view.reset_layout = make({"actionResetLayout", tr("Layout as drawn"), "layout", {}, {}});
+  help.scene_text = make({"actionSceneText", tr("Scene description"), "text", QKeySequence(Qt::CTRL | Qt::Key_F1), {}});
+  help.first_page = make({"actionFirstPage", tr("Start page"), "home", {}, {}});
+  view.reset_layout = make({"actionResetLayout", tr("Reset layout"), "layout", {}, {}});
   help.about = make({"actionAbout", tr("About HaptiCell"), {}, {}, {}});
 }
 

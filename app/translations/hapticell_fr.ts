@@ -5,12 +5,12 @@
 <context>
     <name>HaptiCell</name>
     <message>
-        <source>  (in use)</source>
-        <translation>  (utilisée)</translation>
+        <source>  (custom)</source>
+        <translation>  (perso.)</translation>
     </message>
     <message>
-        <source>  (yours)</source>
-        <translation>  (la vôtre)</translation>
+        <source>  (in use)</source>
+        <translation>  (utilisée)</translation>
     </message>
     <message numerus="yes">
         <source>  ·  %n parts are made ready</source>
@@ -67,6 +67,10 @@
     <message>
         <source> · forces on</source>
         <translation> · efforts en marche</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; uses this key and would lose it.</source>
+        <translation>« %1 » utilise cette touche et la perdrait.</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -137,25 +141,13 @@
         <translation>%1 N ont été commandés. Si rien n'a été senti : le périphérique est-il sous tension, son arrêt d'urgence relâché, est-il étalonné ?</translation>
     </message>
     <message>
-        <source>%1 a step down</source>
-        <translation>%1 un pas de moins</translation>
-    </message>
-    <message>
-        <source>%1 a step up</source>
-        <translation>%1 un pas de plus</translation>
-    </message>
-    <message>
-        <source>%1 acts while the pointer is over the scene</source>
-        <translation>%1 agit tant que le pointeur est sur la scène</translation>
-    </message>
-    <message>
         <source>%1 already exists.
 Do you want to replace it?</source>
         <translation>%1 existe déjà.
 Voulez-vous le remplacer ?</translation>
     </message>
     <message>
-        <source>%1 and %2 in all</source>
+        <source>%1 and %2 in total</source>
         <translation>%1 et %2 au total</translation>
     </message>
     <message>
@@ -167,12 +159,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 répond à %2.</translation>
     </message>
     <message>
-        <source>%1 cannot be a part of it</source>
-        <translation>%1 ne peut pas en faire partie</translation>
-    </message>
-    <message>
         <source>%1 cannot be made from this geometry</source>
         <translation>%1 : impossible avec cette géométrie</translation>
+    </message>
+    <message>
+        <source>%1 cannot be part of a mechanism</source>
+        <translation>%1 ne peut pas faire partie d'un mécanisme</translation>
     </message>
     <message>
         <source>%1 cat. %2</source>
@@ -219,14 +211,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 donne %2.</translation>
     </message>
     <message>
-        <source>%1 goes along</source>
-        <translation>%1 suit</translation>
-    </message>
-    <message>
-        <source>%1 goes to %2</source>
-        <translation>%1 va à %2</translation>
-    </message>
-    <message>
         <source>%1 h</source>
         <translation>%1 h</translation>
     </message>
@@ -235,12 +219,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 vient d'être branché</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
-        <translation>%1 a des changements non enregistrés.</translation>
-    </message>
-    <message>
         <source>%1 has more frames than rows here: simplify it, then reorder its points.</source>
         <translation>%1 a plus d'images que de lignes ici : simplifiez-le, puis réordonnez ses points.</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved changes.</source>
+        <translation>%1 a des changements non enregistrés.</translation>
     </message>
     <message>
         <source>%1 has unsaved work from before a crash</source>
@@ -251,7 +235,7 @@ Voulez-vous le remplacer ?</translation>
         <translation><numerusform>%1 sur %n image</numerusform><numerusform>%1 sur %n images</numerusform></translation>
     </message>
     <message>
-        <source>%1 in all</source>
+        <source>%1 in total</source>
         <translation>%1 au total</translation>
     </message>
     <message>
@@ -359,7 +343,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>%1 may hold the work of others.</source>
+        <source>%1 may contain the work of others.</source>
         <translation>%1 contient peut-être le travail d’autrui.</translation>
     </message>
     <message>
@@ -387,6 +371,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 va aussi vite qu'il le peut</translation>
     </message>
     <message>
+        <source>%1 moves too</source>
+        <translation>%1 suit</translation>
+    </message>
+    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -407,7 +395,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 images sur %2 ; au plus %3 de l'enregistrement</translation>
     </message>
     <message>
-        <source>%1 of %2 solutions inside the limits</source>
+        <source>%1 of %2 solutions within limits</source>
         <translation>%1 solutions sur %2 dans les butées</translation>
     </message>
     <message>
@@ -439,12 +427,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 arêtes ouvertes</translation>
     </message>
     <message>
-        <source>%1 over by %2</source>
-        <translation>%1 trop loin de %2</translation>
+        <source>%1 over limit by %2</source>
+        <translation>%1 dépasse de %2</translation>
     </message>
     <message>
-        <source>%1 pairs touch as the cell stands: %2. Leave them out of the check?</source>
-        <translation>%1 paires se touchent dans la cellule au repos : %2. Les écarter de la vérification ?</translation>
+        <source>%1 pairs touch at rest: %2. Exclude them from the check?</source>
+        <translation>%1 paires se touchent au repos : %2. Les exclure de la vérification ?</translation>
     </message>
     <message>
         <source>%1 peak</source>
@@ -485,10 +473,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 sits on %2</source>
         <translation>%1 s'assied sur %2</translation>
-    </message>
-    <message>
-        <source>%1 takes configuration %2</source>
-        <translation>%1 prend la configuration %2</translation>
     </message>
     <message>
         <source>%1 times, last %2</source>
@@ -565,6 +549,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 was saved with warnings</source>
         <translation>%1 a été enregistré avec des avertissements</translation>
+    </message>
+    <message>
+        <source>%1 works while the pointer is over the scene</source>
+        <translation>%1 agit tant que le pointeur est sur la scène</translation>
     </message>
     <message>
         <source>%1 would be %2 over its upper limit</source>
@@ -712,7 +700,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1: changed, takes effect at the next start.</source>
-        <translation>%1 : changé, vaut au prochain démarrage.</translation>
+        <translation>%1 : changé, prend effet au prochain démarrage.</translation>
     </message>
     <message>
         <source>%1: damping</source>
@@ -739,8 +727,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : le corps lui-même fait obstacle, il manque %2 jusqu'à la cible</translation>
     </message>
     <message>
-        <source>%1: the nearest that %2 comes to is %3 away.</source>
-        <translation>%1 : %2 n'approche qu'à %3.</translation>
+        <source>%1: the closest %2 gets is %3 away.</source>
+        <translation>%1 : %2 s'en approche au plus à %3.</translation>
     </message>
     <message>
         <source>%1: they touch or overlap</source>
@@ -963,6 +951,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>1 articulations</translation>
     </message>
     <message>
+        <source>1 pair touches at rest: %1. Exclude it from the check?</source>
+        <translation>1 paire se touche au repos : %1. L'exclure de la vérification ?</translation>
+    </message>
+    <message>
         <source>3-D mouse</source>
         <translation>Souris 3D</translation>
     </message>
@@ -995,24 +987,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un alésage, un arbre, une arête droite ou ronde, ou la normale d'une face</translation>
     </message>
     <message>
-        <source>A built-in robot was left out</source>
-        <translation>Un robot fourni a été laissé de côté</translation>
-    </message>
-    <message>
         <source>A car door on its hinge</source>
         <translation>Une portière sur sa charnière</translation>
-    </message>
-    <message>
-        <source>A click of the left button still chooses; a box is drawn with Ctrl and the left button.</source>
-        <translation>Un clic gauche choisit toujours ; un cadre se trace avec Ctrl et le bouton gauche.</translation>
-    </message>
-    <message>
-        <source>A copy of the chosen one, or at the flange</source>
-        <translation>Une copie de celui choisi, ou à la bride</translation>
-    </message>
-    <message>
-        <source>A face, an edge or a corner: its origin and direction become the tool's</source>
-        <translation>Une face, une arête ou un coin : son origine et sa direction deviennent celles de l'outil</translation>
     </message>
     <message>
         <source>A file of this cell is missing</source>
@@ -1027,10 +1003,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une image à la main au curseur, à tirer dans la scène</translation>
     </message>
     <message>
-        <source>A frame of this solid on picked geometry</source>
-        <translation>Un repère de ce solide sur la géométrie désignée</translation>
-    </message>
-    <message>
         <source>A guide keeps what you move on a line, a plane, a hinge and so on. Select an entity, choose a type, then pick an edge or a face.</source>
         <translation>Un guide maintient ce que vous déplacez sur une ligne, un plan, une charnière, etc. Choisissez une entité, un type, puis désignez une arête ou une face.</translation>
     </message>
@@ -1039,16 +1011,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une main seule, chaque doigt comme dans le gant ; le stylet la porte</translation>
     </message>
     <message>
-        <source>A joint lets one part move on another. Begin with New joint, or take a sample below.</source>
+        <source>A joint lets one part move on another. Start with New joint, or use a sample below.</source>
         <translation>Une articulation laisse une pièce bouger sur une autre. Commencez par Nouvelle articulation, ou prenez un exemple ci-dessous.</translation>
     </message>
     <message>
-        <source>A joint limit is in the way</source>
-        <translation>Une butée d'articulation gêne</translation>
+        <source>A joint limit prevents this pose</source>
+        <translation>Une butée empêche cette pose</translation>
     </message>
     <message>
-        <source>A joint limit is in the way of this pose</source>
-        <translation>Une butée d'articulation gêne cette pose</translation>
+        <source>A left click still selects; Ctrl and a left drag draw a selection box.</source>
+        <translation>Un clic gauche choisit toujours ; Ctrl et un glissement gauche tracent un cadre.</translation>
+    </message>
+    <message>
+        <source>A library robot was not loaded</source>
+        <translation>Un robot de la bibliothèque n'a pas été chargé</translation>
     </message>
     <message>
         <source>A method's limit is where its next class begins; moments hold the arms' own weight.</source>
@@ -1073,10 +1049,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>A process point: the motion rests here so long</source>
         <translation>Un point de travail : le mouvement y reste ce temps</translation>
-    </message>
-    <message>
-        <source>A robot near a singular position</source>
-        <translation>Un robot près d'une singularité</translation>
     </message>
     <message>
         <source>A straight way after it</source>
@@ -1123,16 +1095,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Accélération</translation>
     </message>
     <message>
-        <source>Across %1</source>
-        <translation>À travers %1</translation>
-    </message>
-    <message>
         <source>Add</source>
         <translation>Ajouter</translation>
     </message>
     <message>
         <source>Add a frame</source>
         <translation>Ajouter une image</translation>
+    </message>
+    <message>
+        <source>Add a frame to this solid on picked geometry</source>
+        <translation>Ajouter à ce solide un repère sur la géométrie désignée</translation>
     </message>
     <message>
         <source>Add a free hand</source>
@@ -1195,18 +1167,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Contre</translation>
     </message>
     <message>
-        <source>Against another workcell…</source>
-        <translation>Par rapport à une autre cellule…</translation>
-    </message>
-    <message>
-        <source>Against the imported files…</source>
-        <translation>Par rapport aux fichiers importés…</translation>
-    </message>
-    <message>
-        <source>Against the saved cell…</source>
-        <translation>Par rapport à la cellule enregistrée…</translation>
-    </message>
-    <message>
         <source>All</source>
         <translation>Toutes</translation>
     </message>
@@ -1219,10 +1179,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Toutes 000</translation>
     </message>
     <message>
-        <source>All as shipped</source>
-        <translation>Toutes comme à la livraison</translation>
-    </message>
-    <message>
         <source>All faces already point outwards.</source>
         <translation>Toutes les faces sont déjà orientées vers l'extérieur.</translation>
     </message>
@@ -1231,7 +1187,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les quatre</translation>
     </message>
     <message>
-        <source>All makers</source>
+        <source>All manufacturers</source>
         <translation>Tous les constructeurs</translation>
     </message>
     <message>
@@ -1239,12 +1195,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tous les ensembles en service (%1)</translation>
     </message>
     <message>
-        <source>All that can be done with a motion</source>
-        <translation>Tout ce qu'on peut faire d'un mouvement</translation>
+        <source>All supported files (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;All files (*)</source>
+        <translation>Tous les fichiers pris en charge (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAO (*.step *.stp *.p21 *.stpz *.iges *.igs);;Maillages (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots et cellules (*.urdf *.xacro *.sdf *.world *.toml);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>All that can be read (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;All files (*)</source>
-        <translation>Tout ce qui se lit (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAO (*.step *.stp *.p21 *.stpz *.iges *.igs);;Maillages (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots et cellules (*.urdf *.xacro *.sdf *.world *.toml);;Tous les fichiers (*)</translation>
+        <source>All that can be done with a motion</source>
+        <translation>Tout ce qu'on peut faire d'un mouvement</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -1271,8 +1227,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas d'angle</translation>
     </message>
     <message>
-        <source>Angles in</source>
-        <translation>Angles en</translation>
+        <source>Angle unit</source>
+        <translation>Unité d'angle</translation>
+    </message>
+    <message>
+        <source>Animate view changes</source>
+        <translation>Animer les changements de vue</translation>
     </message>
     <message>
         <source>Another</source>
@@ -1289,6 +1249,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Another program changed this file after it was opened here. If you save, those changes are lost.</source>
         <translation>Un autre programme a modifié ce fichier depuis son ouverture ici. Si vous enregistrez, ces modifications sont perdues.</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file since; the copy does not have those changes.</source>
+        <translation>Un autre programme a depuis modifié le fichier ; la copie n’a pas ces changements.</translation>
     </message>
     <message>
         <source>Another program has it open.</source>
@@ -1351,12 +1315,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Comme le ferait un partenaire de l'autre côté</translation>
     </message>
     <message>
+        <source>As for the entity</source>
+        <translation>Comme l'entité</translation>
+    </message>
+    <message>
         <source>As ghosts at the same task; a column shows its body alone</source>
         <translation>En fantômes à la même tâche ; une colonne montre son corps seul</translation>
     </message>
     <message>
-        <source>As in</source>
-        <translation>Comme dans</translation>
+        <source>As in the set</source>
+        <translation>Comme le jeu</translation>
     </message>
     <message>
         <source>As large as it is…</source>
@@ -1367,16 +1335,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Comme enregistré</translation>
     </message>
     <message>
-        <source>As shipped</source>
-        <translation>Comme à la livraison</translation>
-    </message>
-    <message>
-        <source>As the entity</source>
-        <translation>Comme l'entité</translation>
-    </message>
-    <message>
-        <source>As the set</source>
-        <translation>Comme l'ensemble</translation>
+        <source>Assign</source>
+        <translation>Attribuer</translation>
     </message>
     <message>
         <source>At X</source>
@@ -1397,6 +1357,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>At full reach. Move it %1 closer, or let the feet step.</source>
         <translation>À bout de bras. Approchez de %1, ou laissez les pieds avancer.</translation>
+    </message>
+    <message>
+        <source>At its current placement</source>
+        <translation>À sa place actuelle</translation>
     </message>
     <message>
         <source>At least %1. You typed %2.</source>
@@ -1491,8 +1455,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Base dans le monde</translation>
     </message>
     <message>
-        <source>Base, TCP stays</source>
-        <translation>Base, le TCP reste</translation>
+        <source>Base placement</source>
+        <translation>Placement de la base</translation>
+    </message>
+    <message>
+        <source>Base, TCP fixed</source>
+        <translation>Base, TCP fixe</translation>
     </message>
     <message>
         <source>Begin again</source>
@@ -1503,16 +1471,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Partir de</translation>
     </message>
     <message>
-        <source>Begin with a sample, or with your own cell</source>
-        <translation>Commencez par un exemple ou par votre propre cellule</translation>
-    </message>
-    <message>
-        <source>Begin with an empty cell</source>
-        <translation>Commencer par une cellule vide</translation>
-    </message>
-    <message>
         <source>Belly depth, sitting</source>
         <translation>Profondeur du ventre, assis</translation>
+    </message>
+    <message>
+        <source>Below this distance: shown and heard, not felt</source>
+        <translation>Sous cette distance : montré et entendu, pas senti</translation>
     </message>
     <message>
         <source>Beside the middle</source>
@@ -1599,10 +1563,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pièces paramétriques</translation>
     </message>
     <message>
-        <source>Built-in robots</source>
-        <translation>Robots fournis</translation>
-    </message>
-    <message>
         <source>Buttons</source>
         <translation>Boutons</translation>
     </message>
@@ -1663,8 +1623,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pièces portées</translation>
     </message>
     <message>
-        <source>Carried: goes with the link and collides with it</source>
-        <translation>Portée : suit le corps et entre en collision avec lui</translation>
+        <source>Carried: moves with the link and is checked with it</source>
+        <translation>Portée : suit le segment et est vérifiée avec lui</translation>
     </message>
     <message>
         <source>Cartesian</source>
@@ -1673,6 +1633,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Casts rays from its eyes to the part that was chosen last</source>
         <translation>Lance des rayons de ses yeux vers la pièce choisie en dernier</translation>
+    </message>
+    <message>
+        <source>Cause: %1</source>
+        <translation>Cause : %1</translation>
     </message>
     <message>
         <source>Cell</source>
@@ -1696,7 +1660,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Change the mechanism</source>
-        <translation>Changer le mécanisme</translation>
+        <translation>Modifier le mécanisme</translation>
     </message>
     <message>
         <source>Changed</source>
@@ -1707,16 +1671,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les modifications se sentent aussitôt.</translation>
     </message>
     <message>
-        <source>Changes are not saved</source>
-        <translation>Changements non enregistrés</translation>
-    </message>
-    <message>
         <source>Changes of %1</source>
         <translation>Changements de %1</translation>
     </message>
     <message>
         <source>Changes on this page take effect at the next start.</source>
-        <translation>Les changements de cette page valent au prochain démarrage.</translation>
+        <translation>Les changements de cette page prennent effet au prochain démarrage.</translation>
     </message>
     <message>
         <source>Changes up to %1 were kept. The open cell does not include them.</source>
@@ -1731,10 +1691,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier les collisions de %1</translation>
     </message>
     <message>
-        <source>Check %1 – %2 again</source>
-        <translation>Vérifier de nouveau %1 – %2</translation>
-    </message>
-    <message>
         <source>Check device</source>
         <translation>Vérifier le périphérique</translation>
     </message>
@@ -1747,6 +1703,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le vérifier</translation>
     </message>
     <message>
+        <source>Check robots for self-collision</source>
+        <translation>Vérifier les collisions internes des robots</translation>
+    </message>
+    <message>
         <source>Check the motion</source>
         <translation>Vérifier le mouvement</translation>
     </message>
@@ -1755,16 +1715,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier tout le chemin</translation>
     </message>
     <message>
-        <source>Check this pair again</source>
-        <translation>Vérifier de nouveau cette paire</translation>
-    </message>
-    <message>
         <source>Checked for collision</source>
         <translation>Vérifié pour les collisions</translation>
     </message>
     <message>
         <source>Checking the mesh</source>
         <translation>Examen du maillage</translation>
+    </message>
+    <message>
+        <source>Checking the path…</source>
+        <translation>Vérification du chemin…</translation>
     </message>
     <message>
         <source>Chest depth</source>
@@ -1797,14 +1757,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Choose a place on a part, not on the mannequin itself.</source>
         <translation>Choisissez un endroit sur une pièce, pas sur le mannequin lui-même.</translation>
-    </message>
-    <message>
-        <source>Choose a row to see it in the scene.</source>
-        <translation>Choisissez une ligne pour la voir dans la scène.</translation>
-    </message>
-    <message>
-        <source>Choose a row, then press its new key.</source>
-        <translation>Choisissez une ligne, puis pressez sa nouvelle touche.</translation>
     </message>
     <message>
         <source>Choose a type below, then pick its geometry in the scene</source>
@@ -1855,6 +1807,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Effacer</translation>
     </message>
     <message>
+        <source>Clear the list</source>
+        <translation>Effacer la liste</translation>
+    </message>
+    <message>
         <source>Clearance, nearest pair</source>
         <translation>Distance minimale</translation>
     </message>
@@ -1879,8 +1835,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez un point de la barre de temps, ou choisissez une partie.</translation>
     </message>
     <message>
-        <source>Click a face, an edge or a corner: there the tool's point is</source>
-        <translation>Cliquez une face, une arête ou un coin : là est le point de l'outil</translation>
+        <source>Click a face, an edge or a corner for the tool centre point</source>
+        <translation>Cliquez une face, une arête ou un coin pour le centre outil</translation>
     </message>
     <message>
         <source>Click a part first, then ask.</source>
@@ -1895,12 +1851,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez un robot ou un mécanisme dans la scène ou dans l'arbre, ou ajoutez-en un par Ctrl+Maj+I.</translation>
     </message>
     <message>
-        <source>Click entities in the scene; Escape ends</source>
-        <translation>Cliquez des entités dans la scène ; Échap termine</translation>
+        <source>Click entities in the scene; Esc: end</source>
+        <translation>Cliquez des entités dans la scène ; Échap : terminer</translation>
     </message>
     <message>
         <source>Click one in the scene or in the tree.</source>
         <translation>Cliquez-en un dans la scène ou dans l'arbre.</translation>
+    </message>
+    <message>
+        <source>Click the part for the robot to carry</source>
+        <translation>Cliquez la pièce que le robot doit porter</translation>
     </message>
     <message>
         <source>Click the part in the scene</source>
@@ -1919,14 +1879,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez la pièce qui bouge</translation>
     </message>
     <message>
-        <source>Click the part that the robot shall carry</source>
-        <translation>Cliquez la pièce que le robot portera</translation>
-    </message>
-    <message>
-        <source>Click to choose for this pair</source>
-        <translation>Cliquez pour choisir pour cette paire</translation>
-    </message>
-    <message>
         <source>Click to place it; Esc: cancel</source>
         <translation>Cliquez pour le poser ; Échap : annuler</translation>
     </message>
@@ -1935,8 +1887,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez pour le jouer</translation>
     </message>
     <message>
-        <source>Click where the base shall stand</source>
-        <translation>Cliquez où la base se posera</translation>
+        <source>Click to set it for this pair</source>
+        <translation>Cliquez pour choisir pour cette paire</translation>
     </message>
     <message>
         <source>Click where the centre of its underside goes</source>
@@ -1947,16 +1899,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez là où la main doit être</translation>
     </message>
     <message>
+        <source>Click where to place the base</source>
+        <translation>Cliquez où poser la base</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
     <message>
         <source>Close the panel; the Window menu opens it again</source>
         <translation>Fermer le panneau ; le menu Fenêtre le rouvre</translation>
-    </message>
-    <message>
-        <source>Close the section</source>
-        <translation>Fermer la coupe</translation>
     </message>
     <message>
         <source>Clutch</source>
@@ -2003,6 +1955,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vient avec le premier</translation>
     </message>
     <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
         <source>Company name</source>
         <translation>Nom de l'entreprise</translation>
     </message>
@@ -2013,6 +1969,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Compared with %1</source>
         <translation>Comparé à %1</translation>
+    </message>
+    <message>
+        <source>Compared with another workcell…</source>
+        <translation>Par rapport à une autre cellule…</translation>
+    </message>
+    <message>
+        <source>Compared with the imported files…</source>
+        <translation>Par rapport aux fichiers importés…</translation>
+    </message>
+    <message>
+        <source>Compared with the saved cell…</source>
+        <translation>Par rapport à la cellule enregistrée…</translation>
     </message>
     <message>
         <source>Computer</source>
@@ -2032,7 +2000,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Configurations and jogging</source>
-        <translation>Configurations et marche manuelle</translation>
+        <translation>Configurations et déplacement manuel</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -2091,16 +2059,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérification des contacts, au plus</translation>
     </message>
     <message>
+        <source>Contact colour</source>
+        <translation>Couleur de contact</translation>
+    </message>
+    <message>
+        <source>Contact is felt at this distance</source>
+        <translation>Le contact se sent à cette distance</translation>
+    </message>
+    <message>
+        <source>Contact log</source>
+        <translation>Journal des contacts</translation>
+    </message>
+    <message>
+        <source>Contact mode of %1 – %2</source>
+        <translation>Mode de contact de %1 – %2</translation>
+    </message>
+    <message>
         <source>Contacts</source>
         <translation>Contacts</translation>
     </message>
     <message>
         <source>Contacts are only shown: it passes</source>
         <translation>Les contacts sont seulement montrés : il traverse</translation>
-    </message>
-    <message>
-        <source>Contacts are prepared within</source>
-        <translation>Contacts préparés à moins de</translation>
     </message>
     <message>
         <source>Contacts are seen as they are felt</source>
@@ -2139,6 +2119,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Copie la commande qui y remédie</translation>
     </message>
     <message>
+        <source>Copies the selected tool, or adds one at the flange</source>
+        <translation>Copie l'outil choisi, ou en ajoute un à la bride</translation>
+    </message>
+    <message>
         <source>Copy</source>
         <translation>Copier</translation>
     </message>
@@ -2153,6 +2137,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Coupling</source>
         <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Create the mechanism</source>
+        <translation>Créer le mécanisme</translation>
     </message>
     <message>
         <source>Ctrl</source>
@@ -2195,32 +2183,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>Courbes du mouvement</translation>
     </message>
     <message>
+        <source>Custom</source>
+        <translation>Personnalisé</translation>
+    </message>
+    <message>
         <source>Cylinder</source>
         <translation>Cylindre</translation>
     </message>
     <message>
-        <source>Damping (0: the stylus's own)</source>
-        <translation>Amortissement (0 : celui du stylet)</translation>
+        <source>Damping (0: as the device)</source>
+        <translation>Amortissement (0 : celui du périphérique)</translation>
     </message>
     <message>
         <source>Damping (2 is a loose grip)</source>
         <translation>Amortissement (2 : prise lâche)</translation>
     </message>
     <message>
-        <source>Damping of what is held (Dynamics)</source>
-        <translation>Amortissement de ce qui est tenu (Dynamique)</translation>
+        <source>Damping of the held part (Dynamics)</source>
+        <translation>Amortissement de la pièce tenue (Dynamique)</translation>
     </message>
     <message>
         <source>Dark</source>
         <translation>Sombre</translation>
     </message>
     <message>
-        <source>Dashed in the scene: the row chosen.</source>
-        <translation>En tirets dans la scène : la ligne choisie.</translation>
-    </message>
-    <message>
         <source>Decimals</source>
         <translation>Décimales</translation>
+    </message>
+    <message>
+        <source>Decrease %1 by one step</source>
+        <translation>Diminuer %1 d'un pas</translation>
     </message>
     <message>
         <source>Degrees</source>
@@ -2271,6 +2263,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Différence</translation>
     </message>
     <message>
+        <source>Disassemble</source>
+        <translation>Démonter</translation>
+    </message>
+    <message>
         <source>Discard</source>
         <translation>Abandonner</translation>
     </message>
@@ -2291,8 +2287,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Distance</translation>
     </message>
     <message>
-        <source>Does</source>
-        <translation>Fait</translation>
+        <source>Do not check %1 for collision</source>
+        <translation>Ne pas vérifier les collisions de %1</translation>
     </message>
     <message>
         <source>Done</source>
@@ -2363,8 +2359,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tirer %1 de %2</translation>
     </message>
     <message>
-        <source>Drift at the edge of the stylus's reach (0: none)</source>
-        <translation>Dérive au bord de la portée du stylet (0 : aucune)</translation>
+        <source>Drift at the edge of the workspace (0: none)</source>
+        <translation>Dérive au bord de l'espace de travail (0 : aucune)</translation>
     </message>
     <message>
         <source>Driven by %1. </source>
@@ -2381,6 +2377,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Duplicate %1</source>
         <translation>Dupliquer %1</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
     </message>
     <message>
         <source>Dynamics</source>
@@ -2435,12 +2435,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Modifier…</translation>
     </message>
     <message>
-        <source>Elsewhere letters and digits are text: lists and panels are searched by typing.</source>
+        <source>Elsewhere, letters and digits are text: type to search lists and panels.</source>
         <translation>Ailleurs lettres et chiffres sont du texte : taper cherche dans les listes et les panneaux.</translation>
-    </message>
-    <message>
-        <source>End stops, from where it stands now</source>
-        <translation>Butées, à partir d'où il est</translation>
     </message>
     <message>
         <source>End the recording  (R)</source>
@@ -2483,16 +2479,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Échap</translation>
     </message>
     <message>
-        <source>Esc closes it · F1 helps · ? shows the keys</source>
-        <translation>Échap la ferme · F1 aide · ? montre les touches</translation>
-    </message>
-    <message>
         <source>Esc takes the drag back</source>
         <translation>Échap annule le glissement</translation>
     </message>
     <message>
-        <source>Esc, Space and B keep their meaning: forces off, clutch, stylus button.</source>
-        <translation>Échap, Espace et B gardent leur sens : couper les efforts, débrayer, bouton du stylet.</translation>
+        <source>Esc, Space and B are reserved: forces off, clutch, stylus button.</source>
+        <translation>Échap, Espace et B sont réservées : couper les efforts, débrayer, bouton du stylet.</translation>
+    </message>
+    <message>
+        <source>Esc: close · F1: help · ?: shortcuts</source>
+        <translation>Échap : fermer · F1 : aide · ? : raccourcis</translation>
     </message>
     <message>
         <source>Event</source>
@@ -2511,12 +2507,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tout contre tout</translation>
     </message>
     <message>
-        <source>Everything on this page is kept in %1; more materials and drivers' keys can be added there.</source>
-        <translation>Tout ce qui est sur cette page est gardé dans %1 ; on peut y ajouter des matériaux et les clés des pilotes.</translation>
+        <source>Everything. To narrow it down, drag entities here from the tree.</source>
+        <translation>Tout. Pour restreindre, tirez ici des entités de l'arbre.</translation>
     </message>
     <message>
-        <source>Everything. Drag entities here from the tree to narrow it.</source>
-        <translation>Tout. Tirez ici des entités de l'arbre pour le restreindre.</translation>
+        <source>Exclude</source>
+        <translation>Exclure</translation>
+    </message>
+    <message>
+        <source>Exclude %1 pairs that touch at rest</source>
+        <translation>Exclure %1 paires qui se touchent au repos</translation>
+    </message>
+    <message>
+        <source>Exclude %1 – %2</source>
+        <translation>Exclure %1 – %2</translation>
+    </message>
+    <message>
+        <source>Exclude a pair that touches at rest</source>
+        <translation>Exclure une paire qui se touche au repos</translation>
+    </message>
+    <message>
+        <source>Exclude this pair</source>
+        <translation>Exclure cette paire</translation>
     </message>
     <message>
         <source>Exercise</source>
@@ -2572,11 +2584,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>External axes follow the tool with the robot's own joints</source>
-        <translation>Les axes externes suivent l'outil avec les articulations du robot</translation>
-    </message>
-    <message>
-        <source>External axes go along</source>
-        <translation>Les axes externes suivent</translation>
+        <translation>Les axes externes suivent l'outil avec les axes du robot</translation>
     </message>
     <message>
         <source>Eye height, sitting</source>
@@ -2627,20 +2635,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pieds libres</translation>
     </message>
     <message>
-        <source>Felt as the boundary</source>
-        <translation>Senti comme la frontière</translation>
-    </message>
-    <message>
-        <source>Felt in the class Dynamics; counts in the load of the robot that carries it</source>
-        <translation>Sentie dans la classe Dynamique ; compte dans la charge du robot qui la porte</translation>
+        <source>Felt with force class Dynamics; adds to the load of the robot that carries it</source>
+        <translation>Sentie avec le type Dynamique ; s'ajoute à la charge du robot qui la porte</translation>
     </message>
     <message>
         <source>Fence</source>
         <translation>Grillage</translation>
-    </message>
-    <message>
-        <source>Fields also take a number with its unit: 2 in, 0.5 m, 1.57 rad. Files stay as they are.</source>
-        <translation>Les champs acceptent aussi un nombre avec son unité : 2 in, 0.5 m, 1.57 rad. Les fichiers restent tels quels.</translation>
     </message>
     <message>
         <source>Figure</source>
@@ -2659,16 +2659,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fichiers</translation>
     </message>
     <message>
+        <source>Filter by command or key</source>
+        <translation>Filtrer par commande ou par touche</translation>
+    </message>
+    <message>
         <source>Filter by name</source>
         <translation>Filtrer par nom</translation>
     </message>
     <message>
         <source>Filter by name or state</source>
         <translation>Filtrer par nom ou état</translation>
-    </message>
-    <message>
-        <source>Filter by what it does or by key</source>
-        <translation>Filtrer par action ou par touche</translation>
     </message>
     <message>
         <source>Find a command</source>
@@ -2689,10 +2689,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>First column</source>
         <translation>Première colonne</translation>
-    </message>
-    <message>
-        <source>First page</source>
-        <translation>Première page</translation>
     </message>
     <message>
         <source>First pick a face, edge or corner of the moving part, then the target</source>
@@ -2733,6 +2729,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Flip</source>
         <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Flip side</source>
+        <translation>Autre côté</translation>
     </message>
     <message>
         <source>Flip the axis or normal</source>
@@ -2807,12 +2807,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Effort sur la main</translation>
     </message>
     <message>
+        <source>Force ramp-up time</source>
+        <translation>Durée de montée d'effort</translation>
+    </message>
+    <message>
         <source>Force test</source>
         <translation>Essai d'effort</translation>
     </message>
     <message>
-        <source>Force, unless the part says otherwise</source>
-        <translation>Effort, sauf avis contraire de la pièce</translation>
+        <source>Force, unless set for the part</source>
+        <translation>Effort, sauf réglage de la pièce</translation>
     </message>
     <message>
         <source>Forces</source>
@@ -2895,14 +2899,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Avant-bras</translation>
     </message>
     <message>
-        <source>Forget</source>
-        <translation>Oublier</translation>
-    </message>
-    <message>
-        <source>Forget these</source>
-        <translation>Les oublier</translation>
-    </message>
-    <message>
         <source>Four bodies at the same task</source>
         <translation>Quatre corps à la même tâche</translation>
     </message>
@@ -2983,10 +2979,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Face</translation>
     </message>
     <message>
-        <source>Full force after</source>
-        <translation>Effort entier après</translation>
-    </message>
-    <message>
         <source>Full screen</source>
         <translation>Plein écran</translation>
     </message>
@@ -3027,12 +3019,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Revenir de %1 s</translation>
     </message>
     <message>
-        <source>Go back ten seconds of motion</source>
-        <translation>Revenir de dix secondes de mouvement</translation>
+        <source>Go back 10 seconds of motion</source>
+        <translation>Revenir de 10 secondes de mouvement</translation>
     </message>
     <message>
         <source>Go home</source>
-        <translation>Aller à l'origine</translation>
+        <translation>Aller en position de repos</translation>
     </message>
     <message>
         <source>Good</source>
@@ -3045,6 +3037,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Grasp of %1</source>
         <translation>Prise de %1</translation>
+    </message>
+    <message>
+        <source>Gravity compensation of the held part</source>
+        <translation>Compensation du poids de la pièce tenue</translation>
     </message>
     <message>
         <source>Grid %1</source>
@@ -3091,8 +3087,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Main de %1 à %2</translation>
     </message>
     <message>
-        <source>Hand that holds a simulated stylus</source>
-        <translation>Main qui tient un stylet simulé</translation>
+        <source>Hand on the simulated stylus</source>
+        <translation>Main sur le stylet simulé</translation>
     </message>
     <message>
         <source>Handle at</source>
@@ -3115,8 +3111,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>HaptiCell %1, interface de pilotes %2, protocole %3, noyau %4</translation>
     </message>
     <message>
-        <source>HaptiCell crashed; nothing was unsaved</source>
-        <translation>HaptiCell a planté ; rien n’était à enregistrer</translation>
+        <source>HaptiCell crashed; no changes were lost</source>
+        <translation>HaptiCell a planté ; rien n’est perdu</translation>
     </message>
     <message>
         <source>HaptiCell trajectory (.htraj)</source>
@@ -3259,10 +3255,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Historique</translation>
     </message>
     <message>
-        <source>Hit colour</source>
-        <translation>Couleur de contact</translation>
-    </message>
-    <message>
         <source>Hold an entity with the stylus, move it and feel what it touches</source>
         <translation>Tenir une entité avec le stylet, la déplacer et sentir ce qu'elle touche</translation>
     </message>
@@ -3292,7 +3284,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Home</source>
-        <translation>Origine</translation>
+        <translation>Repos</translation>
     </message>
     <message>
         <source>How %1 was read</source>
@@ -3321,6 +3313,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>I hold it: push</source>
         <translation>Je le tiens : pousser</translation>
+    </message>
+    <message>
+        <source>If you discard the copy, the unsaved changes of %1 are lost for good.</source>
+        <translation>Si vous supprimez la copie, les modifications non enregistrées de %1 sont perdues pour de bon.</translation>
+    </message>
+    <message>
+        <source>If you do not save them, they are lost.</source>
+        <translation>Si vous ne les enregistrez pas, ils sont perdus.</translation>
     </message>
     <message>
         <source>Import</source>
@@ -3387,6 +3387,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>En deux au curseur</translation>
     </message>
     <message>
+        <source>Include %1 – %2</source>
+        <translation>Inclure %1 – %2</translation>
+    </message>
+    <message>
+        <source>Include this pair</source>
+        <translation>Inclure cette paire</translation>
+    </message>
+    <message>
+        <source>Increase %1 by one step</source>
+        <translation>Augmenter %1 d'un pas</translation>
+    </message>
+    <message>
         <source>Inner radius</source>
         <translation>Rayon intérieur</translation>
     </message>
@@ -3405,6 +3417,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Insert part</source>
         <translation>Insérer une pièce</translation>
+    </message>
+    <message>
+        <source>Invert the wheel</source>
+        <translation>Inverser la molette</translation>
     </message>
     <message>
         <source>Iso</source>
@@ -3435,12 +3451,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas encore de repère. Ajoutez-en un dans le panneau Solide.</translation>
     </message>
     <message>
-        <source>It is locked in place. Unlock it in the tree first.</source>
-        <translation>Verrouillé sur place. Déverrouillez-le d'abord dans l'arbre.</translation>
+        <source>It has no parent</source>
+        <translation>Il n'a pas de parent</translation>
     </message>
     <message>
-        <source>It is out of reach</source>
-        <translation>C'est hors d'atteinte</translation>
+        <source>It is locked in place. Unlock it in the tree first.</source>
+        <translation>Verrouillé sur place. Déverrouillez-le d'abord dans l'arbre.</translation>
     </message>
     <message>
         <source>It is read-only here. Save it under another name, or close it there first.</source>
@@ -3455,10 +3471,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il n'attend rien de vous.</translation>
     </message>
     <message>
-        <source>It stands below nothing</source>
-        <translation>Il n'est sous rien</translation>
-    </message>
-    <message>
         <source>It stays in the cell until the program ends; export it to keep it.</source>
         <translation>Il reste dans la cellule jusqu'à la fin du programme ; exportez-le pour le garder.</translation>
     </message>
@@ -3467,31 +3479,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il reste où il est</translation>
     </message>
     <message>
-        <source>Its pairs and sets</source>
-        <translation>Ses paires et ensembles</translation>
-    </message>
-    <message>
-        <source>Its way is being checked.</source>
-        <translation>Sa voie est vérifiée.</translation>
-    </message>
-    <message>
-        <source>Its way is free.</source>
-        <translation>Sa voie est libre.</translation>
-    </message>
-    <message>
         <source>Jerk</source>
         <translation>À-coup</translation>
     </message>
     <message>
         <source>Jog %1 of %2</source>
-        <translation>Marche manuelle de %1 de %2</translation>
+        <translation>Déplacement manuel %1 de %2</translation>
     </message>
     <message>
         <source>Jog %1 of the TCP of %2</source>
-        <translation>Marche manuelle de %1 du TCP de %2</translation>
+        <translation>Déplacement manuel %1 du TCP de %2</translation>
     </message>
     <message>
-        <source>Join parts to a mechanism…</source>
+        <source>Join parts into a mechanism…</source>
         <translation>Relier des pièces en mécanisme…</translation>
     </message>
     <message>
@@ -3507,6 +3507,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Confort</translation>
     </message>
     <message>
+        <source>Joint limits, from the current position</source>
+        <translation>Butées, depuis la position actuelle</translation>
+    </message>
+    <message>
         <source>Joints</source>
         <translation>Articulations</translation>
     </message>
@@ -3519,8 +3523,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>KUKA KRL (.src, .dat)</translation>
     </message>
     <message>
-        <source>Keep checked</source>
-        <translation>Garder sous vérification</translation>
+        <source>Keep checking</source>
+        <translation>Garder</translation>
     </message>
     <message>
         <source>Keep it free of collisions</source>
@@ -3539,16 +3543,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Garder la position</translation>
     </message>
     <message>
+        <source>Keep position, %1 fixed</source>
+        <translation>Garder la position, %1 fixe</translation>
+    </message>
+    <message>
+        <source>Keep position, wrist joint fixed</source>
+        <translation>Garder la position, axe du poignet fixe</translation>
+    </message>
+    <message>
         <source>Keep the part between the brackets as a new motion</source>
         <translation>Garder la partie entre crochets comme nouveau mouvement</translation>
     </message>
     <message>
-        <source>Keep this pose</source>
-        <translation>Garder cette pose</translation>
-    </message>
-    <message>
-        <source>Keep this pose…</source>
-        <translation>Garder cette pose…</translation>
+        <source>Keep the stylus button pressed to move</source>
+        <translation>Garder le bouton du stylet pressé pour déplacer</translation>
     </message>
     <message>
         <source>Keep this view</source>
@@ -3595,16 +3603,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Langue du rapport</translation>
     </message>
     <message>
-        <source>Largest mass whose inertia is felt</source>
-        <translation>Plus grande masse dont l'inertie est sentie</translation>
+        <source>Largest mass with felt inertia</source>
+        <translation>Plus grande masse à inertie sentie</translation>
     </message>
     <message>
         <source>Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %8, smoothness %6 (expert %7).</source>
         <translation>Dernier essai : %1 points. %2 s (expert %3 s), %4 hors du chemin, au plus %5 N, contacts : %8, régularité %6 (expert %7).</translation>
-    </message>
-    <message>
-        <source>Lasted</source>
-        <translation>Durée</translation>
     </message>
     <message>
         <source>Later</source>
@@ -3613,34 +3617,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Layout</source>
         <translation>Disposition</translation>
-    </message>
-    <message>
-        <source>Layout as drawn</source>
-        <translation>Disposition d'origine</translation>
-    </message>
-    <message>
-        <source>Leave %1 unchecked</source>
-        <translation>Ne pas vérifier %1</translation>
-    </message>
-    <message>
-        <source>Leave out</source>
-        <translation>Écarter</translation>
-    </message>
-    <message>
-        <source>Leave out %1 pairs that touch at rest</source>
-        <translation>Écarter %1 paires qui se touchent au repos</translation>
-    </message>
-    <message>
-        <source>Leave out %1 – %2</source>
-        <translation>Écarter %1 – %2</translation>
-    </message>
-    <message>
-        <source>Leave out a pair that touches at rest</source>
-        <translation>Écarter une paire qui se touche au repos</translation>
-    </message>
-    <message>
-        <source>Leave this pair out</source>
-        <translation>Écarter cette paire</translation>
     </message>
     <message>
         <source>Left</source>
@@ -3687,8 +3663,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas de longueur</translation>
     </message>
     <message>
-        <source>Lengths in</source>
-        <translation>Longueurs en</translation>
+        <source>Length unit</source>
+        <translation>Unité de longueur</translation>
     </message>
     <message>
         <source>Let go</source>
@@ -3735,6 +3711,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Limites et collisions sur tout le mouvement</translation>
     </message>
     <message>
+        <source>Limits and feel</source>
+        <translation>Butées et toucher</translation>
+    </message>
+    <message>
         <source>Limits, singular places, configurations and collisions, between the frames too</source>
         <translation>Limites, places singulières, configurations et collisions, entre les images aussi</translation>
     </message>
@@ -3747,10 +3727,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ligne : fréquence. Barres : retard (99 %), au plus %1 ms</translation>
     </message>
     <message>
-        <source>Links of a robot are checked against each other</source>
-        <translation>Les segments d'un robot sont vérifiés entre eux</translation>
-    </message>
-    <message>
         <source>Load</source>
         <translation>Charge</translation>
     </message>
@@ -3759,8 +3735,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Charge %1 sur %2 admis</translation>
     </message>
     <message>
-        <source>Load %1; the payload is not known</source>
-        <translation>Charge %1 ; la charge admise n'est pas connue</translation>
+        <source>Load %1, payload unknown</source>
+        <translation>Charge %1, charge admissible inconnue</translation>
     </message>
     <message>
         <source>Load, left hand</source>
@@ -3772,11 +3748,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Load: none, payload %1</source>
-        <translation>Charge : aucune, charge admise %1</translation>
+        <translation>Charge : aucune, charge admissible %1</translation>
     </message>
     <message>
-        <source>Load: none, payload not known</source>
-        <translation>Charge : aucune. La charge admise n'est pas connue</translation>
+        <source>Load: none, payload unknown</source>
+        <translation>Charge : aucune, charge admissible inconnue</translation>
     </message>
     <message>
         <source>Local</source>
@@ -3801,10 +3777,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Log</source>
         <translation>Journal</translation>
-    </message>
-    <message>
-        <source>Log of contacts</source>
-        <translation>Journal des contacts</translation>
     </message>
     <message>
         <source>Logo</source>
@@ -3851,14 +3823,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fermez le poing, chaque articulation des doigts pliée à angle droit.</translation>
     </message>
     <message>
-        <source>Make the mechanism</source>
-        <translation>Faire le mécanisme</translation>
-    </message>
-    <message>
-        <source>Maker</source>
-        <translation>Constructeur</translation>
-    </message>
-    <message>
         <source>Man</source>
         <translation>Homme</translation>
     </message>
@@ -3883,6 +3847,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Manuel</translation>
     </message>
     <message>
+        <source>Manufacturer</source>
+        <translation>Constructeur</translation>
+    </message>
+    <message>
         <source>Markers (*.c3d);;All files (*)</source>
         <translation>Marqueurs (*.c3d);;Tous les fichiers (*)</translation>
     </message>
@@ -3891,15 +3859,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>Masse</translation>
     </message>
     <message>
-        <source>Mass not entered, 1 kg taken: %1</source>
-        <translation>Masse non saisie, 1 kg pris : %1</translation>
+        <source>Mass not entered, 1 kg assumed: %1</source>
+        <translation>Masse non saisie, 1 kg supposé : %1</translation>
     </message>
     <message>
         <source>Material</source>
         <translation>Matériau</translation>
     </message>
     <message>
-        <source>Materials: how a touched part feels</source>
+        <source>Materials: how a part feels in contact</source>
         <translation>Matériaux : le toucher d'une pièce</translation>
     </message>
     <message>
@@ -4014,6 +3982,18 @@ Voulez-vous le remplacer ?</translation>
         <source>Move %1</source>
         <translation>Déplacer %1</translation>
     </message>
+    <message>
+        <source>Move %1 below %2</source>
+        <translation>Mettre %1 sous %2</translation>
+    </message>
+    <message>
+        <source>Move %1 to %2</source>
+        <translation>Mener %1 à %2</translation>
+    </message>
+    <message>
+        <source>Move %1 to configuration %2</source>
+        <translation>Mener %1 à la configuration %2</translation>
+    </message>
     <message numerus="yes">
         <source>Move %n entities</source>
         <translation><numerusform>Déplacer %n entité</numerusform><numerusform>Déplacer %n entités</numerusform></translation>
@@ -4029,6 +4009,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Move down</source>
         <translation>Descendre</translation>
+    </message>
+    <message>
+        <source>Move external axes too</source>
+        <translation>Bouger aussi les axes externes</translation>
     </message>
     <message>
         <source>Move joints of %1</source>
@@ -4053,6 +4037,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Move the workplace</source>
         <translation>Déplacer le poste de travail</translation>
+    </message>
+    <message>
+        <source>Move to a new folder</source>
+        <translation>Mettre dans un nouveau dossier</translation>
     </message>
     <message>
         <source>Move to entity</source>
@@ -4081,10 +4069,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Moves the guide to the handle of the entity; its direction stays</source>
         <translation>Mène le guide à la poignée de l'entité ; sa direction reste</translation>
-    </message>
-    <message>
-        <source>Moving the view</source>
-        <translation>Bouger la vue</translation>
     </message>
     <message>
         <source>Moving the work %1 further away</source>
@@ -4147,8 +4131,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Nom de la pose (home remplace home)</translation>
     </message>
     <message>
-        <source>Name, maker, kind or payload</source>
-        <translation>Nom, constructeur, genre ou charge</translation>
+        <source>Name, manufacturer, type or payload</source>
+        <translation>Nom, constructeur, type ou charge</translation>
     </message>
     <message>
         <source>Name, or 192.168.1.20</source>
@@ -4163,8 +4147,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Poses nommées</translation>
     </message>
     <message>
-        <source>Named poses: go to one, keep this one</source>
-        <translation>Poses nommées : aller à l'une, garder celle-ci</translation>
+        <source>Named poses: go to one, or save this one</source>
+        <translation>Poses nommées : aller à l'une, ou enregistrer celle-ci</translation>
     </message>
     <message>
         <source>Names only</source>
@@ -4175,28 +4159,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Près d'une place singulière : une direction est presque perdue</translation>
     </message>
     <message>
-        <source>Near colour</source>
-        <translation>Couleur proche</translation>
-    </message>
-    <message>
         <source>Near miss</source>
-        <translation>Quasi-contact</translation>
+        <translation>Quasi-collision</translation>
     </message>
     <message>
         <source>Near miss %1</source>
-        <translation>Quasi-contact %1</translation>
+        <translation>Quasi-collision %1</translation>
     </message>
     <message>
         <source>Near miss 00</source>
-        <translation>Quasi-contact 00</translation>
+        <translation>Quasi-collision 00</translation>
     </message>
     <message>
         <source>Near miss below %1</source>
         <translation>Quasi-collision sous %1</translation>
     </message>
     <message>
-        <source>Near miss: shown and heard from</source>
-        <translation>Quasi-contact : montré et entendu dès</translation>
+        <source>Near-miss colour</source>
+        <translation>Coul. quasi-collision</translation>
+    </message>
+    <message>
+        <source>Near-miss distance: shown and heard below</source>
+        <translation>Quasi-collision : montrée et entendue sous</translation>
     </message>
     <message>
         <source>Nearest posture: %1. </source>
@@ -4207,8 +4191,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cou et tête</translation>
     </message>
     <message>
-        <source>Never in front of the scene. The newest also stands in the status bar for 8 seconds.</source>
-        <translation>Jamais devant la scène. Le plus récent reste aussi 8 secondes dans la ligne d'état.</translation>
+        <source>Needs six or more revolute joints, of which the last three form a wrist</source>
+        <translation>Il faut au moins six axes rotatifs dont les trois derniers forment un poignet</translation>
     </message>
     <message>
         <source>Never saved. Kept up to %1.</source>
@@ -4244,7 +4228,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>New pair set</source>
-        <translation>Nouvel ensemble de paires</translation>
+        <translation>Nouveau jeu de paires</translation>
     </message>
     <message>
         <source>New times along the same path</source>
@@ -4275,8 +4259,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Non</translation>
     </message>
     <message>
-        <source>No application was found beside the program</source>
-        <translation>Aucune application n'a été trouvée près du programme</translation>
+        <source>No application was found in the program folder</source>
+        <translation>Aucune application n'a été trouvée dans le dossier du programme</translation>
     </message>
     <message>
         <source>No body of that size</source>
@@ -4343,8 +4327,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun serveur haptique ne répond.</translation>
     </message>
     <message>
-        <source>No inverse model: jog the joints.</source>
-        <translation>Pas de modèle inverse : bougez les articulations.</translation>
+        <source>No inverse kinematics. Jog the joints instead.</source>
+        <translation>Pas de modèle inverse. Bougez plutôt les axes.</translation>
     </message>
     <message>
         <source>No key</source>
@@ -4369,6 +4353,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No map yet</source>
         <translation>Pas encore de carte</translation>
+    </message>
+    <message>
+        <source>No matching robot</source>
+        <translation>Aucun robot ne correspond</translation>
     </message>
     <message>
         <source>No measurements yet. Connect a stylus and hold an entity.</source>
@@ -4407,12 +4395,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun vrai périphérique n'a pu être tenu pendant l'écriture : les pilotes sont essayés sur des modèles et des formats enregistrés.</translation>
     </message>
     <message>
-        <source>No robot is chosen</source>
-        <translation>Aucun robot n'est choisi</translation>
+        <source>No recent files</source>
+        <translation>Aucun fichier récent</translation>
     </message>
     <message>
-        <source>No robot of that name</source>
-        <translation>Aucun robot de ce nom</translation>
+        <source>No recent files. You can also drop files here.</source>
+        <translation>Aucun fichier récent. On peut aussi déposer des fichiers ici.</translation>
+    </message>
+    <message>
+        <source>No robot is selected</source>
+        <translation>Aucun robot n'est choisi</translation>
     </message>
     <message>
         <source>No rotation about %1</source>
@@ -4483,6 +4475,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas connecté</translation>
     </message>
     <message>
+        <source>Not enough memory</source>
+        <translation>Mémoire insuffisante</translation>
+    </message>
+    <message>
         <source>Not entered</source>
         <translation>Non saisi</translation>
     </message>
@@ -4509,14 +4505,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Nothing but the simulated stylus, and nothing is in the way.</source>
         <translation>Rien que le stylet simulé, et rien ne gêne.</translation>
-    </message>
-    <message>
-        <source>Nothing has moved since.</source>
-        <translation>Rien n'a bougé depuis.</translation>
-    </message>
-    <message>
-        <source>Nothing is checked against this entity. Choose sets at the left.</source>
-        <translation>Rien n'est vérifié contre cette entité. Choisissez des ensembles à gauche.</translation>
     </message>
     <message>
         <source>Nothing is felt</source>
@@ -4557,14 +4545,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Nothing needs to change.</source>
         <translation>Rien n'est à changer.</translation>
-    </message>
-    <message>
-        <source>Nothing was opened yet</source>
-        <translation>Rien n'a encore été ouvert</translation>
-    </message>
-    <message>
-        <source>Nothing yet. Files can also be dropped here.</source>
-        <translation>Rien encore. On peut aussi déposer des fichiers ici.</translation>
     </message>
     <message>
         <source>OBJ (*.obj)</source>
@@ -4611,16 +4591,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Au contact</translation>
     </message>
     <message>
-        <source>On contact of %1 – %2</source>
-        <translation>Au contact de %1 – %2</translation>
-    </message>
-    <message>
-        <source>On contact, unless the part says otherwise</source>
-        <translation>Au contact, sauf avis contraire de la pièce</translation>
+        <source>On contact, unless set for the part</source>
+        <translation>Au contact, sauf réglage de la pièce</translation>
     </message>
     <message>
         <source>On link</source>
-        <translation>Sur le corps</translation>
+        <translation>Sur le segment</translation>
     </message>
     <message>
         <source>On the other station, once: hapticell-haptic-server --pair shows the code; then hapticell-haptic-server --listen and that station's address.</source>
@@ -4635,12 +4611,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une image en avant (Droite, dans la barre de temps)</translation>
     </message>
     <message>
-        <source>One is attached to the other: they cannot move against each other</source>
-        <translation>L'une est attachée à l'autre : elles ne peuvent pas bouger l'une par rapport à l'autre</translation>
-    </message>
-    <message>
-        <source>One pair touches as the cell stands: %1. Leave it out of the check?</source>
-        <translation>Une paire se touche dans la cellule au repos : %1. L'écarter de la vérification ?</translation>
+        <source>One is attached to the other, so they move together</source>
+        <translation>L'une est attachée à l'autre : elles bougent ensemble</translation>
     </message>
     <message>
         <source>One solid</source>
@@ -4653,10 +4625,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Only the frames that are needed</source>
         <translation>Seulement les images nécessaires</translation>
-    </message>
-    <message>
-        <source>Only where the arm's last three of six or more turning joints are a wrist</source>
-        <translation>Seulement où les trois dernières de six articulations tournantes ou plus forment un poignet</translation>
     </message>
     <message>
         <source>Only while the robot is held by its tool</source>
@@ -4703,8 +4671,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir un exercice</translation>
     </message>
     <message>
-        <source>Open it by the handle: a guide leads, stops and a detent are felt.</source>
-        <translation>Ouvrez-la par la poignée : un guide mène, on sent les butées et un cran.</translation>
+        <source>Open it by the handle: feel the guide, its stops and a detent.</source>
+        <translation>Ouvrez-la par la poignée : sentez le guide, ses butées et un cran.</translation>
     </message>
     <message>
         <source>Open markers…</source>
@@ -4731,10 +4699,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir — %1</translation>
     </message>
     <message>
-        <source>Opened last</source>
-        <translation>Ouverts en dernier</translation>
-    </message>
-    <message>
         <source>Opening</source>
         <translation>Ouverture</translation>
     </message>
@@ -4745,10 +4709,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Orient faces outwards</source>
         <translation>Orienter les faces vers l'extérieur</translation>
-    </message>
-    <message>
-        <source>Orientation kept</source>
-        <translation>Orientation gardée</translation>
     </message>
     <message>
         <source>Origin</source>
@@ -4769,14 +4729,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Orthographic</source>
         <translation>Orthographique</translation>
-    </message>
-    <message>
-        <source>Other side</source>
-        <translation>Autre côté</translation>
-    </message>
-    <message>
-        <source>Other way</source>
-        <translation>Autre sens</translation>
     </message>
     <message>
         <source>Out of balance by %1</source>
@@ -4831,8 +4783,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Origine propre</translation>
     </message>
     <message>
-        <source>Own origin, as the file has it</source>
-        <translation>Origine propre, comme dans le fichier</translation>
+        <source>Own origin, from the file</source>
+        <translation>Origine propre, celle du fichier</translation>
     </message>
     <message>
         <source>Own postures</source>
@@ -4908,7 +4860,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Pack with all files…</source>
-        <translation>Empaqueter avec tous les fichiers…</translation>
+        <translation>Archiver avec tous les fichiers…</translation>
     </message>
     <message>
         <source>Page %1 of %2</source>
@@ -4924,11 +4876,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Pair sets</source>
-        <translation>Ensembles de paires</translation>
+        <translation>Jeux de paires</translation>
     </message>
     <message>
         <source>Pairs</source>
         <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Pairs and sets</source>
+        <translation>Paires et jeux</translation>
     </message>
     <message>
         <source>Pairs, sets and log</source>
@@ -4943,12 +4899,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Longueur de la paume</translation>
     </message>
     <message>
-        <source>Panel</source>
-        <translation>Panneau</translation>
+        <source>Pan</source>
+        <translation>Décaler</translation>
     </message>
     <message>
-        <source>Panel before</source>
-        <translation>Panneau précédent</translation>
+        <source>Panel</source>
+        <translation>Panneau</translation>
     </message>
     <message>
         <source>Parent</source>
@@ -4973,10 +4929,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Parts</source>
         <translation>Pièces</translation>
-    </message>
-    <message>
-        <source>Parts in their full colours</source>
-        <translation>Pièces en pleines couleurs</translation>
     </message>
     <message>
         <source>Parts of a mechanism are solids of the cell.</source>
@@ -5036,7 +4988,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Payload</source>
-        <translation>Charge</translation>
+        <translation>Charge admissible</translation>
     </message>
     <message>
         <source>Pelvis</source>
@@ -5051,12 +5003,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Percentile de stature</translation>
     </message>
     <message>
+        <source>Perpendicular to %1</source>
+        <translation>Perpendiculaire à %1</translation>
+    </message>
+    <message>
         <source>Perspective</source>
         <translation>Perspective</translation>
     </message>
     <message>
         <source>Pick</source>
         <translation>Désigner</translation>
+    </message>
+    <message>
+        <source>Pick a face, an edge or a corner for the tool's origin and direction</source>
+        <translation>Désignez une face, une arête ou un coin : origine et direction de l'outil</translation>
     </message>
     <message>
         <source>Pick a face, edge or corner of the moving part · Esc: end</source>
@@ -5107,6 +5067,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Désignez le chemin : une arête</translation>
     </message>
     <message>
+        <source>Pick the place for the frame · Esc: end</source>
+        <translation>Désignez la place du repère · Échap : terminer</translation>
+    </message>
+    <message>
         <source>Pick the plane: a flat face or a round edge</source>
         <translation>Désignez le plan : une face plane ou une arête ronde</translation>
     </message>
@@ -5133,10 +5097,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Pick what to measure to</source>
         <translation>Désignez jusqu'où mesurer</translation>
-    </message>
-    <message>
-        <source>Pick where the frame shall be · Esc: end</source>
-        <translation>Désignez où sera le repère · Échap : terminer</translation>
     </message>
     <message>
         <source>Picked: %1. %2.</source>
@@ -5189,6 +5149,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Placement</source>
         <translation>Placement</translation>
+    </message>
+    <message>
+        <source>Placement in frame</source>
+        <translation>Placement dans le repère</translation>
+    </message>
+    <message>
+        <source>Placement in world</source>
+        <translation>Placement dans le monde</translation>
     </message>
     <message>
         <source>Plane</source>
@@ -5267,24 +5235,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pose %1 sur %2 : %3</translation>
     </message>
     <message>
-        <source>Pose the mannequin, look at its reach and its posture.</source>
-        <translation>Posez le mannequin, regardez son atteinte et sa posture.</translation>
+        <source>Pose the mannequin and check its reach and posture.</source>
+        <translation>Posez le mannequin, vérifiez son atteinte et sa posture.</translation>
     </message>
     <message>
         <source>Position</source>
         <translation>Position</translation>
-    </message>
-    <message>
-        <source>Position kept</source>
-        <translation>Position gardée</translation>
-    </message>
-    <message>
-        <source>Position kept, %1 at rest</source>
-        <translation>Position gardée, %1 au repos</translation>
-    </message>
-    <message>
-        <source>Position kept, wrist joint at rest</source>
-        <translation>Position gardée, articulation du poignet au repos</translation>
     </message>
     <message>
         <source>Posture</source>
@@ -5323,12 +5279,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Entraînement</translation>
     </message>
     <message>
+        <source>Prepare contacts within</source>
+        <translation>Préparer les contacts à moins de</translation>
+    </message>
+    <message>
         <source>Preparing contacts</source>
         <translation>Préparation des contacts</translation>
     </message>
     <message>
         <source>Preparing the contacts was given up: what was changed is not felt yet</source>
         <translation>La préparation des contacts a été abandonnée : ce qui a changé ne se sent pas encore</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
     </message>
     <message>
         <source>Press the buttons here, with Ctrl, Alt, Shift</source>
@@ -5341,6 +5305,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Previous page</source>
         <translation>Page précédente</translation>
+    </message>
+    <message>
+        <source>Previous panel</source>
+        <translation>Panneau précédent</translation>
     </message>
     <message>
         <source>Problem</source>
@@ -5361,14 +5329,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Pushing down, %1 %</source>
         <translation>Poussée vers le bas, %1 %</translation>
-    </message>
-    <message>
-        <source>Put %1 below %2</source>
-        <translation>Mettre %1 sous %2</translation>
-    </message>
-    <message>
-        <source>Put into a new folder</source>
-        <translation>Mettre dans un nouveau dossier</translation>
     </message>
     <message>
         <source>Put it there</source>
@@ -5515,12 +5475,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prêt</translation>
     </message>
     <message>
-        <source>Ready. One step of undo.</source>
+        <source>Ready. One undo step.</source>
         <translation>Prêt. Une étape d'annulation.</translation>
     </message>
     <message>
         <source>Rec %1:%2</source>
         <translation>Enr. %1:%2</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Fichiers récents</translation>
     </message>
     <message>
         <source>Record</source>
@@ -5559,8 +5523,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rétablir</translation>
     </message>
     <message>
+        <source>Relative to</source>
+        <translation>Par rapport à</translation>
+    </message>
+    <message>
         <source>Release</source>
-        <translation>Lâcher</translation>
+        <translation>Relâcher</translation>
     </message>
     <message>
         <source>Reload</source>
@@ -5592,7 +5560,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Remove the pair set</source>
-        <translation>Retirer l'ensemble de paires</translation>
+        <translation>Retirer le jeu de paires</translation>
+    </message>
+    <message>
+        <source>Remove the section</source>
+        <translation>Retirer la coupe</translation>
     </message>
     <message>
         <source>Remove this frame</source>
@@ -5633,6 +5605,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Report…</source>
         <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Tout réinitialiser</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>Réinitialiser la disposition</translation>
     </message>
     <message>
         <source>Resize %1</source>
@@ -5711,6 +5695,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Robot</translation>
     </message>
     <message>
+        <source>Robot library</source>
+        <translation>Bibliothèque de robots</translation>
+    </message>
+    <message>
+        <source>Robot near a singularity</source>
+        <translation>Robot près d'une singularité</translation>
+    </message>
+    <message>
         <source>Robot over a fixture</source>
         <translation>Robot au-dessus d'un montage</translation>
     </message>
@@ -5729,6 +5721,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Rotate %1</source>
         <translation>Tourner %1</translation>
+    </message>
+    <message>
+        <source>Rotate %1 of %2</source>
+        <translation>Tourner %1 de %2</translation>
     </message>
     <message numerus="yes">
         <source>Rotate %n entities</source>
@@ -5775,12 +5771,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>STL (*.stl)</translation>
     </message>
     <message>
-        <source>Safety</source>
-        <translation>Sécurité</translation>
+        <source>Safety distance</source>
+        <translation>Dist. de sécurité</translation>
     </message>
     <message>
-        <source>Safety distance: felt from</source>
-        <translation>Distance de sécurité : sentie dès</translation>
+        <source>Safety distance: contact felt at</source>
+        <translation>Distance de sécurité : contact senti à</translation>
     </message>
     <message>
         <source>Same task, four bodies</source>
@@ -5839,6 +5835,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrez d'abord cette cellule ; puis choisissez de nouveau l'exercice.</translation>
     </message>
     <message>
+        <source>Save this pose</source>
+        <translation>Enregistrer cette pose</translation>
+    </message>
+    <message>
+        <source>Save this pose…</source>
+        <translation>Enregistrer cette pose…</translation>
+    </message>
+    <message>
         <source>Save this posture</source>
         <translation>Enregistrer cette posture</translation>
     </message>
@@ -5867,12 +5871,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Échelle %1</translation>
     </message>
     <message>
-        <source>Scale: way of the part for the same way of the hand</source>
-        <translation>Échelle : chemin de la pièce pour le même chemin de la main</translation>
+        <source>Scale: part motion for the same hand motion</source>
+        <translation>Échelle : mouvement de la pièce pour celui de la main</translation>
     </message>
     <message>
         <source>Scene</source>
         <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Scene description</source>
+        <translation>Description de la scène</translation>
     </message>
     <message>
         <source>Scoring the motion…</source>
@@ -5947,20 +5955,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Plan de coupe</translation>
     </message>
     <message>
-        <source>Seen from</source>
-        <translation>Vu depuis</translation>
-    </message>
-    <message>
         <source>Select</source>
         <translation>Choisir</translation>
+    </message>
+    <message>
+        <source>Select a row to see it in the scene.</source>
+        <translation>Choisissez une ligne pour la voir dans la scène.</translation>
+    </message>
+    <message>
+        <source>Select a row, then press its new key.</source>
+        <translation>Choisissez une ligne, puis pressez sa nouvelle touche.</translation>
     </message>
     <message>
         <source>Select all</source>
         <translation>Tout choisir</translation>
     </message>
     <message>
-        <source>Select or hold an entity: what it is checked against stands here.</source>
-        <translation>Choisissez ou tenez une entité : ce contre quoi elle est vérifiée se trouve ici.</translation>
+        <source>Select or hold an entity to see what it is checked against.</source>
+        <translation>Choisissez ou tenez une entité pour voir contre quoi elle est vérifiée.</translation>
     </message>
     <message>
         <source>Selected: %1, at X %2, Y %3, Z %4.</source>
@@ -5971,20 +5983,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le capteur %1 a à peine bougé entre les poses. L'étalonnage est comme avant.</translation>
     </message>
     <message>
-        <source>Set</source>
-        <translation>Fixer</translation>
+        <source>Set %1</source>
+        <translation>Jeu %1</translation>
     </message>
     <message>
-        <source>Set %1</source>
-        <translation>Ensemble %1</translation>
+        <source>Set for this pair; click to change it</source>
+        <translation>Choisi pour cette paire ; cliquez pour changer</translation>
     </message>
     <message>
         <source>Set: %1</source>
-        <translation>Ensemble : %1</translation>
+        <translation>Jeu : %1</translation>
     </message>
     <message>
         <source>Sets</source>
-        <translation>Ensembles</translation>
+        <translation>Jeux</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -6047,16 +6059,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Montrer le dossier</translation>
     </message>
     <message>
+        <source>Show keyboard shortcuts</source>
+        <translation>Afficher les raccourcis clavier</translation>
+    </message>
+    <message>
         <source>Show me</source>
         <translation>Montrer</translation>
     </message>
     <message>
-        <source>Show the first page at start</source>
-        <translation>Montrer la première page au démarrage</translation>
-    </message>
-    <message>
-        <source>Show the keys</source>
-        <translation>Montrer les touches</translation>
+        <source>Show parts in full colour</source>
+        <translation>Pièces en pleines couleurs</translation>
     </message>
     <message>
         <source>Show the motion in the scene; off: the cell as it stands</source>
@@ -6067,20 +6079,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Montrer la place que demande le mouvement : toutes ses positions à la fois</translation>
     </message>
     <message>
-        <source>Show this page at start</source>
+        <source>Show the start page at start-up</source>
+        <translation>Montrer la page d'accueil au démarrage</translation>
+    </message>
+    <message>
+        <source>Show this page at start-up</source>
         <translation>Montrer cette page au démarrage</translation>
     </message>
     <message>
         <source>Show this posture</source>
         <translation>Montrer cette posture</translation>
-    </message>
-    <message>
-        <source>Shown</source>
-        <translation>Montré</translation>
-    </message>
-    <message>
-        <source>Shown and heard from here on, not felt</source>
-        <translation>Montré et entendu à partir d'ici, pas senti</translation>
     </message>
     <message>
         <source>Shown in the scene</source>
@@ -6097,10 +6105,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Simplify first</source>
         <translation>Simplifier d'abord</translation>
-    </message>
-    <message>
-        <source>Single keys without Ctrl are on</source>
-        <translation>Les touches seules, sans Ctrl, sont en service</translation>
     </message>
     <message>
         <source>Single keys work while the pointer is over the scene; elsewhere they type text.</source>
@@ -6211,8 +6215,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vitesse de lecture</translation>
     </message>
     <message>
-        <source>Speed, drag</source>
-        <translation>Vitesse, frein</translation>
+        <source>Speed, friction</source>
+        <translation>Vitesse, frott.</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -6231,16 +6235,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Debout</translation>
     </message>
     <message>
-        <source>Stands in frame</source>
-        <translation>Place dans le repère</translation>
-    </message>
-    <message>
-        <source>Stands in world</source>
-        <translation>Place dans le monde</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Début</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>Page d'accueil</translation>
     </message>
     <message>
         <source>Start the run</source>
@@ -6249,6 +6249,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Start the server</source>
         <translation>Lancer le serveur</translation>
+    </message>
+    <message>
+        <source>Start with a sample or your own cell</source>
+        <translation>Commencez par un exemple ou par votre propre cellule</translation>
+    </message>
+    <message>
+        <source>Start with an empty cell</source>
+        <translation>Commencer par une cellule vide</translation>
     </message>
     <message>
         <source>Start without forces</source>
@@ -6283,8 +6291,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Raideur</translation>
     </message>
     <message>
-        <source>Stiffness (0: the stylus's own)</source>
-        <translation>Raideur (0 : celle du stylet)</translation>
+        <source>Stiffness (0: as the device)</source>
+        <translation>Raideur (0 : celle du périphérique)</translation>
     </message>
     <message>
         <source>Stool</source>
@@ -6296,7 +6304,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation>Arrêter</translation>
+        <translation>Bloquer</translation>
     </message>
     <message>
         <source>Stop before it</source>
@@ -6321,10 +6329,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Stops</source>
         <translation>Butées</translation>
-    </message>
-    <message>
-        <source>Stops and feel</source>
-        <translation>Butées et toucher</translation>
     </message>
     <message>
         <source>Stylus</source>
@@ -6415,14 +6419,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prise %1</translation>
     </message>
     <message>
-        <source>Take apart</source>
-        <translation>Démonter</translation>
-    </message>
-    <message>
-        <source>Take out</source>
-        <translation>Sortir</translation>
-    </message>
-    <message>
         <source>Take the hand's tremor, keep the path</source>
         <translation>Ôter le tremblement de la main, garder le chemin</translation>
     </message>
@@ -6437,10 +6433,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Take the stylus in the panel Virtual Desktop takes it back.</source>
         <translation>« Prendre le stylet » dans le panneau Virtual Desktop le reprend.</translation>
-    </message>
-    <message>
-        <source>Take this one</source>
-        <translation>Prendre celle-ci</translation>
     </message>
     <message>
         <source>Take this posture</source>
@@ -6491,10 +6483,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>C'est la même pièce. Désignez-en une autre jusqu'où mesurer.</translation>
     </message>
     <message>
-        <source>That key does &quot;%1&quot; now; it would lose it.</source>
-        <translation>Cette touche fait « %1 » ; elle le perdrait.</translation>
-    </message>
-    <message>
         <source>The 3-D mouse moves the view</source>
         <translation>La souris 3D déplace la vue</translation>
     </message>
@@ -6519,8 +6507,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le bras est près d'une singularité</translation>
     </message>
     <message>
-        <source>The base follows the hand; the joints keep the tool where it is in the cell</source>
-        <translation>La base suit la main ; les articulations gardent l'outil où il est dans la cellule</translation>
+        <source>The base follows the hand; the joints keep the tool in place</source>
+        <translation>La base suit la main ; les axes gardent l'outil en place</translation>
     </message>
     <message>
         <source>The bodies that bound most users: P5 and P50 woman, P50 and P95 man</source>
@@ -6619,10 +6607,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le fichier n'indique pas d'unité. Quelle taille est la bonne ?</translation>
     </message>
     <message>
-        <source>The file was written since by another program; the copy does not have that.</source>
-        <translation>Le fichier a été écrit depuis par un autre programme ; la copie n’a pas ces changements.</translation>
-    </message>
-    <message>
         <source>The force loop is late at times</source>
         <translation>La boucle d'effort est parfois en retard</translation>
     </message>
@@ -6703,7 +6687,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le bras gauche est appuyé</translation>
     </message>
     <message>
-        <source>The left button is free: a click chooses, a drag draws a box.</source>
+        <source>The left button is free: click to select, drag to draw a selection box.</source>
         <translation>Le bouton gauche est libre : un clic choisit, un glissement trace un cadre.</translation>
     </message>
     <message>
@@ -6759,8 +6743,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Celle du matériau, de hapticell.toml ; le serveur l'abaisse à ce que le périphérique supporte</translation>
     </message>
     <message>
-        <source>The module %1 was left out. %2</source>
-        <translation>Le module %1 a été laissé de côté. %2</translation>
+        <source>The module %1 was not loaded. %2</source>
+        <translation>Le module %1 n'a pas été chargé. %2</translation>
     </message>
     <message>
         <source>The motion as it is on this mannequin</source>
@@ -6787,6 +6771,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le mouvement n'a pas été enregistré</translation>
     </message>
     <message>
+        <source>The newest message also appears in the status bar for 8 seconds.</source>
+        <translation>Le plus récent apparaît aussi 8 secondes dans la ligne d'état.</translation>
+    </message>
+    <message>
         <source>The one it has</source>
         <translation>Celui qu'il a</translation>
     </message>
@@ -6807,8 +6795,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les pièces sont déplacées : annulez, ou relancez la recherche dans la cellule telle qu’elle est.</translation>
     </message>
     <message>
-        <source>The parts become solids again, where they stand now</source>
-        <translation>Les pièces redeviennent des solides, où elles sont maintenant</translation>
+        <source>The parts become solids again, at their current placement</source>
+        <translation>Les pièces redeviennent des solides, à leur place actuelle</translation>
+    </message>
+    <message>
+        <source>The path is free.</source>
+        <translation>Le chemin est libre.</translation>
     </message>
     <message>
         <source>The path of a recorded motion, simplified</source>
@@ -6835,7 +6827,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'aperçu est créé quand le fichier est enregistré ou fermé ici.</translation>
     </message>
     <message>
-        <source>The program was ended from outside, or the power failed.</source>
+        <source>The program was terminated, or the power failed.</source>
         <translation>Le programme a été arrêté de l’extérieur, ou le courant a manqué.</translation>
     </message>
     <message>
@@ -6879,10 +6871,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le robot n’atteint pas l’image : il reste jusqu’à %1 ou %2 à côté</translation>
     </message>
     <message>
-        <source>The robot stands so now.</source>
-        <translation>Le robot se tient ainsi maintenant.</translation>
-    </message>
-    <message>
         <source>The robot was not added</source>
         <translation>Le robot n'a pas été ajouté</translation>
     </message>
@@ -6907,10 +6895,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>La scène</translation>
     </message>
     <message>
-        <source>The scene in words</source>
-        <translation>La scène en mots</translation>
-    </message>
-    <message>
         <source>The scene's loop stands still: forces return once it answers</source>
         <translation>La boucle de la scène est arrêtée : les forces reviennent dès qu'elle répond</translation>
     </message>
@@ -6923,6 +6907,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le second stylet n'est plus là. Choisissez-le de nouveau pour le démarrer.</translation>
     </message>
     <message>
+        <source>The selected row is dashed in the scene.</source>
+        <translation>La ligne choisie est en tirets dans la scène.</translation>
+    </message>
+    <message>
         <source>The server took them away: let the stylus go free, or turn them off (Esc) and on again (Ctrl+Space)</source>
         <translation>Le serveur les a coupés : libérez le stylet, ou désactivez-les (Échap) puis réactivez-les (Ctrl+Espace)</translation>
     </message>
@@ -6933,10 +6921,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The size was not changed</source>
         <translation>La taille n'a pas été changée</translation>
-    </message>
-    <message>
-        <source>The stylus button must stay pressed to move</source>
-        <translation>Le bouton du stylet doit rester appuyé pour déplacer</translation>
     </message>
     <message>
         <source>The stylus follows the mouse · wheel: depth · Ctrl: turn · left button %1 · H: end</source>
@@ -6975,10 +6959,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le tronc est appuyé (dossier)</translation>
     </message>
     <message>
-        <source>The unsaved changes of %1 are lost for good if its copy is discarded.</source>
-        <translation>Les modifications non enregistrées de %1 sont perdues pour de bon si sa copie est supprimée.</translation>
-    </message>
-    <message>
         <source>The workcell was not saved</source>
         <translation>La cellule n'a pas été enregistrée</translation>
     </message>
@@ -7003,12 +6983,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il n'y a pas de mouvement sous celui-ci.</translation>
     </message>
     <message>
-        <source>There is no practice yet that could be retained: practise first.</source>
-        <translation>Il n'y a pas encore d'entraînement à retenir : entraînez-vous d'abord.</translation>
+        <source>There is no motion to go back over.</source>
+        <translation>Il n'y a pas de mouvement à remonter.</translation>
     </message>
     <message>
-        <source>There was not enough memory</source>
-        <translation>La mémoire n'a pas suffi</translation>
+        <source>There is no practice yet that could be retained: practise first.</source>
+        <translation>Il n'y a pas encore d'entraînement à retenir : entraînez-vous d'abord.</translation>
     </message>
     <message>
         <source>These are the markers of %1. Mannequin, Open a recorded motion, puts the recording on the figure.</source>
@@ -7019,8 +6999,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ces pièces peuvent bouger, avec les cibles des mains</translation>
     </message>
     <message>
-        <source>They are lost if they are not saved.</source>
-        <translation>Ils sont perdus s'ils ne sont pas enregistrés.</translation>
+        <source>These settings are stored in %1. You can add materials and driver keys there.</source>
+        <translation>Ces réglages sont dans %1. Vous pouvez y ajouter des matériaux et des clés de pilotes.</translation>
     </message>
     <message>
         <source>They hang %1 above it: lower the seat or put a rest under them.</source>
@@ -7051,8 +7031,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cette entité n'a pas de repère</translation>
     </message>
     <message>
+        <source>This entity is not checked against anything. Choose pair sets on the left.</source>
+        <translation>Cette entité n'est vérifiée contre rien. Choisissez des jeux de paires à gauche.</translation>
+    </message>
+    <message>
         <source>This exercise was practised: transfer is shown at another one, here choose Retention.</source>
         <translation>Cet exercice a été pratiqué : le transfert se montre sur un autre ; ici, choisissez Rétention.</translation>
+    </message>
+    <message>
+        <source>This is the current configuration.</source>
+        <translation>C'est la configuration actuelle.</translation>
     </message>
     <message>
         <source>This keeps contacts easy to see. To change it: Settings &gt; Appearance &gt; Show parts in full colour.</source>
@@ -7071,10 +7059,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce mouvement n'a pas de chemin : choisissez-en un autre.</translation>
     </message>
     <message>
-        <source>This pair's own choice; click to change it</source>
-        <translation>Le choix propre à cette paire ; un clic le change</translation>
-    </message>
-    <message>
         <source>This picture stands at the head of every report</source>
         <translation>Cette image figure en tête de chaque rapport</translation>
     </message>
@@ -7087,8 +7071,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cette pose est hors d'atteinte</translation>
     </message>
     <message>
-        <source>This solid has no frame yet: make one below</source>
-        <translation>Ce solide n'a pas encore de repère : créez-en un ci-dessous</translation>
+        <source>This solid has no frame yet. Add one below.</source>
+        <translation>Ce solide n'a pas encore de repère. Ajoutez-en un ci-dessous.</translation>
     </message>
     <message>
         <source>This station</source>
@@ -7267,10 +7251,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tourner</translation>
     </message>
     <message>
-        <source>Turn %1 of %2</source>
-        <translation>Tourner %1 de %2</translation>
-    </message>
-    <message>
         <source>Turned</source>
         <translation>Rotation</translation>
     </message>
@@ -7279,7 +7259,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tourne ses yeux, autant qu'ils le peuvent, vers la dernière pièce choisie</translation>
     </message>
     <message>
-        <source>Two fingers turn; with Shift they shift, with Ctrl they zoom</source>
+        <source>Two fingers rotate; with Shift they pan, with Ctrl they zoom</source>
         <translation>Deux doigts tournent ; avec Maj ils décalent, avec Ctrl ils zooment</translation>
     </message>
     <message>
@@ -7347,6 +7327,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déverrouiller %1</translation>
     </message>
     <message>
+        <source>Unsaved changes</source>
+        <translation>Changements non enregistrés</translation>
+    </message>
+    <message>
         <source>Unsaved changes, kept up to %1.</source>
         <translation>Modifications non enregistrées, gardées jusqu’au %1.</translation>
     </message>
@@ -7365,6 +7349,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Upper stop</source>
         <translation>Butée haute</translation>
+    </message>
+    <message>
+        <source>Use single keys without Ctrl</source>
+        <translation>Utiliser les touches seules, sans Ctrl</translation>
     </message>
     <message>
         <source>Use this one</source>
@@ -7403,12 +7391,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vue, Vues gardées y revient.</translation>
     </message>
     <message>
-        <source>Views turn smoothly</source>
-        <translation>Les vues tournent en douceur</translation>
-    </message>
-    <message>
         <source>Virtual Desktop</source>
         <translation>Virtual Desktop</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Visible</translation>
     </message>
     <message>
         <source>Wait here</source>
@@ -7443,14 +7431,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Course du levage</translation>
     </message>
     <message>
-        <source>Way there</source>
-        <translation>Chemin</translation>
-    </message>
-    <message>
-        <source>Weight of a held part that is not felt</source>
-        <translation>Poids d'une pièce tenue qui n'est pas senti</translation>
-    </message>
-    <message>
         <source>Weight, or a force divided by 9.81</source>
         <translation>Poids, ou une force divisée par 9,81</translation>
     </message>
@@ -7461,10 +7441,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>What brings it down: %1.</source>
         <translation>Ce qui l'abaisse : %1.</translation>
-    </message>
-    <message>
-        <source>What broke: %1</source>
-        <translation>Ce qui a cassé : %1</translation>
     </message>
     <message>
         <source>What costs most first: %1.</source>
@@ -7481,10 +7457,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>What is held stays where it is. Once a server answers again, Ctrl+Space turns the forces on.</source>
         <translation>Ce qui est tenu reste où il est. Dès qu’un serveur répond, Ctrl+Espace remet les forces.</translation>
-    </message>
-    <message>
-        <source>What is kept where a wrist would have to swing round faster than it can</source>
-        <translation>Ce qui est gardé où un poignet devrait tourner plus vite qu'il ne peut</translation>
     </message>
     <message>
         <source>What it sees</source>
@@ -7511,12 +7483,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce que l'élève doit faire</translation>
     </message>
     <message>
-        <source>What to pick</source>
-        <translation>Quoi désigner</translation>
+        <source>What to keep where the wrist would have to turn faster than it can</source>
+        <translation>Que garder là où le poignet devrait tourner plus vite qu'il ne peut</translation>
     </message>
     <message>
-        <source>What you asked for last was not done, and the workcell is as it was before. Save it, then close other programs, or remove parts that are not needed.</source>
-        <translation>Ce que vous avez demandé en dernier n'a pas été fait, et la cellule est comme avant. Enregistrez-la, puis fermez d'autres programmes ou retirez les pièces inutiles.</translation>
+        <source>What to pick</source>
+        <translation>Quoi désigner</translation>
     </message>
     <message>
         <source>Wheel</source>
@@ -7527,20 +7499,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Molette et pavé tactile</translation>
     </message>
     <message>
-        <source>Wheel the other way round</source>
-        <translation>Molette dans l'autre sens</translation>
-    </message>
-    <message>
         <source>When</source>
         <translation>Quand</translation>
-    </message>
-    <message>
-        <source>Where it stands now</source>
-        <translation>Où il est maintenant</translation>
-    </message>
-    <message>
-        <source>Where its base stands</source>
-        <translation>Où se tient sa base</translation>
     </message>
     <message>
         <source>Where the stylus is plugged in and its haptic server runs</source>
@@ -7687,12 +7647,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Oui</translation>
     </message>
     <message>
+        <source>You can also type a number with its unit: 2 in, 0.5 m, 1.57 rad. Files are not affected.</source>
+        <translation>Vous pouvez aussi saisir un nombre avec son unité : 2 in, 0.5 m, 1.57 rad. Les fichiers ne changent pas.</translation>
+    </message>
+    <message>
         <source>You can keep working in the cell.</source>
         <translation>Vous pouvez continuer à travailler.</translation>
     </message>
     <message>
-        <source>Your own</source>
-        <translation>À vous</translation>
+        <source>Your last action was not carried out, and the workcell is unchanged. Save it, then close other programs or remove parts you do not need.</source>
+        <translation>Votre dernière action n'a pas été exécutée, et la cellule est inchangée. Enregistrez-la, puis fermez d'autres programmes ou retirez les pièces inutiles.</translation>
     </message>
     <message>
         <source>Z</source>
@@ -7725,6 +7689,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>about </source>
         <translation>environ </translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>autour de %1</translation>
     </message>
     <message>
         <source>acceptable for nearly all</source>
@@ -7811,6 +7779,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>contacts : %1</translation>
     </message>
     <message>
+        <source>current</source>
+        <translation>actuelle</translation>
+    </message>
+    <message>
         <source>d MMM yyyy, HH:mm</source>
         <translation>d MMM yyyy, HH:mm</translation>
     </message>
@@ -7841,6 +7813,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>enter the repetition in Task data.</source>
         <translation>saisissez la répétition dans Données de la tâche.</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>exclu</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>loin</translation>
     </message>
     <message>
         <source>file missing</source>
@@ -7923,10 +7903,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>tenu</translation>
     </message>
     <message>
-        <source>held now</source>
-        <translation>tenu maintenant</translation>
-    </message>
-    <message>
         <source>hidden</source>
         <translation>caché</translation>
     </message>
@@ -7977,10 +7953,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>least gap %1 at %2 s</source>
         <translation>distance minimale %1 à %2 s</translation>
-    </message>
-    <message>
-        <source>left out</source>
-        <translation>écarté</translation>
     </message>
     <message>
         <source>lets go</source>
@@ -8044,11 +8016,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>near miss</source>
-        <translation>quasi-contact</translation>
-    </message>
-    <message>
-        <source>needs none</source>
-        <translation>n'en demande pas</translation>
+        <translation>quasi-collision</translation>
     </message>
     <message>
         <source>no</source>
@@ -8095,8 +8063,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>non vérifié</translation>
     </message>
     <message>
-        <source>not near</source>
-        <translation>pas proche</translation>
+        <source>not needed</source>
+        <translation>inutile</translation>
     </message>
     <message>
         <source>not picked</source>
@@ -8267,8 +8235,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>les places des fichiers importés</translation>
     </message>
     <message>
-        <source>the top</source>
-        <translation>le haut</translation>
+        <source>the top level</source>
+        <translation>le premier niveau</translation>
     </message>
     <message>
         <source>times</source>
@@ -8301,10 +8269,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>turn on</source>
         <translation>mettre en marche</translation>
-    </message>
-    <message>
-        <source>turns about %1</source>
-        <translation>tourne autour de %1</translation>
     </message>
     <message>
         <source>under 1 s</source>

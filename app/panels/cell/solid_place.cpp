@@ -60,8 +60,7 @@ void SolidPlace::showAgain() {
 }
 
 void SolidPlace::showChoices(const workcell::Entity& solid) {
-  in_->setChoiceEnabled(kInParent, !solid.attachment.to.empty() || !solid.parent.empty(),
-                        tr("It stands below nothing"));
+  in_->setChoiceEnabled(kInParent, !solid.attachment.to.empty() || !solid.parent.empty(), tr("It has no parent"));
   for (ValueField* field : fields_) field->setEnabled(!solid.locked);
   frame_->leaveOut(solid.id);
   const bool frames = frame_->hasFrames();
