@@ -199,6 +199,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 faces ont été retournées vers l'extérieur.</translation>
     </message>
     <message>
+        <source>%1 farther</source>
+        <translation>%1 plus loin</translation>
+    </message>
+    <message>
         <source>%1 files are outside the workcell's folder. Pack them too?</source>
         <translation>%1 fichiers sont hors du dossier de la cellule. Les archiver aussi ?</translation>
     </message>
@@ -229,6 +233,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 has unsaved work from before a crash</source>
         <translation>%1 a du travail non enregistré d’avant un plantage</translation>
+    </message>
+    <message>
+        <source>%1 higher</source>
+        <translation>%1 plus haut</translation>
     </message>
     <message numerus="yes">
         <source>%1 in %n frames</source>
@@ -295,8 +303,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est près d'une position où rien ne le retient</translation>
     </message>
     <message>
-        <source>%1 is no picture that can be read. Choose a PNG, JPEG or SVG file; the report stays as it was.</source>
-        <translation>%1 n'est pas une image lisible. Choisissez un fichier PNG, JPEG ou SVG ; le rapport reste comme il était.</translation>
+        <source>%1 is not a readable picture. Choose a PNG, JPEG or SVG file. The report is unchanged.</source>
+        <translation>%1 n'est pas une image lisible. Choisissez un fichier PNG, JPEG ou SVG. Le rapport est inchangé.</translation>
     </message>
     <message>
         <source>%1 is not there or may not be run.</source>
@@ -337,6 +345,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 long</source>
         <translation>Longueur %1</translation>
+    </message>
+    <message>
+        <source>%1 lower</source>
+        <translation>%1 plus bas</translation>
     </message>
     <message>
         <source>%1 m</source>
@@ -385,6 +397,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 ms old in the middle, %2 ms in 99 of 100; %3</source>
         <translation>%1 ms d'âge médian, %2 ms pour 99 sur 100 ; %3</translation>
+    </message>
+    <message>
+        <source>%1 nearer</source>
+        <translation>%1 plus près</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -464,7 +480,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 s, RULA %2 · worst phase %3 s to %4 s, RULA %5</source>
-        <translation>%1 s, RULA %2 · pire phase de %3 s à %4 s, RULA %5</translation>
+        <translation>%1 s, RULA %2 · phase critique de %3 s à %4 s, RULA %5</translation>
     </message>
     <message>
         <source>%1 short</source>
@@ -517,10 +533,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 triangles, at most %2 from the mesh</source>
         <translation>%1 triangles, à %2 au plus du maillage</translation>
-    </message>
-    <message>
-        <source>%1 up, %2 away, %3: </source>
-        <translation>%1 plus haut, %2 plus loin, %3 : </translation>
     </message>
     <message>
         <source>%1 was changed meanwhile: nothing was done</source>
@@ -625,6 +637,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1, %2, %3 through %4, %5, %6</source>
         <translation>%1, %2, %3 par %4, %5, %6</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3: </source>
+        <translation>%1, %2, %3 : </translation>
     </message>
     <message>
         <source>%1, from the file</source>
@@ -735,8 +751,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : elles se touchent ou se chevauchent</translation>
     </message>
     <message>
-        <source>%1: why %2, and what brings it down</source>
-        <translation>%1 : pourquoi %2, et ce qui l'abaisse</translation>
+        <source>%1: why %2, and how to lower it</source>
+        <translation>%1 : pourquoi %2, et comment l'abaisser</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -1027,8 +1043,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un robot de la bibliothèque n'a pas été chargé</translation>
     </message>
     <message>
-        <source>A method's limit is where its next class begins; moments hold the arms' own weight.</source>
-        <translation>La limite d'une méthode est là où commence sa classe suivante ; les moments comprennent le poids des bras.</translation>
+        <source>A measure of the person replaces the most likely value of the survey (ANSUR II)</source>
+        <translation>Une mesure de la personne remplace la valeur la plus probable de l'enquête (ANSUR II)</translation>
     </message>
     <message>
         <source>A new workcell</source>
@@ -1039,11 +1055,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une personne à un établi</translation>
     </message>
     <message>
-        <source>A person's own measure goes before the most likely one of the survey (ANSUR II)</source>
-        <translation>Une mesure propre passe avant la plus probable de l'enquête (ANSUR II)</translation>
-    </message>
-    <message>
-        <source>A picture at the head of every report; none is chosen</source>
+        <source>A picture at the top of every report; none is chosen</source>
         <translation>Une image en tête de chaque rapport ; aucune n'est choisie</translation>
     </message>
     <message>
@@ -1057,10 +1069,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>A straight way before it</source>
         <translation>Une voie droite avant</translation>
-    </message>
-    <message>
-        <source>A table of the forces that a hand may exert, of your own source; none are shipped</source>
-        <translation>Une table des efforts qu'une main peut exercer, de votre propre source ; aucune n'est fournie</translation>
     </message>
     <message>
         <source>A trajectory is not on disk</source>
@@ -1111,8 +1119,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ajouter une main libre</translation>
     </message>
     <message>
-        <source>Add a person of any size with Ctrl+Shift+M: it stands on the floor, and its hands follow the stylus or the mouse.</source>
-        <translation>Ajoutez une personne de toute taille par Ctrl+Maj+M : elle se tient sur le sol, et ses mains suivent le stylet ou la souris.</translation>
+        <source>Add a mannequin of any size with Ctrl+Shift+M. It stands on the floor, and its hands follow the stylus or the mouse.</source>
+        <translation>Ajoutez un mannequin de toute taille par Ctrl+Maj+M. Il se tient sur le sol, et ses mains suivent le stylet ou la souris.</translation>
     </message>
     <message>
         <source>Add a robot</source>
@@ -1121,10 +1129,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Add mannequin</source>
         <translation>Ajouter un mannequin</translation>
-    </message>
-    <message>
-        <source>Add of a size</source>
-        <translation>Ajouter d'une taille</translation>
     </message>
     <message>
         <source>Add robot</source>
@@ -1145,6 +1149,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Add selected</source>
         <translation>Ajouter la sélection</translation>
+    </message>
+    <message>
+        <source>Add with size</source>
+        <translation>Ajouter avec taille</translation>
     </message>
     <message>
         <source>Address</source>
@@ -1287,6 +1295,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Appliquer</translation>
     </message>
     <message>
+        <source>Apply this posture</source>
+        <translation>Appliquer cette posture</translation>
+    </message>
+    <message>
         <source>Approach</source>
         <translation>Approche</translation>
     </message>
@@ -1319,8 +1331,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Comme l'entité</translation>
     </message>
     <message>
-        <source>As ghosts at the same task; a column shows its body alone</source>
-        <translation>En fantômes à la même tâche ; une colonne montre son corps seul</translation>
+        <source>As ghosts at the same task; click a column to show only that mannequin</source>
+        <translation>En fantômes à la même tâche ; cliquez une colonne pour ne montrer que ce mannequin</translation>
     </message>
     <message>
         <source>As in the set</source>
@@ -1339,6 +1351,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Attribuer</translation>
     </message>
     <message>
+        <source>Assumptions for %1</source>
+        <translation>Hypothèses pour %1</translation>
+    </message>
+    <message>
+        <source>Asymmetry</source>
+        <translation>Asymétrie</translation>
+    </message>
+    <message>
         <source>At X</source>
         <translation>En X</translation>
     </message>
@@ -1355,8 +1375,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>À bout de bras, le tronc bloqué. Débloquez le tronc, ou approchez de %1.</translation>
     </message>
     <message>
-        <source>At full reach. Move it %1 closer, or let the feet step.</source>
-        <translation>À bout de bras. Approchez de %1, ou laissez les pieds avancer.</translation>
+        <source>At full reach. Move it %1 closer, or unlock the feet.</source>
+        <translation>À bout de bras. Approchez de %1, ou débloquez les pieds.</translation>
     </message>
     <message>
         <source>At its current placement</source>
@@ -1467,24 +1487,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Recommencer</translation>
     </message>
     <message>
-        <source>Begin from</source>
-        <translation>Partir de</translation>
-    </message>
-    <message>
         <source>Belly depth, sitting</source>
         <translation>Profondeur du ventre, assis</translation>
     </message>
     <message>
         <source>Below this distance: shown and heard, not felt</source>
         <translation>Sous cette distance : montré et entendu, pas senti</translation>
-    </message>
-    <message>
-        <source>Beside the middle</source>
-        <translation>À côté du milieu</translation>
-    </message>
-    <message>
-        <source>Better posture of %1</source>
-        <translation>Meilleure posture de %1</translation>
     </message>
     <message>
         <source>Between centres or axes</source>
@@ -1495,8 +1503,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Entre les endroits désignés</translation>
     </message>
     <message>
-        <source>Beyond limits of the figure, not clamped; longest: %1.</source>
-        <translation>Au-delà de limites de la silhouette, non ramené ; le plus long : %1.</translation>
+        <source>Beyond the range of motion, not clamped. Longest: %1.</source>
+        <translation>Au-delà de l'amplitude articulaire, non ramené. Le plus long : %1.</translation>
     </message>
     <message>
         <source>Bl&amp;ue:</source>
@@ -1551,10 +1559,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Largeur du bassin</translation>
     </message>
     <message>
-        <source>Bring the mannequin or the part nearer, or unlock the feet so that it may step.</source>
-        <translation>Rapprochez le mannequin ou la pièce, ou libérez les pieds pour qu'il puisse faire un pas.</translation>
-    </message>
-    <message>
         <source>Bringing the work %1 nearer</source>
         <translation>En approchant le travail de %1</translation>
     </message>
@@ -1565,10 +1569,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Buttons</source>
         <translation>Boutons</translation>
-    </message>
-    <message>
-        <source>By</source>
-        <translation>De</translation>
     </message>
     <message>
         <source>By hand</source>
@@ -1629,10 +1629,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Cartesian</source>
         <translation>Cartésien</translation>
-    </message>
-    <message>
-        <source>Casts rays from its eyes to the part that was chosen last</source>
-        <translation>Lance des rayons de ses yeux vers la pièce choisie en dernier</translation>
     </message>
     <message>
         <source>Cause: %1</source>
@@ -1755,10 +1751,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisir une image…</translation>
     </message>
     <message>
-        <source>Choose a place on a part, not on the mannequin itself.</source>
-        <translation>Choisissez un endroit sur une pièce, pas sur le mannequin lui-même.</translation>
-    </message>
-    <message>
         <source>Choose a type below, then pick its geometry in the scene</source>
         <translation>Choisissez un type ci-dessous, puis désignez sa géométrie dans la scène</translation>
     </message>
@@ -1779,7 +1771,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez-le dans le panneau Virtual Desktop.</translation>
     </message>
     <message>
-        <source>Choose the logo of the reports</source>
+        <source>Choose the report logo</source>
         <translation>Choisir le logo des rapports</translation>
     </message>
     <message>
@@ -1787,7 +1779,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez d'abord la taille</translation>
     </message>
     <message>
-        <source>Choose what may be moved, then search.</source>
+        <source>Choose what can be moved, then search.</source>
         <translation>Choisissez ce qui peut bouger, puis cherchez.</translation>
     </message>
     <message>
@@ -1839,8 +1831,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez une face, une arête ou un coin pour le centre outil</translation>
     </message>
     <message>
-        <source>Click a part first, then ask.</source>
-        <translation>Cliquez d'abord une pièce, puis demandez.</translation>
+        <source>Click a part first.</source>
+        <translation>Cliquez d'abord une pièce.</translation>
+    </message>
+    <message>
+        <source>Click a part, not the mannequin.</source>
+        <translation>Cliquez une pièce, pas le mannequin.</translation>
     </message>
     <message>
         <source>Click a part, or draw a box around several.</source>
@@ -1859,16 +1855,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez-en un dans la scène ou dans l'arbre.</translation>
     </message>
     <message>
+        <source>Click the part for both hands to hold</source>
+        <translation>Cliquez la pièce que les deux mains doivent tenir</translation>
+    </message>
+    <message>
         <source>Click the part for the robot to carry</source>
         <translation>Cliquez la pièce que le robot doit porter</translation>
     </message>
     <message>
         <source>Click the part in the scene</source>
         <translation>Cliquez la pièce dans la scène</translation>
-    </message>
-    <message>
-        <source>Click the part that both hands shall take</source>
-        <translation>Cliquez la pièce que les deux mains doivent prendre</translation>
     </message>
     <message>
         <source>Click the part that it moves on</source>
@@ -1895,12 +1891,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez où poser le centre de sa face inférieure</translation>
     </message>
     <message>
-        <source>Click where the hand shall be</source>
-        <translation>Cliquez là où la main doit être</translation>
-    </message>
-    <message>
         <source>Click where to place the base</source>
         <translation>Cliquez où poser la base</translation>
+    </message>
+    <message>
+        <source>Click where to put the hand</source>
+        <translation>Cliquez où placer la main</translation>
     </message>
     <message>
         <source>Close</source>
@@ -2187,6 +2183,30 @@ Voulez-vous le remplacer ?</translation>
         <translation>Personnalisé</translation>
     </message>
     <message>
+        <source>Custom hand force limits</source>
+        <translation>Limites propres de force des mains</translation>
+    </message>
+    <message>
+        <source>Custom hand force limits…</source>
+        <translation>Limites propres des mains…</translation>
+    </message>
+    <message>
+        <source>Custom limit, left</source>
+        <translation>Limite propre, gauche</translation>
+    </message>
+    <message>
+        <source>Custom limit, right</source>
+        <translation>Limite propre, droite</translation>
+    </message>
+    <message>
+        <source>Custom limits</source>
+        <translation>Limites propres</translation>
+    </message>
+    <message>
+        <source>Custom limits: %1</source>
+        <translation>Limites propres : %1</translation>
+    </message>
+    <message>
         <source>Cylinder</source>
         <translation>Cylindre</translation>
     </message>
@@ -2287,6 +2307,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Distance</translation>
     </message>
     <message>
+        <source>Distance of the shoulder joints</source>
+        <translation>Écart des épaules</translation>
+    </message>
+    <message>
         <source>Do not check %1 for collision</source>
         <translation>Ne pas vérifier les collisions de %1</translation>
     </message>
@@ -2303,12 +2327,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fait : %1</translation>
     </message>
     <message>
+        <source>Drag the %1 of %2</source>
+        <translation>Tirer %1 de %2</translation>
+    </message>
+    <message>
         <source>Drag the TCP of %1</source>
         <translation>Tirer le TCP de %1</translation>
     </message>
     <message>
-        <source>Drag the arrows at the hand, or take it with the stylus.</source>
-        <translation>Tirez les flèches à la main, ou prenez-la avec le stylet.</translation>
+        <source>Drag the arrows at the hand, or hold it with the stylus.</source>
+        <translation>Tirez les flèches à la main, ou tenez-la avec le stylet.</translation>
     </message>
     <message>
         <source>Drag the stylus to move it · B %1 · H: follow the mouse</source>
@@ -2339,7 +2367,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tirez pour tourner</translation>
     </message>
     <message>
-        <source>Drag to turn it; the body follows</source>
+        <source>Drag to rotate it; the body follows</source>
         <translation>Tirez pour la tourner ; le corps suit</translation>
     </message>
     <message>
@@ -2355,10 +2383,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tirer : déplacer · molette : profondeur · Ctrl : tourner · bouton droit ou B %1</translation>
     </message>
     <message>
-        <source>Draw the %1 of %2</source>
-        <translation>Tirer %1 de %2</translation>
-    </message>
-    <message>
         <source>Drift at the edge of the workspace (0: none)</source>
         <translation>Dérive au bord de l'espace de travail (0 : aucune)</translation>
     </message>
@@ -2368,7 +2392,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Driver</source>
-        <translation>Cause</translation>
+        <translation>Facteur</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -2397,10 +2421,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>EN, ISO</source>
         <translation>EN, ISO</translation>
-    </message>
-    <message>
-        <source>Each its own</source>
-        <translation>Chacune la sienne</translation>
     </message>
     <message>
         <source>Ear to top of head</source>
@@ -2479,12 +2499,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Échap</translation>
     </message>
     <message>
-        <source>Esc takes the drag back</source>
-        <translation>Échap annule le glissement</translation>
-    </message>
-    <message>
         <source>Esc, Space and B are reserved: forces off, clutch, stylus button.</source>
         <translation>Échap, Espace et B sont réservées : couper les efforts, débrayer, bouton du stylet.</translation>
+    </message>
+    <message>
+        <source>Esc: cancel the drag</source>
+        <translation>Échap : annuler le glissement</translation>
     </message>
     <message>
         <source>Esc: close · F1: help · ?: shortcuts</source>
@@ -2627,12 +2647,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pieds</translation>
     </message>
     <message>
-        <source>Feet locked</source>
-        <translation>Pieds bloqués</translation>
+        <source>Feet can step</source>
+        <translation>Pieds libres</translation>
     </message>
     <message>
-        <source>Feet may step</source>
-        <translation>Pieds libres</translation>
+        <source>Feet locked</source>
+        <translation>Pieds bloqués</translation>
     </message>
     <message>
         <source>Felt with force class Dynamics; adds to the load of the robot that carries it</source>
@@ -2643,8 +2663,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Grillage</translation>
     </message>
     <message>
-        <source>Figure</source>
-        <translation>Figure</translation>
+        <source>Field of view</source>
+        <translation>Champ de vision</translation>
     </message>
     <message>
         <source>File</source>
@@ -2899,8 +2919,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Avant-bras</translation>
     </message>
     <message>
-        <source>Four bodies at the same task</source>
-        <translation>Quatre corps à la même tâche</translation>
+        <source>Four mannequins at the same task</source>
+        <translation>Quatre mannequins à la même tâche</translation>
     </message>
     <message>
         <source>Frame</source>
@@ -3032,7 +3052,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Grasp</source>
-        <translation>Prise</translation>
+        <translation>Prise en main</translation>
     </message>
     <message>
         <source>Grasp of %1</source>
@@ -3052,7 +3072,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Grip</source>
-        <translation>Saisie</translation>
+        <translation>Prise</translation>
     </message>
     <message>
         <source>Gripper</source>
@@ -3093,10 +3113,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Handle at</source>
         <translation>Poignée à</translation>
-    </message>
-    <message>
-        <source>Hands away</source>
-        <translation>Mains éloignées</translation>
     </message>
     <message>
         <source>Hands, size and posture</source>
@@ -3163,10 +3179,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Hauteur de la cheville</translation>
     </message>
     <message>
-        <source>Height of the breastbone</source>
-        <translation>Hauteur du sternum</translation>
-    </message>
-    <message>
         <source>Height of the crotch</source>
         <translation>Hauteur de l'entrejambe</translation>
     </message>
@@ -3175,7 +3187,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Hauteur de la hanche</translation>
     </message>
     <message>
-        <source>Height of the hip's crest</source>
+        <source>Height of the iliac crest</source>
         <translation>Hauteur de la crête iliaque</translation>
     </message>
     <message>
@@ -3191,12 +3203,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Hauteur de l'épaule</translation>
     </message>
     <message>
-        <source>Height of the tenth rib</source>
-        <translation>Hauteur de la dixième côte</translation>
+        <source>Height of the sternum</source>
+        <translation>Hauteur du sternum</translation>
     </message>
     <message>
-        <source>Height of the work and RULA, four bodies</source>
-        <translation>Hauteur du travail et RULA, quatre corps</translation>
+        <source>Height of the tenth rib</source>
+        <translation>Hauteur de la dixième côte</translation>
     </message>
     <message>
         <source>Held</source>
@@ -3255,12 +3267,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Historique</translation>
     </message>
     <message>
+        <source>Hold</source>
+        <translation>Tenir</translation>
+    </message>
+    <message>
         <source>Hold an entity with the stylus, move it and feel what it touches</source>
         <translation>Tenir une entité avec le stylet, la déplacer et sentir ce qu'elle touche</translation>
     </message>
     <message>
-        <source>Hold one thing</source>
-        <translation>Tenir une chose</translation>
+        <source>Hold one part</source>
+        <translation>Tenir une pièce</translation>
     </message>
     <message>
         <source>Hold the hand flat and lay the thumb across under the palm.</source>
@@ -3287,20 +3303,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Repos</translation>
     </message>
     <message>
-        <source>How %1 was read</source>
-        <translation>Comment %1 a été lu</translation>
-    </message>
-    <message>
-        <source>How far</source>
-        <translation>Distance</translation>
+        <source>Horizontal distance</source>
+        <translation>Distance horiz.</translation>
     </message>
     <message>
         <source>How far ahead of the trainee the help pulls</source>
         <translation>Distance devant l'élève à laquelle l'aide tire</translation>
     </message>
     <message>
-        <source>How far the arms of three people of its sex reach who stand as it does</source>
-        <translation>Jusqu'où atteignent les bras de trois personnes de son sexe qui se tiennent comme lui</translation>
+        <source>How much of the last selected part the mannequin sees</source>
+        <translation>Ce que le mannequin voit de la dernière pièce choisie</translation>
     </message>
     <message>
         <source>Hu&amp;e:</source>
@@ -3367,8 +3379,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Importer…</translation>
     </message>
     <message>
-        <source>In a shift</source>
-        <translation>Par poste</translation>
+        <source>Improve the posture of %1</source>
+        <translation>Améliorer la posture de %1</translation>
     </message>
     <message>
         <source>In steps of</source>
@@ -3443,10 +3455,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il ne répond pas : sa force est nulle</translation>
     </message>
     <message>
-        <source>It goes with the hand and is checked with it</source>
-        <translation>Elle suit la main et est vérifiée avec elle</translation>
-    </message>
-    <message>
         <source>It has no frame yet. Add one in the Solid panel.</source>
         <translation>Pas encore de repère. Ajoutez-en un dans le panneau Solide.</translation>
     </message>
@@ -3465,6 +3473,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>It moves</source>
         <translation>Il bouge</translation>
+    </message>
+    <message>
+        <source>It moves with the hand and is checked with it</source>
+        <translation>Elle suit la main et est vérifiée avec elle</translation>
     </message>
     <message>
         <source>It needs nothing of you.</source>
@@ -3607,8 +3619,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Plus grande masse à inertie sentie</translation>
     </message>
     <message>
-        <source>Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %8, smoothness %6 (expert %7).</source>
-        <translation>Dernier essai : %1 points. %2 s (expert %3 s), %4 hors du chemin, au plus %5 N, contacts : %8, régularité %6 (expert %7).</translation>
+        <source>Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %7, smoothness %6 % of the expert's.</source>
+        <translation>Dernier essai : %1 points. %2 s (expert %3 s), %4 hors du chemin, au plus %5 N, contacts : %7, régularité %6 % de celle de l'expert.</translation>
     </message>
     <message>
         <source>Later</source>
@@ -3665,10 +3677,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Length unit</source>
         <translation>Unité de longueur</translation>
-    </message>
-    <message>
-        <source>Let go</source>
-        <translation>Lâcher</translation>
     </message>
     <message>
         <source>Let go of what is held first.</source>
@@ -3739,6 +3747,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Charge %1, charge admissible inconnue</translation>
     </message>
     <message>
+        <source>Load your own table of hand force limits; none is included</source>
+        <translation>Charger votre propre table de limites d'effort des mains ; aucune n'est fournie</translation>
+    </message>
+    <message>
         <source>Load, left hand</source>
         <translation>Charge à gauche</translation>
     </message>
@@ -3787,8 +3799,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Regarder de nouveau</translation>
     </message>
     <message>
-        <source>Look at it</source>
-        <translation>La regarder</translation>
+        <source>Look at part</source>
+        <translation>Regarder la pièce</translation>
     </message>
     <message>
         <source>Looking for it</source>
@@ -3883,6 +3895,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Mesurer</translation>
     </message>
     <message>
+        <source>Measured value</source>
+        <translation>Valeur mesurée</translation>
+    </message>
+    <message>
         <source>Measure…</source>
         <translation>Mesurer…</translation>
     </message>
@@ -3943,8 +3959,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Manqué : %1 vaut %2, demandé %3 (%4). %5</translation>
     </message>
     <message>
-        <source>Moment of the recording</source>
-        <translation>Instant de l'enregistrement</translation>
+        <source>Most important first: %1.</source>
+        <translation>Les plus importants d'abord : %1.</translation>
     </message>
     <message>
         <source>Motion</source>
@@ -4015,6 +4031,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Bouger aussi les axes externes</translation>
     </message>
     <message>
+        <source>Move it there</source>
+        <translation>Le mettre là</translation>
+    </message>
+    <message>
         <source>Move joints of %1</source>
         <translation>Bouger les articulations de %1</translation>
     </message>
@@ -4025,6 +4045,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Move the TCP of %1</source>
         <translation>Déplacer le TCP de %1</translation>
+    </message>
+    <message>
+        <source>Move the mannequin or the part nearer, or unlock the feet so that it can step.</source>
+        <translation>Rapprochez le mannequin ou la pièce, ou débloquez les pieds pour qu'il puisse faire un pas.</translation>
     </message>
     <message>
         <source>Move the stylus into free space</source>
@@ -4071,12 +4095,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Mène le guide à la poignée de l'entité ; sa direction reste</translation>
     </message>
     <message>
-        <source>Moving the work %1 further away</source>
+        <source>Moving the work %1 farther away</source>
         <translation>En éloignant le travail de %1</translation>
     </message>
     <message>
         <source>Moving the work %1 to the side</source>
         <translation>En décalant le travail de %1 de côté</translation>
+    </message>
+    <message>
+        <source>Moving the work by up to %1 does not lower the action level for this mannequin.</source>
+        <translation>Déplacer le travail de %1 au plus n'abaisse pas le niveau d'action de ce mannequin.</translation>
     </message>
     <message>
         <source>N</source>
@@ -4103,11 +4131,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>NIOSH ne s'applique pas : %1</translation>
     </message>
     <message>
-        <source>NIOSH does not apply: nothing is lifted. A lift and its load are entered in Task data.</source>
-        <translation>NIOSH ne s'applique pas : rien n'est levé. Levage et charge se saisissent dans Données de la tâche.</translation>
+        <source>NIOSH does not apply: nothing is lifted. Enter a lift and its load in Task data.</source>
+        <translation>NIOSH ne s'applique pas : rien n'est levé. Saisissez un levage et sa charge dans Données de la tâche.</translation>
     </message>
     <message>
-        <source>NIOSH does not apply: the load is held. Where it is lifted, tick so in Task data.</source>
+        <source>NIOSH does not apply: the load is held. If it is lifted, tick that in Task data.</source>
         <translation>NIOSH ne s'applique pas : la charge est tenue. Si elle est levée, cochez-le dans Données de la tâche.</translation>
     </message>
     <message>
@@ -4115,7 +4143,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>NIOSH : indice de levage %1, %2 (%3 kg pour une limite de %4 kg)</translation>
     </message>
     <message>
-        <source>NIOSH: limit 0 kg, no load is acceptable from this place</source>
+        <source>NIOSH: limit 0 kg, no load is acceptable at this place</source>
         <translation>NIOSH : limite 0 kg, aucune charge n'est acceptable à cet endroit</translation>
     </message>
     <message>
@@ -4181,6 +4209,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Near-miss distance: shown and heard below</source>
         <translation>Quasi-collision : montrée et entendue sous</translation>
+    </message>
+    <message>
+        <source>Nearer/farther ±</source>
+        <translation>Près/loin ±</translation>
     </message>
     <message>
         <source>Nearest posture: %1. </source>
@@ -4263,8 +4295,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucune application n'a été trouvée dans le dossier du programme</translation>
     </message>
     <message>
-        <source>No body of that size</source>
-        <translation>Aucun corps de cette taille</translation>
+        <source>No change is needed.</source>
+        <translation>Aucun changement n'est nécessaire.</translation>
     </message>
     <message>
         <source>No contact on the screen yet</source>
@@ -4343,8 +4375,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun mannequin dans la cellule</translation>
     </message>
     <message>
-        <source>No mannequin is in the cell, so there is nobody to score.</source>
-        <translation>Aucun mannequin dans la cellule : il n'y a personne à noter.</translation>
+        <source>No mannequin in the cell to score.</source>
+        <translation>Aucun mannequin à évaluer dans la cellule.</translation>
+    </message>
+    <message>
+        <source>No mannequin of that size</source>
+        <translation>Aucun mannequin de cette taille</translation>
+    </message>
+    <message>
+        <source>No mannequin to report on. Add one first.</source>
+        <translation>Aucun mannequin pour le rapport. Ajoutez-en un d'abord.</translation>
     </message>
     <message>
         <source>No mannequin was added</source>
@@ -4383,8 +4423,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas d'autre articulation</translation>
     </message>
     <message>
-        <source>No placement suits all four bodies.</source>
-        <translation>Aucune place ne convient aux quatre corps.</translation>
+        <source>No placement suits all four mannequins.</source>
+        <translation>Aucune place ne convient aux quatre mannequins.</translation>
     </message>
     <message>
         <source>No program on this computer opened %1. Open it in a text editor.</source>
@@ -4419,10 +4459,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas encore d'essai</translation>
     </message>
     <message>
-        <source>No shift of the work by up to %1 lowers the level for this body.</source>
-        <translation>Aucun déplacement du travail jusqu'à %1 n'abaisse le niveau pour ce corps.</translation>
-    </message>
-    <message>
         <source>No solid is selected</source>
         <translation>Aucun solide n'est choisi</translation>
     </message>
@@ -4435,20 +4471,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas de sortie son</translation>
     </message>
     <message>
+        <source>No strength table is included; you can load your own.</source>
+        <translation>Aucune table de force n'est fournie ; vous pouvez charger la vôtre.</translation>
+    </message>
+    <message>
         <source>No stylus is connected</source>
         <translation>Aucun stylet n'est connecté</translation>
     </message>
     <message>
         <source>No stylus is connected: the guide is seen, not felt.</source>
         <translation>Aucun stylet n'est connecté : le guide se voit, sans se sentir.</translation>
-    </message>
-    <message>
-        <source>No table of strength is shipped; yours can be read in.</source>
-        <translation>Aucune table de force n'est fournie ; la vôtre peut être lue.</translation>
-    </message>
-    <message>
-        <source>Nobody to report on: add a mannequin.</source>
-        <translation>Personne pour le rapport : ajoutez un mannequin.</translation>
     </message>
     <message>
         <source>None</source>
@@ -4531,20 +4563,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
     </message>
     <message>
-        <source>Nothing is ticked: tick the bench, a shelf, a fixture.</source>
-        <translation>Rien n'est coché : cochez l'établi, une étagère, un posage.</translation>
-    </message>
-    <message>
         <source>Nothing moved: there is nothing to keep.</source>
         <translation>Rien n'a bougé : il n'y a rien à garder.</translation>
     </message>
     <message>
         <source>Nothing moves before you have agreed.</source>
         <translation>Rien ne bouge avant votre accord.</translation>
-    </message>
-    <message>
-        <source>Nothing needs to change.</source>
-        <translation>Rien n'est à changer.</translation>
     </message>
     <message>
         <source>OBJ (*.obj)</source>
@@ -4575,8 +4599,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Écart</translation>
     </message>
     <message>
-        <source>Off: the figure may step to where the hand is reached</source>
-        <translation>Arrêt : le corps peut avancer jusqu'où la main atteint</translation>
+        <source>Off: the mannequin can step so that the hand reaches</source>
+        <translation>Arrêt : le mannequin peut avancer pour que la main atteigne</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -4652,7 +4676,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Open a recording (BVH, AMC, C3D) to score each of its frames.</source>
-        <translation>Ouvrez un enregistrement (BVH, AMC, C3D) pour noter chacune de ses images.</translation>
+        <translation>Ouvrez un enregistrement (BVH, AMC, C3D) pour évaluer chacune de ses images.</translation>
     </message>
     <message>
         <source>Open a recording of markers (C3D) to see them in the scene.</source>
@@ -4747,34 +4771,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Repère propre %1</translation>
     </message>
     <message>
-        <source>Own limit, left</source>
-        <translation>Limite propre, gauche</translation>
-    </message>
-    <message>
-        <source>Own limit, right</source>
-        <translation>Limite propre, droite</translation>
-    </message>
-    <message>
-        <source>Own limits</source>
-        <translation>Limites propres</translation>
-    </message>
-    <message>
-        <source>Own limits of the hands' force</source>
-        <translation>Limites propres de l'effort aux mains</translation>
-    </message>
-    <message>
-        <source>Own limits of the hands…</source>
-        <translation>Limites propres des mains…</translation>
-    </message>
-    <message>
-        <source>Own limits: %1</source>
-        <translation>Limites propres : %1</translation>
-    </message>
-    <message>
-        <source>Own measure</source>
-        <translation>Mesure propre</translation>
-    </message>
-    <message>
         <source>Own mesh</source>
         <translation>Maillage</translation>
     </message>
@@ -4867,6 +4863,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Page %1 sur %2</translation>
     </message>
     <message>
+        <source>Page size</source>
+        <translation>Taille de la page</translation>
+    </message>
+    <message>
+        <source>Page size. You can also use Ctrl and the wheel.</source>
+        <translation>Taille de la page. Ctrl et la molette la changent aussi.</translation>
+    </message>
+    <message>
         <source>Pages of the settings</source>
         <translation>Pages des réglages</translation>
     </message>
@@ -4927,6 +4931,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pièce à attacher</translation>
     </message>
     <message>
+        <source>Partial scores: %1 not entered. Complete them in Task data…</source>
+        <translation>Scores incomplets ; à saisir dans Données de la tâche… : %1.</translation>
+    </message>
+    <message>
         <source>Parts</source>
         <translation>Pièces</translation>
     </message>
@@ -4935,7 +4943,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les pièces d'un mécanisme sont des solides de la cellule.</translation>
     </message>
     <message>
-        <source>Parts that may move</source>
+        <source>Parts that can move</source>
         <translation>Pièces qui peuvent bouger</translation>
     </message>
     <message>
@@ -4993,6 +5001,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Pelvis</source>
         <translation>Bassin</translation>
+    </message>
+    <message>
+        <source>Per shift</source>
+        <translation>Par poste</translation>
     </message>
     <message>
         <source>Percentile</source>
@@ -5331,10 +5343,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Poussée vers le bas, %1 %</translation>
     </message>
     <message>
-        <source>Put it there</source>
-        <translation>Le mettre là</translation>
-    </message>
-    <message>
         <source>Quantity of the curves</source>
         <translation>Grandeur des courbes</translation>
     </message>
@@ -5367,12 +5375,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>RULA</translation>
     </message>
     <message>
-        <source>RULA along the motion, four bodies</source>
-        <translation>RULA le long du mouvement, quatre corps</translation>
+        <source>RULA along the motion, four mannequins</source>
+        <translation>RULA le long du mouvement, quatre mannequins</translation>
     </message>
     <message>
-        <source>RULA by the height of the work</source>
-        <translation>RULA selon la hauteur du travail</translation>
+        <source>RULA by working height</source>
+        <translation>RULA selon la hauteur de travail</translation>
+    </message>
+    <message>
+        <source>RULA by working height, four mannequins</source>
+        <translation>RULA selon la hauteur de travail, quatre mannequins</translation>
+    </message>
+    <message>
+        <source>RULA left %1, right %2 · EAWS outline %3 points</source>
+        <translation>RULA gauche %1, droite %2 · EAWS (esquisse) %3 points</translation>
     </message>
     <message>
         <source>Radians</source>
@@ -5401,6 +5417,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Ramp done, 1 N/ms limit</source>
         <translation>Rampe finie, limite 1 N/ms</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
     </message>
     <message>
         <source>Range of motion</source>
@@ -5441,6 +5461,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Reach of P5, P50 and P95</source>
         <translation>Atteinte des P5, P50 et P95</translation>
+    </message>
+    <message>
+        <source>Reach of people of the same sex in the same stance</source>
+        <translation>Atteinte de personnes du même sexe, dans la même station</translation>
     </message>
     <message>
         <source>Reach of the arms</source>
@@ -5779,8 +5803,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Distance de sécurité : contact senti à</translation>
     </message>
     <message>
-        <source>Same task, four bodies</source>
-        <translation>Même tâche, quatre corps</translation>
+        <source>Same task, four mannequins</source>
+        <translation>Même tâche, quatre mannequins</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -5825,6 +5849,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Save the motion</source>
         <translation>Enregistrer le mouvement</translation>
+    </message>
+    <message>
+        <source>Save the motion as fitted to this mannequin</source>
+        <translation>Enregistrer le mouvement adapté à ce mannequin</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Enregistrer le rapport</translation>
     </message>
     <message>
         <source>Save the workcell</source>
@@ -5884,7 +5916,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Scoring the motion…</source>
-        <translation>Notation du mouvement…</translation>
+        <translation>Évaluation du mouvement…</translation>
     </message>
     <message>
         <source>Screen</source>
@@ -5909,10 +5941,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Search the manual</source>
         <translation>Chercher dans le manuel</translation>
-    </message>
-    <message>
-        <source>Search the workplace…</source>
-        <translation>Chercher le poste de travail…</translation>
     </message>
     <message>
         <source>Seat height</source>
@@ -5983,6 +6011,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le capteur %1 a à peine bougé entre les poses. L'étalonnage est comme avant.</translation>
     </message>
     <message>
+        <source>Separate</source>
+        <translation>Séparées</translation>
+    </message>
+    <message>
         <source>Set %1</source>
         <translation>Jeu %1</translation>
     </message>
@@ -6033,10 +6065,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Shoulder breadth</source>
         <translation>Largeur des épaules</translation>
-    </message>
-    <message>
-        <source>Shoulder joints apart</source>
-        <translation>Écart des épaules</translation>
     </message>
     <message>
         <source>Show</source>
@@ -6095,6 +6123,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Montré dans la scène</translation>
     </message>
     <message>
+        <source>Shown when the mannequin stops moving</source>
+        <translation>Affiché quand le mannequin ne bouge plus</translation>
+    </message>
+    <message>
         <source>Side panels</source>
         <translation>Panneaux latéraux</translation>
     </message>
@@ -6129,14 +6161,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Size %1</source>
         <translation>Taille %1</translation>
-    </message>
-    <message>
-        <source>Size of the page</source>
-        <translation>Taille de la page</translation>
-    </message>
-    <message>
-        <source>Size of the page; Ctrl and the wheel change it as well</source>
-        <translation>Taille de la page ; Ctrl et la molette la changent aussi</translation>
     </message>
     <message>
         <source>Size, ANSUR II</source>
@@ -6237,6 +6261,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Start</source>
         <translation>Début</translation>
+    </message>
+    <message>
+        <source>Start from</source>
+        <translation>Partir de</translation>
     </message>
     <message>
         <source>Start page</source>
@@ -6352,11 +6380,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Sub-scores of the worse side</source>
-        <translation>Notes partielles du côté le plus défavorable</translation>
+        <translation>Scores partiels du côté le plus défavorable</translation>
     </message>
     <message>
         <source>Sudden loads</source>
         <translation>À-coups</translation>
+    </message>
+    <message>
+        <source>Suggestions appear when the mannequin stops moving.</source>
+        <translation>Les suggestions apparaissent quand le mannequin ne bouge plus.</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -6411,10 +6443,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tables (*.csv);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Take</source>
-        <translation>Prendre</translation>
-    </message>
-    <message>
         <source>Take %1</source>
         <translation>Prise %1</translation>
     </message>
@@ -6433,10 +6461,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Take the stylus in the panel Virtual Desktop takes it back.</source>
         <translation>« Prendre le stylet » dans le panneau Virtual Desktop le reprend.</translation>
-    </message>
-    <message>
-        <source>Take this posture</source>
-        <translation>Prendre cette posture</translation>
     </message>
     <message>
         <source>Takes along</source>
@@ -6511,10 +6535,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>La base suit la main ; les axes gardent l'outil en place</translation>
     </message>
     <message>
-        <source>The bodies that bound most users: P5 and P50 woman, P50 and P95 man</source>
-        <translation>Les corps qui encadrent la plupart des utilisateurs : femmes P5 et P50, hommes P50 et P95</translation>
-    </message>
-    <message>
         <source>The cell is empty</source>
         <translation>La cellule est vide</translation>
     </message>
@@ -6577,10 +6597,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The feet of %1 do not reach the floor</source>
         <translation>Les pieds de %1 n'atteignent pas le sol</translation>
-    </message>
-    <message>
-        <source>The figure in its posture</source>
-        <translation>Le corps dans sa posture</translation>
     </message>
     <message>
         <source>The file contains one part.</source>
@@ -6699,12 +6715,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il manque %1 à la main gauche.</translation>
     </message>
     <message>
-        <source>The lifting equation and what the hands bear; the colours stay those of RULA</source>
-        <translation>L'équation de levage et ce que portent les mains ; les couleurs restent celles de RULA</translation>
+        <source>The lifting equation and the forces on the hands; colours stay those of RULA</source>
+        <translation>L'équation de levage et les forces sur les mains ; les couleurs restent celles de RULA</translation>
     </message>
     <message>
-        <source>The lifting equation does not take this lift.</source>
+        <source>The lifting equation does not cover this lift.</source>
         <translation>L'équation de levage ne s'applique pas à ce levage.</translation>
+    </message>
+    <message>
+        <source>The limit of a method is the start of its next class. Moments include the weight of the arms.</source>
+        <translation>La limite d'une méthode est le début de sa classe suivante. Les moments comprennent le poids des bras.</translation>
     </message>
     <message>
         <source>The limits were not read</source>
@@ -6727,12 +6747,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le logo n'a pas été lu</translation>
     </message>
     <message>
-        <source>The mannequin cannot be drawn so</source>
-        <translation>Le mannequin ne peut pas être dessiné ainsi</translation>
+        <source>The mannequin cannot be dragged there</source>
+        <translation>Le mannequin ne peut pas être tiré là</translation>
     </message>
     <message>
-        <source>The markers are shown; they are of no set that a figure can be fitted to: %1</source>
-        <translation>Les marqueurs sont affichés ; ils ne forment aucun jeu sur lequel un mannequin puisse être ajusté : %1</translation>
+        <source>The mannequin in its posture</source>
+        <translation>Le mannequin dans sa posture</translation>
+    </message>
+    <message>
+        <source>The markers are shown, but no mannequin can be fitted to this marker set: %1</source>
+        <translation>Les marqueurs sont affichés, mais aucun mannequin ne peut être ajusté à ce jeu : %1</translation>
     </message>
     <message>
         <source>The markers cannot be shown</source>
@@ -6745,10 +6769,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The module %1 was not loaded. %2</source>
         <translation>Le module %1 n'a pas été chargé. %2</translation>
-    </message>
-    <message>
-        <source>The motion as it is on this mannequin</source>
-        <translation>Le mouvement tel qu'il est sur ce mannequin</translation>
     </message>
     <message>
         <source>The motion cannot be shown</source>
@@ -6791,12 +6811,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>La pièce est montrée dans une couleur plus sobre que %1</translation>
     </message>
     <message>
-        <source>The parts are moved; undo it, or search again in the cell as it is now.</source>
-        <translation>Les pièces sont déplacées : annulez, ou relancez la recherche dans la cellule telle qu’elle est.</translation>
-    </message>
-    <message>
         <source>The parts become solids again, at their current placement</source>
         <translation>Les pièces redeviennent des solides, à leur place actuelle</translation>
+    </message>
+    <message>
+        <source>The parts were moved. Undo, or search again in the cell as it is now.</source>
+        <translation>Les pièces ont été déplacées. Annulez, ou relancez la recherche dans la cellule telle qu’elle est.</translation>
     </message>
     <message>
         <source>The path is free.</source>
@@ -6807,7 +6827,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le chemin d'un mouvement enregistré, simplifié</translation>
     </message>
     <message>
-        <source>The pelvis stays on the seat, which bears the body</source>
+        <source>The pelvis stays on the seat, which carries the body</source>
         <translation>Le bassin reste sur le siège, qui porte le corps</translation>
     </message>
     <message>
@@ -6815,12 +6835,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>La posture est enregistrée</translation>
     </message>
     <message>
-        <source>The posture was not saved</source>
-        <translation>La posture n'a pas été enregistrée</translation>
+        <source>The posture was not loaded</source>
+        <translation>La posture n'a pas été chargée</translation>
     </message>
     <message>
-        <source>The posture was not taken</source>
-        <translation>La posture n'a pas été prise</translation>
+        <source>The posture was not saved</source>
+        <translation>La posture n'a pas été enregistrée</translation>
     </message>
     <message>
         <source>The preview is made when the file is saved or closed here.</source>
@@ -6843,12 +6863,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>La copie de récupération n'a pas pu être enregistrée</translation>
     </message>
     <message>
-        <source>The report is written</source>
-        <translation>Le rapport est écrit</translation>
+        <source>The report is saved</source>
+        <translation>Le rapport est enregistré</translation>
     </message>
     <message>
-        <source>The report was not written</source>
-        <translation>Le rapport n'a pas été écrit</translation>
+        <source>The report was not saved</source>
+        <translation>Le rapport n'a pas été enregistré</translation>
     </message>
     <message>
         <source>The result is not kept</source>
@@ -6899,10 +6919,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>La boucle de la scène est arrêtée : les forces reviennent dès qu'elle répond</translation>
     </message>
     <message>
-        <source>The scores are partial: %1 not entered. Task data… completes them.</source>
-        <translation>Les notes sont partielles ; à saisir dans Données de la tâche… : %1.</translation>
-    </message>
-    <message>
         <source>The second stylus is gone. Choose it again to start it.</source>
         <translation>Le second stylet n'est plus là. Choisissez-le de nouveau pour le démarrer.</translation>
     </message>
@@ -6923,6 +6939,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>La taille n'a pas été changée</translation>
     </message>
     <message>
+        <source>The sizes that cover most users: P5 and P50 woman, P50 and P95 man</source>
+        <translation>Les tailles qui couvrent la plupart des utilisateurs : femmes P5 et P50, hommes P50 et P95</translation>
+    </message>
+    <message>
         <source>The stylus follows the mouse · wheel: depth · Ctrl: turn · left button %1 · H: end</source>
         <translation>Le stylet suit la souris · molette : profondeur · Ctrl : tourner · bouton gauche %1 · H : terminer</translation>
     </message>
@@ -6939,8 +6959,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le stylet sera tiré vers le bas, lentement jusqu'à %1 N, pendant quatre secondes. Tenez-le sans serrer au milieu de son espace. Ce que vous tenez dans la cellule est lâché avant.</translation>
     </message>
     <message>
-        <source>The task is no lift; the forces stand below.</source>
-        <translation>La tâche n'est pas un levage ; les efforts sont ci-dessous.</translation>
+        <source>The task is not a lift. The forces are below.</source>
+        <translation>La tâche n'est pas un levage. Les forces sont ci-dessous.</translation>
     </message>
     <message>
         <source>The test was stopped.</source>
@@ -6963,8 +6983,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>La cellule n'a pas été enregistrée</translation>
     </message>
     <message>
-        <source>The workplace was not searched</source>
-        <translation>Le poste de travail n'a pas été cherché</translation>
+        <source>The workplace search failed</source>
+        <translation>La recherche d'implantation a échoué</translation>
     </message>
     <message>
         <source>Theme</source>
@@ -6991,11 +7011,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il n'y a pas encore d'entraînement à retenir : entraînez-vous d'abord.</translation>
     </message>
     <message>
-        <source>These are the markers of %1. Mannequin, Open a recorded motion, puts the recording on the figure.</source>
-        <translation>Ce sont les marqueurs de %1. Mannequin, Ouvrir un mouvement enregistré, les pose sur le mannequin.</translation>
+        <source>These are the markers of %1. To put the recording on the mannequin: Mannequin &gt; Open a recorded motion.</source>
+        <translation>Ce sont les marqueurs de %1. Pour les poser sur le mannequin : Mannequin &gt; Ouvrir un mouvement enregistré.</translation>
     </message>
     <message>
-        <source>These parts may move, with the hands' targets</source>
+        <source>These parts can move, with the targets of the hands</source>
         <translation>Ces pièces peuvent bouger, avec les cibles des mains</translation>
     </message>
     <message>
@@ -7003,8 +7023,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ces réglages sont dans %1. Vous pouvez y ajouter des matériaux et des clés de pilotes.</translation>
     </message>
     <message>
-        <source>They hang %1 above it: lower the seat or put a rest under them.</source>
-        <translation>Ils pendent à %1 au-dessus : abaissez le siège ou mettez un repose-pieds.</translation>
+        <source>They are %1 above it. Lower the seat or add a footrest.</source>
+        <translation>Ils sont à %1 au-dessus. Abaissez le siège ou ajoutez un repose-pieds.</translation>
     </message>
     <message>
         <source>They move together. The last one selected is the pivot.</source>
@@ -7059,12 +7079,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce mouvement n'a pas de chemin : choisissez-en un autre.</translation>
     </message>
     <message>
-        <source>This picture stands at the head of every report</source>
+        <source>This picture is at the top of every report</source>
         <translation>Cette image figure en tête de chaque rapport</translation>
     </message>
     <message>
-        <source>This place does not keep what the search found</source>
-        <translation>Cet emplacement ne tient pas ce que la recherche avait trouvé</translation>
+        <source>This placement does not give the score that was found</source>
+        <translation>Cette place ne donne pas le score trouvé</translation>
     </message>
     <message>
         <source>This pose is out of reach</source>
@@ -7087,12 +7107,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Par les yeux du mannequin</translation>
     </message>
     <message>
+        <source>Tick at least one part: a bench, a shelf, a fixture.</source>
+        <translation>Cochez au moins une pièce : un établi, une étagère, un posage.</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>Temps</translation>
     </message>
     <message>
         <source>Time bar</source>
         <translation>Barre de temps</translation>
+    </message>
+    <message>
+        <source>Time in the recording</source>
+        <translation>Instant de l'enregistrement</translation>
     </message>
     <message>
         <source>Time in which the greatest acceleration is reached</source>
@@ -7119,20 +7147,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>À</translation>
     </message>
     <message>
+        <source>To lower it: %1.</source>
+        <translation>Pour l'abaisser : %1.</translation>
+    </message>
+    <message>
         <source>To the beginning</source>
         <translation>Au début</translation>
     </message>
     <message>
         <source>To the end</source>
         <translation>À la fin</translation>
-    </message>
-    <message>
-        <source>To, fro ±</source>
-        <translation>Vers, depuis ±</translation>
-    </message>
-    <message>
-        <source>Told once the figure rests</source>
-        <translation>Dit dès que le corps est au repos</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -7219,6 +7243,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Transfert : %1 points.</translation>
     </message>
     <message>
+        <source>Travel</source>
+        <translation>Course</translation>
+    </message>
+    <message>
+        <source>Travel distance</source>
+        <translation>Course du levage</translation>
+    </message>
+    <message>
         <source>Tree</source>
         <translation>Arbre</translation>
     </message>
@@ -7239,8 +7271,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Essayer aussi assis</translation>
     </message>
     <message>
-        <source>Trying every placement with four bodies…</source>
-        <translation>Essai de chaque place avec quatre corps…</translation>
+        <source>Trying every placement with four mannequins…</source>
+        <translation>Essai de chaque place avec quatre mannequins…</translation>
     </message>
     <message>
         <source>Tube</source>
@@ -7251,12 +7283,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tourner</translation>
     </message>
     <message>
-        <source>Turned</source>
-        <translation>Rotation</translation>
-    </message>
-    <message>
-        <source>Turns its eyes, as far as they go, to the part that was chosen last</source>
-        <translation>Tourne ses yeux, autant qu'ils le peuvent, vers la dernière pièce choisie</translation>
+        <source>Turns the eyes towards the last selected part, as far as they go</source>
+        <translation>Tourne les yeux vers la dernière pièce choisie, autant qu'ils le peuvent</translation>
     </message>
     <message>
         <source>Two fingers rotate; with Shift they pan, with Ctrl they zoom</source>
@@ -7339,8 +7367,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Axe vers le haut</translation>
     </message>
     <message>
-        <source>Up, down ±</source>
-        <translation>Haut, bas ±</translation>
+        <source>Up/down ±</source>
+        <translation>Haut/bas ±</translation>
     </message>
     <message>
         <source>Upper arm</source>
@@ -7399,6 +7427,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Visible</translation>
     </message>
     <message>
+        <source>Visible share</source>
+        <translation>Part visible</translation>
+    </message>
+    <message>
         <source>Wait here</source>
         <translation>Attendre ici</translation>
     </message>
@@ -7427,24 +7459,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Chemin</translation>
     </message>
     <message>
-        <source>Way of the lift</source>
-        <translation>Course du levage</translation>
+        <source>Weight limit</source>
+        <translation>Poids limite</translation>
     </message>
     <message>
         <source>Weight, or a force divided by 9.81</source>
         <translation>Poids, ou une force divisée par 9,81</translation>
-    </message>
-    <message>
-        <source>What brings it down is told once the figure rests.</source>
-        <translation>Ce qui l'abaisse est dit dès que le corps est au repos.</translation>
-    </message>
-    <message>
-        <source>What brings it down: %1.</source>
-        <translation>Ce qui l'abaisse : %1.</translation>
-    </message>
-    <message>
-        <source>What costs most first: %1.</source>
-        <translation>Les plus coûteux d'abord : %1.</translation>
     </message>
     <message>
         <source>What is held</source>
@@ -7457,14 +7477,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>What is held stays where it is. Once a server answers again, Ctrl+Space turns the forces on.</source>
         <translation>Ce qui est tenu reste où il est. Dès qu’un serveur répond, Ctrl+Espace remet les forces.</translation>
-    </message>
-    <message>
-        <source>What it sees</source>
-        <translation>Ce qu'il voit</translation>
-    </message>
-    <message>
-        <source>What it sees of it</source>
-        <translation>Ce qu'il en voit</translation>
     </message>
     <message>
         <source>What the 3-D mouse moves; its second button changes it</source>
@@ -7515,8 +7527,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Entier</translation>
     </message>
     <message>
-        <source>Whole figure</source>
-        <translation>Corps entier</translation>
+        <source>Whole mannequin</source>
+        <translation>Mannequin entier</translation>
     </message>
     <message>
         <source>Width</source>
@@ -7572,7 +7584,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Workplace search</source>
-        <translation>Chercher le poste</translation>
+        <translation>Recherche d'implantation</translation>
+    </message>
+    <message>
+        <source>Workplace search…</source>
+        <translation>Recherche d'implantation…</translation>
     </message>
     <message>
         <source>World</source>
@@ -7583,12 +7599,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pire RULA selon hauteur et distance</translation>
     </message>
     <message>
-        <source>Worst RULA of four bodies</source>
-        <translation>Pire RULA de quatre corps</translation>
+        <source>Worst RULA of four mannequins</source>
+        <translation>Pire RULA de quatre mannequins</translation>
     </message>
     <message>
         <source>Worst phase</source>
-        <translation>Pire phase</translation>
+        <translation>Phase critique</translation>
     </message>
     <message>
         <source>Write all moves</source>
@@ -7597,10 +7613,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Write it as a file or a robot's program</source>
         <translation>L'écrire comme fichier ou programme de robot</translation>
-    </message>
-    <message>
-        <source>Write the report</source>
-        <translation>Écrire le rapport</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -7683,10 +7695,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un risque élevé</translation>
     </message>
     <message>
-        <source>a raised risk for some</source>
-        <translation>un risque accru pour certains</translation>
-    </message>
-    <message>
         <source>about </source>
         <translation>environ </translation>
     </message>
@@ -7705,6 +7713,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>along %1</source>
         <translation>le long de %1</translation>
+    </message>
+    <message>
+        <source>an increased risk for some</source>
+        <translation>un risque accru pour certains</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -7731,12 +7743,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>meilleur %1</translation>
     </message>
     <message>
-        <source>borne by the seat</source>
-        <translation>porté par le siège</translation>
-    </message>
-    <message>
         <source>by %1</source>
         <translation>de %1</translation>
+    </message>
+    <message>
+        <source>carried by the seat</source>
+        <translation>porté par le siège</translation>
     </message>
     <message>
         <source>centimetre</source>
@@ -7823,12 +7835,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>loin</translation>
     </message>
     <message>
+        <source>farther away</source>
+        <translation>plus loin</translation>
+    </message>
+    <message>
         <source>file missing</source>
         <translation>fichier manquant</translation>
     </message>
     <message>
-        <source>final %1. Bound rule: an inner boundary belongs to the lower class.</source>
-        <translation>finale %1. Règle des bornes : une borne intérieure appartient à la classe inférieure.</translation>
+        <source>final %1. A value on a class boundary belongs to the lower class.</source>
+        <translation>final %1. Une valeur à la limite de deux classes appartient à la classe inférieure.</translation>
     </message>
     <message>
         <source>flip</source>
@@ -7873,10 +7889,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>front</source>
         <translation>devant</translation>
-    </message>
-    <message>
-        <source>further away</source>
-        <translation>plus loin</translation>
     </message>
     <message>
         <source>gaze down</source>
@@ -7927,7 +7939,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>inverse : %1</translation>
     </message>
     <message>
-        <source>it needs a grip that is good, fair or poor.</source>
+        <source>it needs a good, fair or poor grip.</source>
         <translation>il lui faut une prise bonne, moyenne ou mauvaise.</translation>
     </message>
     <message>
@@ -7955,6 +7967,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>distance minimale %1 à %2 s</translation>
     </message>
     <message>
+        <source>left %1</source>
+        <translation>%1 gauche</translation>
+    </message>
+    <message>
         <source>lets go</source>
         <translation>lâche</translation>
     </message>
@@ -7965,10 +7981,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>limits passed: %1</source>
         <translation>limites dépassées : %1</translation>
-    </message>
-    <message>
-        <source>live, both sides, %1 µs a posture · left RULA %2, right %3 · EAWS outline %4 points</source>
-        <translation>en direct, deux côtés, %1 µs par posture · RULA gauche %2, droite %3 · EAWS en aperçu %4 points</translation>
     </message>
     <message>
         <source>locked</source>
@@ -8111,8 +8123,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>au contact</translation>
     </message>
     <message>
-        <source>only one hand bears the load; it judges lifts with both hands. Use RULA or REBA.</source>
-        <translation>une seule main porte la charge ; elle juge les levages à deux mains. Utilisez RULA ou REBA.</translation>
+        <source>only one hand carries the load; it covers lifts with both hands. Use RULA or REBA.</source>
+        <translation>une seule main porte la charge ; elle vaut pour les levages à deux mains. Utilisez RULA ou REBA.</translation>
     </message>
     <message>
         <source>origin</source>
@@ -8161,6 +8173,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>reversed</source>
         <translation>inversé</translation>
+    </message>
+    <message>
+        <source>right %1</source>
+        <translation>%1 droite</translation>
     </message>
     <message>
         <source>s</source>
@@ -8223,12 +8239,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'équation vaut pour des postes de 8 h au plus.</translation>
     </message>
     <message>
-        <source>the figure sits or kneels; it judges lifts while standing. Use RULA or REBA.</source>
-        <translation>la personne est assise ou à genoux ; elle juge les levages debout. Utilisez RULA ou REBA.</translation>
-    </message>
-    <message>
         <source>the lift and the forces</source>
         <translation>le levage et les efforts</translation>
+    </message>
+    <message>
+        <source>the mannequin sits or kneels; it covers lifts while standing. Use RULA or REBA.</source>
+        <translation>le mannequin est assis ou à genoux ; elle vaut pour les levages debout. Utilisez RULA ou REBA.</translation>
     </message>
     <message>
         <source>the placements of the imported files</source>

@@ -74,15 +74,14 @@ void ResultsSection::show(const trajectory::TrainingSession& session, bool may_r
     return;
   }
   const auto& last = session.attempts.back();
-  score_->setText(tr("Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %8, "
-                     "smoothness %6 (expert %7).")
+  score_->setText(tr("Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %7, "
+                     "smoothness %6 % of the expert's.")
                       .arg(last.score.points, 0, 'f', 0)
                       .arg(last.score.time, 0, 'f', 1)
                       .arg(last.score.expert_time, 0, 'f', 1)
                       .arg(lengthText(last.score.mean_deviation))
                       .arg(last.score.max_force, 0, 'f', 1)
-                      .arg(last.score.smoothness, 0, 'f', 1)
-                      .arg(last.score.expert_smoothness, 0, 'f', 1)
+                      .arg(smoothnessPercent(last.score))
                       .arg(last.score.contacts));
 }
 

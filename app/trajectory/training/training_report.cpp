@@ -43,7 +43,7 @@ QStringList cells(const trajectory::TrainingSession& session, std::size_t number
           QString::number(1e3 * s.mean_deviation, 'f', 1),
           QString::number(1e3 * s.max_deviation, 'f', 1),
           QString::number(s.max_force, 'f', 1),
-          QString::number(s.smoothness, 'f', 1),
+          QObject::tr("%1 %").arg(smoothnessPercent(s)),
           QString::number(s.contacts),
           attempt.success ? QObject::tr("yes") : QObject::tr("no")};
 }
