@@ -78,7 +78,7 @@ void GuideFields::addHelp(QVBoxLayout& section) {
   help_value_ = makeLabel({}, TextRole::kText);
   help_value_->setMinimumWidth(40);
   help_value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  help_row_ = addRow(section, tr("Help"), guideRow(help_, {help_value_}));
+  help_row_ = addRow(section, tr("Guidance"), guideRow(help_, {help_value_}));
   connect(help_, &QSlider::sliderReleased, this,
           [this] { edit_([this](workcell::Guide& guide) { guide.help = 5.0 * help_->value(); }); });
   connect(help_, &QSlider::valueChanged, this, [this](int value) {

@@ -5,8 +5,8 @@
 <context>
     <name>HaptiCell</name>
     <message numerus="yes">
-        <source>  ·  %n parts are made ready</source>
-        <translation><numerusform>  ·  %n part is made ready</numerusform><numerusform>  ·  %n parts are made ready</numerusform></translation>
+        <source>  ·  preparing %n parts</source>
+        <translation><numerusform>·  preparing %n part</numerusform><numerusform>·  preparing %n parts</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%1 in %n frames</source>

@@ -12,13 +12,13 @@
         <source>  (in use)</source>
         <translation>  (utilisée)</translation>
     </message>
-    <message numerus="yes">
-        <source>  ·  %n parts are made ready</source>
-        <translation><numerusform>  ·  %n pièce est préparée</numerusform><numerusform>  ·  %n pièces sont préparées</numerusform></translation>
-    </message>
     <message>
         <source>  ·  Simplified while moving</source>
         <translation>  ·  Simplifié pendant le mouvement</translation>
+    </message>
+    <message numerus="yes">
+        <source>  ·  preparing %n parts</source>
+        <translation><numerusform>·  préparation de %n pièce</numerusform><numerusform>·  préparation de %n pièces</numerusform></translation>
     </message>
     <message>
         <source> and %1 more</source>
@@ -89,7 +89,7 @@
         <translation>%1 % des limites</translation>
     </message>
     <message>
-        <source>%1 % of the way</source>
+        <source>%1 % of the path</source>
         <translation>%1 % du chemin</translation>
     </message>
     <message>
@@ -223,8 +223,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 vient d'être branché</translation>
     </message>
     <message>
-        <source>%1 has more frames than rows here: simplify it, then reorder its points.</source>
-        <translation>%1 a plus d'images que de lignes ici : simplifiez-le, puis réordonnez ses points.</translation>
+        <source>%1 has too many frames to reorder here. Simplify it first.</source>
+        <translation>%1 a trop d'images pour les réordonner ici. Simplifiez-le d'abord.</translation>
     </message>
     <message>
         <source>%1 has unsaved changes.</source>
@@ -247,7 +247,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 au total</translation>
     </message>
     <message>
-        <source>%1 is %2 beyond its end</source>
+        <source>%1 is %2 beyond its limit</source>
         <translation>%1 est %2 au-delà de sa butée</translation>
     </message>
     <message>
@@ -287,10 +287,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est libre</translation>
     </message>
     <message>
-        <source>%1 is kept</source>
-        <translation>%1 est gardée</translation>
-    </message>
-    <message>
         <source>%1 is known</source>
         <translation>%1 est connu</translation>
     </message>
@@ -305,6 +301,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 is not a readable picture. Choose a PNG, JPEG or SVG file. The report is unchanged.</source>
         <translation>%1 n'est pas une image lisible. Choisissez un fichier PNG, JPEG ou SVG. Le rapport est inchangé.</translation>
+    </message>
+    <message>
+        <source>%1 is not in this cell.</source>
+        <translation>%1 n'est pas dans cette cellule.</translation>
     </message>
     <message>
         <source>%1 is not there or may not be run.</source>
@@ -357,10 +357,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 may contain the work of others.</source>
         <translation>%1 contient peut-être le travail d’autrui.</translation>
-    </message>
-    <message>
-        <source>%1 meets %2</source>
-        <translation>%1 rencontre %2</translation>
     </message>
     <message>
         <source>%1 min</source>
@@ -455,8 +451,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 crête</translation>
     </message>
     <message>
-        <source>%1 points; %2 are needed and the whole way</source>
-        <translation>%1 points ; il en faut %2 et tout le chemin</translation>
+        <source>%1 points. To pass: %2 points and the whole path</source>
+        <translation>%1 points. Pour réussir : %2 points et tout le chemin</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -535,7 +531,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 triangles, à %2 au plus du maillage</translation>
     </message>
     <message>
-        <source>%1 was changed meanwhile: nothing was done</source>
+        <source>%1 was changed in the meantime, so nothing was done</source>
         <translation>%1 a été modifié entre-temps : rien n'a été fait</translation>
     </message>
     <message>
@@ -575,8 +571,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 dépasserait de %2 sa butée inférieure</translation>
     </message>
     <message>
-        <source>%1 would have to go %2/s faster than it can</source>
-        <translation>%1 devrait aller %2/s plus vite qu'il ne peut</translation>
+        <source>%1 would exceed its speed limit by %2/s</source>
+        <translation>%1 dépasserait sa vitesse limite de %2/s</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -599,8 +595,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 · sans forme</translation>
     </message>
     <message>
-        <source>%1 · runs: %3 · next help %2 %</source>
-        <translation>%1 · essais : %3 · aide suivante %2 %</translation>
+        <source>%1 · runs: %3 · next guidance %2 %</source>
+        <translation>%1 · essais : %3 · prochaine assistance %2 %</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -663,16 +659,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, pas étalonné pour vous</translation>
     </message>
     <message>
-        <source>%1, off what was asked</source>
-        <translation>%1, hors de ce qui était demandé</translation>
-    </message>
-    <message>
         <source>%1, right</source>
         <translation>%1, droite</translation>
     </message>
     <message>
         <source>%1, round trip %2 ms</source>
         <translation>%1, aller-retour %2 ms</translation>
+    </message>
+    <message>
+        <source>%1, target missed</source>
+        <translation>%1, cible manquée</translation>
     </message>
     <message>
         <source>%1, undone</source>
@@ -875,6 +871,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>, centre à %1 de %2</translation>
     </message>
     <message>
+        <source>, dwell %1 s</source>
+        <translation>, temporisation %1 s</translation>
+    </message>
+    <message>
         <source>, firmware %1</source>
         <translation>, micrologiciel %1</translation>
     </message>
@@ -899,10 +899,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>, non vus : %1</translation>
     </message>
     <message>
-        <source>, waits %1 s</source>
-        <translation>, attend %1 s</translation>
-    </message>
-    <message>
         <source>, µ %1</source>
         <translation>, µ %1</translation>
     </message>
@@ -919,16 +915,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>. Une fenêtre plus petite aide</translation>
     </message>
     <message>
-        <source>. Kept nearer to the recording from %1 to %2 s</source>
-        <translation>. Tenu plus près de l'enregistrement de %1 à %2 s</translation>
+        <source>. Closer to the recording from %1 to %2 s, to avoid collisions</source>
+        <translation>. Plus près de l'enregistrement de %1 à %2 s, pour éviter des collisions</translation>
+    </message>
+    <message>
+        <source>. Hand tremor (%1) is larger than the tolerance, so much of it remains</source>
+        <translation>. Le tremblement de la main (%1) dépasse la tolérance : il en reste beaucoup</translation>
     </message>
     <message>
         <source>. Real-time priority mends it: add the account to the group realtime</source>
         <translation>. La priorité temps réel y remédie : ajoutez le compte au groupe realtime</translation>
-    </message>
-    <message>
-        <source>. The hand's tremor (%1) is larger than the tolerance: much of it is kept</source>
-        <translation>. Le tremblement de la main (%1) dépasse la tolérance : il en reste beaucoup</translation>
     </message>
     <message>
         <source>. The robot cannot reach all of it: up to %1 away</source>
@@ -975,8 +971,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Souris 3D</translation>
     </message>
     <message>
-        <source>; limits used: speed %1 %, acceleration %2 %</source>
-        <translation> ; limites employées : vitesse %1 %, accélération %2 %</translation>
+        <source>; of the limits: speed %1 %, acceleration %2 %</source>
+        <translation>; des limites : vitesse %1 %, accélération %2 %</translation>
     </message>
     <message>
         <source>; the file states none</source>
@@ -1009,14 +1005,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>A file of this cell is missing</source>
         <translation>Un fichier de cette cellule manque</translation>
-    </message>
-    <message>
-        <source>A frame by</source>
-        <translation>Une image par</translation>
-    </message>
-    <message>
-        <source>A frame by hand at the cursor, to be dragged in the scene</source>
-        <translation>Une image à la main au curseur, à tirer dans la scène</translation>
     </message>
     <message>
         <source>A guide keeps what you move on a line, a plane, a hinge and so on. Select an entity, choose a type, then pick an edge or a face.</source>
@@ -1059,20 +1047,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une image en tête de chaque rapport ; aucune n'est choisie</translation>
     </message>
     <message>
-        <source>A process point: the motion rests here so long</source>
-        <translation>Un point de travail : le mouvement y reste ce temps</translation>
-    </message>
-    <message>
-        <source>A straight way after it</source>
-        <translation>Une voie droite après</translation>
-    </message>
-    <message>
-        <source>A straight way before it</source>
-        <translation>Une voie droite avant</translation>
-    </message>
-    <message>
-        <source>A trajectory is not on disk</source>
-        <translation>Une trajectoire n'est pas sur le disque</translation>
+        <source>A trajectory is not saved</source>
+        <translation>Une trajectoire n'est pas enregistrée</translation>
     </message>
     <message>
         <source>A trajectory of the cell cannot be read</source>
@@ -1111,6 +1087,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ajouter une image</translation>
     </message>
     <message>
+        <source>Add a frame at the cursor, then drag it in the scene</source>
+        <translation>Ajouter une image au curseur, puis la tirer dans la scène</translation>
+    </message>
+    <message>
         <source>Add a frame to this solid on picked geometry</source>
         <translation>Ajouter à ce solide un repère sur la géométrie désignée</translation>
     </message>
@@ -1125,6 +1105,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Add a robot</source>
         <translation>Ajouter un robot</translation>
+    </message>
+    <message>
+        <source>Add a straight move from the last frame</source>
+        <translation>Ajouter un trajet droit depuis la dernière image</translation>
+    </message>
+    <message>
+        <source>Add a straight move to the first frame</source>
+        <translation>Ajouter un trajet droit vers la première image</translation>
     </message>
     <message>
         <source>Add mannequin</source>
@@ -1167,10 +1155,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Établi réglable</translation>
     </message>
     <message>
-        <source>Again and again</source>
-        <translation>En boucle</translation>
-    </message>
-    <message>
         <source>Against</source>
         <translation>Contre</translation>
     </message>
@@ -1185,6 +1169,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>All 000</source>
         <translation>Toutes 000</translation>
+    </message>
+    <message>
+        <source>All edits of a motion</source>
+        <translation>Toutes les modifications d'un mouvement</translation>
     </message>
     <message>
         <source>All faces already point outwards.</source>
@@ -1207,10 +1195,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tous les fichiers pris en charge (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAO (*.step *.stp *.p21 *.stpz *.iges *.igs);;Maillages (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots et cellules (*.urdf *.xacro *.sdf *.world *.toml);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>All that can be done with a motion</source>
-        <translation>Tout ce qu'on peut faire d'un mouvement</translation>
-    </message>
-    <message>
         <source>Alt</source>
         <translation>Alt</translation>
     </message>
@@ -1219,12 +1203,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aluminium</translation>
     </message>
     <message>
-        <source>An exercise of this cell and an expert's motion in it</source>
-        <translation>Un exercice fait de cette cellule et du mouvement d'un expert</translation>
+        <source>An exercise with this name exists. Choose another name.</source>
+        <translation>Un exercice porte déjà ce nom : choisissez-en un autre.</translation>
     </message>
     <message>
-        <source>An expert's recording leads the stylus along its way; the guide waits for the trainee.</source>
-        <translation>L'enregistrement d'un expert mène le stylet sur son chemin ; le guide attend l'élève.</translation>
+        <source>An expert's recording guides the stylus along its path and waits for the trainee.</source>
+        <translation>L'enregistrement d'un expert guide le stylet sur son chemin et attend l'apprenant.</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -1319,14 +1303,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Bras écartés</translation>
     </message>
     <message>
-        <source>As</source>
-        <translation>Comme</translation>
-    </message>
-    <message>
-        <source>As a partner on the other side would do it</source>
-        <translation>Comme le ferait un partenaire de l'autre côté</translation>
-    </message>
-    <message>
         <source>As for the entity</source>
         <translation>Comme l'entité</translation>
     </message>
@@ -1337,10 +1313,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>As in the set</source>
         <translation>Comme le jeu</translation>
-    </message>
-    <message>
-        <source>As large as it is…</source>
-        <translation>À sa taille…</translation>
     </message>
     <message>
         <source>As recorded</source>
@@ -1419,6 +1391,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Attaché à %1 de %2</translation>
     </message>
     <message>
+        <source>Avoid collisions</source>
+        <translation>Éviter les collisions</translation>
+    </message>
+    <message>
         <source>Axes</source>
         <translation>Axes</translation>
     </message>
@@ -1451,16 +1427,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Arrière</translation>
     </message>
     <message>
-        <source>Backwards in time</source>
-        <translation>À rebours</translation>
-    </message>
-    <message>
         <source>Balance: %1 inside the soles</source>
         <translation>Équilibre : %1 à l'intérieur des semelles</translation>
     </message>
     <message>
-        <source>Bars: points of each run, hatched where it was not passed; without guidance apart. Line: help.</source>
-        <translation>Barres : points de chaque essai, hachurées s'il n'est pas réussi ; sans guidage, à part. Ligne : aide.</translation>
+        <source>Bars: points of each run, hatched if not passed; runs without guidance apart. Line: guidance.</source>
+        <translation>Barres : points de chaque essai, hachurées si non réussi ; sans assistance, à part. Ligne : assistance.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -1511,6 +1483,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ble&amp;u :</translation>
     </message>
     <message>
+        <source>Blend over</source>
+        <translation>Lisser sur</translation>
+    </message>
+    <message>
+        <source>Blend radius between moves</source>
+        <translation>Rayon d'arrondi entre les déplacements</translation>
+    </message>
+    <message>
         <source>Bore</source>
         <translation>Alésage</translation>
     </message>
@@ -1551,8 +1531,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Boîte</translation>
     </message>
     <message>
-        <source>Brackets in the time bar: what Trim keeps and Delete takes out</source>
-        <translation>Crochets dans la barre de temps : ce que Rogner garde et Supprimer retire</translation>
+        <source>Brackets in the time bar: the range that Trim keeps and Delete removes</source>
+        <translation>Crochets dans la barre de temps : la plage que Rogner garde et que Supprimer retire</translation>
     </message>
     <message>
         <source>Breadth of the pelvis</source>
@@ -1652,7 +1632,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Change</source>
-        <translation>Changer</translation>
+        <translation>Modifier</translation>
     </message>
     <message>
         <source>Change the mechanism</source>
@@ -1699,6 +1679,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le vérifier</translation>
     </message>
     <message>
+        <source>Check results</source>
+        <translation>Résultats de la vérification</translation>
+    </message>
+    <message>
         <source>Check robots for self-collision</source>
         <translation>Vérifier les collisions internes des robots</translation>
     </message>
@@ -1707,7 +1691,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier le mouvement</translation>
     </message>
     <message>
-        <source>Check the whole way</source>
+        <source>Check the whole path</source>
         <translation>Vérifier tout le chemin</translation>
     </message>
     <message>
@@ -1741,10 +1725,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Choose a motion to see its curves.</source>
         <translation>Choisissez un mouvement pour voir ses courbes.</translation>
-    </message>
-    <message>
-        <source>Choose a part first: its brackets stand in the time bar now.</source>
-        <translation>Choisissez d'abord une partie : ses crochets sont dans la barre de temps.</translation>
     </message>
     <message>
         <source>Choose a picture…</source>
@@ -1819,12 +1799,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez un coin, une arête, une face ou le sol pour poser le repère ; Échap : annuler</translation>
     </message>
     <message>
-        <source>Click a dot in the time bar to take hold of a frame; drag it in the scene.</source>
-        <translation>Cliquez un point de la barre de temps pour prendre une image ; tirez-la dans la scène.</translation>
+        <source>Click a dot in the time bar to select a frame, then drag it in the scene.</source>
+        <translation>Cliquez un point de la barre de temps pour choisir une image, puis tirez-la dans la scène.</translation>
     </message>
     <message>
-        <source>Click a dot in the time bar, or choose a part.</source>
-        <translation>Cliquez un point de la barre de temps, ou choisissez une partie.</translation>
+        <source>Click a dot in the time bar, or set a range.</source>
+        <translation>Cliquez un point de la barre de temps, ou réglez une plage.</translation>
     </message>
     <message>
         <source>Click a face, an edge or a corner for the tool centre point</source>
@@ -1880,7 +1860,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Click to play it</source>
-        <translation>Cliquez pour le jouer</translation>
+        <translation>Cliquez pour le lire</translation>
     </message>
     <message>
         <source>Click to set it for this pair</source>
@@ -2099,8 +2079,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sommaire</translation>
     </message>
     <message>
-        <source>Controllers load so long a program slowly or not at all, and run short moves unevenly. Simplified, only the moves are written that are needed within %1 and %2; the motion itself stays as it is.</source>
-        <translation>Les contrôleurs chargent un programme aussi long lentement ou pas du tout, et exécutent irrégulièrement les déplacements courts. Simplifié, seuls sont écrits les déplacements nécessaires à %1 et %2 près ; le mouvement lui-même reste tel quel.</translation>
+        <source>Controllers load such a long program slowly or not at all, and run short moves unevenly. Simplify keeps only the moves needed within %1 and %2. The motion itself is unchanged.</source>
+        <translation>Les contrôleurs chargent un programme aussi long lentement ou pas du tout, et exécutent irrégulièrement les déplacements courts. Simplifier ne garde que les déplacements nécessaires à %1 et %2 près. Le mouvement lui-même est inchangé.</translation>
     </message>
     <message>
         <source>Convex hull</source>
@@ -2161,6 +2141,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Curl fingers</source>
         <translation>Plier les doigts</translation>
+    </message>
+    <message>
+        <source>Current motion</source>
+        <translation>Mouvement actuel</translation>
+    </message>
+    <message>
+        <source>Current size…</source>
+        <translation>Taille actuelle…</translation>
     </message>
     <message>
         <source>Curved edge, </source>
@@ -2243,12 +2231,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Supprimer</translation>
     </message>
     <message>
+        <source>Delete the frame, or all frames between the brackets</source>
+        <translation>Supprimer l'image, ou toutes entre les crochets</translation>
+    </message>
+    <message>
         <source>Delete this frame</source>
         <translation>Supprimer cette image</translation>
     </message>
     <message>
         <source>Depth</source>
         <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Describe the task for the trainee.</source>
+        <translation>Décrivez la tâche de l'apprenant.</translation>
     </message>
     <message>
         <source>Detach</source>
@@ -2265,6 +2261,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Detents</source>
         <translation>Crans</translation>
+    </message>
+    <message>
+        <source>Dev. mm</source>
+        <translation>Écart mm</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Écart</translation>
     </message>
     <message>
         <source>Device</source>
@@ -2317,10 +2321,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Done</source>
         <translation>Fait</translation>
-    </message>
-    <message>
-        <source>Done as a copy: %1. The recording is as it was</source>
-        <translation>Fait en copie : %1. L'enregistrement est comme avant</translation>
     </message>
     <message>
         <source>Done: %1</source>
@@ -2407,6 +2407,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Durée</translation>
     </message>
     <message>
+        <source>Dwell here</source>
+        <translation>Temporiser</translation>
+    </message>
+    <message>
         <source>Dynamics</source>
         <translation>Dynamique</translation>
     </message>
@@ -2451,6 +2455,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Modifier les articulations…</translation>
     </message>
     <message>
+        <source>Edit name, task and guidance; a shipped exercise is copied</source>
+        <translation>Modifier nom, tâche, assistance ; un exercice fourni est copié</translation>
+    </message>
+    <message>
         <source>Edit…</source>
         <translation>Modifier…</translation>
     </message>
@@ -2459,16 +2467,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ailleurs lettres et chiffres sont du texte : taper cherche dans les listes et les panneaux.</translation>
     </message>
     <message>
-        <source>End the recording  (R)</source>
-        <translation>Finir l'enregistrement  (R)</translation>
-    </message>
-    <message>
         <source>End the run</source>
         <translation>Finir l'essai</translation>
     </message>
     <message>
         <source>English</source>
         <translation>Anglais</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Saisissez un nom.</translation>
     </message>
     <message>
         <source>Enter the arguments that have no value</source>
@@ -2627,7 +2635,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Moyenne</translation>
     </message>
     <message>
-        <source>Fastest in the limits</source>
+        <source>Fastest within limits</source>
         <translation>Au plus vite dans les limites</translation>
     </message>
     <message>
@@ -2811,8 +2819,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Effort N</translation>
     </message>
     <message>
-        <source>Force above the expert's that costs all its points</source>
-        <translation>Force au-dessus de celle de l'expert qui coûte tous ses points</translation>
+        <source>Force above the expert's that loses all points for it</source>
+        <translation>Effort au-dessus de celui de l'expert qui fait perdre tous ses points</translation>
     </message>
     <message>
         <source>Force and clearance over the last seconds</source>
@@ -2859,20 +2867,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les forces sont coupées. Le serveur est relancé ; Ctrl+Espace les remet ensuite.</translation>
     </message>
     <message>
-        <source>Forces are off. Without them the guide is not felt.</source>
-        <translation>Les forces sont coupées. Sans elles, le guide ne se sent pas.</translation>
+        <source>Forces are off. Without them you do not feel the guide.</source>
+        <translation>Les efforts sont coupés. Sans eux, le guide ne se sent pas.</translation>
+    </message>
+    <message>
+        <source>Forces are off. You do not feel the guide.</source>
+        <translation>Les efforts sont coupés. Le guide ne se sent pas.</translation>
     </message>
     <message>
         <source>Forces are off: a second stylus has come</source>
         <translation>Les forces sont coupées : un second stylet est arrivé</translation>
     </message>
     <message>
-        <source>Forces are off: the guide is not felt.</source>
-        <translation>Les forces sont coupées : le guide ne se sent pas.</translation>
-    </message>
-    <message>
         <source>Forces are on.</source>
-        <translation>Les forces sont actives.</translation>
+        <translation>Les efforts sont en marche.</translation>
     </message>
     <message>
         <source>Forces are on: %1.</source>
@@ -2904,7 +2912,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Forces on and start</source>
-        <translation>Activer les forces et commencer</translation>
+        <translation>Activer les efforts et commencer</translation>
     </message>
     <message>
         <source>Forces wait</source>
@@ -2917,6 +2925,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Forearm</source>
         <translation>Avant-bras</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Four mannequins at the same task</source>
@@ -2947,8 +2959,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Images enregistrées : %1</translation>
     </message>
     <message>
-        <source>Frames so near in time go along when a frame is moved</source>
-        <translation>Les images proches dans le temps suivent quand on en déplace une</translation>
+        <source>Frames within this time follow when you move a frame</source>
+        <translation>Les images proches de moins que ce temps suivent quand on en déplace une</translation>
     </message>
     <message>
         <source>Free</source>
@@ -3015,10 +3027,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Géométrie</translation>
     </message>
     <message>
-        <source>Give it a name.</source>
-        <translation>Donnez-lui un nom.</translation>
-    </message>
-    <message>
         <source>Give the other station's address: its name in the network, or four numbers like 192.168.1.20.</source>
         <translation>Donnez l'adresse de l'autre poste : son nom sur le réseau, ou quatre nombres comme 192.168.1.20.</translation>
     </message>
@@ -3045,6 +3053,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Go home</source>
         <translation>Aller en position de repos</translation>
+    </message>
+    <message>
+        <source>Go to end</source>
+        <translation>Aller à la fin</translation>
+    </message>
+    <message>
+        <source>Go to start</source>
+        <translation>Aller au début</translation>
     </message>
     <message>
         <source>Good</source>
@@ -3079,8 +3095,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pince</translation>
     </message>
     <message>
+        <source>Guidance</source>
+        <translation>Assistance</translation>
+    </message>
+    <message>
         <source>Guidance and score</source>
-        <translation>Guidage et points</translation>
+        <translation>Assistance et points</translation>
+    </message>
+    <message>
+        <source>Guidance drops by a fifth with each success, down to 0 %. After two failures it rises again.</source>
+        <translation>L'assistance baisse d'un cinquième à chaque réussite, jusqu'à 0 %. Après deux échecs elle remonte.</translation>
     </message>
     <message>
         <source>Guides</source>
@@ -3139,7 +3163,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>HaptiCell n’a pas été fermé correctement</translation>
     </message>
     <message>
-        <source>HaptiCell: the middle button turns</source>
+        <source>HaptiCell: middle button rotates</source>
         <translation>HaptiCell : le bouton du milieu tourne</translation>
     </message>
     <message>
@@ -3235,14 +3259,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tenue plus d'1 min</translation>
     </message>
     <message>
-        <source>Help</source>
-        <translation>Aide</translation>
-    </message>
-    <message>
-        <source>Help fades by a fifth with each success, to nothing; after two failures it grows again.</source>
-        <translation>L'aide baisse d'un cinquième à chaque réussite, jusqu'à rien ; après deux échecs elle remonte.</translation>
-    </message>
-    <message>
         <source>Help on this panel</source>
         <translation>Aide sur ce panneau</translation>
     </message>
@@ -3291,6 +3307,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tenez la main à plat, doigts droits et joints, le pouce contre la paume.</translation>
     </message>
     <message>
+        <source>Hold the part with the stylus</source>
+        <translation>Tenir la pièce avec le stylet</translation>
+    </message>
+    <message>
         <source>Hold the stylus with the mouse</source>
         <translation>Tenir le stylet avec la souris</translation>
     </message>
@@ -3307,8 +3327,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Distance horiz.</translation>
     </message>
     <message>
-        <source>How far ahead of the trainee the help pulls</source>
-        <translation>Distance devant l'élève à laquelle l'aide tire</translation>
+        <source>How far ahead of the trainee the guidance pulls</source>
+        <translation>Distance devant l'apprenant à laquelle l'assistance tire</translation>
     </message>
     <message>
         <source>How much of the last selected part the mannequin sees</source>
@@ -3383,6 +3403,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Améliorer la posture de %1</translation>
     </message>
     <message>
+        <source>In contact from the start: %1 and %2</source>
+        <translation>En contact dès le début : %1 et %2</translation>
+    </message>
+    <message>
         <source>In steps of</source>
         <translation>Par pas de</translation>
     </message>
@@ -3393,10 +3417,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>In the hand</source>
         <translation>Dans la main</translation>
-    </message>
-    <message>
-        <source>In two at the cursor</source>
-        <translation>En deux au curseur</translation>
     </message>
     <message>
         <source>Include %1 – %2</source>
@@ -3483,8 +3503,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il n'attend rien de vous.</translation>
     </message>
     <message>
-        <source>It stays in the cell until the program ends; export it to keep it.</source>
-        <translation>Il reste dans la cellule jusqu'à la fin du programme ; exportez-le pour le garder.</translation>
+        <source>It stays in the cell until you quit. Export it to keep it.</source>
+        <translation>Elle reste dans la cellule jusqu'à la fermeture. Exportez-la pour la garder.</translation>
     </message>
     <message>
         <source>It stays where it is</source>
@@ -3539,12 +3559,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Garder</translation>
     </message>
     <message>
-        <source>Keep it free of collisions</source>
-        <translation>Éviter les collisions</translation>
-    </message>
-    <message>
         <source>Keep joint 4</source>
         <translation>Garder l'axe 4</translation>
+    </message>
+    <message>
+        <source>Keep only the frames needed</source>
+        <translation>Garder seulement les images nécessaires</translation>
     </message>
     <message>
         <source>Keep orientation</source>
@@ -3563,20 +3583,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Garder la position, axe du poignet fixe</translation>
     </message>
     <message>
-        <source>Keep the part between the brackets as a new motion</source>
-        <translation>Garder la partie entre crochets comme nouveau mouvement</translation>
+        <source>Keep the range between the brackets</source>
+        <translation>Garder la plage entre les crochets</translation>
+    </message>
+    <message>
+        <source>Keep the range between the brackets as a new motion</source>
+        <translation>Garder la plage entre les crochets comme nouveau mouvement</translation>
     </message>
     <message>
         <source>Keep the stylus button pressed to move</source>
         <translation>Garder le bouton du stylet pressé pour déplacer</translation>
-    </message>
-    <message>
-        <source>Keep this view</source>
-        <translation>Garder cette vue</translation>
-    </message>
-    <message>
-        <source>Keeps the part between the brackets</source>
-        <translation>Garde la partie entre crochets</translation>
     </message>
     <message>
         <source>Key</source>
@@ -3668,7 +3684,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Length of the approach or retract, along the tool's axis</source>
-        <translation>Longueur de l'approche ou du retrait, le long de l'axe de l'outil</translation>
+        <translation>Longueur de l'approche ou du dégagement, le long de l'axe de l'outil</translation>
     </message>
     <message>
         <source>Length step</source>
@@ -3677,14 +3693,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Length unit</source>
         <translation>Unité de longueur</translation>
-    </message>
-    <message>
-        <source>Let go of what is held first.</source>
-        <translation>Lâchez d'abord ce qui est tenu.</translation>
-    </message>
-    <message>
-        <source>Let go of what is held first; then start the run.</source>
-        <translation>Lâchez d'abord ce qui est tenu ; commencez ensuite l'essai.</translation>
     </message>
     <message>
         <source>Libraries and their licences</source>
@@ -3723,8 +3731,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Butées et toucher</translation>
     </message>
     <message>
-        <source>Limits, singular places, configurations and collisions, between the frames too</source>
-        <translation>Limites, places singulières, configurations et collisions, entre les images aussi</translation>
+        <source>Limits, singularities, configurations and collisions, also between frames</source>
+        <translation>Limites, singularités, configurations et collisions, aussi entre les images</translation>
     </message>
     <message>
         <source>Line</source>
@@ -3811,6 +3819,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Recherche…</translation>
     </message>
     <message>
+        <source>Loop</source>
+        <translation>En boucle</translation>
+    </message>
+    <message>
         <source>Low back</source>
         <translation>Bas du dos</translation>
     </message>
@@ -3833,6 +3845,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Make a fist, every finger joint bent by a right angle.</source>
         <translation>Fermez le poing, chaque articulation des doigts pliée à angle droit.</translation>
+    </message>
+    <message>
+        <source>Make an exercise from this cell and an expert's motion</source>
+        <translation>Créer un exercice avec cette cellule et le mouvement d'un expert</translation>
     </message>
     <message>
         <source>Man</source>
@@ -3887,8 +3903,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Max mm</translation>
     </message>
     <message>
-        <source>Mean deviation that costs all its points</source>
-        <translation>Écart moyen qui coûte tous ses points</translation>
+        <source>Mean deviation that loses all points for it</source>
+        <translation>Écart moyen qui fait perdre tous ses points</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -3951,11 +3967,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>Mettre %1 en miroir</translation>
     </message>
     <message>
-        <source>Mirrored on the plane</source>
-        <translation>Symétrique par rapport au plan</translation>
+        <source>Mirror plane</source>
+        <translation>Plan de symétrie</translation>
     </message>
     <message>
-        <source>Missed: %1 is %2, asked %3 (%4). %5</source>
+        <source>Mirror the motion, as a partner on the other side would do it</source>
+        <translation>Symétrie du mouvement, comme le ferait un partenaire en face</translation>
+    </message>
+    <message>
+        <source>Missed: %1 is %2, requested %3 (%4). %5</source>
         <translation>Manqué : %1 vaut %2, demandé %3 (%4). %5</translation>
     </message>
     <message>
@@ -4107,6 +4127,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacer le travail de %1 au plus n'abaisse pas le niveau d'action de ce mannequin.</translation>
     </message>
     <message>
+        <source>Multiple of the expert's time that loses all points for it</source>
+        <translation>Multiple du temps de l'expert qui fait perdre tous ses points</translation>
+    </message>
+    <message>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -4167,10 +4191,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Nom, ou 192.168.1.20</translation>
     </message>
     <message>
-        <source>Name, task, guidance; of a shipped exercise a copy</source>
-        <translation>Nom, tâche, guidage ; d'un exercice fourni, une copie</translation>
-    </message>
-    <message>
         <source>Named poses</source>
         <translation>Poses nommées</translation>
     </message>
@@ -4183,8 +4203,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Noms seuls</translation>
     </message>
     <message>
-        <source>Near a singular position: a direction is nearly lost</source>
-        <translation>Près d'une place singulière : une direction est presque perdue</translation>
+        <source>Near a singularity: one direction is nearly lost</source>
+        <translation>Près d'une singularité : une direction est presque perdue</translation>
     </message>
     <message>
         <source>Near miss</source>
@@ -4263,7 +4283,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Nouveau jeu de paires</translation>
     </message>
     <message>
-        <source>New times along the same path</source>
+        <source>New timing along the same path</source>
         <translation>Nouveaux temps sur le même chemin</translation>
     </message>
     <message>
@@ -4277,6 +4297,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Next folder</source>
         <translation>Dossier suivant</translation>
+    </message>
+    <message>
+        <source>Next frame (Right, in the time bar)</source>
+        <translation>Image suivante (Droite, dans la barre de temps)</translation>
     </message>
     <message>
         <source>Next page</source>
@@ -4452,7 +4476,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>No run without guidance yet.</source>
-        <translation>Pas encore d'essai sans guidage.</translation>
+        <translation>Pas encore d'essai sans assistance.</translation>
     </message>
     <message>
         <source>No run yet</source>
@@ -4479,16 +4503,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun stylet n'est connecté</translation>
     </message>
     <message>
-        <source>No stylus is connected: the guide is seen, not felt.</source>
-        <translation>Aucun stylet n'est connecté : le guide se voit, sans se sentir.</translation>
+        <source>No stylus is connected. You see the guide but do not feel it.</source>
+        <translation>Aucun stylet n'est connecté. Le guide se voit, sans se sentir.</translation>
     </message>
     <message>
         <source>None</source>
         <translation>Aucun</translation>
     </message>
     <message>
-        <source>None yet: Keep this view adds one</source>
-        <translation>Aucune encore : Garder cette vue en ajoute une</translation>
+        <source>None yet. Save this view adds one.</source>
+        <translation>Aucune. Enregistrer cette vue en ajoute une.</translation>
     </message>
     <message>
         <source>Not calibrated: it exerts no force until it is.</source>
@@ -4539,6 +4563,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien que le stylet simulé, et rien ne gêne.</translation>
     </message>
     <message>
+        <source>Nothing has been practised yet. Practise first.</source>
+        <translation>Rien n'a encore été pratiqué. Entraînez-vous d'abord.</translation>
+    </message>
+    <message>
         <source>Nothing is felt</source>
         <translation>On ne sent rien</translation>
     </message>
@@ -4563,8 +4591,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
     </message>
     <message>
-        <source>Nothing moved: there is nothing to keep.</source>
-        <translation>Rien n'a bougé : il n'y a rien à garder.</translation>
+        <source>Nothing moved, so nothing was recorded.</source>
+        <translation>Rien n'a bougé : rien n'a été enregistré.</translation>
     </message>
     <message>
         <source>Nothing moves before you have agreed.</source>
@@ -4583,20 +4611,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>OWAS</translation>
     </message>
     <message>
-        <source>Of the pull at full help</source>
-        <translation>De la traction avec toute l'aide</translation>
+        <source>Of the pull at full guidance</source>
+        <translation>De la traction à pleine assistance</translation>
     </message>
     <message>
         <source>Off</source>
         <translation>Arrêt</translation>
-    </message>
-    <message>
-        <source>Off mm</source>
-        <translation>Écart mm</translation>
-    </message>
-    <message>
-        <source>Off the path</source>
-        <translation>Écart</translation>
     </message>
     <message>
         <source>Off: the mannequin can step so that the hand reaches</source>
@@ -4627,14 +4647,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sur l'autre poste, une fois : hapticell-haptic-server --pair montre le code ; puis hapticell-haptic-server --listen et l'adresse de ce poste.</translation>
     </message>
     <message>
-        <source>One frame back (Left, in the time bar)</source>
-        <translation>Une image en arrière (Gauche, dans la barre de temps)</translation>
-    </message>
-    <message>
-        <source>One frame on (Right, in the time bar)</source>
-        <translation>Une image en avant (Droite, dans la barre de temps)</translation>
-    </message>
-    <message>
         <source>One is attached to the other, so they move together</source>
         <translation>L'une est attachée à l'autre : elles bougent ensemble</translation>
     </message>
@@ -4645,10 +4657,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>One undo step</source>
         <translation>Une étape d'annulation</translation>
-    </message>
-    <message>
-        <source>Only the frames that are needed</source>
-        <translation>Seulement les images nécessaires</translation>
     </message>
     <message>
         <source>Only while the robot is held by its tool</source>
@@ -4955,12 +4963,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Traverser</translation>
     </message>
     <message>
-        <source>Passed</source>
-        <translation>Réussi</translation>
+        <source>Pass mark</source>
+        <translation>Seuil</translation>
     </message>
     <message>
-        <source>Passed from</source>
-        <translation>Réussi dès</translation>
+        <source>Passed</source>
+        <translation>Réussi</translation>
     </message>
     <message>
         <source>Passed with %1 points</source>
@@ -5184,19 +5192,27 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation>Jouer</translation>
+        <translation>Lire</translation>
     </message>
     <message>
         <source>Play or pause</source>
-        <translation>Jouer ou suspendre</translation>
+        <translation>Lire ou suspendre</translation>
     </message>
     <message>
-        <source>Played; click to leave it out</source>
-        <translation>Joué ; un clic le met de côté</translation>
+        <source>Play the motion backwards</source>
+        <translation>Mouvement à rebours</translation>
     </message>
     <message>
-        <source>Plays slower than recorded: fewer than 10 pictures a second can be drawn</source>
-        <translation>Lecture ralentie : moins de 10 images par seconde peuvent être dessinées</translation>
+        <source>Playback speed</source>
+        <translation>Vitesse de lecture</translation>
+    </message>
+    <message>
+        <source>Played; click to exclude it</source>
+        <translation>Lu ; cliquez pour l'exclure</translation>
+    </message>
+    <message>
+        <source>Plays slower than recorded: the view is below 10 Hz</source>
+        <translation>Lecture ralentie : la vue est sous 10 Hz</translation>
     </message>
     <message>
         <source>Plugged in at</source>
@@ -5223,12 +5239,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Points</translation>
     </message>
     <message>
-        <source>Points and help by run</source>
-        <translation>Points et aide par essai</translation>
+        <source>Points and guidance by run</source>
+        <translation>Points et assistance par essai</translation>
     </message>
     <message>
-        <source>Points from which a run is passed</source>
-        <translation>Points à partir desquels un essai est réussi</translation>
+        <source>Points needed to pass a run</source>
+        <translation>Points nécessaires pour réussir un essai</translation>
     </message>
     <message>
         <source>Poor</source>
@@ -5315,6 +5331,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Dossier précédent</translation>
     </message>
     <message>
+        <source>Previous frame (Left, in the time bar)</source>
+        <translation>Image précédente (Gauche, dans la barre de temps)</translation>
+    </message>
+    <message>
         <source>Previous page</source>
         <translation>Page précédente</translation>
     </message>
@@ -5325,6 +5345,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Problem</source>
         <translation>Problème</translation>
+    </message>
+    <message>
+        <source>Process point: the motion pauses here for this time</source>
+        <translation>Point de travail : le mouvement s'arrête ici ce temps</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -5355,7 +5379,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>R</translation>
     </message>
     <message>
-        <source>R records, Shift+R adds a frame. Recording begins with the first motion.</source>
+        <source>R records, Shift+R adds a frame. Recording starts with the first motion.</source>
         <translation>R enregistre, Maj+R ajoute une image. L'enregistrement commence au premier mouvement.</translation>
     </message>
     <message>
@@ -5399,7 +5423,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rayon</translation>
     </message>
     <message>
-        <source>Radius about the expert's path</source>
+        <source>Radius around the expert's path</source>
         <translation>Rayon autour du chemin de l'expert</translation>
     </message>
     <message>
@@ -5449,10 +5473,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Ratio</source>
         <translation>Rapport</translation>
-    </message>
-    <message>
-        <source>Re-time</source>
-        <translation>Nouveaux temps</translation>
     </message>
     <message>
         <source>Reach</source>
@@ -5519,6 +5539,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Capturer %1</translation>
     </message>
     <message>
+        <source>Record by</source>
+        <translation>Capturer par</translation>
+    </message>
+    <message>
         <source>Record the expert's motion first (R), then choose it here.</source>
         <translation>Enregistrez d'abord le mouvement de l'expert (R), puis choisissez-le ici.</translation>
     </message>
@@ -5555,6 +5579,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Relâcher</translation>
     </message>
     <message>
+        <source>Release what is held first, then start the run.</source>
+        <translation>Relâchez d'abord ce qui est tenu, puis commencez l'essai.</translation>
+    </message>
+    <message>
+        <source>Release what is held first.</source>
+        <translation>Relâchez d'abord ce qui est tenu.</translation>
+    </message>
+    <message>
         <source>Reload</source>
         <translation>Recharger</translation>
     </message>
@@ -5583,6 +5615,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Retirer de la cellule</translation>
     </message>
     <message>
+        <source>Remove hand tremor, keep the path</source>
+        <translation>Ôter le tremblement de la main, garder le chemin</translation>
+    </message>
+    <message>
         <source>Remove the pair set</source>
         <translation>Retirer le jeu de paires</translation>
     </message>
@@ -5601,6 +5637,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Removed: %1 zero-area triangles.</source>
         <translation>Retirés : %1 triangles de surface nulle.</translation>
+    </message>
+    <message>
+        <source>Removes it from the cell; its file stays</source>
+        <translation>Le retire de la cellule ; son fichier reste</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -5671,8 +5711,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rétention : %1 points.</translation>
     </message>
     <message>
+        <source>Retime</source>
+        <translation>Recalculer</translation>
+    </message>
+    <message>
         <source>Retract</source>
-        <translation>Retrait</translation>
+        <translation>Dégagement</translation>
     </message>
     <message>
         <source>Reverse</source>
@@ -5771,10 +5815,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Gros</translation>
     </message>
     <message>
-        <source>Rounding between lines</source>
-        <translation>Arrondi entre lignes</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Essai</translation>
     </message>
@@ -5827,6 +5867,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer sous…</translation>
     </message>
     <message>
+        <source>Save it as a file or a robot program</source>
+        <translation>L'enregistrer comme fichier ou programme de robot</translation>
+    </message>
+    <message>
         <source>Save log</source>
         <translation>Enregistrer le journal</translation>
     </message>
@@ -5835,8 +5879,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer le journal…</translation>
     </message>
     <message>
-        <source>Save the cell first (Ctrl+S): the exercise opens its file.</source>
-        <translation>Enregistrez d'abord la cellule (Ctrl+S) : l'exercice ouvre son fichier.</translation>
+        <source>Save the cell first (Ctrl+S). The exercise needs its file.</source>
+        <translation>Enregistrez d'abord la cellule (Ctrl+S). L'exercice a besoin de son fichier.</translation>
     </message>
     <message>
         <source>Save the change report</source>
@@ -5863,7 +5907,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer la cellule</translation>
     </message>
     <message>
-        <source>Save this cell first; then choose the exercise again.</source>
+        <source>Save this cell first, then choose the exercise again.</source>
         <translation>Enregistrez d'abord cette cellule ; puis choisissez de nouveau l'exercice.</translation>
     </message>
     <message>
@@ -5887,12 +5931,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer cette posture…</translation>
     </message>
     <message>
-        <source>Saved views</source>
-        <translation>Vues gardées</translation>
+        <source>Save this view</source>
+        <translation>Enregistrer cette vue</translation>
     </message>
     <message>
-        <source>Say what the trainee is to do.</source>
-        <translation>Dites ce que l'élève doit faire.</translation>
+        <source>Saved as a copy: %1. The recording is unchanged</source>
+        <translation>Enregistré en copie : %1. L'enregistrement d'origine est inchangé</translation>
+    </message>
+    <message>
+        <source>Saved views</source>
+        <translation>Vues enregistrées</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Enregistré : %1</translation>
+    </message>
+    <message>
+        <source>Saved: %1; frames: %2. Tool, base and safety settings are those of the controller. Check them there</source>
+        <translation>Enregistré : %1 ; images : %2. Outil, base et sécurité sont ceux de la commande. Vérifiez-les là</translation>
     </message>
     <message>
         <source>Scale</source>
@@ -6023,6 +6079,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisi pour cette paire ; cliquez pour changer</translation>
     </message>
     <message>
+        <source>Set the range first, with the brackets that are now in the time bar.</source>
+        <translation>Réglez d'abord la plage, par les crochets affichés dans la barre de temps.</translation>
+    </message>
+    <message>
         <source>Set: %1</source>
         <translation>Jeu : %1</translation>
     </message>
@@ -6099,16 +6159,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pièces en pleines couleurs</translation>
     </message>
     <message>
-        <source>Show the motion in the scene; off: the cell as it stands</source>
-        <translation>Montrer le mouvement dans la scène ; arrêt : la cellule telle qu'elle est</translation>
-    </message>
-    <message>
-        <source>Show the room that the motion needs: all its places at once</source>
-        <translation>Montrer la place que demande le mouvement : toutes ses positions à la fois</translation>
+        <source>Show the motion in the scene; off: show the cell</source>
+        <translation>Montrer le mouvement dans la scène ; arrêt : la cellule</translation>
     </message>
     <message>
         <source>Show the start page at start-up</source>
         <translation>Montrer la page d'accueil au démarrage</translation>
+    </message>
+    <message>
+        <source>Show the swept volume of the motion</source>
+        <translation>Montrer le volume balayé par le mouvement</translation>
     </message>
     <message>
         <source>Show this page at start-up</source>
@@ -6235,10 +6295,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vitesse</translation>
     </message>
     <message>
-        <source>Speed of the play</source>
-        <translation>Vitesse de lecture</translation>
-    </message>
-    <message>
         <source>Speed, friction</source>
         <translation>Vitesse, frott.</translation>
     </message>
@@ -6249,6 +6305,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Split</source>
         <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Split at the cursor</source>
+        <translation>Couper au curseur</translation>
     </message>
     <message>
         <source>Squatting</source>
@@ -6288,7 +6348,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Start without forces</source>
-        <translation>Commencer sans forces</translation>
+        <translation>Commencer sans efforts</translation>
     </message>
     <message>
         <source>State</source>
@@ -6341,6 +6401,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Stop recording</source>
         <translation>Arrêter l'enregistrement</translation>
+    </message>
+    <message>
+        <source>Stop recording  (R)</source>
+        <translation>Arrêter l'enregistrement  (R)</translation>
     </message>
     <message>
         <source>Stop the video, %1 % done</source>
@@ -6407,8 +6471,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Échanger les mains de %1</translation>
     </message>
     <message>
-        <source>Switch the forces off first: no panel moves while the hand works.</source>
-        <translation>Coupez d'abord les efforts : aucun panneau ne déplace pendant que la main travaille.</translation>
+        <source>Switch the forces off first. Panels stay in place while the stylus is in use.</source>
+        <translation>Coupez d'abord les efforts. Les panneaux ne bougent pas tant que le stylet sert.</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -6447,32 +6511,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prise %1</translation>
     </message>
     <message>
-        <source>Take the hand's tremor, keep the path</source>
-        <translation>Ôter le tremblement de la main, garder le chemin</translation>
-    </message>
-    <message>
-        <source>Take the part with the stylus</source>
-        <translation>Prendre la pièce avec le stylet</translation>
-    </message>
-    <message>
         <source>Take the stylus</source>
         <translation>Prendre le stylet</translation>
     </message>
     <message>
         <source>Take the stylus in the panel Virtual Desktop takes it back.</source>
         <translation>« Prendre le stylet » dans le panneau Virtual Desktop le reprend.</translation>
-    </message>
-    <message>
-        <source>Takes along</source>
-        <translation>Emmène</translation>
-    </message>
-    <message>
-        <source>Takes it out of the cell; its file stays</source>
-        <translation>Le retire de la cellule ; son fichier reste</translation>
-    </message>
-    <message>
-        <source>Takes the hand's tremor, keeps the path</source>
-        <translation>Ôte le tremblement de la main, garde le chemin</translation>
     </message>
     <message>
         <source>Task</source>
@@ -6485,6 +6529,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Task data…</source>
         <translation>Données de la tâche…</translation>
+    </message>
+    <message>
+        <source>Task for the trainee</source>
+        <translation>Tâche de l'apprenant</translation>
     </message>
     <message>
         <source>Task of %1</source>
@@ -6551,12 +6599,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>La cellule montre encore l'ancienne version. Places, noms et couleurs restent au rechargement.</translation>
     </message>
     <message>
-        <source>The cell was changed or saved, so the run was given up. The part stands where it stood before.</source>
-        <translation>La cellule a été modifiée ou enregistrée : l'essai est abandonné. La pièce est revenue à sa place.</translation>
-    </message>
-    <message>
-        <source>The chosen motion becomes the expert's, in the cell as it is</source>
-        <translation>Le mouvement choisi devient celui de l'expert, dans la cellule telle qu'elle est</translation>
+        <source>The cell was changed or saved, so the run was cancelled. The part is back in its place.</source>
+        <translation>La cellule a été modifiée ou enregistrée : l'essai est annulé. La pièce est revenue à sa place.</translation>
     </message>
     <message>
         <source>The device does not answer.</source>
@@ -6645,10 +6689,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The frame keeps its current placement and moves with it</source>
         <translation>Le repère garde sa place actuelle et se déplace avec</translation>
-    </message>
-    <message>
-        <source>The frame, or all between the brackets</source>
-        <translation>L'image, ou tout entre les crochets</translation>
     </message>
     <message>
         <source>The glove does not answer: nothing was taken.</source>
@@ -6775,16 +6815,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le mouvement ne peut pas être montré</translation>
     </message>
     <message>
-        <source>The motion is not exported</source>
-        <translation>Le mouvement n'est pas exporté</translation>
-    </message>
-    <message>
-        <source>The motion is not imported</source>
-        <translation>Le mouvement n'est pas importé</translation>
-    </message>
-    <message>
         <source>The motion is saved</source>
         <translation>Le mouvement est enregistré</translation>
+    </message>
+    <message>
+        <source>The motion was not exported</source>
+        <translation>Le mouvement n'a pas été exporté</translation>
+    </message>
+    <message>
+        <source>The motion was not imported</source>
+        <translation>Le mouvement n'a pas été importé</translation>
     </message>
     <message>
         <source>The motion was not saved</source>
@@ -6795,16 +6835,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le plus récent apparaît aussi 8 secondes dans la ligne d'état.</translation>
     </message>
     <message>
-        <source>The one it has</source>
-        <translation>Celui qu'il a</translation>
+        <source>The part follows the expert's path; the cell is unchanged</source>
+        <translation>La pièce suit le chemin de l'expert ; la cellule est inchangée</translation>
     </message>
     <message>
-        <source>The part goes the expert's way; the cell stays as it is</source>
-        <translation>La pièce suit le chemin de l'expert ; la cellule reste comme elle est</translation>
-    </message>
-    <message>
-        <source>The part goes the way of the run, a ghost the expert's, both at once</source>
-        <translation>La pièce suit le chemin de l'essai, un fantôme celui de l'expert, en même temps</translation>
+        <source>The part follows the run and a ghost follows the expert, both at once</source>
+        <translation>La pièce suit l'essai et un fantôme suit l'expert, en même temps</translation>
     </message>
     <message>
         <source>The part is shown in a quieter colour than %1</source>
@@ -6871,8 +6907,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le rapport n'a pas été enregistré</translation>
     </message>
     <message>
-        <source>The result is not kept</source>
-        <translation>Le résultat n'est pas gardé</translation>
+        <source>The result was not saved</source>
+        <translation>Le résultat n'a pas été enregistré</translation>
     </message>
     <message>
         <source>The right arm is supported</source>
@@ -6887,8 +6923,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il manque %1 à la main droite.</translation>
     </message>
     <message>
-        <source>The robot cannot reach the frame: it stays up to %1 or %2 beside it</source>
-        <translation>Le robot n’atteint pas l’image : il reste jusqu’à %1 ou %2 à côté</translation>
+        <source>The robot cannot reach the frame: it stays up to %1 or %2 away</source>
+        <translation>Le robot n’atteint pas l’image : il en reste jusqu’à %1 ou %2</translation>
     </message>
     <message>
         <source>The robot was not added</source>
@@ -6903,8 +6939,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'essai ne pourra pas être rejoué</translation>
     </message>
     <message>
-        <source>The run has no frames: take the part with the stylus and move it.</source>
-        <translation>L'essai n'a pas d'images : prenez la pièce avec le stylet et déplacez-la.</translation>
+        <source>The run has no frames. Hold the part with the stylus and move it.</source>
+        <translation>L'essai n'a pas d'images. Tenez la pièce avec le stylet et déplacez-la.</translation>
     </message>
     <message>
         <source>The sample was not added</source>
@@ -6991,24 +7027,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Thème</translation>
     </message>
     <message>
-        <source>There is an exercise of this name: choose another.</source>
-        <translation>Un exercice porte déjà ce nom : choisissez-en un autre.</translation>
-    </message>
-    <message>
-        <source>There is no %1 in this cell.</source>
-        <translation>Il n'y a pas de %1 dans cette cellule.</translation>
-    </message>
-    <message>
         <source>There is no motion below this one.</source>
         <translation>Il n'y a pas de mouvement sous celui-ci.</translation>
     </message>
     <message>
         <source>There is no motion to go back over.</source>
         <translation>Il n'y a pas de mouvement à remonter.</translation>
-    </message>
-    <message>
-        <source>There is no practice yet that could be retained: practise first.</source>
-        <translation>Il n'y a pas encore d'entraînement à retenir : entraînez-vous d'abord.</translation>
     </message>
     <message>
         <source>These are the markers of %1. To put the recording on the mannequin: Mannequin &gt; Open a recorded motion.</source>
@@ -7055,8 +7079,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cette entité n'est vérifiée contre rien. Choisissez des jeux de paires à gauche.</translation>
     </message>
     <message>
-        <source>This exercise was practised: transfer is shown at another one, here choose Retention.</source>
-        <translation>Cet exercice a été pratiqué : le transfert se montre sur un autre ; ici, choisissez Rétention.</translation>
+        <source>This exercise was practised. Choose Retention here, or test transfer on another exercise.</source>
+        <translation>Cet exercice a été pratiqué. Choisissez ici Rétention, ou testez le transfert sur un autre.</translation>
     </message>
     <message>
         <source>This is the current configuration.</source>
@@ -7075,7 +7099,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce mouvement n'a pas d'articulations.</translation>
     </message>
     <message>
-        <source>This motion has no way: choose another.</source>
+        <source>This motion has no path. Choose another.</source>
         <translation>Ce mouvement n'a pas de chemin : choisissez-en un autre.</translation>
     </message>
     <message>
@@ -7123,20 +7147,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Instant de l'enregistrement</translation>
     </message>
     <message>
-        <source>Time in which the greatest acceleration is reached</source>
-        <translation>Temps en lequel la plus grande accélération est atteinte</translation>
-    </message>
-    <message>
         <source>Time s</source>
         <translation>Temps s</translation>
     </message>
     <message>
-        <source>Times</source>
-        <translation>Temps</translation>
+        <source>Time to reach the greatest acceleration</source>
+        <translation>Temps pour atteindre la plus grande accélération</translation>
     </message>
     <message>
-        <source>Times the expert's time that cost all its points</source>
-        <translation>Multiple du temps de l'expert qui coûte tous ses points</translation>
+        <source>Times</source>
+        <translation>Temps</translation>
     </message>
     <message>
         <source>Timing</source>
@@ -7147,16 +7167,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>À</translation>
     </message>
     <message>
+        <source>To go back to it: View &gt; Saved views.</source>
+        <translation>Pour y revenir : Vue &gt; Vues enregistrées.</translation>
+    </message>
+    <message>
         <source>To lower it: %1.</source>
         <translation>Pour l'abaisser : %1.</translation>
-    </message>
-    <message>
-        <source>To the beginning</source>
-        <translation>Au début</translation>
-    </message>
-    <message>
-        <source>To the end</source>
-        <translation>À la fin</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -7179,7 +7195,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Centres outil</translation>
     </message>
     <message>
-        <source>Tool, base and safety stay the controller's own</source>
+        <source>Tool, base and safety settings stay those of the controller</source>
         <translation>Outil, base et sécurité restent ceux de la commande</translation>
     </message>
     <message>
@@ -7199,20 +7215,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Touchez quelque chose avec les forces : ici est dit combien de temps après le ressenti le contact se voit</translation>
     </message>
     <message>
-        <source>Touches from the beginning: %1 and %2</source>
-        <translation>Se touchent dès le début : %1 et %2</translation>
-    </message>
-    <message>
         <source>Touchpad</source>
         <translation>Pavé tactile</translation>
     </message>
     <message>
-        <source>Train along a motion…</source>
-        <translation>S'exercer le long d'un mouvement…</translation>
+        <source>Train on a motion…</source>
+        <translation>S'exercer sur un mouvement…</translation>
     </message>
     <message>
         <source>Trainee</source>
-        <translation>Élève</translation>
+        <translation>Apprenant</translation>
     </message>
     <message>
         <source>Training</source>
@@ -7279,12 +7291,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tube</translation>
     </message>
     <message>
-        <source>Turn</source>
-        <translation>Tourner</translation>
-    </message>
-    <message>
         <source>Turns the eyes towards the last selected part, as far as they go</source>
         <translation>Tourne les yeux vers la dernière pièce choisie, autant qu'ils le peuvent</translation>
+    </message>
+    <message>
+        <source>Turntable video</source>
+        <translation>Vidéo d'un tour</translation>
+    </message>
+    <message>
+        <source>Turntable video…</source>
+        <translation>Vidéo d'un tour…</translation>
     </message>
     <message>
         <source>Two fingers rotate; with Shift they pan, with Ctrl they zoom</source>
@@ -7383,16 +7399,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Utiliser les touches seules, sans Ctrl</translation>
     </message>
     <message>
+        <source>Use the selected motion as the expert's, in the current cell</source>
+        <translation>Prendre le mouvement choisi comme celui de l'expert, dans la cellule actuelle</translation>
+    </message>
+    <message>
         <source>Use this one</source>
         <translation>Utiliser celui-ci</translation>
-    </message>
-    <message>
-        <source>Video of a turn round it</source>
-        <translation>Vidéo d'un tour</translation>
-    </message>
-    <message>
-        <source>Video of a turn round it…</source>
-        <translation>Vidéo d'un tour…</translation>
     </message>
     <message>
         <source>Video of the motion</source>
@@ -7415,10 +7427,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vue %1</translation>
     </message>
     <message>
-        <source>View, Saved views goes back to it.</source>
-        <translation>Vue, Vues gardées y revient.</translation>
-    </message>
-    <message>
         <source>Virtual Desktop</source>
         <translation>Virtual Desktop</translation>
     </message>
@@ -7429,10 +7437,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Visible share</source>
         <translation>Part visible</translation>
-    </message>
-    <message>
-        <source>Wait here</source>
-        <translation>Attendre ici</translation>
     </message>
     <message>
         <source>Waiting for the haptic server</source>
@@ -7453,10 +7457,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Watching: another window has the stylus</source>
         <translation>Observe : une autre fenêtre a le stylet</translation>
-    </message>
-    <message>
-        <source>Way</source>
-        <translation>Chemin</translation>
     </message>
     <message>
         <source>Weight limit</source>
@@ -7483,16 +7483,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce que la souris 3D déplace ; son second bouton le change</translation>
     </message>
     <message>
-        <source>What the check found</source>
-        <translation>Ce que la vérification a trouvé</translation>
-    </message>
-    <message>
         <source>What the tip touches</source>
         <translation>Ce que touche la pointe</translation>
-    </message>
-    <message>
-        <source>What the trainee is to do</source>
-        <translation>Ce que l'élève doit faire</translation>
     </message>
     <message>
         <source>What to keep where the wrist would have to turn faster than it can</source>
@@ -7539,20 +7531,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fenêtre</translation>
     </message>
     <message>
-        <source>Within</source>
-        <translation>Dans</translation>
-    </message>
-    <message>
         <source>Without guidance, a day and a week after practice.</source>
-        <translation>Sans guidage, un jour et une semaine après l'entraînement.</translation>
+        <translation>Sans assistance, un jour et une semaine après l'entraînement.</translation>
     </message>
     <message>
         <source>Without guidance, a day and a week after practice. Last practice: %1 ago.</source>
-        <translation>Sans guidage, un jour et une semaine après l'entraînement. Dernier : il y a %1.</translation>
+        <translation>Sans assistance, un jour et une semaine après l'entraînement. Dernier : il y a %1.</translation>
     </message>
     <message>
-        <source>Without guidance, at an exercise that was not practised.</source>
-        <translation>Sans guidage, sur un exercice qui n'a pas été pratiqué.</translation>
+        <source>Without guidance, on an exercise that was not practised.</source>
+        <translation>Sans assistance, sur un exercice qui n'a pas été pratiqué.</translation>
     </message>
     <message>
         <source>Woman</source>
@@ -7611,20 +7599,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Écrire tous les déplacements</translation>
     </message>
     <message>
-        <source>Write it as a file or a robot's program</source>
-        <translation>L'écrire comme fichier ou programme de robot</translation>
-    </message>
-    <message>
         <source>Writing %1</source>
         <translation>Écriture de %1</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Écrit : %1</translation>
-    </message>
-    <message>
-        <source>Written: %1; frames: %2. Tool, base and safety are the controller's own: check them there</source>
-        <translation>Écrit : %1 ; images : %2. Outil, base et sécurité sont ceux de la commande : vérifiez-les là</translation>
     </message>
     <message>
         <source>X</source>
@@ -7727,16 +7703,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un autre cliqué</translation>
     </message>
     <message>
+        <source>as in the controller</source>
+        <translation>celui de la commande</translation>
+    </message>
+    <message>
         <source>at work</source>
         <translation>au travail</translation>
     </message>
     <message>
         <source>back</source>
         <translation>derrière</translation>
-    </message>
-    <message>
-        <source>being read</source>
-        <translation>en lecture</translation>
     </message>
     <message>
         <source>best %1</source>
@@ -7773,6 +7749,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>checked</source>
         <translation>vérifié</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>distance</translation>
     </message>
     <message>
         <source>closed</source>
@@ -7875,14 +7855,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>images : %1</translation>
     </message>
     <message>
-        <source>free gap</source>
-        <translation>espace libre</translation>
-    </message>
-    <message>
-        <source>free of contact</source>
-        <translation>sans contact</translation>
-    </message>
-    <message>
         <source>free to move</source>
         <translation>libre</translation>
     </message>
@@ -7963,10 +7935,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>retard %1 ms</translation>
     </message>
     <message>
-        <source>least gap %1 at %2 s</source>
-        <translation>distance minimale %1 à %2 s</translation>
-    </message>
-    <message>
         <source>left %1</source>
         <translation>%1 gauche</translation>
     </message>
@@ -7979,8 +7947,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>butée</translation>
     </message>
     <message>
-        <source>limits passed: %1</source>
+        <source>limits exceeded: %1</source>
         <translation>limites dépassées : %1</translation>
+    </message>
+    <message>
+        <source>loading…</source>
+        <translation>chargement…</translation>
     </message>
     <message>
         <source>locked</source>
@@ -7997,6 +7969,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>millimetre</source>
         <translation>millimètre</translation>
+    </message>
+    <message>
+        <source>minimum clearance %1 at %2 s</source>
+        <translation>distance minimale %1 à %2 s</translation>
     </message>
     <message>
         <source>mirrored</source>
@@ -8039,6 +8015,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de distance</translation>
     </message>
     <message>
+        <source>no contact</source>
+        <translation>sans contact</translation>
+    </message>
+    <message>
         <source>no device</source>
         <translation>pas de périphérique</translation>
     </message>
@@ -8063,8 +8043,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun dans la tâche</translation>
     </message>
     <message>
-        <source>none near</source>
-        <translation>rien de proche</translation>
+        <source>none nearby</source>
+        <translation>rien à proximité</translation>
     </message>
     <message>
         <source>none; e.g. %1</source>
@@ -8155,10 +8135,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>points réordonnés</translation>
     </message>
     <message>
-        <source>re-timed</source>
-        <translation>nouveaux temps</translation>
-    </message>
-    <message>
         <source>recording</source>
         <translation>enregistrement</translation>
     </message>
@@ -8169,6 +8145,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>results.pdf</source>
         <translation>resultats.pdf</translation>
+    </message>
+    <message>
+        <source>retimed</source>
+        <translation>temps recalculés</translation>
     </message>
     <message>
         <source>reversed</source>
@@ -8199,8 +8179,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>simplifié</translation>
     </message>
     <message>
-        <source>singular places, changes of configuration: %1</source>
-        <translation>places singulières, changements de configuration : %1</translation>
+        <source>singularities, configuration changes: %1</source>
+        <translation>singularités, changements de configuration : %1</translation>
     </message>
     <message>
         <source>sitting</source>
@@ -8229,10 +8209,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>stylus button</source>
         <translation>bouton du stylet</translation>
-    </message>
-    <message>
-        <source>the controller's</source>
-        <translation>ceux de la commande</translation>
     </message>
     <message>
         <source>the equation covers shifts of up to 8 h.</source>
@@ -8268,7 +8244,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>trainee</source>
-        <translation>élève</translation>
+        <translation>apprenant</translation>
     </message>
     <message>
         <source>trimmed</source>
@@ -8307,12 +8283,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>là où elle est tenue</translation>
     </message>
     <message>
-        <source>with a frame</source>
-        <translation>avec une image</translation>
+        <source>with a dwell</source>
+        <translation>avec temporisation</translation>
     </message>
     <message>
-        <source>with a wait</source>
-        <translation>avec une attente</translation>
+        <source>with a frame</source>
+        <translation>avec une image</translation>
     </message>
     <message>
         <source>with approach</source>
@@ -8320,15 +8296,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>with retract</source>
-        <translation>avec retrait</translation>
+        <translation>avec dégagement</translation>
     </message>
     <message>
         <source>without a frame</source>
         <translation>sans une image</translation>
     </message>
     <message>
-        <source>without a part</source>
-        <translation>sans une partie</translation>
+        <source>without a range</source>
+        <translation>sans une plage</translation>
     </message>
     <message>
         <source>worst RULA %1 (P5 woman %2, P50 woman %3, P50 man %4, P95 man %5).</source>

@@ -32,14 +32,14 @@ ResultsSection::ResultsSection(QVBoxLayout& column, QObject* parent) : QObject(p
   plot_ = new ProgressPlot;
   section->addWidget(plot_);
   auto* legend = resultLine("labelLegend", 2, TextRole::kSecond, true);
-  legend->setText(tr("Bars: points of each run, hatched where it was not passed; without guidance apart. Line: help."));
+  legend->setText(tr("Bars: points of each run, hatched if not passed; runs without guidance apart. Line: guidance."));
   section->addWidget(legend);
   runs_ = new QComboBox;
   runs_->setObjectName("comboRuns");
   addRow(*section, tr("Run"), runs_);
   replay_ = new QPushButton(tr("Replay beside the expert"));
   replay_->setObjectName("buttonReplayRun");
-  replay_->setToolTip(tr("The part goes the way of the run, a ghost the expert's, both at once"));
+  replay_->setToolTip(tr("The part follows the run and a ghost follows the expert, both at once"));
   section->addWidget(replay_);
   connect(replay_, &QPushButton::clicked, this, &ResultsSection::replayWanted);
   connect(runs_, &QComboBox::currentIndexChanged, this, &ResultsSection::runChosen);
