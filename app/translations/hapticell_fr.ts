@@ -121,8 +121,8 @@
         <translation>%1 Hz, retard %2 ms</translation>
     </message>
     <message>
-        <source>%1 Hz, late %2 ms at most in 99 of 100 steps%3</source>
-        <translation>%1 Hz, retard d'au plus %2 ms pour 99 pas sur 100%3</translation>
+        <source>%1 Hz, lateness (99th percentile) %2 ms%3</source>
+        <translation>%1 Hz, retard (99e centile) %2 ms%3</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -137,8 +137,8 @@
         <translation>%1 N m</translation>
     </message>
     <message>
-        <source>%1 N were commanded. If nothing was felt: is the device's power on, is its emergency stop released, is it calibrated?</source>
-        <translation>%1 N ont été commandés. Si rien n'a été senti : le périphérique est-il sous tension, son arrêt d'urgence relâché, est-il étalonné ?</translation>
+        <source>%1 N were commanded. If you felt nothing, check that the device is powered, its emergency stop released and calibrated.</source>
+        <translation>%1 N ont été commandés. Si vous n'avez rien senti, vérifiez que le périphérique est sous tension, son arrêt d'urgence relâché, et étalonné.</translation>
     </message>
     <message>
         <source>%1 already exists.
@@ -153,10 +153,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 and %2 more</source>
         <translation>%1 et %2 de plus</translation>
-    </message>
-    <message>
-        <source>%1 answers at %2.</source>
-        <translation>%1 répond à %2.</translation>
     </message>
     <message>
         <source>%1 cannot be made from this geometry</source>
@@ -307,10 +303,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 n'est pas dans cette cellule.</translation>
     </message>
     <message>
-        <source>%1 is not there or may not be run.</source>
-        <translation>%1 n'est pas là ou ne peut pas être lancé.</translation>
-    </message>
-    <message>
         <source>%1 is open elsewhere</source>
         <translation>%1 est ouvert ailleurs</translation>
     </message>
@@ -327,16 +319,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est inchangé</translation>
     </message>
     <message>
-        <source>%1 is used, but only until the end of the program.</source>
-        <translation>%1 est utilisé, mais seulement jusqu'à la fin du programme.</translation>
+        <source>%1 is used, but only until you quit.</source>
+        <translation>%1 est utilisé, mais seulement jusqu'à la fermeture.</translation>
     </message>
     <message>
         <source>%1 kg</source>
         <translation>%1 kg</translation>
     </message>
     <message>
-        <source>%1 late and %2 refused since the server's start</source>
-        <translation>%1 en retard, %2 refusés depuis le démarrage</translation>
+        <source>%1 late and %2 rejected since the server started</source>
+        <translation>%1 en retard, %2 refusés depuis le démarrage du serveur</translation>
     </message>
     <message>
         <source>%1 left</source>
@@ -385,14 +377,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>%1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed</source>
-        <translation>%1 ms après le ressenti au milieu, %2 ms au plus, sur %3 ; %4 ms passent inaperçues</translation>
-    </message>
-    <message>
-        <source>%1 ms old in the middle, %2 ms in 99 of 100; %3</source>
-        <translation>%1 ms d'âge médian, %2 ms pour 99 sur 100 ; %3</translation>
     </message>
     <message>
         <source>%1 nearer</source>
@@ -453,6 +437,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 points. To pass: %2 points and the whole path</source>
         <translation>%1 points. Pour réussir : %2 points et tout le chemin</translation>
+    </message>
+    <message>
+        <source>%1 responds at %2.</source>
+        <translation>%1 répond à %2.</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -537,6 +525,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 was not added</source>
         <translation>%1 n'a pas été ajouté</translation>
+    </message>
+    <message>
+        <source>%1 was not found or cannot be run.</source>
+        <translation>%1 est introuvable ou ne peut pas être lancé.</translation>
     </message>
     <message>
         <source>%1 was not opened</source>
@@ -871,6 +863,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>, centre à %1 de %2</translation>
     </message>
     <message>
+        <source>, clock offset %1</source>
+        <translation>, décalage d'horloge %1</translation>
+    </message>
+    <message>
         <source>, dwell %1 s</source>
         <translation>, temporisation %1 s</translation>
     </message>
@@ -891,10 +887,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>, caché par %1</translation>
     </message>
     <message>
-        <source>, its clock %1 from ours</source>
-        <translation>, son horloge à %1 de la nôtre</translation>
-    </message>
-    <message>
         <source>, not seen: %1</source>
         <translation>, non vus : %1</translation>
     </message>
@@ -911,10 +903,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>.</translation>
     </message>
     <message>
-        <source>. A smaller window helps</source>
-        <translation>. Une fenêtre plus petite aide</translation>
-    </message>
-    <message>
         <source>. Closer to the recording from %1 to %2 s, to avoid collisions</source>
         <translation>. Plus près de l'enregistrement de %1 à %2 s, pour éviter des collisions</translation>
     </message>
@@ -923,8 +911,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>. Le tremblement de la main (%1) dépasse la tolérance : il en reste beaucoup</translation>
     </message>
     <message>
-        <source>. Real-time priority mends it: add the account to the group realtime</source>
-        <translation>. La priorité temps réel y remédie : ajoutez le compte au groupe realtime</translation>
+        <source>. Make the window smaller</source>
+        <translation>. Réduisez la fenêtre</translation>
     </message>
     <message>
         <source>. The robot cannot reach all of it: up to %1 away</source>
@@ -933,6 +921,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>. Their parts have no shape until you choose the folder that contains the files.</source>
         <translation>. Leurs pièces restent sans forme tant que vous n'avez pas choisi le dossier des fichiers.</translation>
+    </message>
+    <message>
+        <source>. To fix it, give it real-time priority: add your account to the group realtime</source>
+        <translation>. Pour y remédier (priorité temps réel) : ajoutez votre compte au groupe realtime</translation>
     </message>
     <message>
         <source>/min</source>
@@ -967,7 +959,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>1 paire se touche au repos : %1. L'exclure de la vérification ?</translation>
     </message>
     <message>
-        <source>3-D mouse</source>
+        <source>3D mouse</source>
         <translation>Souris 3D</translation>
     </message>
     <message>
@@ -1007,12 +999,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un fichier de cette cellule manque</translation>
     </message>
     <message>
-        <source>A guide keeps what you move on a line, a plane, a hinge and so on. Select an entity, choose a type, then pick an edge or a face.</source>
-        <translation>Un guide maintient ce que vous déplacez sur une ligne, un plan, une charnière, etc. Choisissez une entité, un type, puis désignez une arête ou une face.</translation>
+        <source>A free hand with the fingers of the glove; the stylus moves it</source>
+        <translation>Une main seule, aux doigts du gant ; le stylet la déplace</translation>
     </message>
     <message>
-        <source>A hand by itself, each finger as the glove has it; the stylus carries it</source>
-        <translation>Une main seule, chaque doigt comme dans le gant ; le stylet la porte</translation>
+        <source>A guide keeps what you move on a line, a plane, a hinge and so on. Select an entity, choose a type, then pick an edge or a face.</source>
+        <translation>Un guide maintient ce que vous déplacez sur une ligne, un plan, une charnière, etc. Choisissez une entité, un type, puis désignez une arête ou une face.</translation>
     </message>
     <message>
         <source>A joint lets one part move on another. Start with New joint, or use a sample below.</source>
@@ -1171,6 +1163,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Toutes 000</translation>
     </message>
     <message>
+        <source>All active sets (%1)</source>
+        <translation>Tous les jeux actifs (%1)</translation>
+    </message>
+    <message>
         <source>All edits of a motion</source>
         <translation>Toutes les modifications d'un mouvement</translation>
     </message>
@@ -1187,12 +1183,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tous les constructeurs</translation>
     </message>
     <message>
-        <source>All sets that are on (%1)</source>
-        <translation>Tous les ensembles en service (%1)</translation>
-    </message>
-    <message>
         <source>All supported files (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;All files (*)</source>
         <translation>Tous les fichiers pris en charge (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAO (*.step *.stp *.p21 *.stpz *.iges *.igs);;Maillages (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots et cellules (*.urdf *.xacro *.sdf *.world *.toml);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Allow motion along %1 (%1: only this axis)</source>
+        <translation>Autoriser le mouvement le long de %1 (%1 : cet axe seul)</translation>
+    </message>
+    <message>
+        <source>Allow rotation about %1 (%1 twice: only this axis)</source>
+        <translation>Autoriser la rotation autour de %1 (%1 deux fois : cet axe seul)</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -1251,12 +1251,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un autre programme l’a ouvert.</translation>
     </message>
     <message>
-        <source>Another program started the server at %1; the device is chosen there.</source>
-        <translation>Un autre programme a lancé le serveur à %1 ; le périphérique s'y choisit.</translation>
+        <source>Another program started the server at %1. Choose the device there.</source>
+        <translation>Un autre programme a lancé le serveur à %1. Choisissez-y le périphérique.</translation>
     </message>
     <message>
-        <source>Another window has the stylus; this one watches</source>
-        <translation>Une autre fenêtre a le stylet ; celle-ci observe</translation>
+        <source>Another window controls the stylus; this one observes</source>
+        <translation>Une autre fenêtre commande le stylet ; celle-ci observe</translation>
     </message>
     <message>
         <source>Any</source>
@@ -1455,10 +1455,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Base, TCP fixe</translation>
     </message>
     <message>
-        <source>Begin again</source>
-        <translation>Recommencer</translation>
-    </message>
-    <message>
         <source>Belly depth, sitting</source>
         <translation>Profondeur du ventre, assis</translation>
     </message>
@@ -1519,8 +1515,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les deux mains à cette pièce</translation>
     </message>
     <message>
-        <source>Both styluses are in somebody's hands. Choose the 3-D mouse as the second stylus to move entities by it.</source>
-        <translation>Les deux stylets sont tenus. Choisissez la souris 3D comme second stylet pour déplacer des entités avec elle.</translation>
+        <source>Both styluses are in use. To move entities with the 3D mouse, choose it as the second stylus.</source>
+        <translation>Les deux stylets sont utilisés. Pour déplacer des entités avec la souris 3D, choisissez-la comme second stylet.</translation>
     </message>
     <message>
         <source>Bottom</source>
@@ -1589,6 +1585,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Cancel: the change is not felt until the next change</source>
+        <translation>Annuler : le changement n'est pas senti avant le prochain</translation>
     </message>
     <message>
         <source>Cancelled: the map is not complete. </source>
@@ -1927,10 +1927,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Colonnes</translation>
     </message>
     <message>
-        <source>Comes with the first one</source>
-        <translation>Vient avec le premier</translation>
-    </message>
-    <message>
         <source>Command</source>
         <translation>Commande</translation>
     </message>
@@ -1987,12 +1983,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Connecté</translation>
     </message>
     <message>
-        <source>Connected, pen 2 in the scene; it holds the other hand, the trunk stands still</source>
-        <translation>Connecté, stylet 2 dans la scène ; il tient l'autre main, le tronc reste immobile</translation>
+        <source>Connected as stylus 2; holds the other hand, trunk fixed</source>
+        <translation>Connecté, stylet 2 ; tient l'autre main, tronc fixe</translation>
     </message>
     <message>
-        <source>Connected, pen 2 in the scene; it holds what its tip touches</source>
-        <translation>Connecté, stylet 2 dans la scène ; il prend ce que touche sa pointe</translation>
+        <source>Connected as stylus 2; holds the part that its tip touches</source>
+        <translation>Connecté, stylet 2 ; tient la pièce que touche sa pointe</translation>
     </message>
     <message>
         <source>Connected, simulated</source>
@@ -2009,6 +2005,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Connecting to the haptic server at %1.</source>
         <translation>Connexion au serveur haptique à %1.</translation>
+    </message>
+    <message>
+        <source>Connects with the first stylus</source>
+        <translation>Se connecte avec le premier</translation>
     </message>
     <message>
         <source>Constant</source>
@@ -2047,6 +2047,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Journal des contacts</translation>
     </message>
     <message>
+        <source>Contact mode is Pass: contacts are shown, not felt</source>
+        <translation>Mode de contact Traverser : contacts montrés, pas sentis</translation>
+    </message>
+    <message>
         <source>Contact mode of %1 – %2</source>
         <translation>Mode de contact de %1 – %2</translation>
     </message>
@@ -2055,24 +2059,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Contacts</translation>
     </message>
     <message>
-        <source>Contacts are only shown: it passes</source>
-        <translation>Les contacts sont seulement montrés : il traverse</translation>
+        <source>Contacts are displayed late</source>
+        <translation>Les contacts s'affichent en retard</translation>
     </message>
     <message>
-        <source>Contacts are seen as they are felt</source>
-        <translation>Les contacts se voient dès qu'ils sont ressentis</translation>
+        <source>Contacts are displayed on time</source>
+        <translation>Les contacts s'affichent à temps</translation>
     </message>
     <message>
-        <source>Contacts are seen late</source>
-        <translation>Les contacts se voient tard</translation>
+        <source>Contacts are sometimes late</source>
+        <translation>Les contacts sont parfois en retard</translation>
     </message>
     <message>
-        <source>Contacts come in time</source>
+        <source>Contacts arrive on time</source>
         <translation>Les contacts arrivent à temps</translation>
-    </message>
-    <message>
-        <source>Contacts come late at times</source>
-        <translation>Les contacts tardent parfois</translation>
     </message>
     <message>
         <source>Contents</source>
@@ -2091,10 +2091,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Convoyeur</translation>
     </message>
     <message>
-        <source>Copies the command that mends it</source>
-        <translation>Copie la commande qui y remédie</translation>
-    </message>
-    <message>
         <source>Copies the selected tool, or adds one at the flange</source>
         <translation>Copie l'outil choisi, ou en ajoute un à la bride</translation>
     </message>
@@ -2105,6 +2101,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Copy the command for %1</source>
         <translation>Copier la commande pour %1</translation>
+    </message>
+    <message>
+        <source>Copy the command that fixes it</source>
+        <translation>Copier la commande qui y remédie</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -2129,10 +2129,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Ctrl+Space</source>
         <translation>Ctrl+Espace</translation>
-    </message>
-    <message>
-        <source>Ctrl+Space turns them on</source>
-        <translation>Ctrl+Espace les met en marche</translation>
     </message>
     <message>
         <source>Ctrl: snap to corners, edges, faces and frames · Esc: cancel</source>
@@ -2279,6 +2275,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérification du périphérique</translation>
     </message>
     <message>
+        <source>Devices and problems</source>
+        <translation>Périphériques et problèmes</translation>
+    </message>
+    <message>
         <source>Diameter</source>
         <translation>Diamètre</translation>
     </message>
@@ -2339,8 +2339,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tirez les flèches à la main, ou tenez-la avec le stylet.</translation>
     </message>
     <message>
-        <source>Drag the stylus to move it · B %1 · H: follow the mouse</source>
-        <translation>Tirez le stylet pour le déplacer · B %1 · H : suivre la souris</translation>
+        <source>Drag the stylus to move it · B: %1 · H: follow the mouse</source>
+        <translation>Tirez le stylet pour le déplacer · B : %1 · H : suivre la souris</translation>
     </message>
     <message>
         <source>Drag to move</source>
@@ -2379,8 +2379,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tirez pour tourner l'outil</translation>
     </message>
     <message>
-        <source>Drag: move · wheel: depth · Ctrl: turn · right button or B %1</source>
-        <translation>Tirer : déplacer · molette : profondeur · Ctrl : tourner · bouton droit ou B %1</translation>
+        <source>Drag: move · wheel: depth · Ctrl: rotate · right button or B: %1</source>
+        <translation>Tirer : déplacer · molette : profondeur · Ctrl : tourner · bouton droit ou B : %1</translation>
     </message>
     <message>
         <source>Drift at the edge of the workspace (0: none)</source>
@@ -2477,6 +2477,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Enter a name.</source>
         <translation>Saisissez un nom.</translation>
+    </message>
+    <message>
+        <source>Enter the address of the other station: its network name, or four numbers such as 192.168.1.20.</source>
+        <translation>Saisissez l'adresse de l'autre poste : son nom sur le réseau, ou quatre nombres comme 192.168.1.20.</translation>
     </message>
     <message>
         <source>Enter the arguments that have no value</source>
@@ -2807,8 +2811,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pour impression, 6000 × 4000…</translation>
     </message>
     <message>
-        <source>For the mannequin's other hand, or whatever its tip touches</source>
-        <translation>Pour l'autre main du mannequin, ou ce que touche sa pointe</translation>
+        <source>For the mannequin's other hand, or the part that its tip touches</source>
+        <translation>Pour l'autre main du mannequin, ou la pièce que touche sa pointe</translation>
     </message>
     <message>
         <source>Force</source>
@@ -2859,12 +2863,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les efforts sont coupés.</translation>
     </message>
     <message>
-        <source>Forces are off. Connect again to start it anew.</source>
-        <translation>Les efforts sont coupés. Connectez de nouveau pour repartir.</translation>
+        <source>Forces are off. Connect again to restart it.</source>
+        <translation>Efforts coupés. Connectez de nouveau pour le redémarrer.</translation>
     </message>
     <message>
-        <source>Forces are off. The server is started again; Ctrl+Space then turns them on.</source>
-        <translation>Les forces sont coupées. Le serveur est relancé ; Ctrl+Espace les remet ensuite.</translation>
+        <source>Forces are off. The server is restarting. Then press Ctrl+Space to turn them on.</source>
+        <translation>Efforts coupés. Le serveur redémarre. Ctrl+Espace les remet ensuite en marche.</translation>
     </message>
     <message>
         <source>Forces are off. Without them you do not feel the guide.</source>
@@ -2875,8 +2879,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les efforts sont coupés. Le guide ne se sent pas.</translation>
     </message>
     <message>
-        <source>Forces are off: a second stylus has come</source>
-        <translation>Les forces sont coupées : un second stylet est arrivé</translation>
+        <source>Forces are off: a second stylus was connected</source>
+        <translation>Efforts coupés : un second stylet s'est connecté</translation>
+    </message>
+    <message>
+        <source>Forces are off: another window took control of the stylus</source>
+        <translation>Efforts coupés : une autre fenêtre commande le stylet</translation>
+    </message>
+    <message>
+        <source>Forces are off: the haptic server stopped responding</source>
+        <translation>Efforts coupés : le serveur haptique ne répond plus</translation>
     </message>
     <message>
         <source>Forces are on.</source>
@@ -2887,8 +2899,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les efforts sont en marche : %1.</translation>
     </message>
     <message>
-        <source>Forces did not come on: the device is not ready.</source>
-        <translation>Les efforts ne sont pas venus : le périphérique n'est pas prêt.</translation>
+        <source>Forces did not switch on. The device is not ready.</source>
+        <translation>Les efforts n'ont pas pu être mis en marche. Le périphérique n'est pas prêt.</translation>
     </message>
     <message>
         <source>Forces of the stylus</source>
@@ -2915,8 +2927,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Activer les efforts et commencer</translation>
     </message>
     <message>
-        <source>Forces wait</source>
+        <source>Forces pending</source>
         <translation>Efforts en attente</translation>
+    </message>
+    <message>
+        <source>Forces switched off</source>
+        <translation>Efforts coupés</translation>
     </message>
     <message>
         <source>Forces, N</source>
@@ -3003,6 +3019,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>D'un enregistrement…</translation>
     </message>
     <message>
+        <source>From the material (hapticell.toml). The server limits it to what the device supports</source>
+        <translation>Celle du matériau (hapticell.toml). Le serveur la limite à ce que le périphérique supporte</translation>
+    </message>
+    <message>
         <source>From, to</source>
         <translation>De, à</translation>
     </message>
@@ -3025,14 +3045,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Geometry</source>
         <translation>Géométrie</translation>
-    </message>
-    <message>
-        <source>Give the other station's address: its name in the network, or four numbers like 192.168.1.20.</source>
-        <translation>Donnez l'adresse de l'autre poste : son nom sur le réseau, ou quatre nombres comme 192.168.1.20.</translation>
-    </message>
-    <message>
-        <source>Give up: what was changed is not felt until the next change</source>
-        <translation>Abandonner : ce qui a changé n'est pas senti avant le prochain changement</translation>
     </message>
     <message>
         <source>Glove</source>
@@ -3255,6 +3267,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tenu par le stylet : %1.</translation>
     </message>
     <message>
+        <source>Held entity</source>
+        <translation>Entité tenue</translation>
+    </message>
+    <message>
         <source>Held over 1 min</source>
         <translation>Tenue plus d'1 min</translation>
     </message>
@@ -3311,10 +3327,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tenir la pièce avec le stylet</translation>
     </message>
     <message>
-        <source>Hold the stylus with the mouse</source>
-        <translation>Tenir le stylet avec la souris</translation>
-    </message>
-    <message>
         <source>Hold: move the hand without the entity (clutch)</source>
         <translation>Maintenue : la main bouge sans l'entité (débrayage)</translation>
     </message>
@@ -3339,12 +3351,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>T&amp;einte :</translation>
     </message>
     <message>
-        <source>I hold it: next</source>
+        <source>I am holding it: next</source>
         <translation>Je le tiens : suite</translation>
     </message>
     <message>
-        <source>I hold it: push</source>
-        <translation>Je le tiens : pousser</translation>
+        <source>I am holding it: start</source>
+        <translation>Je le tiens : démarrer</translation>
     </message>
     <message>
         <source>If you discard the copy, the unsaved changes of %1 are lost for good.</source>
@@ -3471,10 +3483,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Isométrique</translation>
     </message>
     <message>
-        <source>It does not answer: its force is zero</source>
-        <translation>Il ne répond pas : sa force est nulle</translation>
-    </message>
-    <message>
         <source>It has no frame yet. Add one in the Solid panel.</source>
         <translation>Pas encore de repère. Ajoutez-en un dans le panneau Solide.</translation>
     </message>
@@ -3491,16 +3499,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il est ici en lecture seule. Enregistrez-le sous un autre nom, ou fermez-le d'abord là-bas.</translation>
     </message>
     <message>
-        <source>It moves</source>
-        <translation>Il bouge</translation>
-    </message>
-    <message>
         <source>It moves with the hand and is checked with it</source>
         <translation>Elle suit la main et est vérifiée avec elle</translation>
-    </message>
-    <message>
-        <source>It needs nothing of you.</source>
-        <translation>Il n'attend rien de vous.</translation>
     </message>
     <message>
         <source>It stays in the cell until you quit. Export it to keep it.</source>
@@ -3613,10 +3613,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Kneeling on one knee</source>
         <translation>Sur un genou</translation>
-    </message>
-    <message>
-        <source>Known; type another to change it</source>
-        <translation>Connu ; tapez-en un autre pour le changer</translation>
     </message>
     <message>
         <source>LEFT</source>
@@ -3739,7 +3735,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ligne</translation>
     </message>
     <message>
-        <source>Line: rate. Bars: late in 99 of 100 ticks, full height %1 ms</source>
+        <source>Line: rate. Bars: lateness (99th percentile), full height %1 ms</source>
         <translation>Ligne : fréquence. Barres : retard (99 %), au plus %1 ms</translation>
     </message>
     <message>
@@ -3803,20 +3799,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Logo</translation>
     </message>
     <message>
-        <source>Look again</source>
-        <translation>Regarder de nouveau</translation>
-    </message>
-    <message>
         <source>Look at part</source>
         <translation>Regarder la pièce</translation>
-    </message>
-    <message>
-        <source>Looking for it</source>
-        <translation>Recherche</translation>
-    </message>
-    <message>
-        <source>Looking…</source>
-        <translation>Recherche…</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -3987,6 +3971,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Mouvement</translation>
     </message>
     <message>
+        <source>Motion scale, %1</source>
+        <translation>Échelle de mouvement, %1</translation>
+    </message>
+    <message>
         <source>Motions</source>
         <translation>Mouvements</translation>
     </message>
@@ -4071,12 +4059,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rapprochez le mannequin ou la pièce, ou débloquez les pieds pour qu'il puisse faire un pas.</translation>
     </message>
     <message>
-        <source>Move the stylus into free space</source>
-        <translation>Menez le stylet en espace libre</translation>
+        <source>Move the stylus in all directions and press each button once.</source>
+        <translation>Menez le stylet dans toutes les directions et pressez chaque bouton une fois.</translation>
     </message>
     <message>
-        <source>Move the stylus to all sides and press each button once.</source>
-        <translation>Menez le stylet de tous côtés et pressez chaque bouton une fois.</translation>
+        <source>Move the stylus into free space</source>
+        <translation>Menez le stylet en espace libre</translation>
     </message>
     <message>
         <source>Move the workplace</source>
@@ -4129,6 +4117,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Multiple of the expert's time that loses all points for it</source>
         <translation>Multiple du temps de l'expert qui fait perdre tous ses points</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation>Couper le son</translation>
     </message>
     <message>
         <source>N</source>
@@ -4295,6 +4287,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Nouveau…</translation>
     </message>
     <message>
+        <source>Next contact mode</source>
+        <translation>Mode de contact suivant</translation>
+    </message>
+    <message>
         <source>Next folder</source>
         <translation>Dossier suivant</translation>
     </message>
@@ -4315,6 +4311,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Non</translation>
     </message>
     <message>
+        <source>No action needed.</source>
+        <translation>Rien à faire.</translation>
+    </message>
+    <message>
         <source>No application was found in the program folder</source>
         <translation>Aucune application n'a été trouvée dans le dossier du programme</translation>
     </message>
@@ -4331,8 +4331,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas encore de contact</translation>
     </message>
     <message>
-        <source>No contacts sent lately</source>
-        <translation>Aucun contact envoyé récemment</translation>
+        <source>No data yet</source>
+        <translation>Pas encore de données</translation>
     </message>
     <message>
         <source>No device</source>
@@ -4343,12 +4343,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun exercice</translation>
     </message>
     <message>
-        <source>No figures yet</source>
-        <translation>Pas encore de chiffres</translation>
-    </message>
-    <message>
         <source>No forces</source>
         <translation>Pas d'efforts</translation>
+    </message>
+    <message>
+        <source>No forces felt</source>
+        <translation>Aucun effort senti</translation>
     </message>
     <message>
         <source>No frame in this cell yet. Add one with Insert &gt; Frame.</source>
@@ -4367,19 +4367,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucune main n'a été ajoutée</translation>
     </message>
     <message>
-        <source>No haptic server answers at %1</source>
-        <translation>Aucun serveur haptique ne répond à %1</translation>
-    </message>
-    <message>
         <source>No haptic server answers at %1. Start hapticell-haptic-server.</source>
         <translation>Aucun serveur haptique ne répond à %1. Démarrez hapticell-haptic-server.</translation>
     </message>
     <message>
-        <source>No haptic server answers at %1:%2.</source>
+        <source>No haptic server is responding at %1</source>
+        <translation>Aucun serveur haptique ne répond à %1</translation>
+    </message>
+    <message>
+        <source>No haptic server is responding at %1:%2.</source>
         <translation>Aucun serveur haptique ne répond à %1:%2.</translation>
     </message>
     <message>
-        <source>No haptic server answers.</source>
+        <source>No haptic server is responding.</source>
         <translation>Aucun serveur haptique ne répond.</translation>
     </message>
     <message>
@@ -4455,8 +4455,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun programme n'a ouvert %1. Ouvrez-le dans un éditeur de texte.</translation>
     </message>
     <message>
-        <source>No real device could be held while this was written: the drivers are tested against models and recorded layouts.</source>
-        <translation>Aucun vrai périphérique n'a pu être tenu pendant l'écriture : les pilotes sont essayés sur des modèles et des formats enregistrés.</translation>
+        <source>No recent contacts</source>
+        <translation>Aucun contact récent</translation>
     </message>
     <message>
         <source>No recent files</source>
@@ -4515,8 +4515,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucune. Enregistrer cette vue en ajoute une.</translation>
     </message>
     <message>
-        <source>Not calibrated: it exerts no force until it is.</source>
-        <translation>Non étalonné : il n'exerce aucune force d'ici là.</translation>
+        <source>Not calibrated. Forces stay off until it is.</source>
+        <translation>Non étalonné. Les efforts restent coupés d'ici là.</translation>
     </message>
     <message>
         <source>Not checked yet</source>
@@ -4543,8 +4543,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas encore ressenti : préparation des contacts %1 %</translation>
     </message>
     <message>
-        <source>Not tried yet: the server has to answer first</source>
-        <translation>Pas encore essayé : le serveur doit d'abord répondre</translation>
+        <source>Not responding: its force is zero</source>
+        <translation>Ne répond pas : son effort est nul</translation>
+    </message>
+    <message>
+        <source>Not tested yet. The server must respond first</source>
+        <translation>Pas encore testé. Le serveur doit d'abord répondre</translation>
     </message>
     <message>
         <source>Note</source>
@@ -4559,24 +4563,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien (libre)</translation>
     </message>
     <message>
-        <source>Nothing but the simulated stylus, and nothing is in the way.</source>
-        <translation>Rien que le stylet simulé, et rien ne gêne.</translation>
-    </message>
-    <message>
         <source>Nothing has been practised yet. Practise first.</source>
         <translation>Rien n'a encore été pratiqué. Entraînez-vous d'abord.</translation>
-    </message>
-    <message>
-        <source>Nothing is felt</source>
-        <translation>On ne sent rien</translation>
     </message>
     <message>
         <source>Nothing is held.</source>
         <translation>Rien n'est tenu.</translation>
     </message>
     <message>
-        <source>Nothing is held: the stylus button takes it</source>
-        <translation>Rien n'est tenu : le bouton du stylet le prend</translation>
+        <source>Nothing is held. Press the stylus button to hold it</source>
+        <translation>Rien n'est tenu. Pressez le bouton du stylet</translation>
     </message>
     <message>
         <source>Nothing is picked yet. The middle button and the wheel still move the view.</source>
@@ -4595,7 +4591,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien n'a bougé : rien n'a été enregistré.</translation>
     </message>
     <message>
-        <source>Nothing moves before you have agreed.</source>
+        <source>Nothing moves until you confirm.</source>
         <translation>Rien ne bouge avant votre accord.</translation>
     </message>
     <message>
@@ -4609,6 +4605,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>OWAS</source>
         <translation>OWAS</translation>
+    </message>
+    <message>
+        <source>Observing: another window controls the stylus</source>
+        <translation>Observe : une autre fenêtre commande le stylet</translation>
     </message>
     <message>
         <source>Of the pull at full guidance</source>
@@ -4643,8 +4643,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sur le segment</translation>
     </message>
     <message>
-        <source>On the other station, once: hapticell-haptic-server --pair shows the code; then hapticell-haptic-server --listen and that station's address.</source>
-        <translation>Sur l'autre poste, une fois : hapticell-haptic-server --pair montre le code ; puis hapticell-haptic-server --listen et l'adresse de ce poste.</translation>
+        <source>On the other station, run hapticell-haptic-server --pair once to see the code, then hapticell-haptic-server --listen with its address.</source>
+        <translation>Sur l'autre poste, lancez une fois hapticell-haptic-server --pair pour voir le code, puis hapticell-haptic-server --listen avec son adresse.</translation>
     </message>
     <message>
         <source>One is attached to the other, so they move together</source>
@@ -4657,6 +4657,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>One undo step</source>
         <translation>Une étape d'annulation</translation>
+    </message>
+    <message>
+        <source>Only the simulated stylus. No problems found.</source>
+        <translation>Seulement le stylet simulé. Aucun problème trouvé.</translation>
     </message>
     <message>
         <source>Only while the robot is held by its tool</source>
@@ -5219,10 +5223,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Branché sur</translation>
     </message>
     <message>
-        <source>Plugged in, and what is in the way</source>
-        <translation>Branchés, et ce qui gêne</translation>
-    </message>
-    <message>
         <source>Point</source>
         <translation>Point</translation>
     </message>
@@ -5255,8 +5255,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Port</translation>
     </message>
     <message>
-        <source>Port; 4747 unless the server was started with another</source>
-        <translation>Port ; 4747, sauf si le serveur a été lancé avec un autre</translation>
+        <source>Port of the server. Default: 4747</source>
+        <translation>Port du serveur. Par défaut : 4747</translation>
     </message>
     <message>
         <source>Pose %1 of %2: %3</source>
@@ -5321,6 +5321,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Preset</source>
         <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Space to turn them on</source>
+        <translation>Ctrl+Espace les met en marche</translation>
     </message>
     <message>
         <source>Press the buttons here, with Ctrl, Alt, Shift</source>
@@ -5691,6 +5695,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pause</translation>
     </message>
     <message>
+        <source>Restart</source>
+        <translation>Recommencer</translation>
+    </message>
+    <message>
         <source>Restore</source>
         <translation>Restaurer</translation>
     </message>
@@ -5812,7 +5820,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Rough</source>
-        <translation>Gros</translation>
+        <translation>Grosse</translation>
     </message>
     <message>
         <source>Run</source>
@@ -5943,6 +5951,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vues enregistrées</translation>
     </message>
     <message>
+        <source>Saved. Type another to replace it</source>
+        <translation>Enregistré. Tapez-en un autre pour le remplacer</translation>
+    </message>
+    <message>
         <source>Saved: %1</source>
         <translation>Enregistré : %1</translation>
     </message>
@@ -5953,10 +5965,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Scale</source>
         <translation>Échelle</translation>
-    </message>
-    <message>
-        <source>Scale %1</source>
-        <translation>Échelle %1</translation>
     </message>
     <message>
         <source>Scale: part motion for the same hand motion</source>
@@ -5991,12 +5999,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Chercher</translation>
     </message>
     <message>
+        <source>Search again</source>
+        <translation>Chercher de nouveau</translation>
+    </message>
+    <message>
         <source>Search the library</source>
         <translation>Chercher dans la bibliothèque</translation>
     </message>
     <message>
         <source>Search the manual</source>
         <translation>Chercher dans le manuel</translation>
+    </message>
+    <message>
+        <source>Searching</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Recherche…</translation>
     </message>
     <message>
         <source>Seat height</source>
@@ -6063,8 +6083,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisi : %1, en X %2, Y %3, Z %4.</translation>
     </message>
     <message>
-        <source>Sensor %1 hardly moved between the poses. The calibration is as it was.</source>
-        <translation>Le capteur %1 a à peine bougé entre les poses. L'étalonnage est comme avant.</translation>
+        <source>Sensor %1 hardly moved between the poses. The calibration is unchanged.</source>
+        <translation>Le capteur %1 a à peine bougé entre les poses. L'étalonnage est inchangé.</translation>
     </message>
     <message>
         <source>Separate</source>
@@ -6283,10 +6303,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Son en marche</translation>
     </message>
     <message>
-        <source>Sound on or off</source>
-        <translation>Son en marche ou coupé</translation>
-    </message>
-    <message>
         <source>Source</source>
         <translation>Source</translation>
     </message>
@@ -6411,10 +6427,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Arrêter la vidéo, %1 % faits</translation>
     </message>
     <message>
-        <source>Stop, slide, pass in turn</source>
-        <translation>Arrêter, glisser, traverser tour à tour</translation>
-    </message>
-    <message>
         <source>Stopped</source>
         <translation>Arrêté</translation>
     </message>
@@ -6433,6 +6445,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Stylus button: hold and release</source>
         <translation>Bouton du stylet : tenir et relâcher</translation>
+    </message>
+    <message>
+        <source>Stylus follows the mouse</source>
+        <translation>Le stylet suit la souris</translation>
     </message>
     <message>
         <source>Stylus in the device's workspace</source>
@@ -6511,12 +6527,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prise %1</translation>
     </message>
     <message>
-        <source>Take the stylus</source>
-        <translation>Prendre le stylet</translation>
-    </message>
-    <message>
-        <source>Take the stylus in the panel Virtual Desktop takes it back.</source>
-        <translation>« Prendre le stylet » dans le panneau Virtual Desktop le reprend.</translation>
+        <source>Take control</source>
+        <translation>Prendre le contrôle</translation>
     </message>
     <message>
         <source>Task</source>
@@ -6555,7 +6567,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>C'est la même pièce. Désignez-en une autre jusqu'où mesurer.</translation>
     </message>
     <message>
-        <source>The 3-D mouse moves the view</source>
+        <source>The 3D mouse moves the view</source>
         <translation>La souris 3D déplace la vue</translation>
     </message>
     <message>
@@ -6603,20 +6615,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>La cellule a été modifiée ou enregistrée : l'essai est annulé. La pièce est revenue à sa place.</translation>
     </message>
     <message>
-        <source>The device does not answer.</source>
-        <translation>L'appareil ne répond pas.</translation>
+        <source>The device is at the edge of its workspace. Hold Space and move the hand back</source>
+        <translation>Le périphérique est au bord de son espace. Tenez Espace et ramenez la main</translation>
     </message>
     <message>
-        <source>The device does not answer: check its cable and power</source>
-        <translation>Le périphérique ne répond pas : vérifiez son câble et son alimentation</translation>
+        <source>The device is not responding.</source>
+        <translation>Le périphérique ne répond pas.</translation>
     </message>
     <message>
-        <source>The device is at its end: hold Space and bring the hand back</source>
-        <translation>L'appareil est en bout de course : tenez Espace et ramenez la main</translation>
+        <source>The device is not responding. Check its cable and power</source>
+        <translation>Le périphérique ne répond pas. Vérifiez son câble et son alimentation</translation>
     </message>
     <message>
-        <source>The device reports a fault: no force was exerted.</source>
-        <translation>Le périphérique signale une panne : aucun effort n'a été exercé.</translation>
+        <source>The device reports a fault. No force was applied.</source>
+        <translation>Le périphérique signale une panne. Aucun effort n'a été appliqué.</translation>
     </message>
     <message>
         <source>The devices could not be listed: %1</source>
@@ -6625,6 +6637,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The displayed mesh.</source>
         <translation>Le maillage affiché.</translation>
+    </message>
+    <message>
+        <source>The drivers are tested against models and recorded data formats, not on real devices.</source>
+        <translation>Les pilotes sont testés sur des modèles et des formats enregistrés, pas sur de vrais périphériques.</translation>
     </message>
     <message>
         <source>The exercise cannot be opened</source>
@@ -6667,68 +6683,56 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le fichier n'indique pas d'unité. Quelle taille est la bonne ?</translation>
     </message>
     <message>
-        <source>The force loop is late at times</source>
-        <translation>La boucle d'effort est parfois en retard</translation>
-    </message>
-    <message>
-        <source>The force loop keeps its time</source>
+        <source>The force loop is on time</source>
         <translation>La boucle d'effort tient son rythme</translation>
     </message>
     <message>
-        <source>The forces went off</source>
-        <translation>Les efforts se sont coupés</translation>
-    </message>
-    <message>
-        <source>The forces went off: another window took the stylus</source>
-        <translation>Les forces sont coupées : une autre fenêtre a pris le stylet</translation>
-    </message>
-    <message>
-        <source>The forces went off: the haptic server is gone</source>
-        <translation>Les forces sont coupées : le serveur haptique a disparu</translation>
+        <source>The force loop is sometimes late</source>
+        <translation>La boucle d'effort est parfois en retard</translation>
     </message>
     <message>
         <source>The frame keeps its current placement and moves with it</source>
         <translation>Le repère garde sa place actuelle et se déplace avec</translation>
     </message>
     <message>
-        <source>The glove does not answer: nothing was taken.</source>
-        <translation>Le gant ne répond pas : rien n'a été pris.</translation>
-    </message>
-    <message>
-        <source>The hand moves it along %1 (%1: only that)</source>
-        <translation>La main le mène le long de %1 (%1 : cela seulement)</translation>
-    </message>
-    <message>
-        <source>The hand turns it about %1 (%1 twice: only that)</source>
-        <translation>La main le tourne autour de %1 (%1 deux fois : cela seulement)</translation>
+        <source>The glove is not responding. Nothing was recorded.</source>
+        <translation>Le gant ne répond pas. Rien n'a été enregistré.</translation>
     </message>
     <message>
         <source>The hands were not moved</source>
         <translation>Les mains n'ont pas bougé</translation>
     </message>
     <message>
-        <source>The haptic server answers</source>
-        <translation>Le serveur haptique répond</translation>
-    </message>
-    <message>
         <source>The haptic server at %1 does not answer any more.</source>
         <translation>Le serveur haptique à %1 ne répond plus.</translation>
     </message>
     <message>
-        <source>The haptic server could not be started: %1 is not there or may not be run.</source>
-        <translation>Le serveur haptique n'a pas pu être lancé : %1 n'est pas là ou ne peut pas être lancé.</translation>
+        <source>The haptic server could not be started: %1 was not found or cannot be run.</source>
+        <translation>Le serveur haptique n'a pas pu être lancé : %1 est introuvable ou ne peut pas être lancé.</translation>
     </message>
     <message>
-        <source>The haptic server ended, and the forces with it. Ctrl+Space turns them on again</source>
-        <translation>Le serveur haptique s’est arrêté, et les forces avec lui. Ctrl+Espace les remet</translation>
+        <source>The haptic server has stopped. %1</source>
+        <translation>Le serveur haptique s'est arrêté. %1</translation>
     </message>
     <message>
-        <source>The haptic server has ended. %1</source>
-        <translation>Le serveur haptique s'est terminé. %1</translation>
+        <source>The haptic server is responding</source>
+        <translation>Le serveur haptique répond</translation>
+    </message>
+    <message>
+        <source>The haptic server stopped, so forces are off. Press Ctrl+Space to turn them on again</source>
+        <translation>Le serveur haptique s’est arrêté : efforts coupés. Ctrl+Espace les remet en marche</translation>
     </message>
     <message>
         <source>The head goes no further: neck and trunk are at their limits</source>
         <translation>La tête ne va pas plus loin : la nuque et le tronc sont à leurs butées</translation>
+    </message>
+    <message>
+        <source>The held entity is not checked for collision</source>
+        <translation>L'entité tenue n'est pas vérifiée pour les collisions</translation>
+    </message>
+    <message>
+        <source>The held entity stays in place. When a server responds again, press Ctrl+Space to turn the forces on.</source>
+        <translation>L'entité tenue reste en place. Dès qu’un serveur répond, Ctrl+Espace remet les efforts en marche.</translation>
     </message>
     <message>
         <source>The inner radius must be smaller than the outer one</source>
@@ -6801,10 +6805,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The markers cannot be shown</source>
         <translation>Les marqueurs ne peuvent pas être montrés</translation>
-    </message>
-    <message>
-        <source>The material's, from hapticell.toml; the server lowers it to what the device bears</source>
-        <translation>Celle du matériau, de hapticell.toml ; le serveur l'abaisse à ce que le périphérique supporte</translation>
     </message>
     <message>
         <source>The module %1 was not loaded. %2</source>
@@ -6951,24 +6951,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>La scène</translation>
     </message>
     <message>
-        <source>The scene's loop stands still: forces return once it answers</source>
-        <translation>La boucle de la scène est arrêtée : les forces reviennent dès qu'elle répond</translation>
-    </message>
-    <message>
-        <source>The second stylus is gone. Choose it again to start it.</source>
-        <translation>Le second stylet n'est plus là. Choisissez-le de nouveau pour le démarrer.</translation>
+        <source>The second stylus was disconnected. Choose it again to start it.</source>
+        <translation>Le second stylet s'est déconnecté. Choisissez-le de nouveau pour le démarrer.</translation>
     </message>
     <message>
         <source>The selected row is dashed in the scene.</source>
         <translation>La ligne choisie est en tirets dans la scène.</translation>
     </message>
     <message>
-        <source>The server took them away: let the stylus go free, or turn them off (Esc) and on again (Ctrl+Space)</source>
-        <translation>Le serveur les a coupés : libérez le stylet, ou désactivez-les (Échap) puis réactivez-les (Ctrl+Espace)</translation>
+        <source>The server switched them off. Move the stylus to free space, or press Esc, then Ctrl+Space</source>
+        <translation>Le serveur les a coupés. Menez le stylet en espace libre, ou pressez Échap, puis Ctrl+Espace</translation>
     </message>
     <message>
-        <source>The simulated stylus needs none.</source>
-        <translation>Le stylet simulé n'en a pas besoin.</translation>
+        <source>The simulated stylus needs no calibration.</source>
+        <translation>Le stylet simulé n'a pas besoin d'étalonnage.</translation>
+    </message>
+    <message>
+        <source>The simulation is not responding. Forces return when it responds again</source>
+        <translation>La simulation ne répond pas. Les efforts reviennent dès qu'elle répond</translation>
     </message>
     <message>
         <source>The size was not changed</source>
@@ -6979,20 +6979,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les tailles qui couvrent la plupart des utilisateurs : femmes P5 et P50, hommes P50 et P95</translation>
     </message>
     <message>
-        <source>The stylus follows the mouse · wheel: depth · Ctrl: turn · left button %1 · H: end</source>
-        <translation>Le stylet suit la souris · molette : profondeur · Ctrl : tourner · bouton gauche %1 · H : terminer</translation>
-    </message>
-    <message>
-        <source>The stylus is as it was</source>
-        <translation>Le stylet est comme avant</translation>
+        <source>The stylus follows the mouse · wheel: depth · Ctrl: rotate · left button: %1 · H: end</source>
+        <translation>Le stylet suit la souris · molette : profondeur · Ctrl : tourner · bouton gauche : %1 · H : terminer</translation>
     </message>
     <message>
         <source>The stylus is in its inkwell.</source>
         <translation>Le stylet est dans son encrier.</translation>
     </message>
     <message>
-        <source>The stylus will be pulled down, slowly up to %1 N, for four seconds. Hold it loosely in the middle of its workspace. What you hold in the cell is let go first.</source>
-        <translation>Le stylet sera tiré vers le bas, lentement jusqu'à %1 N, pendant quatre secondes. Tenez-le sans serrer au milieu de son espace. Ce que vous tenez dans la cellule est lâché avant.</translation>
+        <source>The stylus was not changed</source>
+        <translation>Le stylet n'a pas été changé</translation>
+    </message>
+    <message>
+        <source>The stylus will be pulled down, slowly up to %1 N, for 4 seconds. Hold it loosely in the middle of its workspace. What you hold in the cell is released first.</source>
+        <translation>Le stylet sera tiré vers le bas, lentement jusqu'à %1 N, pendant 4 secondes. Tenez-le sans serrer au milieu de son espace. Ce que vous tenez dans la cellule est d'abord relâché.</translation>
     </message>
     <message>
         <source>The task is not a lift. The forces are below.</source>
@@ -7063,12 +7063,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cette cellule n'a jamais été enregistrée. Comparez-la plutôt aux fichiers importés.</translation>
     </message>
     <message>
-        <source>This device exerts no force.</source>
-        <translation>Ce périphérique n'exerce pas d'effort.</translation>
+        <source>This device has no force feedback</source>
+        <translation>Ce périphérique n'a pas de retour d'effort</translation>
     </message>
     <message>
-        <source>This device moves things, but exerts no force</source>
-        <translation>Ce périphérique déplace, mais n'exerce pas d'effort</translation>
+        <source>This device has no force feedback.</source>
+        <translation>Ce périphérique n'a pas de retour d'effort.</translation>
     </message>
     <message>
         <source>This entity has no frames</source>
@@ -7175,6 +7175,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pour l'abaisser : %1.</translation>
     </message>
     <message>
+        <source>To take it back, use Take control in the Virtual Desktop panel.</source>
+        <translation>Pour le reprendre, utilisez « Prendre le contrôle » dans le panneau Virtual Desktop.</translation>
+    </message>
+    <message>
         <source>Tolerance</source>
         <translation>Tolérance</translation>
     </message>
@@ -7211,8 +7215,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Dessus</translation>
     </message>
     <message>
-        <source>Touch something with forces on: how long after it is felt it is seen is told here</source>
-        <translation>Touchez quelque chose avec les forces : ici est dit combien de temps après le ressenti le contact se voit</translation>
+        <source>Touch something with forces on to measure the delay from felt to displayed</source>
+        <translation>Touchez quelque chose, efforts en marche, pour mesurer le délai entre ressenti et affichage</translation>
     </message>
     <message>
         <source>Touchpad</source>
@@ -7455,10 +7459,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Avertissement</translation>
     </message>
     <message>
-        <source>Watching: another window has the stylus</source>
-        <translation>Observe : une autre fenêtre a le stylet</translation>
-    </message>
-    <message>
         <source>Weight limit</source>
         <translation>Poids limite</translation>
     </message>
@@ -7467,19 +7467,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Poids, ou une force divisée par 9,81</translation>
     </message>
     <message>
-        <source>What is held</source>
-        <translation>Ce qui est tenu</translation>
-    </message>
-    <message>
-        <source>What is held is not checked for collision</source>
-        <translation>Ce qui est tenu n'est pas vérifié pour les collisions</translation>
-    </message>
-    <message>
-        <source>What is held stays where it is. Once a server answers again, Ctrl+Space turns the forces on.</source>
-        <translation>Ce qui est tenu reste où il est. Dès qu’un serveur répond, Ctrl+Espace remet les forces.</translation>
-    </message>
-    <message>
-        <source>What the 3-D mouse moves; its second button changes it</source>
+        <source>What the 3D mouse moves; its second button changes it</source>
         <translation>Ce que la souris 3D déplace ; son second bouton le change</translation>
     </message>
     <message>
@@ -7687,6 +7675,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>contre</translation>
     </message>
     <message>
+        <source>age: median %1 ms, 99th percentile %2 ms; %3</source>
+        <translation>âge : médiane %1 ms, 99e centile %2 ms ; %3</translation>
+    </message>
+    <message>
         <source>along %1</source>
         <translation>le long de %1</translation>
     </message>
@@ -7763,6 +7755,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>contact</translation>
     </message>
     <message>
+        <source>contact mode</source>
+        <translation>mode de contact</translation>
+    </message>
+    <message>
         <source>contacts felt: %1</source>
         <translation>contacts sentis : %1</translation>
     </message>
@@ -7785,6 +7781,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>d MMMM, HH:mm</source>
         <translation>d MMMM, HH:mm</translation>
+    </message>
+    <message>
+        <source>delay: median %1 ms, maximum %2 ms, contacts: %3; up to %4 ms is not noticeable</source>
+        <translation>délai : médiane %1 ms, maximum %2 ms, contacts : %3 ; jusqu'à %4 ms, imperceptible</translation>
     </message>
     <message>
         <source>down</source>
@@ -7825,6 +7825,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>final %1. A value on a class boundary belongs to the lower class.</source>
         <translation>final %1. Une valeur à la limite de deux classes appartient à la classe inférieure.</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>fine</translation>
     </message>
     <message>
         <source>flip</source>
@@ -7875,10 +7879,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>glTF (*.glb)</translation>
     </message>
     <message>
-        <source>grabs</source>
-        <translation>saisit</translation>
-    </message>
-    <message>
         <source>h</source>
         <translation>h</translation>
     </message>
@@ -7889,6 +7889,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>hidden</source>
         <translation>caché</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>tenir</translation>
     </message>
     <message>
         <source>hold: clutch</source>
@@ -7939,10 +7943,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 gauche</translation>
     </message>
     <message>
-        <source>lets go</source>
-        <translation>lâche</translation>
-    </message>
-    <message>
         <source>limit</source>
         <translation>butée</translation>
     </message>
@@ -7961,6 +7961,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>locked in place</source>
         <translation>verrouillé sur place</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>moyenne</translation>
     </message>
     <message>
         <source>metre</source>
@@ -8139,6 +8143,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>enregistrement</translation>
     </message>
     <message>
+        <source>release</source>
+        <translation>relâcher</translation>
+    </message>
+    <message>
         <source>resampled</source>
         <translation>rééchantillonné</translation>
     </message>
@@ -8159,6 +8167,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 droite</translation>
     </message>
     <message>
+        <source>rough</source>
+        <translation>grosse</translation>
+    </message>
+    <message>
         <source>s</source>
         <translation>s</translation>
     </message>
@@ -8169,6 +8181,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>scale</source>
         <translation>échelle</translation>
+    </message>
+    <message>
+        <source>screen</source>
+        <translation>écran</translation>
     </message>
     <message>
         <source>share of the limit</source>
@@ -8201,10 +8217,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>step %1 ms</source>
         <translation>pas %1 ms</translation>
-    </message>
-    <message>
-        <source>stop, slide, pass</source>
-        <translation>arrêter, glisser, traverser</translation>
     </message>
     <message>
         <source>stylus button</source>
