@@ -58,7 +58,7 @@ TEST(ForceReason, NoForceAlwaysHasAReasonAndWhatMendsIt) {
   facts.ramp = 1.0;
   EXPECT_EQ(forceReason(facts).why, "Ramp done, 1 N/ms limit");
   facts.stalled = true;
-  EXPECT_TRUE(forceReason(facts).why.contains("stands still"));
+  EXPECT_TRUE(forceReason(facts).why.contains("not responding"));
 }
 
 TEST(ForceReason, ForcesThatCannotBeFeltSayWhyAndOfferTheRemedy) {
@@ -82,11 +82,11 @@ TEST(ForceReason, ForcesThatWentOffUnaskedAndTheDevicesEndAreSaid) {
   EXPECT_EQ(forceReason(facts).state, "Forces off") << "not: they wait";
   EXPECT_TRUE(forceReason(facts).why.contains("Ctrl+Space"));
   facts.device_fault = true;
-  EXPECT_TRUE(forceReason(facts).why.contains("does not answer")) << "a known cause goes first";
+  EXPECT_TRUE(forceReason(facts).why.contains("not responding")) << "a known cause goes first";
   facts = {};
   facts.started = facts.connected = facts.wanted = facts.on = facts.at_edge = true;
   facts.ramp = 1.0;
-  EXPECT_TRUE(forceReason(facts).why.contains("at its end"));
+  EXPECT_TRUE(forceReason(facts).why.contains("edge of its workspace"));
 }
 
 TEST(ForceReason, AProblemIsCutToItsFirstSentence) {
