@@ -16,25 +16,26 @@
 
 namespace hapticell::collision {
 
-/// Everything that moving bodies could meet within a zone, each pair of bodies in the way that suits it where it is.
+/// Finds everything that moving bodies could meet within a zone. For each pair of bodies it chooses the better method.
 ///
-/// Recognised surfaces (SurfaceQuery) tell what is round or hollow exactly and in few entries; facets (FacetQuery) tell
-/// free-form and toothed regions, open soups that no surface fits, and crowds of flat convex pieces. Pairs begin with
-/// surfaces, those of mostly free-form meshes with facets. A pair whose surfaces leave less than a quarter of the
-/// wanted zone goes over to facets if they give four times as much there, and comes back where surfaces fit again; both
-/// are tried at every twelfth query and, without success, ever less often. The zone shrinks as a whole (by 0.65) until
-/// all entries fit.
+/// Recognised surfaces (SurfaceQuery) describe round and hollow shapes exactly and in few entries. Facets (FacetQuery)
+/// describe free-form and toothed regions, open soups that no surface fits, and many flat convex pieces. A pair begins
+/// with surfaces; a pair of mostly free-form meshes begins with facets. If surfaces give less than a quarter of the
+/// wanted zone and facets give four times as much, the pair changes to facets. It changes back when surfaces fit again.
+/// The finder tries both methods at every twelfth query and, if the other one fails, less and less often. The zone
+/// shrinks as a whole (by 0.65) until all entries fit.
 ///
-/// Keeps what it worked out for each place of each mesh and where the last search ended, so a warm query only
-/// evaluates. `pending`: new places took too long, the answer is incomplete, what is held already goes on being held,
-/// and the next query will know more. Same queries in the same order give the same answers. The parts' data outlive
-/// this object. One thread.
+/// Keeps the results for each place of each mesh and where the last search ended, so a warm query only evaluates.
+/// `pending`: new places took too long and the answer is incomplete; the next query continues. Keep using the contacts
+/// that you have until then. The same queries in the same order give the same answers. The parts' data outlive this
+/// object. One thread.
 class ContactFinder {
  public:
   enum class Ways : std::uint8_t {
     kBest,      ///< As above.
-    kSurfaces,  ///< All parts have surfaces; where not even the smallest zone fits, `complete` is false.
-    kFacets,    ///< All parts have pieces; where not even the smallest zone fits, the nearest contacts stand.
+    kSurfaces,  ///< All parts have surfaces; if not even the smallest zone fits, `complete` is false.
+    kFacets,    ///< All parts have pieces; if not even the smallest zone fits, the answer has the nearest contacts
+                ///< only.
   };
   explicit ContactFinder(Ways ways = Ways::kBest) : ways_(ways) {}
 
@@ -42,14 +43,14 @@ class ContactFinder {
                     const ZoneOptions& options);
 
  private:
-  /// How a pair of bodies is told.
+  /// The method for one pair of bodies.
   struct PairWay {
     bool facets = false;
-    bool fixed = false;         ///< Has no other way.
+    bool fixed = false;         ///< Only one method is possible.
     bool mostly_known = false;  ///< Most of both surfaces is recognised.
-    int resting = 0;            ///< Queries until the other way is tried,
+    int resting = 0;            ///< Queries until the other method is tried,
     int rest = 0;               ///< and how many it was last time.
-    int cold = 0;               ///< Trials in a row that ended for want of time.
+    int cold = 0;               ///< Consecutive trials that ran out of time.
   };
   struct Search;
 
@@ -66,9 +67,9 @@ class ContactFinder {
   Ways ways_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, PairWay> pair_ways_;  ///< By the bodies' keys.
   SignatureCaches caches_;
-  double kept_share_ = 0.0;  ///< Of the wanted zone, by the last query; 0 before the first.
+  double kept_share_ = 0.0;  ///< Share of the wanted zone in the last query; 0 before the first.
   bool crowded_ = false;
-  int since_larger_ = 0;  ///< Queries since a wider zone was tried.
+  int since_larger_ = 0;  ///< Queries since a larger zone was tried.
 };
 
 }  // namespace hapticell::collision

@@ -17,10 +17,10 @@ struct PlacedRod {
 
 PlacedRod placed(const BodyRod& rod, const Pose& X_W);
 
-/// Edges (or cylinders) that cross: a group of the plane that holds them apart and, as alternatives, of the places
-/// where one has gone past the other's end. Parallel cylinders give such a group for either end of where they lie along
-/// each other. Appends nothing where they cannot touch within the reach (m), or touch along other features of their
-/// bodies (Gauss-map test: Gregorius, "The separating axis test between convex polyhedra", GDC 2013).
+/// Appends the group of two edges (or cylinders) that cross: the plane that keeps them apart and, as alternatives, the
+/// places where one has passed the other's end. Parallel cylinders give one group for each end of their overlap.
+/// Appends nothing if they cannot touch within the reach (m) or if other features of their bodies touch instead
+/// (Gauss-map test: Gregorius, "The separating axis test between convex polyhedra", GDC 2013).
 void appendCrossing(const PlacedRod& moving, const PlacedRod& obstacle, double reach, const ContactGroup& like,
                     std::vector<ContactGroup>& groups);
 

@@ -17,18 +17,18 @@ class PlacedPart;
 struct NearPair;
 struct PieceGroup;
 
-/// What the moving parts could meet, told by their convex pieces, one zone radius at a time: the work behind
+/// Finds what the moving parts could meet from their convex pieces, for one zone radius at a time; used by
 /// zoneContacts(). Lives for one query; refers to the parts' data. One thread.
 class FacetQuery {
  public:
   /// How closely a zone is described.
   enum class Detail : std::uint8_t {
-    kTurning,  ///< With all that turning could bring up; coarser tolerances are tried before giving up.
-    kCrowded,  ///< Turning is left out of what implies what.
+    kTurning,  ///< Includes contacts that turning could cause; coarser tolerances are tried before giving up.
+    kCrowded,  ///< Ignores turning when groups that others imply are removed.
     kAny,      ///< The first, else the second.
   };
 
-  /// `options.pair_mask` may be replaced later by setMask(); `options.max_entries` is not looked at.
+  /// `options.pair_mask` may be replaced later by setMask(); `options.max_entries` is ignored.
   FacetQuery(std::span<const ZonePart> moving, std::span<const ZonePart> environment, const ZoneOptions& options);
   ~FacetQuery();
   FacetQuery(const FacetQuery&) = delete;
@@ -36,15 +36,15 @@ class FacetQuery {
 
   /// Outlives the query; empty: all pairs count.
   void setMask(std::span<const std::uint8_t> mask) { options_.pair_mask = mask; }
-  /// Directions that are looked at, at most, before an attempt is given up.
+  /// Number of directions after which an attempt is given up.
   void setMostDirections(std::size_t count) { most_directions_ = count; }
 
-  /// Everything within the radius (m), or nothing where that is more than `max_entries`.
+  /// Everything within the radius (m); empty if that is more than `max_entries`.
   std::optional<ZoneContacts> attempt(double radius, Detail detail, std::size_t max_entries);
-  /// The nearest contacts only, each for itself.
+  /// The nearest contacts only, each in a group of one.
   ZoneContacts nearestOnly(double radius, std::size_t max_entries);
 
-  /// In directions looked at, about a microsecond each: repeats exactly.
+  /// Number of directions examined, about a microsecond each; the same in every run.
   std::size_t work() const { return work_; }
 
  private:
@@ -52,11 +52,11 @@ class FacetQuery {
   static const Effort kEfforts[4];
   DirectionLimits limits(std::size_t moving_part, double radius) const;
   bool counts(std::size_t moving_part, std::size_t environment_part) const;
-  /// False: more pairs than can be looked at; the zone must shrink.
+  /// False: too many pairs; the zone must shrink.
   bool collect(std::size_t moving_part, const DirectionLimits& limits, std::vector<PieceGroup>& groups);
-  /// Pairs of pieces that come within the reach, as far as that is known quickly; not all of them where they are many.
+  /// Pairs of pieces that come within the reach, by a quick search; incomplete if there are many.
   std::vector<NearPair> nearPairs(std::size_t moving_part, const DirectionLimits& limits);
-  /// False: more than can be looked at.
+  /// False: too many candidates.
   bool candidates(PlacedPart& a, PlacedPart& b, double reach, std::vector<LabelPair>& found);
   bool candidatesOnDemand(PlacedPart& a, PlacedPart& b, double reach, std::vector<LabelPair>& found);
   bool labelsWithin(const PlacedPart& a, const PlacedPart& b, double reach, std::size_t most,

@@ -22,7 +22,7 @@ inline bool overlap(const geometry::Bounds& a, const geometry::Bounds& b) {
   return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
 }
 
-/// Pieces of one part placed in the world, each when first asked for.
+/// Pieces of one part placed in the world; each is placed at its first use.
 class PlacedPart {
  public:
   explicit PlacedPart(const ZonePart& part)
@@ -37,7 +37,7 @@ class PlacedPart {
     return placed_.emplace(index, placed(*shape(index), part_.X_W)).first->second;
   }
 
-  /// Pieces whose box comes near a box in the world.
+  /// Pieces whose box is near a box in the world.
   std::vector<std::uint32_t> near(const geometry::Bounds& box_W) {
     std::vector<std::uint32_t> found;
     const geometry::Bounds box_M = geometry::transformed(part_.X_W.inverse(), box_W);
@@ -48,9 +48,9 @@ class PlacedPart {
     return found;
   }
 
-  /// Its pieces are cut where they are asked for.
+  /// The part's pieces are cut on demand.
   bool isOnDemand() const { return part_.pieces->blocks() != nullptr; }
-  /// Appends the pieces that a label of labelled() stands for.
+  /// Appends the pieces of a label of labelled().
   void appendPieces(std::uint32_t label, std::vector<std::uint32_t>& pieces) const {
     if (!isOnDemand()) return pieces.push_back(label);
     const auto count = static_cast<std::uint32_t>(part_.pieces->blocks()->block(label).size());
@@ -58,7 +58,7 @@ class PlacedPart {
   }
 
   bool isLarge() const { return isOnDemand() || part_.pieces->pieces().size() > kFewPieces; }
-  /// Its triangles by their piece or, on demand, by their block.
+  /// The triangles, labelled by piece or, if cut on demand, by block.
   LabelledMesh labelled() const {
     if (const PiecesOnDemand* blocks = part_.pieces->blocks()) {
       return {blocks->surface(), blocks->blockOfEachTriangle(), blocks->blockCount()};
@@ -68,7 +68,7 @@ class PlacedPart {
   }
 
  private:
-  static constexpr std::size_t kFewPieces = 256;  // with more its triangles are searched
+  static constexpr std::size_t kFewPieces = 256;  // if there are more pieces, the triangles are searched instead
 
   const ConvexPiece* shape(std::uint32_t index) const {
     if (!isOnDemand()) return &part_.pieces->pieces()[index];

@@ -5,10 +5,10 @@
 
 namespace hapticell::collision {
 
-/// How far (m) the quadric of a ring's row is from the ring at most, where a ball whose centre goes `ball.reach` from
-/// where it is could meet it and the element counts there. `row_M` is the row's matrix in the mesh's frame, `offset` of
-/// the ball. Planes, spheres, cylinders and cones are their quadrics; of a ring it holds only near the foot, since
-/// round the tube it bends the other way.
+/// The largest deviation (m) between the quadric of a ring's row and the ring, over the places where the element counts
+/// and where a ball could meet it whose centre moves up to `ball.reach`. `row_M` is the row's matrix in the mesh's
+/// frame, `offset` that of the ball. Planes, spheres, cylinders and cones equal their quadrics. The quadric of a ring
+/// is valid only near the foot, because the ring bends the other way around the tube.
 double ringDeviation(const BallQuery& ball, const SurfaceElement& element, const dmat3& row_M);
 
 }  // namespace hapticell::collision

@@ -16,39 +16,39 @@
 
 namespace hapticell::collision {
 
-/// What was worked out for each place of each mesh, kept from query to query.
+/// Results for each place of each mesh, kept from query to query.
 using SignatureCaches = std::unordered_map<const SurfaceModel*, std::unique_ptr<SignatureCache>>;
 
-/// What the moving parts could meet, told by recognised surfaces, one zone radius at a time.
+/// Finds what the moving parts could meet from recognised surfaces, for one zone radius at a time.
 ///
-/// Corners, rims and balls of the moving bodies against the environment's surfaces (offset by the ball's radius), those
-/// of the environment against the moving bodies' surfaces, and edges and cylinders that cross. Groups of one point are
-/// those of SignatureCache; entries carry the surface's curvature and its end as a trim; an entry that lies deeper than
-/// the zone and a group that cannot be met in it are left out. New places may cost so much a query (about 15 ms);
-/// beyond that the attempt fails and says isCold(): the next query goes on from there. Lives for one query. One thread.
+/// It checks corners, rims and balls of the moving bodies against the environment's surfaces (offset by the ball's
+/// radius), those of the environment against the moving bodies' surfaces, and edges and cylinders that cross.
+/// SignatureCache gives the groups of one point. Entries have the surface's curvature and, as a trim, its end. Entries
+/// deeper than the zone and groups that cannot be met in it are left out. If new places take more than about 15 ms in a
+/// query, the attempt fails with isCold(), and the next query continues from there. Lives for one query. One thread.
 class SurfaceQuery {
  public:
   SurfaceQuery(SignatureCaches& caches, std::span<const ZonePart> moving, std::span<const ZonePart> environment,
                const ZoneOptions& options)
       : caches_(caches), moving_(moving), environment_(environment), options_(options) {}
 
-  /// Outlives the query; empty: all pairs count. Parts of pairs that count have their surfaces.
+  /// Outlives the query; empty: all pairs count. The parts of every pair that counts must have surfaces.
   void setMask(std::span<const std::uint8_t> mask) { options_.pair_mask = mask; }
-  /// Free-form regions then make an attempt fail: facets tell them better.
+  /// If true, free-form regions make an attempt fail, because facets describe them better.
   void setMayFallBack(bool may) { may_fall_back_ = may; }
 
-  /// Everything within the radius (m), or nothing where that is more than `max_entries`.
+  /// Everything within the radius (m); empty if that is more than `max_entries`.
   std::optional<ZoneContacts> attempt(double radius, std::size_t max_entries);
 
-  /// Some attempt has failed for want of time only.
+  /// An attempt failed only because it ran out of time.
   bool isCold() const { return new_work_ > kMostNewWork; }
-  /// The last attempt failed because a ring's quadric is not good for that radius: a smaller one is, facets do not
-  /// help.
+  /// The last attempt failed because a ring's quadric is too inaccurate for that radius. A smaller radius helps, facets
+  /// do not.
   bool isRough() const { return rough_; }
-  /// Of the last attempt, per pair (moving * environment.size() + environment): entries before the limit, or so far as
-  /// it got; the pair at which it was given up counts most.
+  /// Entries of the last attempt per pair (moving * environment.size() + environment), up to the limit or to where it
+  /// ended. The pair at which it was given up has the largest value.
   const std::vector<std::size_t>& weights() const { return weights_; }
-  /// In ZoneContacts::work, about a microsecond each: repeats exactly.
+  /// In units of ZoneContacts::work, about a microsecond each; the same in every run.
   std::size_t work() const;
 
  private:
@@ -82,8 +82,8 @@ class SurfaceQuery {
   std::vector<ContactGroup> groups_;
   std::vector<TrianglePair> rod_pairs_;
   bool facets_ = false;
-  bool rough_ = false;          ///< A ring was told too roughly.
-  bool rough_allowed_ = false;  ///< At this radius they may be.
+  bool rough_ = false;          ///< The quadric of a ring was too inaccurate.
+  bool rough_allowed_ = false;  ///< At this radius inaccurate quadrics are allowed.
   bool may_fall_back_ = false;
   std::size_t new_work_ = 0;
   std::size_t work_ = 0;

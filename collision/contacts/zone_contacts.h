@@ -16,10 +16,10 @@ class SurfaceModel;
 /// One rigid body in a zone query: a moved solid, a robot's link, or an obstacle.
 struct ZonePart {
   const ConvexPieces* pieces = nullptr;  ///< Prepared at load; never null.
-  Pose X_W;                              ///< Of the mesh's frame.
-  std::uint64_t key = 0;                 ///< Stable from query to query; goes into the entries' ids.
-  double reach = 0.0;  ///< Farthest any point of this part can move while the hand stays in the wanted
-                       ///< radius, metres; 0 means the radius itself. Ignored for the environment.
+  Pose X_W;                              ///< Pose of the mesh's frame in the world.
+  std::uint64_t key = 0;                 ///< Stable from query to query; part of the entries' ids.
+  double reach = 0.0;  ///< How far any point of this part can move at most while the hand stays in the wanted radius,
+                       ///< metres; 0 means the radius itself. Ignored for the environment.
   const SurfaceModel* surfaces = nullptr;  ///< For ContactFinder; null: facets only.
 };
 
@@ -34,11 +34,10 @@ struct ZoneContact {
                                        ///< to first order in translation and rotation.
   dvec3 q_W{0.0};                      ///< The point of the environment it meets: gap = nhat_W . (p - q) or, where the
                                        ///< normal moves, nhat_W . (a - p) with a on the face of the moving part.
-  dvec3 nhat_W{0.0, 0.0, 1.0};         ///< Unit: the direction in which the moving part gets free.
+  dvec3 nhat_W{0.0, 0.0, 1.0};         ///< Unit: the direction in which the moving part becomes free.
   double gap = 0.0;                    ///< Metres, raw (no safety distance taken off); negative inside.
-  /// Where it is not 0 the gap after a motion d of the point is nhat . e + 1/2 e . M e with e = gap nhat + d, in 1/m:
-  /// the surface's curvature and its normal-normal term, so that spheres, cylinders and cones are exact at any
-  /// distance.
+  /// If not 0, the gap after a motion d of the point is nhat . e + 1/2 e . M e with e = gap nhat + d, in 1/m: the
+  /// surface's curvature and its normal-normal term, so that spheres, cylinders and cones are exact at any distance.
   dmat3 M_W{0.0};
   bool has_trim = false;  ///< A second value at the same point; the smaller of both counts.
   dvec3 trim_nhat_W{0.0, 0.0, 1.0};
@@ -50,36 +49,36 @@ struct ZoneContact {
 struct ZoneOptions {
   double radius = 0.060;  ///< Wanted, metres.
   std::size_t max_entries = 64;
-  double safety_distance = 0.0;  ///< Metres; contacts are looked for this much farther out.
+  double safety_distance = 0.0;  ///< Metres; the search goes this much farther out.
   double max_rotation = 0.3;     ///< Radians that the part may turn within the wanted radius; shrinks with it.
-  double min_radius = 0.0005;    ///< Metres: below it the fallback of zoneContacts takes over.
+  double min_radius = 0.0005;    ///< Metres: below it zoneContacts() uses its fallback.
   double needed_radius =
-      0.0;  ///< Metres: a ring's quadric may be rough (over 0.05 mm off) rather than the zone smaller.
+      0.0;  ///< Metres: rather than a smaller zone, a ring's quadric may be inaccurate (by over 0.05 mm).
   /// Which pairs count, row by row: pair_mask[moving * environment.size() + environment]; empty = all.
   std::span<const std::uint8_t> pair_mask;
-  bool only_complete = false;  ///< An incomplete answer is of no use: none is made (no contacts, `complete` false).
+  bool only_complete = false;  ///< Incomplete answers are not wanted: they have no contacts and `complete` is false.
 };
 
 struct ZoneContacts {
-  std::vector<ZoneContact> contacts;  ///< Ordered by group; group numbers count up from 0 without holes.
+  std::vector<ZoneContact> contacts;  ///< Ordered by group; group numbers count up from 0 without gaps.
   std::uint32_t groups = 0;
-  double radius = 0.0;   ///< Metres: nothing can be met inside it that is not in the set. A part with its
-                         ///< own reach is complete within reach * radius / wanted radius.
-  bool complete = true;  ///< False: more than max_entries even at min_radius; then only the nearest
-                         ///< contacts stand, each for itself (AND).
-  bool pending = false;  ///< ContactFinder: not incomplete for good, the next query goes on with the work.
-  bool facets = false;   ///< ContactFinder: some entries stand for facets, not for a recognised surface.
-  bool crowded = false;  ///< Turning was left out of what implies what among the facets.
-  std::size_t work = 0;  ///< What it cost, in directions looked at (about a microsecond each): repeats exactly.
+  double radius = 0.0;   ///< Metres: the set contains everything that can be met within it. For a part with its own
+                         ///< reach, within reach * radius / wanted radius.
+  bool complete = true;  ///< False: more than max_entries even at min_radius; then the set has only the nearest
+                         ///< contacts, each in a group of one (AND).
+  bool pending = false;  ///< ContactFinder: incomplete for now; the next query continues the work.
+  bool facets = false;   ///< ContactFinder: some entries come from facets, not from a recognised surface.
+  bool crowded = false;  ///< Turning was ignored when facets that others imply were removed.
+  std::size_t work = 0;  ///< Cost in directions examined (about a microsecond each); the same in every run.
 };
 
-/// Everything that the moving parts could meet in the environment within the zone, told by facets alone.
+/// Finds everything that the moving parts could meet in the environment within the zone, from facets only.
 ///
 /// For every pair of convex pieces near each other one group holds the directions in which they are separated or could
 /// become so: faces of either and crossed edges, that is the faces of their Minkowski difference which the zone
-/// reaches. A group therefore never calls two pieces free that overlap, under any translation; rotations are covered
-/// by further corners of the same faces. Where the set would have more than max_entries the zone shrinks as a whole.
-/// A start that touches or penetrates gives gaps <= 0 with the direction of least penetration. Any thread.
+/// reaches. Therefore overlapping pieces never count as free, under any translation. Further corners of the same faces
+/// cover rotations. If the set would have more than max_entries, the zone shrinks as a whole. A start that touches or
+/// penetrates gives gaps <= 0 with the direction of least penetration. Any thread.
 ZoneContacts zoneContacts(std::span<const ZonePart> moving, std::span<const ZonePart> environment,
                           const ZoneOptions& options);
 

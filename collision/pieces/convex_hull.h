@@ -32,13 +32,13 @@ struct ConvexHull {
 
 /// The convex hull of points, by quickhull (Barber, Dobkin, Huhdanpaa 1996).
 ///
-/// Points within `tolerance` (m) of the hull may be left out. Nothing where the points span no volume thicker than the
-/// tolerance, or where rounding spoils the result (every point is checked against every plane).
+/// Points within `tolerance` (m) of the hull may be left out. Empty if the points span no volume thicker than the
+/// tolerance, or if rounding makes the result wrong (every point is checked against every plane).
 std::optional<ConvexHull> convexHull(std::span<const dvec3> points, double tolerance);
 
 /// The prism over the planar convex hull (Andrew's monotone chain, 1979) of points that lie in about one plane with
-/// unit normal nhat: its front face goes through the foremost of them, its back is `thickness` (m) behind that. Nothing
-/// where they span no area.
+/// unit normal nhat: its front face goes through the foremost of them, its back is `thickness` (m) behind that. Empty
+/// if they span no area.
 std::optional<ConvexHull> convexPrism(std::span<const dvec3> points, const dvec3& nhat, double thickness);
 
 }  // namespace hapticell::collision

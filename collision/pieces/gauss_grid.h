@@ -9,12 +9,12 @@
 
 namespace hapticell::collision {
 
-/// Arcs between two unit normals (an edge's two faces on the Gauss sphere), found again by where they lie. Two edges
-/// make a face of the Minkowski difference only where their arcs cross: on round bodies that is a few pairs out of
+/// Arcs between two unit normals (an edge's two faces on the Gauss sphere), in a grid for searching by position. Two
+/// edges make a face of the Minkowski difference only if their arcs cross: for round bodies, a few pairs out of
 /// millions.
 class GaussGrid {
  public:
-  /// Adds the arc from n0 to n1 under the next number, from 0.
+  /// Adds the arc from n0 to n1 with the next number, counting from 0.
   void add(const dvec3& n0, const dvec3& n1);
 
   /// Numbers of all arcs that may cross this one (some do not), in ascending order.

@@ -11,10 +11,10 @@
 
 namespace hapticell::collision {
 
-/// A large mesh's surface, cut into convex pieces only where somebody asks: block by block of at most kMostInBlock
-/// neighbouring triangles (16 leaves of the collider's tree in a row). No piece reaches over the border of its block,
-/// but each is held against all surface about it, so a piece is as true as one of a mesh cut as a whole. A block costs
-/// some milliseconds, once. What comes of a block does not depend on who asks, or when. Any thread.
+/// A large mesh's surface, cut into convex pieces on demand: in blocks of at most kMostInBlock neighbouring triangles
+/// (16 consecutive leaves of the collider's tree). No piece crosses the border of its block, but each is checked
+/// against all surface around it, so the pieces are as accurate as those of a mesh cut as a whole. A block costs a few
+/// milliseconds, once. The pieces of a block do not depend on the order of the calls. Any thread.
 class PiecesOnDemand {
  public:
   static constexpr std::uint32_t kMostInBlock = 64;
@@ -26,7 +26,7 @@ class PiecesOnDemand {
   std::uint32_t blockCount() const { return static_cast<std::uint32_t>(blocks_.size()); }
   const std::vector<std::uint32_t>& blockOfEachTriangle() const { return block_of_; }
 
-  /// The pieces of a block (less than blockCount()), cut when first asked for; at most kMostInBlock. Their `triangles`
+  /// The pieces of a block (index below blockCount()), cut at the first call; at most kMostInBlock. Their `triangles`
   /// are those of the collider's mesh.
   const std::vector<ConvexPiece>& block(std::uint32_t index) const;
 

@@ -12,7 +12,7 @@ namespace hapticell::collision {
 /// A convex piece placed in the world.
 struct PlacedPiece {
   const ConvexPiece* piece = nullptr;
-  Pose X_MW;  ///< Of the world in the mesh's frame.
+  Pose X_MW;  ///< Pose of the world in the mesh's frame.
   std::vector<dvec3> vertices_W;
   std::vector<HullPlane> planes_W;
   std::vector<dvec3> beyond_W;
@@ -21,21 +21,21 @@ struct PlacedPiece {
 
 PlacedPiece placed(const ConvexPiece& piece, const Pose& X_W);
 
-/// One pair of points that keeps a separating direction: the moving body's point (or, where the normal moves, the
+/// One pair of points that supports a separating direction: the moving body's point (or, where the normal moves, the
 /// obstacle's point as if it belonged to the body) and its gap along the direction.
 struct SupportPoint {
   dvec3 p_W{0.0};    ///< Moves with the body.
-  dvec3 q_W{0.0};    ///< Of the obstacle, or of the body's face where the normal moves.
+  dvec3 q_W{0.0};    ///< On the obstacle, or on the body's face if the normal moves.
   double gap = 0.0;  ///< Metres.
   bool normal_moves = false;
   std::uint32_t feature =
-      0;  ///< Vertex of the moving piece (from 2^30 on: end of an edge), 2^31 more for the obstacle's.
+      0;  ///< Vertex of the moving piece (from 2^30: end of an edge); plus 2^31 for the obstacle.
 };
 
 enum class DirectionRank : std::uint8_t {
   kFace = 0,     ///< Faces and convex edges that the meshes have.
   kBeyond = 1,   ///< Faces of the mesh next to the piece.
-  kVirtual = 2,  ///< Faces or edges that only close a piece; used where nothing else frees a free place.
+  kVirtual = 2,  ///< Faces or edges that only close a piece; used if no other direction shows that a place is free.
 };
 
 /// A direction in which a moving piece A and an obstacle piece B are separated, or could become so.
@@ -45,12 +45,13 @@ struct SeparatingDirection {
   DirectionRank rank = DirectionRank::kFace;
   std::uint32_t feature_A = 0;  ///< For ids: plane, edge or vertex number.
   std::uint32_t feature_B = 0;
-  double tightened = 0.0;  ///< To be taken off the gaps: the direction stands for others that were left out, metres.
-  bool on_obstacle_face = false;  ///< A corner of A on a face of B; both may hold where faces are parallel.
+  double tightened = 0.0;  ///< Metres to subtract from the gaps, because the direction replaces others that were left
+                           ///< out.
+  bool on_obstacle_face = false;  ///< A corner of A on a face of B; both may be true if faces are parallel.
   bool on_moving_face = false;    ///< A corner of B on a face of A; neither: two edges.
-  SupportPoint support{};         ///< Holds the gap.
+  SupportPoint support{};         ///< The point that determines the gap.
   std::vector<SupportPoint>
-      supports{};  ///< Filled by completeSupports: `support` and those that turning could bring up.
+      supports{};  ///< Filled by completeSupports(): `support` and the points that turning could make relevant.
 };
 
 struct DirectionLimits {
@@ -59,24 +60,24 @@ struct DirectionLimits {
   std::size_t max_supports = 8;
 };
 
-/// The faces of the Minkowski difference of two convex pieces which a motion within the limits can meet (Gauss-map
-/// test for edge pairs: Gregorius, "The separating axis test between convex polyhedra", GDC 2013), plus the planes
-/// beyond the pieces' convex borders. For a translation d the pieces are apart exactly where some direction has
-/// gap + nhat . d > 0; every direction found is sound whether or not all are found. Largest gap first; none where the
-/// pieces are too far apart to meet (or overlap so deeply that no face is near, see isInside).
+/// The faces of the Minkowski difference of two convex pieces that a motion within the limits can meet (Gauss-map test
+/// for edge pairs: Gregorius, "The separating axis test between convex polyhedra", GDC 2013), plus the planes beyond
+/// the pieces' convex borders. After a translation d the pieces are apart exactly if some direction has gap + nhat . d
+/// > 0. Every direction found is valid even if others were not found. Largest gap first; empty if the pieces are too
+/// far apart to meet (or overlap so deeply that no face is near, see isInside()).
 std::vector<SeparatingDirection> separatingDirections(const PlacedPiece& moving, const PlacedPiece& obstacle,
                                                       const DirectionLimits& limits);
 
-/// Faces of both come within the reach of the other's box, or one is inside the other; false for most pairs that cannot
-/// meet.
+/// Whether faces of each come within the reach of the other's box, or one is inside the other; false for most pairs
+/// that cannot meet.
 bool mayMeet(const PlacedPiece& moving, const PlacedPiece& obstacle, double reach);
 
-/// The direction of the nearest points, nearly: its gap is never more than the distance, and close to it where the
-/// pieces are apart. Ends early once the gap is above `enough`. Gilbert, "An iterative procedure for computing the
+/// Approximately the direction of the nearest points: its gap is never more than the distance, and close to it if the
+/// pieces are apart. Ends early if the gap is above `enough`. Gilbert, "An iterative procedure for computing the
 /// minimum of a quadratic form on a convex set" (1966), on the Minkowski difference. The result has rank kVirtual.
 SeparatingDirection nearestDirection(const PlacedPiece& moving, const PlacedPiece& obstacle, double enough);
 
-/// Some corner or the middle of one piece lies inside the other.
+/// Whether some corner or the middle of one piece lies inside the other.
 bool isInside(const PlacedPiece& moving, const PlacedPiece& obstacle);
 
 /// Finds the further corners (and ends of edges at the rim of the neighbourhood) of a direction's faces.

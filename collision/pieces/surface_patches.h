@@ -11,7 +11,7 @@
 
 namespace hapticell::collision {
 
-/// Some triangles of a mesh and the vertices they use, each once.
+/// Some triangles of a mesh and the vertices that they use, each once.
 struct Patch {
   std::vector<std::uint32_t> triangles;
   std::vector<std::uint32_t> vertices;
@@ -25,7 +25,8 @@ class SurfaceGraph {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-  /// Welds a copy of `mesh`; surfaces nearer than `tolerance` (m) count as touching, so as no obstacle to each other.
+  /// Welds a copy of `mesh`; surfaces nearer than `tolerance` (m) count as touching, so they do not obstruct each
+  /// other.
   SurfaceGraph(const geometry::TriangleMesh& mesh, double tolerance);
 
   const geometry::TriangleMesh& mesh() const { return mesh_; }
@@ -38,12 +39,12 @@ class SurfaceGraph {
   std::uint32_t neighbour(std::uint32_t triangle, int k) const {
     return neighbours_[triangle][static_cast<std::size_t>(k)];
   }
-  /// The neighbour across edge k lies behind this triangle's plane (or in it), within the tolerance.
+  /// Whether the neighbour across edge k lies behind this triangle's plane (or in it), within the tolerance.
   bool isConvexAcross(std::uint32_t triangle, int k) const;
-  /// In the mesh that was given.
+  /// Index of the triangle in the given mesh.
   std::uint32_t originalTriangle(std::uint32_t triangle) const { return original_[triangle]; }
 
-  /// All vertices lie in the plane of the first triangle.
+  /// Whether all vertices lie in the plane of the first triangle.
   bool isFlat(const Patch& patch) const;
   /// Unit normals of the triangles beyond the patch's sharp convex borders, equal ones once.
   std::vector<dvec3> normalsBeyond(const Patch& patch) const;
@@ -64,8 +65,8 @@ class SurfaceGraph {
   std::vector<std::uint32_t> original_;
 };
 
-/// Every triangle in one patch whose convex hull holds no other part of the surface deeper than the tolerance.
-/// `collider` is that of graph.mesh().
+/// Divides all triangles into patches whose convex hull contains no other part of the surface deeper than the
+/// tolerance. `collider` is that of graph.mesh().
 std::vector<Patch> convexPatches(const SurfaceGraph& graph, const MeshCollider& collider);
 
 }  // namespace hapticell::collision

@@ -12,7 +12,7 @@ namespace hapticell::collision {
 ///
 /// All pairs of triangles within the zone count; two of them belong to the same place when they share a corner on A and
 /// a corner on B, and so on from pair to pair. A box standing on a table is one place, a table on a floor four. At most
-/// `most_pairs` pairs are looked at. Any thread; allocates.
+/// `most_pairs` pairs are examined. Any thread; allocates.
 std::size_t countContactRegions(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, double zone,
                                 std::size_t most_pairs = 1u << 18);
 

@@ -13,8 +13,8 @@ inline constexpr double kTouchingDistance = 1e-9;
 /// Minimum distance of two colliders A and B, with the equation |p_WA - p_WB| = distance, and
 /// p_WA = p_WB + distance * nhat_BA_W where the distance is positive.
 ///
-/// Solids: a mesh (or one of its connected pieces) that lies wholly inside a closed piece of the other collides as
-/// well: `colliding` and `contained` are true, the distance is 0, and p_WA == p_WB is a point of the inner surface.
+/// Solids: a mesh (or one of its connected pieces) that lies completely inside a closed piece of the other also
+/// collides: `colliding` and `contained` are true, the distance is 0, and p_WA == p_WB is a point of the inner surface.
 struct DistanceResult {
   double distance = 0.0;           ///< Metres; 0 when touching or intersecting.
   bool colliding = false;          ///< Surfaces touch or intersect, or one lies inside the other (`contained`).

@@ -25,7 +25,7 @@ NearestPoint nearestPoint(const MeshCollider& mesh, const dvec3& p_MP,
 /// A crossing of a ray with a mesh, in the mesh's frame M.
 struct RayHit {
   bool found = false;
-  double along = std::numeric_limits<double>::infinity();  ///< In lengths of the direction.
+  double along = std::numeric_limits<double>::infinity();  ///< In multiples of the direction's length.
   dvec3 p_MQ{0.0};
   std::uint32_t triangle = 0;
 };
@@ -44,7 +44,7 @@ void trianglesWithin(const MeshCollider& mesh, const geometry::Bounds& box_M, do
 void trianglesWithin(const MeshCollider& b, const MeshCollider& a, const Pose& X_BA, double radius,
                      std::vector<std::uint32_t>& found_in_b);
 
-/// Two triangles near each other, with their nearest points in A's frame.
+/// Two neighbouring triangles, with their nearest points in A's frame.
 struct TrianglePair {
   std::uint32_t triangle_a = 0;
   std::uint32_t triangle_b = 0;
@@ -58,8 +58,8 @@ struct TrianglePair {
 bool trianglePairsWithin(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, double radius,
                          std::vector<TrianglePair>& found, std::size_t maximum = 1u << 20);
 
-/// Which triangles of two meshes come near each other, told as labels that many triangles share (convex pieces). All
-/// vectors outlive the call.
+/// A mesh whose triangles have labels; many triangles share one label (that of a convex piece). All vectors outlive the
+/// call.
 struct LabelledMesh {
   const MeshCollider& mesh;
   const std::vector<std::uint32_t>& label_of;  ///< Per triangle of the mesh.
@@ -71,15 +71,15 @@ struct LabelPair {
   std::uint32_t label_b = 0;
 };
 
-/// How much a search may do before it gives up: the same on every machine.
+/// Limits after which a search gives up; the same on every machine.
 struct SearchBudget {
-  std::size_t pairs = 0;  ///< Found.
-  std::size_t tests = 0;  ///< Triangle pairs looked at.
+  std::size_t pairs = 0;  ///< Pairs found.
+  std::size_t tests = 0;  ///< Triangle pairs examined.
 };
 
 /// Every pair of labels of A and B (placed by X_AB) of which two triangles are at most `radius` (m) apart, each once.
-/// Returns false when the budget ended before the search did; `found` then holds some of them. Takes what was used
-/// off the budget's tests.
+/// Returns false when the budget ended before the search did; `found` then holds some of them. The tests that were used
+/// are subtracted from the budget.
 bool labelPairsWithin(const LabelledMesh& a, const LabelledMesh& b, const Pose& X_AB, double radius,
                       SearchBudget& budget, std::vector<LabelPair>& found);
 

@@ -11,22 +11,22 @@
 
 namespace hapticell::collision {
 
-/// How exact the nearest pair must be.
+/// Requirements on the nearest pair.
 struct SearchDemand {
-  double limit = std::numeric_limits<double>::infinity();         ///< Only pairs nearer than this (m) are looked for.
+  double limit = std::numeric_limits<double>::infinity();         ///< Search only for pairs nearer than this (m).
   double enough = 0.0;                                            ///< A pair this near (m) ends the search.
   double exact_within = std::numeric_limits<double>::infinity();  ///< Up to here (m) the answer is exact,
   double tolerance = 0.0;                                         ///< beyond it at most this share too large.
 };
 
-/// The search for the nearest pair of triangles of two meshes, all in A's frame. A visitor of DualTraversal: triangle
-/// pairs are collected, measured many at a time in float, and what may be the nearest again in double. One search a
-/// query; it lives on the stack.
+/// The search for the nearest pair of triangles of two meshes, all in A's frame. A visitor of DualTraversal: it
+/// collects triangle pairs, measures many at a time in float, and measures candidates for the nearest again in double.
+/// One object per query, on the stack.
 class NearestSearch {
  public:
   NearestSearch(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, const SearchDemand& demand);
 
-  /// Measures a pair that is likely to be near, then searches the trees.
+  /// Measures the pair `warm`, which is probably near, then searches the trees.
   void run(const TriangleIndices& warm);
 
   bool isFound() const { return found_; }
@@ -43,7 +43,7 @@ class NearestSearch {
 
   /// Measures a pair in double.
   void tryPair(const TriangleIndices& pair);
-  /// Measures what was collected.
+  /// Measures the collected pairs.
   void flush();
 
  private:

@@ -13,18 +13,18 @@
 
 namespace hapticell::collision {
 
-/// What a part is part of: an entity of the document (its id) and, for a robot, the link (0 for a solid).
+/// What a part belongs to: an entity of the document (its id) and, for a robot, the link (0 for a solid).
 struct PartKey {
   std::uint64_t entity = 0;
   std::uint32_t part = 0;
   bool operator==(const PartKey&) const = default;
 };
 
-/// Names of parts and pairs within one Scene; they stay valid until the part or the pairs are removed.
+/// Indices of parts and pairs within one Scene; valid until the part or the pairs are removed.
 using PartIndex = std::uint32_t;
 using PairIndex = std::uint32_t;
 
-/// The distance of one pair: A is its moved part, B what that is checked against.
+/// The distance of one pair: A is its moved part, B the part that A is checked against.
 struct PairDistance {
   PairIndex pair = 0;
   DistanceResult result;
@@ -36,21 +36,21 @@ struct MovedPart {
   PartMotion motion;
 };
 
-/// What stops a scene's motion.
+/// The stop of a scene's motion.
 struct SceneStop {
   double s = 1.0;
   bool stopped = false;
   bool began_colliding = false;  ///< Some pair collided at s = 0.
-  PairIndex pair = 0;            ///< What stops it; nearest is of this pair.
+  PairIndex pair = 0;            ///< The pair that stops it; `nearest` belongs to this pair.
   DistanceResult nearest;
 };
 
 /// Parts placed in the world and the pairs of them that are checked: moved against environment, link against link.
 ///
-/// Every pair keeps its warm query. Queries go over the pairs in the order of a cheap lower bound (spheres and root
-/// boxes) and share one upper bound, so far pairs cost next to nothing. Belongs to one thread, which may edit it
-/// between two queries; another thread builds colliders and hands them over. Queries do not allocate once warm, except
-/// what they append to the caller's vectors. A pair that is disabled, or whose part is removed, is passed over.
+/// Every pair keeps its warm query. Queries process the pairs in the order of a cheap lower bound (spheres and root
+/// boxes) and share one upper bound, so distant pairs cost almost nothing. Belongs to one thread, which may edit it
+/// between two queries; another thread builds colliders and hands them over. Warm queries do not allocate, except to
+/// append to the caller's vectors. Pairs that are disabled, or whose part is removed, are skipped.
 class Scene {
  public:
   /// Adds a part at X_WP; an empty mesh is allowed. Indices of removed parts are used again.
@@ -63,8 +63,8 @@ class Scene {
   const MeshCollider& collider(PartIndex part) const { return *parts_[part].collider; }
   const std::shared_ptr<const MeshCollider>& sharedCollider(PartIndex part) const { return parts_[part].collider; }
 
-  /// Adds a pair that is checked; `tag` is the caller's (the number of its pair set, say). A part is never paired with
-  /// itself.
+  /// Adds a pair that is checked; the caller chooses `tag` (for example the number of its pair set). A part is never
+  /// paired with itself.
   PairIndex addPair(PartIndex moved, PartIndex environment, std::uint32_t tag = 0);
   void clearPairs();
   std::size_t pairCount() const { return pairs_.size(); }
@@ -82,14 +82,14 @@ class Scene {
   /// Appends every pair whose distance is below `margin` (m), each with its exact distance, nearest first.
   void pairsWithin(double margin, std::vector<PairDistance>& found);
 
-  /// Any pair collides. Leaves at the first.
+  /// Whether any pair collides; ends at the first.
   bool collides();
 
   /// The exact distance of one pair (`limit` as in ProximityQuery).
   DistanceResult distance(PairIndex pair, double limit = std::numeric_limits<double>::infinity());
 
   /// How far the parts may move together, every pair keeping `clearance` (m) as advance() of one pair does. Parts that
-  /// are not named stand still. The poses of the scene are not changed.
+  /// are not listed do not move. The poses of the scene are not changed.
   SceneStop advance(std::span<const MovedPart> moved, double clearance);
 
  private:

@@ -16,8 +16,8 @@ struct GrownRegion {
   std::vector<std::uint32_t> triangles;
 };
 
-/// Finds curved surfaces in a connected mesh, one after the other. Triangles that were given to a region are not free
-/// any more. One thread.
+/// Finds curved surfaces in a connected mesh, one after the other. Triangles that belong to a region are no longer
+/// free. One thread.
 class RegionGrower {
  public:
   RegionGrower(const RecognisedSurface& surface, const PlanarClusters& clusters);
@@ -25,14 +25,14 @@ class RegionGrower {
   bool isFree(std::uint32_t triangle) const { return free_[triangle] != 0; }
   void take(const std::vector<std::uint32_t>& triangles);
 
-  /// Fits the neighbourhood of a free triangle (four shapes of neighbourhood in turn) and lets it grow; nothing where
-  /// no surface fits at least three clusters within `tolerance` (m).
+  /// Fits a surface to the neighbourhood of a free triangle (four shapes of neighbourhood in turn) and grows the
+  /// region; empty if no surface fits at least three clusters within `tolerance` (m).
   std::optional<GrownRegion> regionFrom(std::uint32_t seed, double tolerance);
 
-  /// All three vertices, the edges' middles and the normal agree with the surface.
+  /// Whether all three vertices, the edges' middles and the normal agree with the surface.
   bool belongs(std::uint32_t triangle, const SurfaceShape& shape, double tolerance) const;
 
-  /// Free neighbours across an edge of 0.1 to 40 degrees: part of something curved.
+  /// Whether it has free neighbours across edges of 0.1 to 40 degrees, so is part of something curved.
   bool isCurvedAt(std::uint32_t triangle) const;
 
  private:
@@ -53,8 +53,8 @@ class RegionGrower {
   std::vector<std::uint8_t> free_;
   std::vector<std::uint32_t> mark_;         ///< Per triangle: the number of the last search that saw it.
   std::vector<std::uint32_t> vertex_mark_;  ///< Likewise per vertex.
-  std::vector<std::uint64_t> failed_;       ///< Per triangle: what its neighbourhood was when nothing fitted at all.
-  std::vector<std::uint8_t> hopeless_;      ///< Per triangle: how many such neighbourhoods it was in.
+  std::vector<std::uint64_t> failed_;       ///< Per triangle: its neighbourhood when no surface fitted.
+  std::vector<std::uint8_t> hopeless_;      ///< Per triangle: the number of such neighbourhoods that contained it.
   std::uint32_t search_ = 0;
 };
 

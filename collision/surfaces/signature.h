@@ -8,7 +8,7 @@
 
 namespace hapticell::collision {
 
-/// A set of elements, by their places in the cell's list.
+/// A set of elements, by their indices in the cell's list.
 struct Signature {
   static constexpr std::size_t kMostElements = 384;
   void add(std::size_t i) { words[i / 64] |= std::uint64_t{1} << (i % 64); }

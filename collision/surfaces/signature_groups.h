@@ -16,25 +16,25 @@ namespace hapticell::collision {
 struct SignatureCell {
   static constexpr std::uint32_t kOwn = 0x80000000u;
 
-  /// Elements of the model, or from kOwn on those of `own`; a group is free where one of its elements is (elementValue
-  /// > 0), the ball where all are.
+  /// Elements of the model, or from kOwn on those of `own`; a group is free if one of its elements is (elementValue >
+  /// 0), the ball is free if all groups are.
   std::vector<std::vector<std::uint32_t>> groups;
-  std::vector<SurfaceElement> own;  ///< Free places that the model's elements cannot tell.
-  bool overfull = false;            ///< Too many surfaces for one place: the groups are not there.
+  std::vector<SurfaceElement> own;  ///< Free places that the model's elements do not describe.
+  bool overfull = false;            ///< Too many surfaces for one place: there are no groups.
   bool free_form = false;
-  bool facets = false;  ///< Facets stand for a free-form surface, or the mesh is open.
+  bool facets = false;  ///< Facets represent a free-form surface, or the mesh is open.
 
   const SurfaceElement& element(const SurfaceModel& model, std::uint32_t name) const {
     return name >= kOwn ? own[name - kOwn] : model.elements()[name];
   }
 };
 
-/// The groups of a mesh, worked out where they are asked for and kept.
+/// The groups of a mesh, computed on demand and kept.
 ///
 /// Which surfaces share a group: for points s of the mesh's (offset) surface near the cube the signature of s is the
-/// set of elements that s is behind or on; what is in front of one of them is not s. The groups are the signatures that
-/// contain no other (a minimal conjunctive form of "outside", as for monotone functions: Fredman, Khachiyan 1996).
-/// They depend on surface and ball only, so they serve every pose. One thread.
+/// set of elements that s is behind or on; a point in front of one of them is not s. The groups are the signatures that
+/// contain no other (a minimal conjunctive form of "outside", as for monotone functions: Fredman, Khachiyan 1996). They
+/// depend only on the surface and the ball, so they are valid for every pose. One thread.
 class SignatureCache {
  public:
   /// `model` outlives the cache.
@@ -42,14 +42,14 @@ class SignatureCache {
 
   const SurfaceModel& model() const { return *model_; }
 
-  /// The cell of a ball's centre p_MP for at least this reach (m). Refers to memory of the cache until the next call.
+  /// The cell of a ball's centre p_MP for at least this reach (m). The reference is valid until the next call.
   const SignatureCell& cell(const dvec3& p_MP, double radius, double reach);
-  /// That cell is there already.
+  /// Whether the cache already has that cell.
   bool knows(const dvec3& p_MP, double radius, double reach) const {
     return cells_.count(keyOf(p_MP, radius, reach)) != 0;
   }
 
-  /// What cells made since the last call cost, in element values (about 10 ns each): repeats exactly.
+  /// Cost of the cells made since the last call, in element values (about 10 ns each); the same in every run.
   std::size_t takeWork();
   std::size_t cellCount() const { return cells_.size(); }
 

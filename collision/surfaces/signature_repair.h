@@ -10,25 +10,25 @@
 
 namespace hapticell::collision {
 
-/// A point of the (offset) surface, and which of the signatures it has.
+/// A point of the (offset) surface, and the index of its signature.
 struct SignedSample {
   dvec3 p_M, nhat_M;
   std::uint32_t signature;
 };
 
-/// What a cell's groups were made of.
+/// The data that a cell's groups were made from.
 struct RepairTask {
   const SurfaceModel& model;  ///< Closed.
   double radius;              ///< Of the ball, m.
   std::span<const SignedSample> samples;
   std::span<const Signature> signatures;
-  std::span<const Signature> groups;  ///< In the order of the cell's.
+  std::span<const Signature> groups;  ///< In the order of the cell's groups.
 };
 
-/// Takes false walls out of a cell's groups: surfaces go on beyond their regions, so places in the air can lie behind
-/// all elements of a group. Where a point 0.1 mm off a sample is free but blocked by a group, the tangent plane there
-/// becomes an alternative of the group, ended by up to two planes that leave all samples blocked. Returns the work in
-/// element values. Any thread.
+/// Removes false walls from a cell's groups: surfaces extend beyond their regions, so free places can lie behind all
+/// elements of a group. If a point 0.1 mm off a sample is free but a group blocks it, the tangent plane there becomes
+/// an alternative of the group, limited by up to two planes that keep all samples blocked. Returns the work in element
+/// values. Any thread.
 std::size_t repairGroups(const RepairTask& task, SignatureCell& cell);
 
 }  // namespace hapticell::collision

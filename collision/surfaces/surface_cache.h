@@ -9,16 +9,16 @@
 
 namespace hapticell::collision {
 
-/// Recognised surfaces on disk, beside the trees: one file a mesh, named by its content. Only what took long is kept
-/// (which triangle lies on which surface); the rest is measured anew. Files of another version, damaged or cut ones are
-/// passed over, and written anew. Any number of programs may share a folder.
+/// Recognised surfaces on disk, in the folder of the trees: one file per mesh, named by its content. It keeps only the
+/// slow part (which triangle lies on which surface); the rest is measured again. Files of another version and damaged
+/// or incomplete files are ignored and overwritten. Any number of programs may share a folder.
 class SurfaceCache {
  public:
-  /// `folder` is made when something is stored; an empty path stores and finds nothing.
+  /// `folder` is made at the first store; with an empty path nothing is stored or found.
   explicit SurfaceCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Fills region_of and the regions' shapes and triangles of `surface` (connectedSurface() of the mesh); false, and
-  /// nothing changed, where there is no such file.
+  /// Fills region_of and the regions' shapes and triangles of `surface` (connectedSurface() of the mesh); if there is
+  /// no such file, returns false and changes nothing.
   bool load(const ContentHash& mesh, RecognisedSurface& surface) const;
   void store(const ContentHash& mesh, const RecognisedSurface& surface) const;
 

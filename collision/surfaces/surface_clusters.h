@@ -8,18 +8,19 @@
 
 namespace hapticell::collision {
 
-/// Fills mesh, neighbour, normals, component and closed of a surface: welded, without what is degenerate or double.
-/// Triangles are neighbours only across an edge that exactly these two use in opposite directions.
+/// Fills mesh, neighbour, normals, component and closed of a surface: welded, without degenerate and duplicate
+/// triangles. Triangles are neighbours only across an edge that exactly these two use in opposite directions.
 RecognisedSurface connectedSurface(const geometry::TriangleMesh& mesh);
 
-/// Triangles in one plane, connected.
+/// Connected triangles in one plane.
 struct PlanarClusters {
   std::vector<std::uint32_t> cluster_of;              ///< Per triangle.
   std::vector<std::vector<std::uint32_t>> triangles;  ///< Per cluster; the largest triangle first.
   std::vector<double> areas;                          ///< Per cluster, m2.
 };
 
-/// Every triangle in one cluster: flooded from the largest triangles, all vertices within `tolerance` (m) of its plane.
+/// Assigns every triangle to one cluster, flooding from the largest triangles; all vertices are within `tolerance` (m)
+/// of its plane.
 PlanarClusters planarClusters(const RecognisedSurface& surface, double tolerance);
 
 double areaOf(const geometry::TriangleMesh& mesh, std::uint32_t triangle);

@@ -12,20 +12,20 @@
 
 namespace hapticell::collision {
 
-/// Where a surface ends, for a ball of radius r whose centre stands on the surface's offset: its value is
+/// Where a surface ends, for a ball of radius r whose centre is on the surface's offset: its value is
 /// signedDistance(surface, .) - r * per_radius.
 struct ElementTrim {
   SurfaceShape surface;
   double per_radius = 0.0;
 };
 
-/// What a point (or a ball) meets of a mesh: a recognised surface with its ends, a facet of a free-form region, or the
-/// rounding that a ball sees at a convex edge.
+/// An element of a mesh that a point (or a ball) can meet: a recognised surface with its ends, a facet of a free-form
+/// region, or the rounding that a ball sees at a convex edge.
 struct SurfaceElement {
   SurfaceShape shape;              ///< Never free form: facets are planes. Edges: a cylinder of radius 0.
   std::vector<ElementTrim> trims;  ///< Convex: all count (min); concave: free beyond any of them (max).
   double sagitta = 0.0;            ///< m.
-  double raised = 0.0;             ///< m that facets of collider() stand in front of a hollow surface.
+  double raised = 0.0;             ///< m by which facets of collider() are in front of a hollow surface.
   bool facet = false;              ///< Of a free-form region.
   bool edge = false;
 };
@@ -34,18 +34,18 @@ struct SurfaceElement {
 struct BodyPoint {
   dvec3 p_M{0.0};
   double radius = 0.0;   ///< m.
-  dvec3 nhat_M{0.0};     ///< Balls: only directions near this one are real,
+  dvec3 nhat_M{0.0};     ///< Balls: only directions near this one are valid,
   double cosine = -1.0;  ///< with at least this cosine.
 };
 
 /// A circle of such points: a sharp rim, or the middle line of a ring's tube.
 struct BodyCircle {
   dvec3 center_M{0.0};
-  dvec3 e1_M{1.0, 0.0, 0.0};  ///< Unit; angles count from here towards e2.
+  dvec3 e1_M{1.0, 0.0, 0.0};  ///< Unit; angles are measured from here towards e2.
   dvec3 e2_M{0.0, 1.0, 0.0};
   double ring = 0.0;            ///< m.
   double radius = 0.0;          ///< Of the tube, m.
-  double from = 0.0, to = 0.0;  ///< rad; the whole circle where to - from is 2 pi.
+  double from = 0.0, to = 0.0;  ///< rad; the whole circle if to - from is 2 pi.
   bool isWhole() const { return to - from > 6.283; }
   dvec3 at(double angle) const;
 };
@@ -58,27 +58,27 @@ struct BodyRod {
   double cosine = -1.0;        ///< Cylinders: of half their arc.
 };
 
-/// A mesh as contacts see it: its recognised surfaces as obstacle, its points, circles and edges as moved body.
+/// A mesh prepared for contacts: its recognised surfaces as obstacle; its points, circles and edges as moved body.
 /// Immutable after build; any thread may read it.
 class SurfaceModel {
  public:
   static constexpr std::uint32_t kNone = RecognisedSurface::kNone;
 
-  /// Recognises the mesh (about 1.5 s for 100 000 triangles; what was found and the tree are kept in the cache folder).
+  /// Recognises the mesh (about 1.5 s for 100 000 triangles; the surfaces and the tree are kept in the cache folder).
   /// Null when cancelled.
   static std::shared_ptr<const SurfaceModel> build(const geometry::TriangleMesh& mesh, const ColliderBuild& how = {});
-  /// From what was recognised before.
+  /// From surfaces recognised earlier.
   static std::shared_ptr<const SurfaceModel> build(RecognisedSurface surface, const ColliderBuild& how = {});
 
   const RecognisedSurface& surface() const { return surface_; }
-  /// Of relievedMesh(surface()): what an exact check of motions may use, so that a peg goes where its bore lets it.
+  /// The collider of relievedMesh(surface()), for exact motion checks: with it a peg fits into its bore.
   const MeshCollider& collider() const { return *collider_; }
   const std::shared_ptr<const MeshCollider>& sharedCollider() const { return collider_; }
   const geometry::Bounds& bounds() const { return collider_->bounds(); }
 
   const std::vector<SurfaceElement>& elements() const { return elements_; }
   std::uint32_t elementOf(std::uint32_t triangle) const { return element_of_[triangle]; }
-  /// The rounding of the edge from corner k to k + 1, or kNone where it is not a straight convex one.
+  /// The rounding of the edge from corner k to k + 1, or kNone if the edge is not straight and convex.
   std::uint32_t edgeElementOf(std::uint32_t triangle, int k) const {
     return edge_element_of_[triangle][static_cast<std::size_t>(k)];
   }
@@ -91,7 +91,7 @@ class SurfaceModel {
     kRim,    ///< chords of curved borders.
   };
   std::span<const BodyRod> rods(RodKind kind) const { return rods_[static_cast<std::size_t>(kind)]; }
-  /// The rods' middle lines as flat triangles; null where there are none.
+  /// The rods' middle lines as flat triangles; null if there are no such rods.
   const MeshCollider* rodLines(RodKind kind) const { return rod_lines_[static_cast<std::size_t>(kind)].get(); }
   double thickestRod() const { return thickest_rod_; }  ///< Radius, m.
 

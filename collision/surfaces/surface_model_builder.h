@@ -16,12 +16,12 @@ struct SharpEdge {
   std::uint32_t low, high;  // regions
 };
 
-/// Whether a surface of this type is neither flat nor unknown.
+/// Whether a surface of this type is curved and not free form.
 inline bool isRound(SurfaceType type) {
   return type != SurfaceType::kPlane && type != SurfaceType::kFreeForm;
 }
 
-/// Finds what contacts need of a recognised surface: elements with their ends, corners, rims, rods and balls.
+/// Builds from a recognised surface what contacts need: elements with their ends, corners, rims, rods and balls.
 class ModelBuilder {
  public:
   explicit ModelBuilder(SurfaceModel& model) : model_(model), surface_(model.surface_) {}

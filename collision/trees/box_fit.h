@@ -6,16 +6,16 @@
 
 namespace hapticell::collision {
 
-/// Four numbers that are added and compared at once; the last is free.
+/// Four numbers that are added and compared together; the last is unused.
 using Float4 = float __attribute__((vector_size(16)));
 
-/// A triangle while a tree is built: corner by corner, relative to the middle of its mesh.
+/// A triangle while a tree is built: its corners, relative to the middle of its mesh.
 struct BuildItem {
   float corner[9];
   std::uint32_t triangle;
 };
 
-/// Three axes, column-wise: their x in `x`, and so on.
+/// Three axes by component: their x coordinates in `x`, and so on.
 struct BuildAxes {
   Float4 x{1.0f, 0.0f, 0.0f, 0.0f};
   Float4 y{0.0f, 1.0f, 0.0f, 0.0f};
@@ -45,17 +45,18 @@ struct Extent {
   }
 };
 
-/// A box about triangles.
+/// A box around triangles.
 struct FittedBox {
   BuildAxes axes;
   Extent extent;
 };
 
-/// What a triangle takes along the axes.
+/// The extent of a triangle along the axes.
 Extent extentOf(const BuildItem& item, const BuildAxes& axes);
 
-/// The box of least surface along the axes given, those of the surface's covariance (Gottschalk et al. 1996), and those
-/// of the largest triangle where there are few. `along_given` is the extent along the axes given.
+/// The box of least surface among three choices: along the given axes, along those of the surface's covariance
+/// (Gottschalk et al. 1996) and, if there are few triangles, along those of the largest one. `along_given` is the
+/// extent along the given axes.
 FittedBox fitBox(const BuildItem* items, std::size_t count, const BuildAxes& given, const Extent& along_given);
 
 }  // namespace hapticell::collision

@@ -13,7 +13,7 @@
 
 namespace hapticell::collision {
 
-/// Storage that starts at a cache line, for what vector instructions load.
+/// Storage that starts at a cache line, for data that vector instructions load.
 template <typename T>
 struct CacheLineAllocator {
   using value_type = T;
@@ -30,30 +30,31 @@ struct CacheLineAllocator {
 template <typename T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 
-/// Who watches a build, and with how much of the machine it is done.
+/// Threads, progress and cancelling of a build.
 struct BuildControl {
-  unsigned threads = 1;                          ///< The same tree comes from any number of them.
-  std::atomic<std::size_t>* done = nullptr;      ///< Counts triangles that have found their leaf.
-  const std::atomic<bool>* cancelled = nullptr;  ///< Set by anyone to end the build soon.
+  unsigned threads = 1;                          ///< The tree does not depend on the number.
+  std::atomic<std::size_t>* done = nullptr;      ///< Counts triangles that are in their leaf.
+  const std::atomic<bool>* cancelled = nullptr;  ///< Any thread may set it to end the build early.
 };
 
 /// An eight-wide tree of oriented boxes over a mesh's triangles, in the mesh's frame M. Immutable after build.
 ///
 /// Boxes are fitted to the area-weighted covariance of their triangles, to the largest triangle with its longest edge,
-/// or to the axes of the box above, whichever has the least surface (Gottschalk et al., "OBBTree", 1996); nodes are
+/// or to the axes of the parent box, whichever has the least surface (Gottschalk et al., "OBBTree", 1996); nodes are
 /// split by a binned surface-area heuristic that counts leaves (Wald 2007; Shellshear & Ytterlid 2014). About 85 bytes
-/// a triangle.
+/// per triangle.
 class BoxTree {
  public:
   static constexpr std::uint32_t kLeafBit = 0x80000000u;
-  /// A place in the tree: eight times the index of a node, and the lane. The whole tree is kRoot.
+  /// A place in the tree: eight times the index of a node, plus the lane. The whole tree is kRoot.
   using Slot = std::uint32_t;
   static constexpr Slot kRoot = 0;
 
   BoxTree() = default;
-  /// Of the triangles named (of `mesh`, all with finite corners). An interrupted build leaves the tree empty.
+  /// Builds the tree of the listed triangles of `mesh` (all with finite corners). If the build is cancelled, the tree
+  /// is empty.
   BoxTree(const geometry::TriangleMesh& mesh, std::vector<std::uint32_t> triangles, const BuildControl& control = {});
-  /// Takes what was stored (nodes() and leaves() of an earlier one).
+  /// Restores a stored tree from its nodes() and leaves().
   BoxTree(AlignedVector<BoxNode> nodes, AlignedVector<LeafBlock> leaves);
 
   bool isEmpty() const { return leaves_.empty(); }
@@ -64,7 +65,7 @@ class BoxTree {
   std::uint32_t child(Slot slot) const { return nodes_[slot / kTreeWidth].child[slot % kTreeWidth]; }
   const BoxNode& node(std::uint32_t child) const { return nodes_[child]; }
   const LeafBlock& leaf(std::uint32_t child) const { return leaves_[child & ~kLeafBit]; }
-  /// What is below holds to this box within rounding in float (1e-6 of its size).
+  /// Everything below the slot lies in this box, up to rounding in float (1e-6 of its size).
   OrientedBox box(Slot slot) const;
 
   /// Bytes held.

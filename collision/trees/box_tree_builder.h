@@ -7,7 +7,7 @@
 
 namespace hapticell::collision {
 
-/// What a BoxTree is made of.
+/// The data of a BoxTree.
 struct TreeParts {
   AlignedVector<BoxNode> nodes;
   AlignedVector<LeafBlock> leaves;

@@ -10,17 +10,17 @@ namespace hapticell::collision {
 struct TraversalBox {
   BoxTree::Slot slot = BoxTree::kRoot;
   std::uint32_t child = 0;
-  float size = 0.0f;           ///< Square of the half diagonal: decides which of two boxes is opened.
+  float size = 0.0f;           ///< Square of the half diagonal: the larger of two boxes is opened.
   QueryBox own;                ///< Axes and half sizes in its mesh's frame; its center is not used.
   dvec3 center{0.0};           ///< In its mesh's frame.
-  bool is_seen = false;        ///< The rest is known:
+  bool is_seen = false;        ///< The following members are set:
   float seen_axis[3][3] = {};  ///< in the other mesh's frame.
   dvec3 seen_center{0.0};
 
   bool isLeaf() const { return BoxTree::isLeaf(child); }
 };
 
-/// One of two trees, and how its frame lies in the other's.
+/// One of two trees, and the pose of its frame in the other's.
 struct TraversalSide {
   const BoxTree& tree;
   dmat3 R;  ///< From its mesh's frame to the other's.
@@ -30,23 +30,22 @@ struct TraversalSide {
   TraversalSide(const BoxTree& of, const dmat3& rotation, const dvec3& position);
 
   TraversalBox box(BoxTree::Slot slot) const;
-  /// Fills in what is seen from the other mesh.
+  /// Sets the members that are in the other mesh's frame.
   void see(TraversalBox& box) const;
-  /// Lower bounds of the distances of the other's box to the children of a box of this side.
+  /// Lower bounds of the distances between the other side's box and the children of a box of this side.
   void bounds(const TraversalBox& opened, const TraversalBox& other, float* squared) const;
 };
 
-/// Whether a leaf much larger than the box keeps farther from it than the limit: its triangles tell more than its box,
-/// which, when long and slanting, comes nearer by more than the other box's size.
+/// Whether a leaf much larger than the box is farther from it than the limit. It checks the leaf's triangles, because
+/// the leaf's box, if long and slanted, can be nearer than its triangles by more than the other box's size.
 bool isBeyondTriangles(const LeafBlock& leaf, const TraversalBox& box, double limit_squared);
 
-/// Goes depth-first, nearest first, through the pairs of boxes that are near each other.
+/// Visits the pairs of boxes that are near each other, depth first and nearest first.
 ///
-/// Visitor: float limitSquared(); bool isDone(); void leafPair(const TraversalBox& a, const TraversalBox& b,
-/// const LeafBlock&, const LeafBlock&, const LeafTransform&); optionally bool passesOver(const TraversalBox& a, const
-/// TraversalBox& b), and
-/// void culled(a, b, opened_a, lanes, least_squared), told which children of an opened box were left out and the least
-/// of their bounds.
+/// Visitor: float limitSquared(); bool isDone(); void leafPair(const TraversalBox& a, const TraversalBox& b, const
+/// LeafBlock&, const LeafBlock&, const LeafTransform&); optionally bool passesOver(const TraversalBox& a, const
+/// TraversalBox& b), and void culled(a, b, opened_a, lanes, least_squared), which gets the children of an opened box
+/// that were left out and the least of their bounds.
 template <typename Visitor>
 class DualTraversal {
  public:
@@ -55,13 +54,13 @@ class DualTraversal {
         b_(b, X_AB.R(), X_AB.p),
         visitor_(visitor) {}
 
-  /// The whole trees.
+  /// Traverses both trees completely.
   void run() {
     TraversalBox a = a_.box(BoxTree::kRoot), b = b_.box(BoxTree::kRoot);
     visit(a, b);
   }
 
-  /// Some children of one of two boxes, against the other.
+  /// Visits some children of one of two boxes against the other box.
   void open(BoxTree::Slot slot_a, BoxTree::Slot slot_b, bool opened_a, unsigned lanes) {
     TraversalBox a = a_.box(slot_a), b = b_.box(slot_b);
     if (opened_a) {
@@ -99,7 +98,7 @@ class DualTraversal {
 
  private:
   static constexpr unsigned kAllLanes = 0xFFu;
-  /// Leaves this many times larger than the other box are looked at by their triangles (of the squares).
+  /// For leaves this many times larger than the other box (in squares) the triangles are checked.
   static constexpr float kMuchLarger = 4.0f;
 
   bool isCoveredByLeaf(const TraversalBox& leaf, const TraversalSide& side, TraversalBox& box,

@@ -17,26 +17,26 @@ namespace hapticell::collision {
 ///
 /// Immutable after build, so any thread may query it; shared, because colliders of one file serve many entities and
 /// outlive edits of the document. Triangle indices in every result are those of mesh(), which is the mesh given to
-/// build(); of a soup that shares no vertices, those equal to the last bit are kept once. census() tells which
-/// triangles were unusual. An empty mesh is allowed; nothing is ever near it.
+/// build(); if a soup shares no vertices, identical ones (to the last bit) are kept once. census() counts unusual
+/// triangles. An empty mesh is allowed; nothing is ever near it.
 class MeshCollider {
  public:
-  /// Takes O(n log n); about 1.3 s for a million triangles with one thread. Indices of `mesh` are in range (else the
-  /// contract is broken). Null when cancelled.
+  /// O(n log n); about 1.3 s for a million triangles with one thread. Indices of `mesh` are in range (else the contract
+  /// is broken). Null when cancelled.
   static std::shared_ptr<const MeshCollider> build(const geometry::TriangleMesh& mesh, const ColliderBuild& how = {});
 
   const geometry::TriangleMesh& mesh() const { return mesh_; }
-  /// No triangle that anything could be near to.
+  /// True if the mesh has no searchable triangle.
   bool isEmpty() const { return tree_.isEmpty(); }
   const TriangleCensus& census() const { return census_; }
-  /// Of the triangles, in M.
+  /// Bounds of the triangles, in M.
   const geometry::Bounds& bounds() const { return bounds_; }
-  /// A sphere about all triangles, in M: p_MS and its radius (m).
+  /// A sphere around all triangles, in M: p_MS and its radius (m).
   const dvec3& center() const { return center_; }
   double radius() const { return radius_; }
-  /// Every connected piece encloses a volume.
+  /// Whether every connected piece encloses a volume.
   bool isClosed() const { return shells_.allClosed(); }
-  /// The point p_MQ lies inside a closed piece of the mesh. Any thread.
+  /// Whether the point p_MQ lies inside a closed piece of the mesh. Any thread.
   bool contains(const dvec3& p_MQ) const;
 
   /// Bytes held, the mesh included.

@@ -13,17 +13,17 @@ struct OrientedBox {
   dvec3 half{0.0};    ///< Half sizes along the axes, metres.
 };
 
-/// The same box seen from A, by the rotation and position of F in A.
+/// The same box in A, by the rotation and position of F in A.
 OrientedBox moved(const dmat3& R_AF, const dvec3& p_AF, const OrientedBox& box_F);
 
-/// The square of a length that no two points of the boxes (both in one frame) are nearer than: the larger of the gap
-/// vectors' norms in the two boxes' own axes.
+/// A lower bound of the squared distance of two boxes (both in one frame): the larger of the gap vectors' norms in the
+/// two boxes' own axes.
 double lowerBoundSquared(const OrientedBox& a, const OrientedBox& b);
 
 /// The square of the distance from a point to a box.
 double lowerBoundSquared(const OrientedBox& box, const dvec3& point);
 
-/// The same for a triangle and a box: their gap along the line from the triangle to the box's middle. Tight where the
+/// A lower bound for a triangle and a box: their gap along the line from the triangle to the box's middle. Tight if the
 /// box is smaller than the triangle.
 double lowerBoundSquared(const OrientedBox& box, const Corners& triangle);
 

@@ -7,25 +7,26 @@ namespace hapticell::collision {
 
 /// Children of a node, and the lanes of one box test.
 inline constexpr int kTreeWidth = 8;
-/// Triangles of a leaf, at most.
+/// Maximum number of triangles in a leaf.
 inline constexpr int kLeafSize = 4;
 /// Triangle pairs that are measured together.
 inline constexpr int kPackSize = 16;
 
-/// Boxes about a node's children, lane by lane, in the mesh's frame M but relative to the node's `origin`: what is
-/// rounded to float is as small as the node, so a hall of 20 m keeps micrometres. The third axis is u x v.
+/// Boxes around a node's children, one per lane, in the mesh's frame M but relative to the node's `origin`. Numbers
+/// rounded to float are therefore no larger than the node, and a hall of 20 m keeps micrometres. The third axis is u x
+/// v.
 struct alignas(32) BoxNode {
   float u[3][kTreeWidth];
   float v[3][kTreeWidth];
   float center[3][kTreeWidth];
   float half[3][kTreeWidth];
-  std::uint32_t child[kTreeWidth];  ///< BoxTree::kLeafBit marks the index of a leaf, else it is of a node.
+  std::uint32_t child[kTreeWidth];  ///< With BoxTree::kLeafBit the index of a leaf, else of a node.
   float origin[3];                  ///< p_MO, exactly this number.
-  std::uint32_t count;              ///< Lanes in use; the others are infinitely far.
+  std::uint32_t count;              ///< Lanes in use; the others are infinitely far away.
 };
 
-/// Up to four triangles, corner by corner (x, y, z of the first, the second, the third), relative to `origin`. Between
-/// the two edges at the first corner is the largest angle. Unused lanes repeat the last triangle.
+/// Up to four triangles, corner by corner (x, y, z of the first, the second, the third), relative to `origin`. The
+/// largest angle is at the first corner. Unused lanes repeat the last triangle.
 struct alignas(16) LeafBlock {
   float corner[9][kLeafSize];
   std::uint32_t triangle[kLeafSize];
@@ -46,20 +47,19 @@ struct LeafTransform {
   float t[3];
 };
 
-/// Triangle pairs side by side, each in a frame of its own: coordinates first[3 * corner + axis][lane].
+/// Triangle pairs in parallel lanes, each in its own frame: coordinates first[3 * corner + axis][lane].
 struct alignas(64) PackedPairs {
   float first[9][kPackSize];
   float second[9][kPackSize];
 };
 
-/// What the pairs' distances are: `squared` never lies above the true square by more than `doubt`, nor below it by
-/// more.
+/// Distances of the pairs: `squared` differs from the true square by at most `doubt`.
 struct alignas(64) PackedDistances {
   float squared[kPackSize];
   float doubt[kPackSize];
 };
 
-/// The same in double, where rounding does not matter (coordinates in one frame of both meshes).
+/// The same in double, where rounding does not matter (coordinates of both meshes in one frame).
 struct alignas(64) ExactPairs {
   double first[9][kTreeWidth];
   double second[9][kTreeWidth];
@@ -72,8 +72,9 @@ struct ProximityKernels {
   /// Squares of lower bounds of the distances of a box to a node's eight children; never above the true square.
   void (*boxBounds)(const BoxNode& node, const QueryBox& query, float* squared);
 
-  /// Which of the 16 pairs of two leaves' triangles (bit 4 * lane of b + lane of a) have no face's plane between them
-  /// at the distance sqrt(limit_squared) or more. `corners_b` becomes b's corners in a's frame.
+  /// Which of the 16 pairs of two leaves' triangles (bit 4 * lane of b + lane of a) may be nearer than
+  /// sqrt(limit_squared): the plane of neither face keeps them that far apart. Sets `corners_b` to b's corners in a's
+  /// frame.
   std::uint32_t (*leafPairs)(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform,
                              float limit_squared, float (*corners_b)[kLeafSize]);
 
@@ -84,11 +85,11 @@ struct ProximityKernels {
   void (*exactDistances)(const ExactPairs& pairs, double* squared);
 };
 
-/// The kernels of this machine: the widest that its processor has. Set HAPTICELL_SIMD to portable, avx2 or avx512 to
-/// have less.
+/// The kernels of this machine: the widest instruction set of its processor. To use less, set HAPTICELL_SIMD to
+/// portable, avx2 or avx512.
 const ProximityKernels& proximityKernels();
 
-/// Those of one name, for tests; null where this processor or build lacks them.
+/// The kernels of the given name, for tests; null if this processor or build lacks them.
 const ProximityKernels* proximityKernels(const char* name);
 
 }  // namespace hapticell::collision

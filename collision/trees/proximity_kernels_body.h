@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0
-// Included once by each of proximity_kernels_*.cpp, which are compiled for different instruction sets. Uses vector
-// extensions of g++ and clang, no library: an inline function of a library, compiled here for a new processor, might
-// be the copy that the linker keeps for all.
+// SPDX-License-Identifier: Apache-2.0 Included once by each of proximity_kernels_*.cpp, which are compiled for
+// different instruction sets. Uses vector extensions of g++ and clang, no library: if an inline function of a library
+// were compiled here for a new processor, the linker might use that copy everywhere.
 #include "collision/trees/proximity_kernels.h"
 
 namespace hapticell::collision {
@@ -93,7 +92,7 @@ HAPTICELL_INLINE Vector<V> loadVector(const T* x, int stride) {
   return {load<V>(x), load<V>(x + stride), load<V>(x + 2 * stride)};
 }
 
-/// Rounding in float, relative to the numbers added up: some of their last places.
+/// Rounding in float, relative to the numbers added: a few units in the last place.
 constexpr float kRoundingOfSums = 1.5e-6f;
 
 template <typename V>
@@ -137,7 +136,7 @@ HAPTICELL_INLINE V sumOfMagnitudes(const Vector<V>& a) {
   return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
 }
 
-/// Whether a face's plane surely keeps the other triangle farther than the limit.
+/// Whether the other triangle is proven to be farther from a face's plane than the limit.
 template <typename V>
 HAPTICELL_INLINE auto isApartByPlane(const Vector<V>* face, const Vector<V>* other, V limit_squared) {
   const Vector<V> e = face[1] - face[0], g = face[2] - face[0];
@@ -146,15 +145,15 @@ HAPTICELL_INLINE auto isApartByPlane(const Vector<V>* face, const Vector<V>* oth
   const V h0 = dot(normal, o0), h1 = dot(normal, o1), h2 = dot(normal, o2);
   const V low = smaller(smaller(h0, h1), h2), high = larger(larger(h0, h1), h2);
   const V gap = larger(low, -high);
-  // The normal is an axis as good as any, but the face is not quite flat along it: n . o is wrong by some last places
-  // of |e| |g| |o|. Sums of magnitudes stand for the lengths.
+  // The normal is a valid axis, but n . o has a rounding error of a few units in the last place of |e| |g| |o|. Sums of
+  // magnitudes are used instead of the lengths.
   const V edge = sumOfMagnitudes(e), side = sumOfMagnitudes(g);
   const V reach = larger(larger(sumOfMagnitudes(o0), sumOfMagnitudes(o1)), larger(sumOfMagnitudes(o2), edge + side));
   const V sure = gap - kRoundingOfSums * edge * side * reach;
   return (sure > V{}) & (sure * sure > limit_squared * dot(normal, normal));
 }
 
-/// The same by the line between their middles: tells triangles apart that lie side by side.
+/// The same along the line between their middles: separates triangles that lie next to each other.
 template <typename V>
 HAPTICELL_INLINE auto isApartAlongMiddles(const Vector<V>* first, const Vector<V>* second, V limit_squared) {
   const Vector<V> axis = (second[0] + second[1] + second[2]) - (first[0] + first[1] + first[2]);
@@ -218,7 +217,7 @@ std::uint32_t leafPairs(const LeafBlock& a, const LeafBlock& b, const LeafTransf
   return near & used & lanes_b & (lanes_a * 0x1111u);
 }
 
-/// A triangle with what its pairs share.
+/// A triangle and the values that its pairs share.
 template <typename V>
 struct Face {
   Vector<V> corner[3];
@@ -229,7 +228,7 @@ struct Face {
   V normal_squared;
   V g11, g12, g22;  ///< Products of the first corner's edges.
   V barycentric[3][2];
-  V height[3];  ///< Of the other's corners, times the normal's length.
+  V height[3];  ///< Heights of the other triangle's corners, times the normal's length.
 };
 
 template <typename V, typename T>
@@ -248,12 +247,12 @@ HAPTICELL_INLINE void loadFace(const T* coordinates, int stride, Face<V>& face) 
   face.g22 = face.length[2];
 }
 
-/// Places the other's corners above a face; returns the least square of the height of those inside its prism.
+/// Projects the other triangle's corners onto a face; returns the least squared height of those inside its prism.
 template <typename V>
 HAPTICELL_INLINE V cornersAbove(Face<V>& face, const Vector<V>* other, V best) {
   using T = typename Scalar<V>::Type;
   const Vector<V> g = face.corner[2] - face.corner[0];
-  // A needle's normal is rounding: a needle is its edges.
+  // The normal of a needle is only rounding error, so a needle counts by its edges.
   constexpr T kNeedle = sizeof(T) == 4 ? T(1e-6) : T(1e-16);
   const V scale = face.g11 * face.g22;
   const V trusted = face.normal_squared > kNeedle * scale ? face.normal_squared : V{};
@@ -331,7 +330,7 @@ template <typename V>
 HAPTICELL_INLINE V slenderness(const Face<V>& face) {
   const V square =
       smaller(face.g11 * face.g22 / (face.normal_squared + face.g11 * face.g22 * 1e-4f + 1e-36f), all<V>(1e4f));
-  // The arithmetic mean with 1 is above the square root by no more than half; no root is needed near 1.
+  // The arithmetic mean with 1 exceeds the square root by at most half, so no root is needed near 1.
   return smaller(0.5f * (square + 1.0f), 0.01f * square + 25.0f);
 }
 

@@ -5,7 +5,7 @@
 
 namespace hapticell::collision {
 
-/// A half line from `origin` along `direction` (any length but zero), in one frame with what it meets.
+/// A half line from `origin` along `direction` (any length but zero), in the same frame as what it meets.
 struct Ray {
   dvec3 origin{0.0};
   dvec3 direction{1.0, 0.0, 0.0};
@@ -14,12 +14,13 @@ struct Ray {
 /// How a ray meets a triangle.
 struct RayCrossing {
   bool meets = false;
-  bool grazes = false;   ///< Through an edge or corner, or along the face, to rounding: do not count on `meets`.
-  bool leaving = false;  ///< Meets the face from its back (the clockwise side).
-  double along = 0.0;    ///< In lengths of the direction.
+  bool grazes = false;   ///< Through an edge or corner, or along the face, up to rounding: `meets` is unreliable.
+  bool leaving = false;  ///< Meets the back of the face (the clockwise side).
+  double along = 0.0;    ///< In multiples of the direction's length.
 };
 
-/// Whether the ray meets the box nearer than `farthest` (in lengths of the direction); `entry` is then where.
+/// Whether the ray meets the box nearer than `farthest` (in multiples of the direction's length); `entry` is then the
+/// place.
 bool meetsBox(const Ray& ray, const OrientedBox& box, double farthest, double& entry);
 
 /// Signed volumes of the ray's line with the three edges decide (Segura & Feito 2001).

@@ -13,8 +13,8 @@ namespace hapticell::collision {
 /// The connected pieces of a mesh and which of them enclose a volume. Immutable after construction.
 ///
 /// Corners within weldTolerance() of each other count as joined. A piece is closed when an even number of its triangles
-/// meets at every edge. Closed pieces that are turned the same way throughout count by their signed crossings, so a
-/// cavity (a shell turned inwards) is outside and overlapping solids are inside; others count by parity.
+/// meets at every edge. Closed pieces whose triangles all face the same way count by signed crossings: a cavity (a
+/// shell turned inwards) is outside, and overlapping solids are inside. Other closed pieces count by parity.
 class Shells {
  public:
   enum class Kind : std::uint8_t { kOpen, kOriented, kUnoriented };
@@ -24,15 +24,15 @@ class Shells {
 
   std::size_t count() const { return point_of_piece_.size(); }
   std::size_t triangleCount() const { return piece_of_triangle_.size(); }
-  /// True when every piece is closed (and there is one).
+  /// True if there is at least one piece and every piece is closed.
   bool allClosed() const { return count() > 0 && open_pieces_ == 0; }
   bool anyClosed() const { return count() > open_pieces_; }
   /// One point p_MV of each piece's surface.
   const std::vector<dvec3>& points() const { return point_of_piece_; }
-  /// The piece of a triangle, below count().
+  /// The index of a triangle's piece, below count().
   std::uint32_t piece(std::uint32_t triangle) const { return piece_of_triangle_[triangle]; }
   Kind kind(std::uint32_t triangle) const { return kind_of_piece_[piece_of_triangle_[triangle]]; }
-  /// The box of the closed pieces, in M; empty when there is none.
+  /// The box of the closed pieces, in M; empty if no piece is closed.
   const geometry::Bounds& closedBounds() const { return closed_bounds_; }
   /// Bytes held.
   std::size_t memory() const {
@@ -54,8 +54,9 @@ class Shells {
 /// The signed solid angle of a triangle from a point, positive from its back (van Oosterom & Strackee 1983).
 double solidAngle(const Corners& corners, const dvec3& p);
 
-/// Whether a point p_MQ off the surface lies inside a closed piece. Ray crossings; a ray that grazes an edge is
-/// replaced by another, and after eight of them the winding number (van Oosterom & Strackee 1983) decides.
+/// Whether a point p_MQ that is not on the surface lies inside a closed piece. It counts ray crossings; a ray that
+/// grazes an edge is replaced by another, and after eight such rays the winding number (van Oosterom & Strackee 1983)
+/// decides.
 bool isInside(const Shells& shells, const BoxTree& tree, const geometry::TriangleMesh& mesh, const dvec3& p_MQ);
 
 }  // namespace hapticell::collision

@@ -10,18 +10,19 @@
 
 namespace hapticell::collision {
 
-/// Of its vertices and triangles.
+/// The hash of the mesh's vertices and triangles.
 ContentHash contentHash(const geometry::TriangleMesh& mesh);
 
-/// Trees on disk, one file a mesh, named by its content. Files of another version or machine, damaged or cut ones are
-/// passed over, and written anew. Any number of programs may share a folder: files appear whole, by renaming.
+/// Trees on disk, one file per mesh, named by its content. Files of another version or machine and damaged or
+/// incomplete files are ignored and overwritten. Any number of programs may share a folder: files are renamed into
+/// place when complete.
 class TreeCache {
  public:
-  /// `folder` is made when something is stored; an empty path stores and finds nothing.
+  /// `folder` is made at the first store; with an empty path nothing is stored or found.
   explicit TreeCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   std::optional<BoxTree> load(const geometry::TriangleMesh& mesh, const ContentHash& hash) const;
-  /// Quietly does without where the folder cannot be written.
+  /// If the folder cannot be written, nothing is stored and no error is reported.
   void store(const BoxTree& tree, const ContentHash& hash) const;
 
  private:

@@ -8,15 +8,15 @@
 
 namespace hapticell::collision {
 
-/// The triangles worth searching, in their order, and how many were not, or are degenerate.
+/// The triangles to search, in their order, and the counts of the unusual ones.
 struct CountedTriangles {
   std::vector<std::uint32_t> kept;
   TriangleCensus census;
 };
 CountedTriangles countTriangles(const geometry::TriangleMesh& mesh);
 
-/// The same mesh with vertices that are equal to the last bit kept once, where it has more than one and a half vertices
-/// a triangle (STL files have three); else as it was. Triangles keep their indices.
+/// If the mesh has more than 1.5 vertices per triangle (STL files have 3), merges vertices that are equal to the last
+/// bit; else the mesh is unchanged. Triangles keep their indices.
 geometry::TriangleMesh shareVertices(const geometry::TriangleMesh& mesh);
 
 }  // namespace hapticell::collision

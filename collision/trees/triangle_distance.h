@@ -18,11 +18,11 @@ struct NearestPair {
   dvec3 q{0.0};  ///< On the second.
 };
 
-/// Improves `best` if the two triangles are nearer to each other than it says; returns whether they are.
+/// If the two triangles are nearer to each other than `best`, updates `best` and returns true.
 ///
 /// Intersecting triangles give 0 and one common point. After Lumelsky, "On fast computation of distance between line
-/// segments" (1985), and Ericson, "Real-Time Collision Detection" (2005): the least of 9 edge pairs and of 6 corners
-/// above the other's face, and an edge that pierces a face.
+/// segments" (1985), and Ericson, "Real-Time Collision Detection" (2005): the least distance of 9 edge pairs and of 6
+/// corners above the other's face; 0 if an edge pierces a face.
 bool improveTriangleDistance(const Corners& first, const Corners& second, NearestPair& best);
 
 /// The nearest pair of two triangles.

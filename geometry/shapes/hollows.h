@@ -5,8 +5,8 @@
 
 namespace hapticell::geometry {
 
-/// A closed mesh without its hollows: surfaces that are turned inside out and so enclose nothing (bubbles within a
-/// solid), with their vertices. What remains keeps its order.
+/// The closed mesh without its hollows and their vertices. A hollow is a surface that is turned inside out (a bubble
+/// within a solid). The other triangles and vertices keep their order.
 TriangleMesh withoutHollows(const TriangleMesh& mesh);
 
 }  // namespace hapticell::geometry

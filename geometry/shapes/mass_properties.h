@@ -12,15 +12,15 @@ struct MassProperties {
   dvec3 p_MC{0.0};         ///< Centre of the volume; of the surface where the volume is zero (an open or flat mesh).
   dmat3 inertia_C_M{0.0};  ///< About C, along M's axes, m5 (times density: kg m2); for |volume|.
   bool closed =
-      false;  ///< Every edge is used once in each direction (as often one way as the other): volume means something.
+      false;  ///< Each edge is used equally often in both directions; only then is `volume` meaningful.
 };
 
 /// Integrates over the surface by the divergence theorem (one signed tetrahedron from the bounds' centre per triangle).
-/// The mesh should be welded: else shared edges are not seen as shared and `closed` is false. An empty mesh gives
+/// Weld the mesh first: otherwise shared edges do not count as shared, and `closed` is false. An empty mesh gives
 /// zeros.
 MassProperties massProperties(const TriangleMesh& mesh);
 
-/// True when each directed edge has as many opposite partners: the surface of a solid, with no border.
+/// True when each edge is used equally often in both directions: the surface of a solid, without border.
 bool isClosed(const TriangleMesh& mesh);
 
 }  // namespace hapticell::geometry

@@ -45,10 +45,10 @@ dvec3 rotationVector(const dquat& q);
 /// The unit quaternion of a rotation vector (rad).
 dquat quaternionFromRotationVector(const dvec3& rotation_vector);
 
-/// What takes X_AB to X_AC, both seen from A: linear = p_AC - p_AB, angular = rotation vector of R_AC * R_AB^-1.
+/// The motion from X_AB to X_AC, expressed in A: linear = p_AC - p_AB, angular = rotation vector of R_AC * R_AB^-1.
 Twist difference(const Pose& X_AC, const Pose& X_AB);
 
-/// Applies such a difference: displaced(X_AB, difference(X_AC, X_AB)) equals X_AC.
+/// Applies a difference: displaced(X_AB, difference(X_AC, X_AB)) equals X_AC.
 Pose displaced(const Pose& X_AB, const Twist& motion_A);
 
 /// The pose at `s` in [0, 1] on the motion from X_A0 to X_A1: origin on a straight line, rotation about a fixed axis.

@@ -8,8 +8,8 @@
 namespace hapticell::geometry {
 
 // Watertight meshes of simple solids: welded, outward (counter-clockwise) triangles, metres, centred on the origin
-// unless said. Round ones have their vertices on the true surface, so the mesh lies inside it. Sizes must be positive
-// and segment counts at least 3 (contract: these are for our own code; sizes from outside are checked before).
+// unless stated otherwise. Round shapes have their vertices on the true surface, so the mesh lies inside it. Contract:
+// sizes are positive and segment counts at least 3. Callers check sizes that come from outside.
 
 /// A box with edges `size` along x, y, z: 8 vertices, 12 triangles.
 TriangleMesh makeBox(const dvec3& size);
@@ -29,7 +29,7 @@ TriangleMesh makePipe(double outer_radius, double inner_radius, double height, i
 /// A sphere of `segments` meridians and segments/2 bands, poles on z: 2 * segments * (segments/2 - 1) triangles.
 TriangleMesh makeSphere(double radius, int segments = 48);
 
-/// About the z axis, centred: a cylinder of that length with a half ball at either end (as in SDF and MuJoCo).
+/// A capsule about z: a cylinder of the given length with a hemisphere at either end (as in SDF and MuJoCo).
 TriangleMesh makeCapsule(double radius, double length, int segments = 48);
 
 /// A torus about z: a tube of radius `minor` around a circle of radius `major` (> minor).
@@ -39,10 +39,10 @@ TriangleMesh makeTorus(double major_radius, double minor_radius, int major_segme
 /// `height`. The polygon may be concave. Empty where the outline is not such a polygon.
 TriangleMesh makePrism(std::span<const glm::dvec2> outline, double height);
 
-/// Cuts a simple polygon (counter-clockwise, at least 3 points) into triangles by ears (G. H. Meisters, "Polygons have
-/// ears", 1975); indices into `outline`. Empty where no ear is left: the polygon crosses itself or turns clockwise.
-/// `work`, where given, is how many corners may still be looked at; it is counted down, and the result is empty when it
-/// is used up (the worst polygon of n corners needs n^3 / 6).
+/// Cuts a simple polygon (counter-clockwise, at least 3 points) into triangles by ear clipping (G. H. Meisters,
+/// "Polygons have ears", 1975); indices into `outline`. Empty if no ear is left: the polygon crosses itself or turns
+/// clockwise. `work`, if given, is the number of corners that may still be examined. It is counted down; at 0 the
+/// result is empty. The worst polygon of n corners needs n^3 / 6.
 std::vector<Triangle> triangulatePolygon(std::span<const glm::dvec2> outline, std::uint64_t* work = nullptr);
 
 }  // namespace hapticell::geometry

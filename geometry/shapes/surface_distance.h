@@ -11,9 +11,9 @@ struct SurfaceDistance {
   dvec3 p{0.0};           ///< The point of one of them that is farthest from the other.
 };
 
-/// The largest distance from a corner, or from points inside each triangle, of one mesh to the other's
-/// surface, both ways; infinite where one of them is empty. By triangles in a grid of cells: shares nothing with the
-/// trees of collision/ nor with what simplifies meshes, so that it can measure what they made. Any thread.
+/// The largest distance from the corners and sample points of each mesh's triangles to the other mesh's surface;
+/// infinite if one mesh is empty. It searches a grid of cells. It shares no code with the trees of collision/ or with
+/// mesh simplification, so it can check their results. Any thread.
 SurfaceDistance surfaceDistance(const TriangleMesh& a, const TriangleMesh& b);
 
 }  // namespace hapticell::geometry

@@ -11,10 +11,10 @@ namespace hapticell::geometry {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// An indexed triangle soup in its own frame M, metres: the truth for drawing and for collision.
+/// An indexed triangle soup in its own frame M, metres. Drawing and collision both use it.
 ///
 /// CAD meshes are soups: edges with one or three triangles, duplicates and open borders are all allowed. Indices are
-/// within range and coordinates finite; readers see to that. Outward is the counter-clockwise side.
+/// within range and coordinates finite; readers check that. The counter-clockwise side faces outward.
 struct TriangleMesh {
   std::vector<dvec3> vertices;      ///< p_MV of each vertex.
   std::vector<Triangle> triangles;  ///< Three vertex indices each.
@@ -28,7 +28,7 @@ struct TriangleMesh {
   Bounds bounds() const;
 };
 
-/// What cleaning a soup did; each number is shown to the user, nothing is dropped in silence.
+/// What cleaning a soup removed. The user sees each number; nothing is dropped silently.
 struct WeldReport {
   std::uint32_t merged_vertices = 0;
   std::uint32_t degenerate_triangles = 0;  ///< Dropped: two equal corners or no area.
@@ -38,7 +38,7 @@ struct WeldReport {
 /// Merges vertices closer than `tolerance` (m), drops degenerate and duplicate triangles and unused vertices.
 WeldReport weld(TriangleMesh& mesh, double tolerance);
 
-/// The tolerance for weld() that facts and practice suggest: 1e-6 of the largest coordinate, or of the size if less.
+/// The usual tolerance for weld(): 1e-6 of the largest coordinate, or of the size if less.
 double weldTolerance(const TriangleMesh& mesh);
 
 /// Appends `part`, placed by X_AB, to `whole` (given in A).

@@ -8,7 +8,7 @@
 
 namespace hapticell {
 
-/// The one vocabulary of 3-D geometry in headers. Metres, radians, newtons; right-handed, Z up, X forward.
+/// The types of 3-D geometry that all headers use. Metres, radians, newtons; right-handed, Z up, X forward.
 using glm::dmat3;
 using glm::dquat;
 using glm::dvec3;
@@ -16,12 +16,12 @@ using glm::fvec3;
 
 inline constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad.
 
-/// True where no coordinate is infinite or no number.
+/// True if no coordinate is infinite or NaN.
 inline bool isFinite(const dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The vector shortened to `limit` where it is longer.
+/// The vector, shortened to `limit` if it is longer.
 inline dvec3 shortenedTo(const dvec3& v, double limit) {
   const double length = glm::length(v);
   return length > limit ? v * (limit / length) : v;

@@ -8,8 +8,8 @@
 
 namespace hapticell::geometry {
 
-/// For each vertex the index of the first one that stands for it: the first kept vertex within `tolerance`, itself
-/// where there is none. What weld() merges, without changing anything.
+/// For each vertex, the index of the vertex that replaces it in weld(): the first kept vertex within `tolerance` (m),
+/// or the vertex itself. Changes nothing.
 std::vector<std::uint32_t> mergedVertices(const std::vector<dvec3>& vertices, double tolerance);
 
 }  // namespace hapticell::geometry

@@ -3,15 +3,15 @@
 
 namespace hapticell::detail {
 
-/// Prints the broken contract, keeps its words for brokenContract() and ends the process by SIGABRT. Never returns.
+/// Prints the broken contract, stores its text for brokenContract() and ends the process by SIGABRT. Never returns.
 [[noreturn]] void contractBroken(const char* condition, const char* file, int line);
 
 }  // namespace hapticell::detail
 
 namespace hapticell {
 
-/// "file.cpp:12: condition" of the first contract that broke in this process; empty as long as none did. Any thread,
-/// and from a signal's handler.
+/// "file.cpp:12: condition" of the first contract that was broken in this process; empty if no contract was broken. Any
+/// thread; may be called in a signal handler.
 const char* brokenContract();
 
 }  // namespace hapticell

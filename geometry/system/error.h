@@ -7,14 +7,14 @@
 
 namespace hapticell {
 
-/// What went wrong with something that came from outside (a file, a socket, a user), in words for the user.
+/// An error in input from outside (a file, a socket, a user), worded for the user.
 ///
-/// The document is untouched when one of these is returned. Broken contracts are not errors but assertions.
+/// A function that returns an error has not changed the document. Broken contracts are assertions, not errors.
 struct Error {
-  std::string file{};   ///< The file or address it is about; empty where there is none.
-  std::string place{};  ///< "line 12", "triangle 408 of 2 000", "joint 'A3'"; empty where the file as a whole is meant.
-  std::string found{};  ///< What stands there.
-  std::string expected{};  ///< What should have stood there.
+  std::string file{};   ///< The file or address; empty if the error has no file.
+  std::string place{};  ///< "line 12", "triangle 408 of 2 000", "joint 'A3'"; empty: the whole file.
+  std::string found{};  ///< What was found there.
+  std::string expected{};  ///< What should have been there.
   std::string fix{};       ///< What the user can do about it; a whole sentence or empty.
 
   /// One line: "FILE, PLACE: FOUND; expected EXPECTED. FIX"; parts that are empty are left out.
@@ -29,14 +29,14 @@ inline tl::unexpected<Error> makeError(Error error) {
   return tl::unexpected<Error>(std::move(error));
 }
 
-/// Returns the error of an Expected from the function it stands in, where there is one: HAPTICELL_TRY(readHead(file));
-/// What is given is an Expected of any type, named before where its value is used afterwards.
+/// If the given Expected holds an error, returns that error from the enclosing function: HAPTICELL_TRY(readHead(file));
+/// The Expected may have any type. If you need its value afterwards, store it in a variable first.
 #define HAPTICELL_TRY(expected)                                                                             \
   do {                                                                                                      \
     if (auto&& outcome_of_try = (expected); !outcome_of_try) return tl::unexpected(outcome_of_try.error()); \
   } while (false)
 
-/// Collects what a reader noticed but could live with: dropped triangles, an unknown tag, a guessed unit.
+/// Collects what a reader noticed without failing: dropped triangles, an unknown tag, a guessed unit.
 struct Diagnostics {
   std::vector<std::string> warnings;
   void warn(std::string text) { warnings.push_back(std::move(text)); }

@@ -8,7 +8,7 @@
 
 namespace hapticell::geometry {
 
-/// Texts that are read by libraries which recurse as deep as the text nests.
+/// Kinds of text whose libraries recurse as deep as the text nests.
 enum class NestedText {
   kJson,
   kOrderedJson,  ///< JSON whose reader compares each member's name with all before it in its object.
@@ -16,15 +16,15 @@ enum class NestedText {
   kToml,
 };
 
-/// Levels of lists, objects, elements or tables; those of real files stay under thirty.
+/// Levels of lists, objects, elements or tables; real files have fewer than 30.
 inline constexpr int kDeepestNesting = 200;
 inline constexpr int kDeepestToml = 50;           ///< Brackets, and names in a dotted key.
 inline constexpr std::size_t kMostMembers = 2000;     ///< Of one object of kOrderedJson.
 inline constexpr std::size_t kMostAttributes = 200;  ///< Of one XML element: the reader compares each with all before.
 
-/// One look over a text before a library reads it: deeper nesting than above, or more members or attributes, is an error
-/// that names `file` and the line. Text that is no JSON, XML or TOML is left to the reader's own complaint: the look is
-/// never less strict than it about what nests. Linear in the text, no memory beyond the levels.
+/// Checks a text before a library reads it. If the nesting, the members or the attributes exceed the limits above, it
+/// returns an error that names `file` and the line. It does not report invalid JSON, XML or TOML; the reader does. It
+/// never counts less nesting than the reader. Linear time; memory only for the levels.
 Expected<void> checkNesting(std::string_view text, NestedText kind, const std::string& file);
 
 }  // namespace hapticell::geometry

@@ -3,8 +3,8 @@
 
 namespace hapticell {
 
-/// One function object of several, for std::visit: one function for each alternative. Without one that takes anything
-/// the compiler names every place that a new alternative must be thought of.
+/// Combines several function objects into one for std::visit, one for each alternative. If none of them accepts every
+/// type, the compiler reports each place where a new alternative is not handled.
 template <typename... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;

@@ -7,7 +7,8 @@
 
 namespace hapticell {
 
-/// The value below which `share` (0 to 1) of the values lie, by the nearest rank; 0 of none. The values need no order.
+/// The value below which `share` (0 to 1) of the values lie, by the nearest rank; 0 if there are no values. The values
+/// need no order.
 inline double percentile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
   const double last = static_cast<double>(values.size() - 1);

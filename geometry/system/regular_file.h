@@ -11,28 +11,28 @@
 
 namespace hapticell::geometry {
 
-/// What a reader takes at most where it says nothing else.
+/// Default size limit of a reader, bytes.
 inline constexpr std::uintmax_t kLargestFile = 4'000'000'000;
 
-/// Nothing where `path` is a regular file, or a link to one, of at most `most_bytes`. Error: it is missing, a folder, a
-/// pipe, a socket, a device, or larger. Nothing is opened, so nothing can wait for a writer or be set going. For files
-/// that a library opens by itself: asked right before.
+/// Succeeds if `path` is a regular file, or a link to one, of at most `most_bytes`. Error: it is missing, a folder, a
+/// pipe, a socket, a device, or larger. It opens nothing, so it cannot wait for a writer or start a device. For files
+/// that a library opens by itself: call it directly before.
 Expected<void> checkRegularFile(const std::filesystem::path& path, std::uintmax_t most_bytes = kLargestFile);
 
-/// The bytes of such a file; besides the errors above, one that may not be read or that got shorter meanwhile.
+/// Reads a regular file. Errors: as above, and a file that may not be read or that became shorter while it was read.
 Expected<std::string> readRegularFile(const std::filesystem::path& path, std::uintmax_t most_bytes = kLargestFile);
 
-/// Its first bytes, at most `most`; empty where it is no regular file or cannot be read.
+/// The first bytes of a file, at most `most`; empty if it is not a regular file or cannot be read.
 std::string headOfFile(const std::filesystem::path& path, std::size_t most);
 
-/// Such a file as a stream, for readers that go through it line by line. It ends where the file ended when it was
-/// opened: what grows, or has no end, is not followed. It cannot be moved about in.
+/// A regular file as a stream, for readers that read line by line. The stream ends where the file ended when it was
+/// opened, even if the file grows. It does not support seeking.
 class RegularFileStream final : public std::istream {
  public:
   explicit RegularFileStream(const std::filesystem::path& path, std::uintmax_t most_bytes = kLargestFile);
   ~RegularFileStream() override;
 
-  /// Why nothing can be read (the stream is false from the beginning); an empty one where all is well.
+  /// Why nothing can be read (the stream is false from the beginning); an empty error if the file is readable.
   const Error& error() const { return error_; }
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// 1 in what is compiled with the address or the thread sanitizer, by g++ or clang, else 0. They reserve terabytes of
-/// addresses and take memory by themselves: limits of memory cannot be set or tried beneath them.
+/// 1 if compiled with the address or the thread sanitizer (g++ or clang), else 0. These sanitizers reserve terabytes of
+/// address space, so memory limits can be neither set nor tested with them.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define HAPTICELL_SANITIZED 1
 #elif defined(__has_feature)

@@ -5,22 +5,22 @@
 
 #include <filesystem>
 
-// What AtomicFile and ScratchFolder share: names of what is unfinished, its lock, and the disk. Not for others.
+// Shared by AtomicFile and ScratchFolder only: names and locks of unfinished files, flushing to the disk.
 namespace hapticell::unfinished {
 
-/// What mkostemps() and mkdtemp() make a name of. The lock (flock) of its maker tells it from what a dead program left.
+/// Name pattern for mkostemps() and mkdtemp(). If the maker still runs, it holds a lock (flock) on the file.
 inline constexpr const char* kPattern = ".hapticell-XXXXXX";
 
-/// Locks what was just made. False: a tidying program was quicker and has removed it, make another one.
+/// Locks a new file or folder. False: a program that tidies up has removed it already; make another one.
 bool take(int file, const std::filesystem::path& name);
 
-/// removeUnfinished(), but not again within ten seconds.
+/// Calls removeUnfinished(), at most once in ten seconds.
 void tidyOnce(const std::filesystem::path& folder);
 
-/// Flushes a folder's names to the disk; 0 or errno. A disk that cannot (EINVAL) is none of the caller's faults.
+/// Flushes a folder's names to the disk; returns 0 or errno. A disk that cannot do this (EINVAL) is not an error.
 int flushFolder(const std::filesystem::path& folder);
 
-/// The rights that the user takes from new files.
+/// The user's umask: the rights that new files do not get.
 mode_t userMask();
 
 }  // namespace hapticell::unfinished

@@ -11,29 +11,29 @@
 
 namespace hapticell::haptic {
 
-/// Which server to connect to, and as what. Times in seconds.
+/// Which server to connect to, and in which role. Times in seconds.
 struct TcpLinkOptions {
   std::string host = "127.0.0.1";  ///< An IP address or a name.
   std::uint16_t port = 4747;
   std::optional<PairingKey>
-      key{};  ///< What this station and the server have in common; none: plain, this machine only.
+      key{};  ///< The pairing key of this station and the server; unset: unencrypted, this machine only.
   ClientKind kind = ClientKind::kController;
-  /// Watch where another program controls the stylus already; the stylus's buttons are then not heard.
+  /// If another program already controls the stylus, connect as a watcher; the stylus's buttons are then ignored.
   bool accept_watching = false;
   std::string program = "HaptiCell";  ///< How the server names this client to others.
   double retry_time = 0.5;            ///< Between two attempts to connect.
-  double silence_time = 1.0;          ///< A server silent for so long is given up and connected to anew.
+  double silence_time = 1.0;          ///< After this much silence the link reconnects.
 };
 
-/// Options for the server at host:port with the key that this user has for it (knownServerKeyFile()), if any. Error:
-/// there is a key file that cannot be used.
+/// Options for the server at host:port with this user's key for it (knownServerKeyFile()), if there is one. Error: the
+/// key file cannot be used.
 Expected<TcpLinkOptions> linkOptionsFor(const std::string& host, std::uint16_t port);
 
-/// A HapticLink over TCP; over TLS 1.3 where a key is given. A server on another machine is not talked to without one.
+/// A HapticLink over TCP, or over TLS 1.3 if a key is given. Without a key it connects only to this machine.
 ///
-/// Its own network thread connects, connects again within a second when the connection breaks, sends heart-beats and
-/// what is newest. What was sent while there was no connection is dropped, and after a new connection forces are off
-/// until sendControl() enables them again. Calls never wait for the network.
+/// Its own network thread connects, reconnects within a second if the connection breaks, and sends heart-beats and the
+/// newest messages. Messages sent without a connection are dropped. After a reconnection forces are off until
+/// sendControl() enables them again. Calls never wait for the network.
 class TcpLink final : public HapticLink {
  public:
   /// Starts connecting.
@@ -43,15 +43,16 @@ class TcpLink final : public HapticLink {
   LinkState linkState() const override;
   std::string problem() const override;
   std::optional<DeviceDescription> device() const override;
-  /// What the server took this client as; kController before the first connection.
+  /// The role that the server granted; kController before the first connection.
   ClientKind grantedKind() const;
-  /// How often a connection was made so far; counts up at each new one.
+  /// Number of connections made so far.
   std::uint64_t connections() const;
-  /// How the device is, once the server has told; nothing while not connected. Any thread.
+  /// The device's condition, once the server has sent it; empty if not connected. Any thread.
   std::optional<DeviceCondition> condition() const;
-  /// Connects anew and takes the stylus from whoever controls it: the user's word. Any thread.
+  /// Reconnects and takes control of the stylus from the current controller. Call it only at the user's request. Any
+  /// thread.
   void takeOver();
-  /// The user has done step `step` of its calibration. Any thread; nothing happens while not connected.
+  /// Reports that the user has done calibration step `step`. Any thread; does nothing if not connected.
   void calibrate(std::uint32_t step);
 
   std::optional<HapticState> latestState() override;

@@ -7,20 +7,20 @@
 
 namespace hapticell::driver {
 
-/// Keeps two commands to a device within a step of each other, however many of the host's in between were not sent:
-/// what is newest may be far from what was sent last. Nothing at all is sent at once.
+/// Limits the step between two commands sent to a device. If commands were skipped, the newest one may be far from the
+/// last one sent. A zero command is sent at once.
 class CommandSteps {
  public:
-  static constexpr double kForce = 1.0, kTorque = 0.05;  ///< N and N m from one command to the next.
+  static constexpr double kForce = 1.0, kTorque = 0.05;  ///< N and N m between two commands.
 
-  /// `command` as far as it may be sent now; it counts as sent.
+  /// Returns `command`, limited to a step from the last one, and stores it as sent.
   Command next(Command command) noexcept {
     walk(last_.force, command.force, kForce);
     walk(last_.torque, command.torque, kTorque);
     last_ = command;
     return command;
   }
-  /// What was sent last.
+  /// The last command sent.
   const Command& last() const noexcept { return last_; }
 
  private:

@@ -10,9 +10,8 @@
 
 namespace hapticell::haptic {
 
-/// Where a device's condition is told and where the user's part of a calibration is asked for: a board between the
-/// thread that drives the device and whoever looks after its user. Any thread; nothing here is called by the force
-/// loop.
+/// Passes a device's condition and the user's calibration steps between the thread that drives the device and the user
+/// interface. Any thread; the force loop calls nothing here.
 class DeviceCare {
  public:
   /// Counts up at each change of the condition.
@@ -21,7 +20,7 @@ class DeviceCare {
     const std::scoped_lock lock(mutex_);
     return condition_;
   }
-  /// The driver's side: tells a condition; the same one again changes nothing.
+  /// Driver's side: sets the condition; an equal one changes nothing.
   void tell(const DeviceCondition& condition) {
     const std::scoped_lock lock(mutex_);
     if (condition == condition_) return;
@@ -31,7 +30,7 @@ class DeviceCare {
 
   /// The user has done step `step` of DeviceCondition::calibration.
   void calibrate(std::uint32_t step) { asked_.store(static_cast<std::int64_t>(step), std::memory_order_release); }
-  /// The driver's side: a step that was asked for since the last call.
+  /// Driver's side: the step that was requested since the last call.
   std::optional<std::uint32_t> takeCalibration() {
     if (asked_.load(std::memory_order_acquire) < 0) return std::nullopt;
     const std::int64_t step = asked_.exchange(-1);

@@ -7,18 +7,18 @@
 
 namespace hapticell::driver {
 
-/// Why the device file `path` cannot be opened for reading and writing, and the command that mends it: a group that the
-/// user lacks, or udev rules that are not installed. kOk where it can. `error` is the errno that an attempt met; 0: the
-/// access is only looked at.
+/// Why the device file `path` cannot be opened for reading and writing, and the command that fixes it: the user is not
+/// in a group, or udev rules are not installed. kOk if it can be opened. `error` is the errno of a failed attempt; 0:
+/// only the access rights are checked.
 Problem nodeProblem(const std::string& path, int error = 0);
 
 /// The command that installs HaptiCell's udev rules.
 std::string udevFix();
 
-/// True where a file of HaptiCell's udev rules is installed.
+/// True if a file of HaptiCell's udev rules is installed.
 bool udevRulesInstalled();
 
-/// The folder for what a driver keeps of a user: $XDG_CONFIG_HOME/hapticell/devices, else ~/.config/hapticell/devices.
+/// The folder for a driver's data of this user: $XDG_CONFIG_HOME/hapticell/devices, else ~/.config/hapticell/devices.
 std::string userDeviceFolder();
 
 }  // namespace hapticell::driver

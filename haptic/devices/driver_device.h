@@ -9,26 +9,25 @@
 
 namespace hapticell::haptic {
 
-/// How a driver's calls are run.
+/// In which thread a driver's calls run.
 enum class DriverCalls : std::uint8_t {
-  kOwnThread,  ///< In a thread of their own: whatever they do, read() and write() return at once.
-  kInline,     ///< In read() and write() themselves: for virtual time, where nothing may depend on a machine's speed.
+  kOwnThread,  ///< In a separate thread; read() and write() always return at once.
+  kInline,     ///< In read() and write() themselves: for virtual time, which must not depend on the machine's speed.
 };
 
 struct DriverDeviceOptions {
   DriverCalls calls = DriverCalls::kOwnThread;
   DriverSessionOptions session{};
-  double open_patience_s = 20.0;  ///< A driver that has not opened its device by then is left to itself.
+  double open_patience_s = 20.0;  ///< A driver that has not opened its device by then is abandoned.
 };
 
 /// A plug-in's device as the force loop's Device.
 ///
-/// The driver's calls run in a thread of their own; between it and the force loop go only values, newest wins. A driver
-/// that has not answered for kPatience ticks is a fault: the force loop trips its safety chain, and the thread commands
-/// zero force as soon as its call comes back. A driver that never comes back is left to itself at close(). The other
-/// way round, to a force loop that has not commanded for kSilentLoop the device gets zero force until it has begun
-/// anew. A 3-D mouse is a stylus too: its wanted motion moves the tip through a workspace of 16 x 16 x 16 cm, without
-/// force.
+/// The driver's calls run in a separate thread. Only values pass between it and the force loop; the newest wins. If a
+/// driver does not answer for kPatience ticks, that is a fault: the force loop trips its safety chain, and the thread
+/// commands zero force as soon as its call returns. A driver whose call never returns is abandoned at close(). If the
+/// force loop does not command for kSilentLoop, the device gets zero force until the loop starts again from zero. A 3D
+/// mouse also works as a stylus: its motion moves the tip through a workspace of 16 x 16 x 16 cm, without force.
 class DriverDevice final : public Device {
  public:
   /// Ticks without an answer until the device counts as faulty.
@@ -40,7 +39,7 @@ class DriverDevice final : public Device {
   ~DriverDevice() override;
 
   const DeviceCapabilities& capabilities() const override { return capabilities_; }
-  /// What the driver itself says of the open device.
+  /// The open device's capabilities as the driver reports them.
   const driver::Capabilities& driverCapabilities() const { return driver_capabilities_; }
   /// Starts the thread and waits for the driver to open the device.
   Expected<void> open() override;
@@ -60,21 +59,21 @@ class DriverDevice final : public Device {
   DriverDeviceOptions options_;
   DeviceCapabilities capabilities_;
   driver::Capabilities driver_capabilities_;
-  std::shared_ptr<Worker> worker_;          // kOwnThread; shared with its thread, which may outlive this.
+  std::shared_ptr<Worker> worker_;          // kOwnThread; shared with its thread, which may outlive this object.
   std::unique_ptr<DriverSession> session_;  // kInline.
   std::shared_ptr<DeviceCare> care_ = std::make_shared<DeviceCare>();
   driver::Command command_;
   DeviceReading reading_;
   driver::Status status_ = driver::Status::kVanished;
-  std::uint64_t measurements_ = 0;  // Of the answer that was taken last.
-  std::int64_t turns_ns_ = 0;       // kInline: the time, a tick a turn.
+  std::uint64_t measurements_ = 0;  // Of the last answer that was used.
+  std::int64_t turns_ns_ = 0;       // kInline: the time, one tick per turn.
   int silent_ticks_ = 0;
   bool heard_ = false;  // The thread has answered since open().
   bool motors_ = true;
   bool engaged_ = false;
 };
 
-/// A driver's capabilities in the server's words.
+/// Converts a driver's capabilities to the server's type.
 DeviceCapabilities toCapabilities(const driver::Capabilities& from);
 
 }  // namespace hapticell::haptic

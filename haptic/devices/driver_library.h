@@ -14,45 +14,45 @@ namespace hapticell::haptic {
 /// Settings of drivers: name of the driver, then key and value.
 using DriverSettings = std::map<std::string, std::map<std::string, std::string>>;
 
-/// One driver plug-in, or why a file that looks like one is none.
+/// A driver plug-in, or why its file could not be loaded.
 struct LoadedDriver {
   std::filesystem::path file;
-  driver::Driver* driver = nullptr;  ///< Null where it could not be loaded; lives as long as the process.
+  driver::Driver* driver = nullptr;  ///< Null if it could not be loaded; lives as long as the process.
   Error problem;                     ///< Why not.
 };
 
-/// Loads the shared library `file` and asks it for its driver. Errors: it is no shared library, needs one that is not
-/// installed, exports no `hapticell_driver`, or was built for another version of driver_interface.h. A library is never
-/// unloaded: vendors' libraries do not bear it.
+/// Loads the shared library `file` and gets its driver. Errors: it is not a shared library, needs a library that is not
+/// installed, does not export `hapticell_driver`, or was built for another version of driver_interface.h. Libraries are
+/// never unloaded, because vendors' libraries do not support it.
 Expected<driver::Driver*> loadDriver(const std::filesystem::path& file);
 
-/// The folders that drivers are looked for in: those of HAPTICELL_DRIVERS (with `:` between), `drivers` beside the
+/// The folders that are searched for drivers: those of HAPTICELL_DRIVERS (separated by `:`), `drivers` next to the
 /// program, `lib/hapticell/drivers` of its installation, `~/.local/lib/hapticell/drivers`.
 std::vector<std::filesystem::path> driverFolders();
 
-/// Tells a driver its own settings among all.
+/// Passes a driver its own settings.
 void tellSettings(driver::Driver& driver, const DriverSettings& settings);
 
-/// All drivers of the folders, by file name; of two files with the same name the first folder's counts. Each is told
-/// its settings. Loading happens once for each call; a file that cannot be loaded is listed with its problem.
+/// All drivers of the folders, by file name; if two files have the same name, the one of the first folder counts. Each
+/// driver gets its settings. Every call loads again; a file that cannot be loaded is listed with its problem.
 std::vector<LoadedDriver> loadDrivers(const std::vector<std::filesystem::path>& folders,
                                       const DriverSettings& settings = {});
 
-/// A device among those that a driver sees.
+/// A device that a driver sees.
 struct SeenDevice {
-  std::string driver;  ///< Its name.
+  std::string driver;  ///< The driver's name.
   driver::Found found;
 };
 
-/// What one driver sees now. A driver that does not answer within `patience_s` is told as a problem; its call is left
-/// to itself.
+/// What one driver sees now. If a driver does not answer within `patience_s`, the view has a problem and the call is
+/// abandoned.
 struct DriverView {
   std::vector<driver::Found> found;
   driver::Problem problem;
 };
 DriverView look(driver::Driver& driver, double patience_s = 5.0);
 
-/// The driver's problem as an error of the house; `file` names driver and device.
+/// The driver's problem as an Error; `file` names driver and device.
 Error toError(const driver::Problem& problem, const std::string& file);
 
 /// "in_use", "no_permission" ...: the status in one word.

@@ -11,47 +11,48 @@
 
 namespace hapticell::haptic {
 
-/// How a driver's device is looked after.
+/// Options of a DriverSession.
 struct DriverSessionOptions {
-  std::uint32_t reopen_turns = 500;  ///< Turns between two attempts to find a device again that has gone.
-  std::uint32_t garbled_turns = 20;  ///< So many garbled answers on end count as a device that has gone.
-  std::function<void(const std::string&)> report{};  ///< Told what happens, in sentences, by the thread of turn().
-  std::shared_ptr<DeviceCare> care{};   ///< Told the device's condition; the user's calibration comes from there.
-  std::function<std::int64_t()> now{};  ///< A steady clock, ns; empty: the machine's. In virtual time the test's.
+  std::uint32_t reopen_turns = 500;  ///< Turns between two attempts to find a lost device again.
+  std::uint32_t garbled_turns = 20;  ///< After this many consecutive garbled answers the device counts as lost.
+  std::function<void(const std::string&)> report{};  ///< Gets sentences about events, in the thread of turn().
+  std::shared_ptr<DeviceCare> care{};   ///< Gets the device's condition and gives the user's calibration steps.
+  std::function<std::int64_t()> now{};  ///< A steady clock, ns; empty: the machine's. In virtual time, the test's
+                                        ///< clock.
 };
 
-/// What a turn brought.
+/// The result of a turn.
 struct DriverAnswer {
-  driver::Status status = driver::Status::kVanished;  ///< kOk also where nothing was new.
+  driver::Status status = driver::Status::kVanished;  ///< kOk also if nothing was new.
   driver::State state;                                ///< The last measurement.
-  std::uint64_t measurements = 0;                     ///< How many there were so far.
-  bool takes_force = false;  ///< What is commanded reaches the device; else what it was told is zero.
+  std::uint64_t measurements = 0;                     ///< Number of measurements so far.
+  bool takes_force = false;  ///< True if the command reaches the device; else the device got zero.
 };
 
-/// One device of a driver over its whole life: opened, read and commanded turn by turn, closed when it fails or
-/// vanishes, looked for again, opened again. Calls the driver in the caller's thread, so each call may block.
+/// Manages one device of a driver: opens it, reads and commands it turn by turn, closes it when it fails or vanishes,
+/// looks for it and opens it again. Calls the driver in the caller's thread, so each call may block.
 class DriverSession {
  public:
-  /// `id` as the driver's find() tells it; empty: the first that can be used.
+  /// `id` as returned by the driver's find(); empty: the first that can be used.
   DriverSession(driver::Driver& driver, std::string id, DriverSessionOptions options = {});
   ~DriverSession();  ///< Closes.
   DriverSession(const DriverSession&) = delete;
   DriverSession& operator=(const DriverSession&) = delete;
 
-  /// Opens it now; the problem where that fails.
+  /// Opens the device now; returns the problem if that fails.
   driver::Problem open();
   bool isOpen() const { return device_ != nullptr; }
   driver::Device* device() { return device_; }
-  /// Of the device that was open last.
+  /// Capabilities of the device that was opened last.
   const driver::Capabilities& capabilities() const { return capabilities_; }
 
-  /// Reads, then commands, whether or not anything was read. A command without motors carries no force; neither does
-  /// one to a device that is not calibrated, exerts none by its own word, has not measured for kFreshFor, or was not
-  /// commanded for so long. What was once not passed on so *stays* zero until a command without motors has come: then
-  /// its giver knows, and begins anew from nothing. Two commands that reach the device are never more than a step of
-  /// CommandSteps apart.
+  /// Reads, then commands, whether or not anything was read. The force is zero if the command has no motors, or if the
+  /// device is not calibrated, reports that it exerts no force, or has not measured or been commanded for kFreshFor.
+  /// Once a force was suppressed in this way, it stays zero until a command without motors arrives. That shows that the
+  /// sender knows and starts again from zero. Two commands to the device never differ by more than a step of
+  /// CommandSteps.
   const DriverAnswer& turn(const driver::Command& command);
-  /// Nobody commands any more: zero from the next turn on, until a command without motors has come.
+  /// Call it when commands stop: the force is zero from the next turn until a command without motors arrives.
   void hold() { held_ = true; }
   void close();
 
@@ -76,7 +77,7 @@ class DriverSession {
   driver::CommandSteps steps_;
   std::int64_t measured_ns_ = 0;   // When it measured last,
   std::int64_t commanded_ns_ = 0;  // and when it was commanded last; 0: not yet.
-  bool held_ = false;              // Something was not passed on, and its giver does not know yet.
+  bool held_ = false;              // A force was suppressed, and the sender does not know yet.
   std::uint32_t garbled_ = 0;
   std::uint32_t turns_without_ = 0;
   bool asked_for_calibration_ = false;

@@ -11,11 +11,11 @@
 // Helpers for writers of drivers; header only, standard library only.
 namespace hapticell::driver {
 
-/// Copies as much of `text` as fits, zero-terminated.
+/// Copies as much of `text` as fits, with a terminating zero.
 template <std::size_t N>
 void copyText(char (&to)[N], std::string_view text) noexcept {
   const std::size_t length = std::min(text.size(), N - 1);
-  if (length > 0) std::memcpy(to, text.data(), length);  // An empty view may point nowhere.
+  if (length > 0) std::memcpy(to, text.data(), length);  // The pointer of an empty view may be null.
   to[length] = '\0';
 }
 
@@ -27,7 +27,7 @@ inline Status refuse(Problem& problem, Status status, std::string_view found, st
   return status;
 }
 
-/// A number for what is seen, for Driver::presence(): as good as surely another one for anything else, and never 0.
+/// A number for the devices seen, for Driver::presence(): practically always different for different devices, never 0.
 class PresenceNumber {
  public:
   void add(std::string_view text) noexcept {

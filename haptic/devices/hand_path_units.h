@@ -9,14 +9,14 @@
 
 namespace hapticell::haptic {
 
-/// Brings a hand path that is not in seconds from its beginning, or not in metres, to what HandPath means, and says one
-/// sentence for each thing that was assumed:
-///  - times that begin at a clock's time (before 0, or later than the path is long and than 1 s): counted from the
-///  first
+/// Converts a hand path to seconds from its beginning and to metres, as HandPath requires, and returns one sentence for
+/// each assumption:
+///  - times that begin at a clock's time (before 0, or later than both the path's duration and 1 s): counted from the
+///    first
 ///    row; such times over 1e11 are a clock's milliseconds, over 1e14 microseconds, over 1e17 nanoseconds;
 ///  - a hundred rows or more, all at whole numbers, a second or more apart: milliseconds;
-///  - positions over kFarthestStylus from the middle: millimetres. Farther than that even so: an error.
-/// `name` stands for the file. `samples` are in the order of time, at least one.
+///  - positions over kFarthestStylus from the middle: millimetres. If they are still farther after that: an error.
+///    Errors use `name` as the file. `samples` are in the order of time, at least one.
 Expected<std::vector<std::string>> recogniseHandUnits(std::vector<HandSample>& samples, const std::string& name);
 
 /// m from the middle of the workspace along one axis: more than any stylus reaches.

@@ -10,31 +10,30 @@
 
 namespace hapticell::haptic {
 
-/// A glove or a 3-D mouse beside the stylus: its driver's calls run in a thread of their own, and whoever asks gets the
-/// newest state. It is looked for again when it vanishes. No call waits:
-/// the device is opened by the thread.
+/// A glove or a 3D mouse used in addition to the stylus. A separate thread makes the driver's calls, opens the device
+/// and looks for it again if it vanishes. Callers get the newest state and never wait.
 class InputReader {
  public:
   struct Snapshot {
-    bool open = false;                  ///< It answers now.
-    std::uint64_t measurements = 0;     ///< Grows with each one.
-    driver::State state;                ///< The last.
-    driver::Capabilities capabilities;  ///< Once it was open.
+    bool open = false;                  ///< The device answers now.
+    std::uint64_t measurements = 0;     ///< Increases with each measurement.
+    driver::State state;                ///< The last state.
+    driver::Capabilities capabilities;  ///< Valid once the device was open.
     std::string problem;                ///< Why it does not answer; a sentence.
   };
 
-  /// `id` as the driver tells it; empty: the first that can be used.
+  /// `id` as returned by the driver; empty: the first that can be used.
   InputReader(driver::Driver& driver, std::string id);
-  ~InputReader();  ///< A driver that does not come back is left to itself.
+  ~InputReader();  ///< A driver whose call does not return is abandoned.
   InputReader(const InputReader&) = delete;
   InputReader& operator=(const InputReader&) = delete;
 
   Snapshot latest() const;
-  /// Buttons that went down since the last call, one bit each: also those that are up again.
+  /// Buttons pressed since the last call, one bit each, including those already released.
   std::uint32_t takePressed();
-  /// How strongly the glove's vibrators shake, 0 .. 1 each.
+  /// Sets the strength of the glove's vibrators, 0 .. 1 each.
   void vibrate(const double (&strength)[6]);
-  /// What happened since the last call, in sentences.
+  /// Events since the last call, in sentences.
   std::vector<std::string> takeNews();
 
  private:

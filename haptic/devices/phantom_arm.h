@@ -5,8 +5,8 @@
 
 namespace hapticell::haptic {
 
-/// The linkage of a Phantom: waist, shoulder and elbow, the elbow driven through a parallelogram (so its angle counts
-/// from the vertical, not from the upper arm).
+/// The linkage of a Phantom: waist, shoulder and elbow, the elbow driven through a parallelogram (so its angle is
+/// measured from the vertical, not from the upper arm).
 ///
 /// In the arm's own frame A (origin at the shoulder, x forwards to the user, z up)
 ///   x = cos q1 (l1 cos q2 + l2 sin q3), y = sin q1 (l1 cos q2 + l2 sin q3), z = l1 sin q2 - l2 cos q3
@@ -20,7 +20,7 @@ class PhantomArm {
 
   /// Tip position in D of the joints (q1, q2, q3), rad.
   dvec3 tip(const dvec3& joints) const;
-  /// Joints of a tip position in D. A tip out of reach is answered with the joints of the nearest one on the same ray.
+  /// Joints of a tip position in D. For a tip out of reach, the joints of the nearest reachable one on the same ray.
   dvec3 joints(const dvec3& p_D) const;
   /// Jacobian of tip() at the joints: column i is the tip's motion in D with joint i, m/rad.
   dmat3 jacobian(const dvec3& joints) const;

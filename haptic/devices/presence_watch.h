@@ -9,13 +9,13 @@
 
 namespace hapticell::haptic {
 
-/// Notices devices that come and go, without opening any: asks the drivers for Driver::presence(). One thread.
+/// Detects devices that are plugged in or removed, without opening any, by Driver::presence(). One thread.
 class PresenceWatch {
  public:
-  /// Drivers that could not be loaded are left out. They outlive the watch.
+  /// Ignores drivers that could not be loaded. The drivers outlive the watch.
   explicit PresenceWatch(const std::vector<LoadedDriver>& drivers);
-  /// Which of the drivers (indices as given) see something else than at the last look, or since the watch began. Those
-  /// that cannot tell are never among them.
+  /// The drivers (indices as given) whose presence() changed since the last call, or since the watch began. Drivers
+  /// that cannot detect changes are never included.
   std::vector<std::size_t> look();
 
  private:

@@ -11,7 +11,7 @@
 
 namespace hapticell::haptic {
 
-/// A Phantom that is not there: a physical model of the arm, its motors and encoders, and the hand on its stylus.
+/// A simulated Phantom: a physical model of the arm, its motors and encoders, and the hand on its stylus.
 ///
 /// Modelled: the linkage (PhantomArm) with its apparent mass at the tip, Coulomb friction with sticking, viscous
 /// friction, weight, hard stops at the edge of the workspace, encoders that count in whole steps, motors driven by a
@@ -27,29 +27,29 @@ class SimulatedDevice final : public Device {
   const DeviceCapabilities& capabilities() const override { return capabilities_; }
   Expected<void> open() override;
   DeviceStatus read(DeviceReading& reading) noexcept override;
-  /// Torque is ignored where three axes are driven. What is not finite stops the motors and is a fault.
+  /// Torque is ignored if three axes are driven. A value that is not finite stops the motors and is a fault.
   DeviceStatus write(const dvec3& force_D, const dvec3& torque_D) noexcept override;
   void close() noexcept override;
   SimulatedDevice* simulated() noexcept override { return this; }
 
-  /// Lets `dt` seconds pass (0 to 0.1; more counts as 0.1).
+  /// Simulates `dt` seconds (0 to 0.1; more counts as 0.1).
   void advance(double dt) noexcept;
 
   SimulatedHand& hand() { return hand_; }
   const config::DeviceProfile& profile() const { return profile_; }
 
-  /// Puts the stylus there, at rest (for tests and at the start).
+  /// Sets the stylus's pose, at rest (for tests and at the start).
   void place(const Pose& X_DS) noexcept;
 
-  /// The stylus as it truly is, before the encoders' rounding.
+  /// The stylus's true pose, before the encoders' rounding.
   const Pose& truePose() const { return X_DS_; }
   const dvec3& trueVelocity() const { return v_DS_; }
-  /// What the motors exert on the stylus now, N: delayed and quantised.
+  /// Force of the motors on the stylus now, N: delayed and quantised.
   const dvec3& motorForce() const { return motor_D_; }
-  /// What the gimbal's motors exert on it now, N m: delayed, limited and quantised like the force.
+  /// Torque of the gimbal's motors on it now, N m: delayed, limited and quantised like the force.
   const dvec3& motorTorque() const { return motor_torque_D_; }
   const dvec3& trueAngularVelocity() const { return w_DS_; }
-  /// What the hand exerts on the stylus now, N.
+  /// Force of the hand on the stylus now, N.
   const dvec3& handForce() const { return hand_D_; }
 
  private:
@@ -65,7 +65,7 @@ class SimulatedDevice final : public Device {
   DeviceCapabilities capabilities_;
   PhantomArm arm_;
   dvec3 joint_inertia_{0.0};  ///< kg m^2.
-  dvec3 lever_{0.0};          ///< Of each joint in the middle of the workspace, m.
+  dvec3 lever_{0.0};          ///< Lever of each joint in the middle of the workspace, m.
   SimulatedHand hand_;
   bool open_ = false;
   Pose X_DS_;

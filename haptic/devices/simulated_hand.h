@@ -7,7 +7,7 @@
 
 namespace hapticell::haptic {
 
-/// Fingers that hold a stylus: a mass on it, and a spring and a damper to where the hand wants to be.
+/// Fingers that hold a stylus: a mass on it, and a spring and a damper to the hand's intended pose.
 struct HandOptions {
   double mass = 0.1;                  ///< kg, fixed to the stylus while it is held.
   double stiffness = 300.0;           ///< N/m.
@@ -15,7 +15,8 @@ struct HandOptions {
   double rotational_stiffness = 0.6;  ///< N m/rad.
   double rotational_damping = 0.02;   ///< N m s/rad.
   double inertia = 1.0e-4;            ///< kg m^2, of the stylus with the fingers, about any axis.
-  double max_speed = 2.0;   ///< m/s the intended pose moves at most (a mouse that jumps is followed by a hand).
+  double max_speed = 2.0;   ///< Largest speed of the intended pose, m/s (if the mouse jumps, the hand follows at this
+                            ///< speed).
   double max_force = 30.0;  ///< N.
 
   static HandOptions firm() { return {}; }
@@ -33,10 +34,10 @@ struct HandIntent {
   dvec3 w_DH{0.0};
 };
 
-/// A simulated hand on the stylus of a SimulatedDevice. Who drives it (a path, the mouse over the network, a test) says
-/// hold() or release() before a tick; the coupling itself is integrated with the device's motion at 10 kHz.
+/// A simulated hand on the stylus of a SimulatedDevice. Its user (a path, the mouse over the network, a test) calls
+/// hold() or release() before a tick; the coupling is integrated with the device's motion at 10 kHz.
 ///
-/// Second-order hand with the working values of docs/dev/feel.md. Same thread as the device.
+/// Second-order model with the values of docs/dev/feel.md. Same thread as the device.
 class SimulatedHand {
  public:
   explicit SimulatedHand(const HandOptions& options = {}) : options_(options) {}
@@ -44,10 +45,11 @@ class SimulatedHand {
   const HandOptions& options() const { return options_; }
   void setOptions(const HandOptions& options) { options_ = options; }
 
-  /// Wants the stylus at X_DH at the end of the next tick, with these buttons pressed. An invalid pose is ignored.
+  /// Sets the intended pose X_DH of the stylus at the end of the next tick, with these buttons pressed. An invalid pose
+  /// is ignored.
   void hold(const Pose& X_DH, std::uint32_t buttons = 0);
 
-  /// Lets go: the stylus moves under its own weight and friction and the device's force.
+  /// Releases the stylus: it moves under its own weight and friction and the device's force.
   void release();
 
   bool holding() const { return holding_; }
@@ -61,7 +63,7 @@ class SimulatedHand {
  private:
   HandOptions options_;
   bool holding_ = false;
-  bool gripping_ = false;  ///< The hand has been closed during a tick already.
+  bool gripping_ = false;  ///< The hand has held the stylus for at least one tick.
   std::uint32_t buttons_ = 0;
   Pose goal_;
   Pose start_;  ///< Intended pose at the tick's beginning.

@@ -6,16 +6,16 @@
 
 namespace hapticell::haptic {
 
-/// One thing that the system may or may not grant this user.
+/// A permission that the system may or may not grant this user.
 struct SystemGrant {
-  std::string what;  ///< "real-time priority": in a word or two.
+  std::string what;  ///< "real-time priority": one or two words.
   bool granted = false;
-  std::string found;  ///< What the system says, one line.
-  std::string fix;    ///< The exact command that mends it; empty where granted.
+  std::string found;  ///< The system's answer, one line.
+  std::string fix;    ///< The exact command that fixes it; empty if granted.
 };
 
-/// What devices and the force loop need of the system: real-time priority, locked memory, udev rules, the group of
-/// serial ports. Asks only; changes nothing.
+/// The permissions that devices and the force loop need: real-time priority, locked memory, udev rules, the group of
+/// serial ports. Only checks; changes nothing.
 std::vector<SystemGrant> systemGrants();
 
 }  // namespace hapticell::haptic

@@ -9,7 +9,7 @@
 
 namespace hapticell::driver {
 
-/// A device on the USB as the kernel tells it, without opening anything.
+/// A USB device as listed by the kernel; nothing is opened.
 struct UsbDevice {
   std::uint16_t vendor = 0, product = 0;
   std::string name, serial;
@@ -18,7 +18,7 @@ struct UsbDevice {
   std::vector<std::string> nodes;  ///< Its serial ports and hidraw files: "/dev/ttyACM0".
 };
 
-/// All that /sys/bus/usb/devices shows; empty where there is none.
+/// All devices in /sys/bus/usb/devices; empty if that does not exist.
 std::vector<UsbDevice> usbDevices();
 
 }  // namespace hapticell::driver

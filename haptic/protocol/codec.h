@@ -18,7 +18,7 @@ inline constexpr std::size_t kFrameHeaderBytes = 4;
 /// Largest FlatBuffer that is accepted; a full constraint set takes about 24 kB.
 inline constexpr std::size_t kMaxFrameBytes = 64 * 1024;
 
-/// Longest text that is sent or accepted (names, sentences); a longer one is cut when it is sent.
+/// Longest text that is sent or accepted (names, sentences); a longer one is cut before it is sent.
 inline constexpr std::size_t kMaxTextBytes = 1024;
 
 /// Most steps of a calibration that are sent or accepted.
@@ -47,8 +47,8 @@ class Encoder {
 /// Reads one FlatBuffer (without its length). Never throws and never reads outside `flatbuffer`.
 ///
 /// The buffer is verified first (FlatBuffers' Verifier, with limits on depth and number of tables), then every number:
-/// what is returned is finite, its poses are valid and a set has at most kMaxConstraints entries. Anything else gets an
-/// Error that tells what was found and what was expected.
+/// the returned values are finite, poses are valid and a set has at most kMaxConstraints entries. Anything else is an
+/// Error that states what was found and what was expected.
 Expected<void> decode(std::span<const std::uint8_t> flatbuffer, Message& message);
 
 /// Cuts a stream of bytes, arriving in pieces of any size, into frames.
@@ -57,8 +57,9 @@ class FrameReader {
   /// Takes a piece of the stream.
   void append(std::span<const std::uint8_t> bytes);
 
-  /// The next whole FlatBuffer; an empty span while there is none. Valid until the next call of either function. A
-  /// length of zero or above kMaxFrameBytes is an Error, and stays one: the stream cannot be trusted any more.
+  /// The next complete FlatBuffer; an empty span if it is not complete yet. Valid until the next call of either
+  /// function. A length of zero or above kMaxFrameBytes is an Error for this and all later calls, because the stream
+  /// can no longer be trusted.
   Expected<std::span<const std::uint8_t>> next();
 
   /// Bytes that wait for the rest of their frame.

@@ -6,13 +6,14 @@
 
 namespace hapticell::haptic {
 
-/// How a device is and what it wants of its user.
+/// The state of a device and what its user must do.
 struct DeviceCondition {
-  bool answers = true;                     ///< It can be read.
-  bool calibrated = true;                  ///< Where it is not, it exerts no force.
+  bool answers = true;                     ///< The device can be read.
+  bool calibrated = true;                  ///< If false, the device exerts no force.
   bool docked = false;                     ///< The stylus is in its inkwell.
-  std::vector<std::string> calibration{};  ///< What the user does to calibrate it, step by step; empty: nothing.
-  std::string sentence{};  ///< What happened last: why it stopped, what mends it, that it is calibrated. May be empty.
+  std::vector<std::string> calibration{};  ///< The user's calibration steps; empty: no calibration needed.
+  std::string sentence{};  ///< The last event: why it stopped and how to fix it, or that it is calibrated. May be
+                           ///< empty.
 
   bool operator==(const DeviceCondition&) const = default;
 };

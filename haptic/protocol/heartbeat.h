@@ -8,20 +8,20 @@
 
 namespace hapticell::haptic {
 
-/// One side's part of the heart-beats: makes the next one and learns the round trip and the other side's clock from
-/// those that come. The reckoning is NTP's (RFC 5905, section 8), from the exchange with the shortest round trip.
+/// One side of the heart-beat exchange: makes the next heart-beat and computes the round trip and the clock offset from
+/// those received. The calculation is that of NTP (RFC 5905, section 8), with the exchange of the shortest round trip.
 class HeartbeatExchange {
  public:
   /// The heart-beat to send at `now` (own steady clock, ns).
   Heartbeat next(std::int64_t now) const;
 
-  /// Takes the peer's heart-beat, heard at `now`. One whose stamps make no sense is only remembered as heard.
+  /// Takes the peer's heart-beat, received at `now`. If its stamps are implausible, only its arrival is stored.
   void heard(const Heartbeat& beat, std::int64_t now);
 
   /// Newest round trip, seconds; 0 before the first.
   double roundTrip() const { return round_trip_; }
 
-  /// What to add to a stamp of the peer's clock to have it in one's own; nothing before the first round trip.
+  /// Add this to a stamp of the peer's clock to convert it to the own clock; empty before the first round trip.
   std::optional<std::int64_t> fromPeerClock() const { return from_peer_; }
 
  private:

@@ -13,30 +13,30 @@
 
 namespace hapticell::haptic {
 
-/// Version of the protocol; client and server must agree on it exactly. Counts up when a message changes its meaning.
+/// Version of the protocol; client and server must use the same version. Increased when a message changes its meaning.
 inline constexpr std::uint32_t kProtocolVersion = 1;
 
-/// The server's newest word, one force-loop tick (or less often, newest wins).
+/// The server's newest state, sent every force-loop tick or less often; the newest wins.
 struct HapticState {
-  std::uint64_t tick = 0;            ///< Counts the ticks that were due, skipped ones too.
+  std::uint64_t tick = 0;            ///< Number of due ticks, including skipped ones.
   std::int64_t server_stamp_ns = 0;  ///< Server's steady clock at the tick.
   Pose X_DS;                         ///< Measured stylus.
-  Pose X_DP;                  ///< The proxy: where the stylus would be if it obeyed every constraint. The wanted pose.
+  Pose X_DP;                  ///< The proxy: the pose of the stylus if it obeyed every constraint; the wanted pose.
   dvec3 v_DS{0.0};            ///< Filtered velocity, m/s.
   dvec3 force_D{0.0};         ///< Commanded force on the hand, N.
-  dvec3 torque_D{0.0};        ///< Commanded torque on the hand, N m; zero where no turning is driven.
+  dvec3 torque_D{0.0};        ///< Commanded torque on the hand, N m; zero if the device does not drive rotation.
   std::uint32_t buttons = 0;  ///< Bit i set while button i is pressed.
-  std::uint64_t adopted_set = 0;   ///< Sequence of the set that is rendered; 0 while there is none.
+  std::uint64_t adopted_set = 0;   ///< Sequence of the rendered set; 0 before the first.
   bool forces_on = false;          ///< The engage gate is open.
   double force_ramp = 0.0;         ///< 0 .. 1 while it opens.
   double motor_temperature = 0.0;  ///< 0 cold .. 1 at the limit.
   bool device_fault = false;       ///< The device cannot be read or commanded; the force is zero.
   bool client_stalled =
-      false;  ///< The controlling client has sent no set that could be taken for 2 s: the force fades.
+      false;  ///< The controlling client has sent no usable set for 2 s: the force fades.
 };
 
-/// A set that is older than this when it is adopted counts as late, seconds: the period of the slowest client that is
-/// meant to feel anything (10 Hz).
+/// A set that is older than this at its adoption counts as late, seconds: the period of the slowest supported client
+/// (10 Hz).
 inline constexpr double kLateSetAge = 0.1;
 
 /// The server's figures, about ten times a second.
@@ -47,14 +47,14 @@ struct ServerStatistics {
   double round_trip_ms = 0.0;                         ///< Newest round trip of the controlling client's heart-beat.
   double set_age_p50_ms = 0.0, set_age_p99_ms = 0.0;  ///< From the client's query to the adoption, last 5 to 10 s.
   std::uint64_t late_sets = 0;     ///< Adopted when older than kLateSetAge, since the server's start.
-  std::uint64_t refused_sets = 0;  ///< Not adopted (outdated, malformed, around another place): the older one was held.
-  std::uint64_t dropped_sets = 0;  ///< Adopted and forgotten again: their numbers made no proxy or force.
-  /// What brings the controlling client's stamps to the server's clock, as its heart-beats tell; nothing before the
-  /// first.
+  std::uint64_t refused_sets = 0;  ///< Not adopted (outdated, malformed, or around another place); the older one stayed
+                                   ///< in use.
+  std::uint64_t dropped_sets = 0;  ///< Adopted and then dropped: their numbers gave no valid proxy or force.
+  /// Offset from the controlling client's clock to the server's, from the heart-beats; empty before the first.
   std::optional<double> clock_offset_ms;
 };
 
-/// What the client asks of the server besides sets.
+/// What the client requests from the server, apart from sets.
 struct HapticControl {
   bool forces_enabled = false;  ///< Opens or closes the engage gate.
   double stiffness = 0.0;       ///< N/m; 0: the device's own.
@@ -62,14 +62,14 @@ struct HapticControl {
   LoadOptions load{};           ///< What the hand carries.
 };
 
-/// Where the simulated hand wants the stylus to be; only a simulated device heeds it.
+/// The simulated hand's intended pose of the stylus; real devices ignore it.
 struct HandTarget {
   bool holding = false;  ///< False: nobody holds the stylus.
   Pose X_DH{};
   std::uint32_t buttons = 0;
 };
 
-/// What the connected device can do, as the server told at connection.
+/// Capabilities of the connected device, sent by the server at connection.
 struct DeviceDescription {
   std::string name;
   bool simulated = false;
@@ -80,43 +80,43 @@ struct DeviceDescription {
 };
 
 enum class ClientKind : std::uint8_t {
-  kController,  ///< Sends constraint sets; the server takes one at a time.
-  kWatcher,     ///< Only listens; any number.
+  kController,  ///< Sends constraint sets; the server accepts one controller at a time.
+  kWatcher,     ///< Only receives; any number of them.
 };
 
 /// First message of a client; must come within two seconds of the connection.
 struct Hello {
   std::uint32_t protocol_version = kProtocolVersion;
   ClientKind kind = ClientKind::kController;
-  bool accept_watching = false;  ///< A controller that would rather watch than be refused when there is one already.
-  std::string program{};         ///< Who it is, for messages to the user.
-  bool wants_condition = false;  ///< Wants to be told the device's condition.
-  bool take_over = false;        ///< A user's word: this controller takes the place of the one there is.
+  bool accept_watching = false;  ///< If there already is a controller: watch instead of being refused.
+  std::string program{};         ///< The program's name, for messages to the user.
+  bool wants_condition = false;  ///< Requests the device's condition.
+  bool take_over = false;        ///< At the user's request, this controller replaces the current one.
 };
 
 /// The server's answer to a Hello that it accepts.
 struct Welcome {
   std::uint32_t protocol_version = kProtocolVersion;
-  ClientKind kind = ClientKind::kController;  ///< What the client was taken as.
+  ClientKind kind = ClientKind::kController;  ///< The role granted to the client.
   double tick_rate_hz = 1000.0;
   DeviceDescription device{};
 };
 
-/// The server's last message to a client that it will not serve; the connection closes after it.
+/// The server's last message to a client that it refuses; then the connection closes.
 struct Refusal {
   std::string sentence{};
 };
 
 /// Sent by the client every kHeartbeatPeriod (kQuickHeartbeatPeriod) from its network thread and answered at once by
-/// the server. Each side repeats the stamp that it heard last, so each can tell the round trip: now - echo_ns -
+/// the server. Each side repeats the stamp that it received last, so each can compute the round trip: now - echo_ns -
 /// held_ns.
 struct Heartbeat {
   std::int64_t sent_ns = 0;  ///< Sender's steady clock.
-  std::int64_t echo_ns = 0;  ///< `sent_ns` of the peer's last heart-beat; 0 when there was none.
-  std::int64_t held_ns = 0;  ///< Time between hearing that one and sending this one.
+  std::int64_t echo_ns = 0;  ///< `sent_ns` of the peer's last heart-beat; 0 before the first.
+  std::int64_t held_ns = 0;  ///< Time between receiving that one and sending this one.
 };
 
-/// The user has done step `step` of DeviceCondition::calibration. From any client that wanted the condition.
+/// The user has done step `step` of DeviceCondition::calibration. Sent by any client that requested the condition.
 struct Calibrate {
   std::uint32_t step = 0;
 };
@@ -125,11 +125,11 @@ struct Calibrate {
 using Message = std::variant<std::monostate, Hello, Welcome, Refusal, ConstraintSet, HapticState, ServerStatistics,
                              HapticControl, HandTarget, Heartbeat, DeviceCondition, Calibrate>;
 
-/// Seconds between a client's heart-beats, and between those of a controller while forces are on: by them the server
-/// notices within 50 ms that it has died.
+/// Seconds between a client's heart-beats, and between those of a controller while forces are on. With the latter the
+/// server notices within 50 ms that the controller has died.
 inline constexpr double kHeartbeatPeriod = 0.1, kQuickHeartbeatPeriod = 0.01;
 
-/// True when every number is finite and every value within its range and bound; what a decoder demands of a message.
+/// True if every number is finite and every value within its range and bound. The decoder requires this of a message.
 bool isWellFormed(const HapticControl& control);
 bool isWellFormed(const HandTarget& target);
 bool isWellFormed(const HapticState& state);

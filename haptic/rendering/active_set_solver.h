@@ -10,7 +10,7 @@
 
 namespace hapticell::haptic {
 
-/// One row a constraint (at most one a group), the trust row and one to spare.
+/// One row per constraint (at most one per group), the trust row and one spare.
 inline constexpr std::size_t kMaxRows = kMaxConstraints + 2;
 
 /// A half-space of the proxy's small motion d: normal . d >= -slack (an equality: = -slack).
@@ -23,7 +23,7 @@ struct SolverRow {
 };
 
 enum class SolverStatus : std::uint8_t {
-  kSolved,      ///< Every row holds, d is the nearest such motion.
+  kSolved,      ///< Every row is satisfied; d is the nearest such motion.
   kInfeasible,  ///< The rows contradict each other: d is the middle between them (least squares).
   kGaveUp,      ///< The step limit was reached; d is the last iterate, nearer to feasible than d0.
 };
@@ -39,13 +39,13 @@ struct SolverResult {
 ///
 /// A dual active-set method for strictly convex quadratic programmes (D. Goldfarb, A. Idnani, "A numerically stable
 /// dual method for solving strictly convex quadratic programs", Mathematical Programming 27, 1983) with the identity as
-/// Hessian. The dual is regularised by 1e-7, so contradicting rows yield their middle, and it stops after two dependent
+/// Hessian. The dual is regularised by 1e-7, so contradicting rows give their middle, and it stops after two dependent
 /// rows. At most kMaxRows rows (more are ignored). Never allocates or throws; for the force loop.
 SolverResult nearestFeasible(std::span<const SolverRow> rows, const Vector6& d0) noexcept;
 
-/// The same for a proxy that must never enter anything: where rows contradict each other, those that hold at d = 0 go
-/// on holding, and the others get no deeper than the deepest of them is. Within that it is nearest to the middle;
-/// `multiplier` still tells d - d0.
+/// The same for a proxy that must never enter anything. If rows contradict each other, those satisfied at d = 0 stay
+/// satisfied, and the others get no deeper than the deepest of them already is. Within these limits d is nearest to the
+/// middle. `multiplier` still gives d - d0.
 SolverResult nearestUnentered(std::span<const SolverRow> rows, const Vector6& d0) noexcept;
 
 }  // namespace hapticell::haptic

@@ -10,16 +10,16 @@
 
 namespace hapticell::haptic {
 
-/// Most constraints one set can carry; a set that would need more shrinks its zone instead (see zone_radius).
+/// Largest number of constraints in one set; a set that would need more shrinks its zone (see zone_radius).
 inline constexpr std::size_t kMaxConstraints = 64;
 
-/// Least radius, in device space, that a set is asked to be complete in: what a hand reaches before the next set comes.
+/// Least radius, in device space, in which a set should be complete: how far a hand moves before the next set arrives.
 inline constexpr double kWantedZoneRadius = 0.060;
 
-/// What the numbers of a set, and of the wire, may be at most: far beyond anything that a workcell or a hand has, and
-/// so far within what double precision bears that no sum or product of a tick is ever infinite.
+/// Upper bounds of the numbers in a set and on the wire. They are far above the values of any workcell or hand, and
+/// small enough that no sum or product in a tick becomes infinite in double precision.
 namespace bound {
-inline constexpr double kLength = 1e6;      ///< m: gaps, places, zones, reaches.
+inline constexpr double kLength = 1e6;      ///< m: gaps, positions, zones, reaches.
 inline constexpr double kLeastZone = 1e-6;  ///< m.
 inline constexpr double kSlope = 1e9;       ///< Parts of a gradient.
 inline constexpr double kCurvature = 1e12;  ///< 1/m in the linear block.
@@ -41,20 +41,20 @@ using SymmetricMatrix6 = std::array<double, 21>;
 enum class ConstraintKind : std::uint8_t {
   kInequality,  ///< Free while f(xi) >= 0.
   kEquality,    ///< A guide: f(xi) = 0.
-  kPull,        ///< Holds nothing back, but pulls the stylus towards f = 0 while |f| < reach: a detent, a help to stay
-                ///< in a tube. The force is -stiffness f (1 - (f / reach)^2) along the gradient's direction.
+  kPull,        ///< Does not stop the stylus, but pulls it towards f = 0 while |f| < reach: a detent, or guidance
+                ///< inside a tube. The force is -stiffness f (1 - (f / reach)^2) along the gradient's direction.
 };
 
 /// One thing that can be felt: f(xi) = gap + gradient . xi + 1/2 xi' curvature xi.
 ///
-/// A contact of two meshes, a joint limit, the edge of a workspace, a guide: all the same for the force loop.
+/// A contact of two meshes, a joint limit, the edge of a workspace, a guide: the force loop treats them all alike.
 /// Constraints of one group are OR (free when one of them holds, as at a convex edge); groups are AND.
 struct Constraint {
   std::uint32_t group = 0;
   ConstraintKind kind = ConstraintKind::kInequality;
   double gap = 0.0;              ///< g, metres of clearance at the reference pose; negative inside.
-  Vector6 gradient{};            ///< a; of unit length in its linear part where it is a contact at motion scale 1.
-  SymmetricMatrix6 curvature{};  ///< B, 1/m in the linear block. Rounded to the safe side by whoever makes it.
+  Vector6 gradient{};            ///< a; its linear part has unit length for a contact at motion scale 1.
+  SymmetricMatrix6 curvature{};  ///< B, 1/m in the linear block. Its maker rounds it to the safe side.
   bool has_trim = false;  ///< A half-space g' + a'.xi that ends a curved face: the smaller of both values counts.
   double trim_gap = 0.0;
   Vector6 trim_gradient{};
@@ -62,25 +62,26 @@ struct Constraint {
   double damping = 0.0;    ///< N s/m wanted; 0 means the device's own.
   double friction = 0.0;   ///< Coulomb coefficient.
   double reach = 0.0;      ///< kPull: m.
-  /// How the obstacle moves, m/s, as a motion of the stylus that keeps step with it: f is taken at the translation
-  /// less velocity times the set's age. Zero for what stands.
+  /// Velocity of the obstacle, m/s, as a motion of the stylus that moves with it: f is evaluated at the translation
+  /// minus velocity times the set's age. Zero for fixed obstacles.
   dvec3 velocity_D{0.0};
-  std::uint64_t id = 0;  ///< Stays the same from set to set for the same physical thing.
+  std::uint64_t id = 0;  ///< The same physical contact or guide keeps its id from set to set.
 };
 
-/// Everything the hand can feel within `zone_radius` of `X_DR`, complete. Made by the client, rendered by the server.
+/// The complete list of what the hand can feel within `zone_radius` of `X_DR`. Made by the client, rendered by the
+/// server.
 struct ConstraintSet {
-  std::uint64_t sequence = 0;              ///< Counts up; an older one than the adopted is ignored for 2.5 s.
-  std::int64_t stamp_ns = 0;               ///< Client's steady clock at the query; places moving obstacles, 0: unknown.
+  std::uint64_t sequence = 0;              ///< Increases; for 2.5 s a set older than the adopted one is ignored.
+  std::int64_t stamp_ns = 0;               ///< Client's steady clock when the query was made; for statistics only.
   Pose X_DR;                               ///< Reference pose (of the proxy) in the device frame.
-  double zone_radius = kWantedZoneRadius;  ///< Metres; a rotation counts with the lever kRotationLever.
+  double zone_radius = kWantedZoneRadius;  ///< Metres; a rotation is weighted with the lever kRotationLever.
   std::size_t count = 0;
   std::array<Constraint, kMaxConstraints> constraints{};
 
   std::span<const Constraint> active() const { return {constraints.data(), count}; }
 };
 
-/// Lever that weighs rotation against translation in the proxy's metric, metres (feel trial: 0.05 good everywhere).
+/// Lever that weights rotation against translation in the proxy's metric, metres (0.05 was good in all feel trials).
 inline constexpr double kRotationLever = 0.05;
 
 /// f(xi), without the trim.
@@ -89,7 +90,7 @@ double evaluate(const Constraint& constraint, const Vector6& xi);
 /// Gradient of f at xi: gradient + curvature * xi.
 Vector6 gradientAt(const Constraint& constraint, const Vector6& xi);
 
-/// Both at once: returns f(xi) without the trim and fills its gradient.
+/// Returns f(xi) without the trim and fills its gradient.
 double evaluateWithGradient(const Constraint& constraint, const Vector6& xi, Vector6& gradient);
 
 /// True when every number is finite and within its bound, the pose valid, the radius positive and the count within

@@ -6,27 +6,28 @@
 
 namespace hapticell::haptic {
 
-/// N s/m that an entry or a client can ask for at most.
+/// Largest damping, N s/m, that an entry or a client can request.
 inline constexpr double kDampingLimit = 8.0;
 
-/// Stiffness and damping of the coupling as they act in a tick. In contact both change slowly.
+/// Stiffness and damping of the coupling in the current tick. In contact both change slowly.
 ///
 /// Force loop's thread; never allocates, locks or throws.
 class CouplingGains {
  public:
-  /// Takes the options' values at once.
+  /// Sets the options' values at once.
   void take(const RendererOptions& options);
-  /// Takes them, and no damping acts until updateDamper().
+  /// Sets them; no damping acts until updateDamper().
   void reset(const RendererOptions& options);
 
-  /// Goes towards what the active rows ask for; `contact`: there was one in the last tick.
+  /// Moves towards the values that the active rows request; `contact`: there was one in the last tick.
   void approach(const ProxyStep& solved, const RendererOptions& options, bool contact, double dt);
-  /// What still presses when a contact ends (the zone's edge, an offset) must not lose its damping in one step, nor get
-  /// it in one when a proxy that caught up has arrived. A hand that strikes is damped at once.
+  /// Updates the share of the damping that acts. If something still presses when a contact ends (the zone's edge, an
+  /// offset), the damping must not vanish in one step; nor may it appear in one step when a proxy that caught up
+  /// arrives. If a hand strikes, damping acts at once.
   void updateDamper(bool contact, bool catches_up, double dt);
 
   double stiffness() const { return stiffness_; }        ///< N/m.
-  double damping() const { return damper_ * damping_; }  ///< N s/m that act.
+  double damping() const { return damper_ * damping_; }  ///< N s/m that act now.
 
  private:
   double stiffness_ = 1000.0;

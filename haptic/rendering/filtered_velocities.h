@@ -11,13 +11,14 @@ namespace hapticell::haptic {
 class FilteredVelocities {
  public:
   void reset() { *this = {}; }
-  /// What stylus and proxy have gone in `dt` s. Damping makes noise of the encoders' steps, a late velocity makes a
-  /// stiff coupling unstable: the stiffer (`stiffness`, N/m), the quicker the filter.
+  /// Adds the motion of stylus and proxy in `dt` s. A fast filter turns the encoders' steps into noise, a slow one
+  /// makes a stiff coupling unstable; so the filter is faster at a higher `stiffness` (N/m).
   void add(const MetricVector& stylus_step, const MetricVector& proxy_step, double stiffness, double dt);
 
   const MetricVector& stylus_D() const { return stylus_D_; }
   const MetricVector& proxy_D() const { return proxy_D_; }
-  /// The stylus's for the passivity controller, more filtered: it damps more, so its noise must be less.
+  /// The stylus's velocity for the passivity controller, filtered more: that controller damps more, so it needs less
+  /// noise.
   const MetricVector& slowStylus_D() const { return slow_stylus_D_; }
 
  private:

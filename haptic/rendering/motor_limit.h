@@ -7,14 +7,14 @@
 
 namespace hapticell::haptic {
 
-/// What the motors of a device bear: their peaks, and less while they are warm.
+/// The force limits of a device's motors: their peaks, and less when they are warm.
 class MotorLimit {
  public:
-  /// N and N m; `turning`: the device drives the turning too.
+  /// N and N m; `turning`: the device also drives rotation.
   void setPeaks(double force, double torque, bool turning);
-  /// N of warm motors. What is no positive number, or not less than the peak, counts as no further limit.
+  /// Limit of warm motors, N. Values that are not positive, or not less than the peak, mean no further limit.
   void setWarmLimit(double newtons);
-  /// The largest force, N in the metric, in this direction.
+  /// The largest force in this direction, N in the metric.
   double along(const MetricVector& direction_D) const;
 
  private:

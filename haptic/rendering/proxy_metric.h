@@ -18,8 +18,8 @@ inline Vector6 joined(const dvec3& linear, const dvec3& angular) {
   return {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
 }
 
-/// A motion in the metric (six metres), a velocity of it (six m/s), or the force that belongs to it (six newtons: a
-/// torque is kRotationLever times its angular part, so that force . motion is work).
+/// A motion in the metric (six metres), its velocity (six m/s), or the corresponding force (six newtons: a torque is
+/// kRotationLever times the angular part, so that force . motion is work).
 struct MetricVector {
   dvec3 linear{0.0};
   dvec3 angular{0.0};
@@ -75,13 +75,13 @@ inline double lengthOf(const Vector6& v) {
   return std::sqrt(sum);
 }
 
-/// The way from X_DA to X_DB in the metric.
+/// The motion from X_DA to X_DB in the metric.
 inline Vector6 metricDifference(const Pose& X_DB, const Pose& X_DA) {
   const Twist motion = difference(X_DB, X_DA);
   return joined(motion.linear, kRotationLever * motion.angular);
 }
 
-/// Undoes metricDifference: the pose that `d` leads to.
+/// The inverse of metricDifference(): the pose that `d` leads to.
 inline Pose displacedInMetric(const Pose& X_DP, const Vector6& d) {
   return displaced(X_DP, {linearPart(d), angularPart(d) / kRotationLever});
 }

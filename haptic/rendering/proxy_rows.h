@@ -11,44 +11,44 @@
 
 namespace hapticell::haptic {
 
-/// A constraint set with the row that each of its entries competes for. For the force loop: nothing allocates.
+/// A constraint set with the group number of each entry. For the force loop; does not allocate.
 struct GroupedSet {
   ConstraintSet set;
   std::array<std::uint8_t, kMaxConstraints> row_of{};
   std::size_t groups = 0;
-  double age = 0.0;  ///< s since the set was made: so far its moving obstacles have gone.
+  double age = 0.0;  ///< s since the set was made; its moving obstacles have moved for this time.
 
-  /// Copies a well-formed set (only the entries that it has) and numbers its groups.
+  /// Copies a well-formed set (only its used entries) and numbers its groups.
   void take(const ConstraintSet& wanted);
-  /// What the entries of kind kPull do to a stylus at X_DS, N; bounded.
+  /// Force of the entries of kind kPull on a stylus at X_DS, N; bounded.
   dvec3 pullAt(const Pose& X_DS) const;
-  /// xi as it is seen from an obstacle that has moved since.
+  /// xi relative to the obstacle, which has moved since the set was made.
   Vector6 seenFrom(std::size_t entry, const Vector6& xi) const;
 };
 
-/// The part of a set's zone in which the proxy is kept and new sets are taken: inside the very edge, which it never
-/// leaves, there is room to go round along it.
+/// The share of a set's zone in which the proxy is kept and new sets are adopted. The margin to the edge lets the proxy
+/// move along the edge without leaving the zone.
 inline constexpr double kTrustedShare = 0.995;
 
-/// The half-spaces of one set about one proxy pose: one row a group, from the group's entry that is freest, and the
-/// trust row last, which keeps the proxy inside the set's zone.
+/// The half-spaces of one set around one proxy pose: one row per group, from the group's freest entry, and last the
+/// trust row, which keeps the proxy inside the set's zone.
 struct ProxyRows {
   std::array<SolverRow, kMaxRows> row;
-  std::array<std::uint8_t, kMaxRows> entry{};  ///< The entry that each group's row comes from.
+  std::array<std::uint8_t, kMaxRows> entry{};  ///< The entry from which each group's row was made.
   std::size_t count = 0;
 
   std::span<const SolverRow> all() const { return {row.data(), count}; }
   void gather(const GroupedSet& grouped, const Pose& X_DP);
 
-  /// True where the proxy is on another entry of a group, to a micrometre, than the freest one: as far as this group
-  /// goes, each of them would do.
+  /// True if, within a micrometre, the proxy is also on another entry of a group than the freest one; either entry is
+  /// then valid for the group.
   bool tied() const { return tied_count_ > 0; }
-  /// Takes in tied groups the entry that is least in the way of `wanted` (in the metric, m) as far as what else holds
-  /// the proxy lets it go; where nothing else holds it, the freest stays. A proxy that slides from one body onto
-  /// another one, flush with it, is as free of that one by its top as by its hidden side: the top is in the way of
-  /// nothing that the first body's top has not stopped, and only the side would be felt. An entry with a trim is never
-  /// taken so: its row is one of the two half-spaces that bound it, and the roof over one ridge would lead past its end
-  /// into the next tooth.
+  /// Chooses in tied groups the entry that blocks `wanted` (in the metric, m) least, given what else holds the proxy.
+  /// If nothing else holds it, the freest entry stays. Example: a proxy slides from one body onto another that is flush
+  /// with it. It is equally free by the second body's top and by its hidden side. The top blocks nothing that the first
+  /// body's top has not already stopped; only the side would be felt. An entry with a trim is never chosen this way:
+  /// its row is one of the two half-spaces that bound it, and the roof over one ridge would lead past its end into the
+  /// next tooth.
   void settle(const Vector6& wanted);
 
  private:

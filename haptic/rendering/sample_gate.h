@@ -7,26 +7,26 @@
 
 namespace hapticell::haptic {
 
-/// Lets through only samples of the stylus that a hand can have made. An encoder that slips, a cable that is struck or
-/// a frame that is torn give a sample far off for one tick; the force loop must not answer it, nor remember it.
+/// Passes only samples of the stylus that a hand can have caused. A slipping encoder, a knocked cable or a torn frame
+/// gives a distant sample for one tick; the force loop must neither react to it nor store it.
 ///
-/// A sample that lies farther from the last one than kLeap and twice the way of the fastest tick of late is *refused*:
-/// the last pose stands in for it. A second sample that agrees with a refused one is believed, so a true leap costs one
-/// tick; but where no hand can have made the leap (over kJump) neither it nor what follows from there is believed, only
-/// what comes back, until restart(): whoever asks stops the motors first. Distances are in the proxy's metric: a turn
-/// counts with kRotationLever. Force loop's thread; never allocates, locks or throws.
+/// A sample farther from the last one than kLeap plus twice the motion of the fastest recent tick is *refused*, and the
+/// last pose is used instead. If a second sample agrees with the refused one, it is accepted, so a true leap costs one
+/// tick. But if no hand can have made the leap (over kJump), neither that sample nor those near it are accepted, only
+/// samples near the old pose, until restart(). Stop the motors before calling restart(). Distances are in the proxy's
+/// metric: a rotation counts with kRotationLever. Force loop's thread; never allocates, locks or throws.
 class SampleGate {
  public:
   static constexpr double kLeap = 0.15e-3;  ///< m from rest in a millisecond: 300 m/s2, six times what motors can do.
-  static constexpr double kJump = 2e-3;     ///< m in a millisecond: 2 m/s out of nothing.
+  static constexpr double kJump = 2e-3;     ///< m in a millisecond: 2 m/s within one tick.
 
   enum class Verdict : std::uint8_t { kFollows, kRefused };
 
-  /// Whatever comes next is believed.
+  /// Accepts the next sample, whatever it is.
   void restart() { started_ = false; }
-  /// A sample that is valid, `dt` s after the last one.
+  /// Judges a valid sample, `dt` s after the last one.
   Verdict judge(const Pose& X_DS, double dt);
-  /// The newest pose that was believed.
+  /// The newest accepted pose.
   const Pose& believed() const { return believed_; }
 
  private:
@@ -34,10 +34,10 @@ class SampleGate {
 
   bool started_ = false;
   Pose believed_;
-  Pose refused_;  ///< The newest one.
+  Pose refused_;  ///< The newest refused pose.
   bool refusing_ = false;
-  bool jumped_ = false;   ///< What was refused lies beyond what a hand can do.
-  double speed_ = 0.0;    ///< m/s in the metric: the greatest of late.
+  bool jumped_ = false;   ///< The refused leap is beyond what a hand can do.
+  double speed_ = 0.0;    ///< m/s in the metric: the recent maximum.
   double elapsed_ = 0.0;  ///< s since `believed_`.
 };
 

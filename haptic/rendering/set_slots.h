@@ -9,21 +9,21 @@
 
 namespace hapticell::haptic {
 
-/// The constraint set in use and the one that was offered last, until the next tick changes them.
+/// The constraint set in use and the one offered last, until the next tick changes them.
 ///
 /// Force loop's thread; never allocates, locks or throws. About 60 kB.
 class SetSlots {
  public:
   /// Forgets both.
   void reset();
-  /// `dt` s pass for the set in use.
+  /// Ages the set in use by `dt` s.
   void advance(double dt);
 
-  /// Whether a set of this number is older than the one in use, which was taken within the last 2.5 s.
+  /// Whether a set with this number is older than the one in use and that one was adopted within the last 2.5 s.
   bool isOutdated(std::uint64_t sequence) const;
-  /// `age` (s, at most 1 counts): how long ago the set was made.
+  /// `age` (s, limited to 1): how long ago the set was made.
   void offer(const ConstraintSet& set, double age);
-  /// The offered set becomes the one in use.
+  /// Puts the offered set into use.
   void change();
 
   bool holds() const { return has_set_; }

@@ -7,17 +7,17 @@
 
 namespace hapticell::haptic {
 
-/// Hands the newest value from one writer thread to one reader thread without a lock: neither ever waits.
+/// Passes the newest value from one writer thread to one reader thread without a lock; neither ever waits.
 ///
-/// Three slots, one owned by each side and one between them; an atomic word says which lies between and whether it is
-/// fresh. T is copied, so it should hold no heap memory where a real-time thread writes or reads it.
+/// Three slots, one owned by each side and one between them; an atomic word stores which slot is between and whether it
+/// is fresh. T is copied, so it should not own heap memory if a real-time thread writes or reads it.
 template <typename T>
 class TripleBuffer {
  public:
   /// Writer only: the slot to fill in place; then publish().
   T& writeSlot() { return slots_[write_]; }
 
-  /// Writer only: makes what was written the newest value.
+  /// Writer only: makes the filled slot the newest value.
   void publish() { write_ = middle_.exchange(static_cast<std::uint8_t>(write_ | kFresh)) & kIndex; }
 
   /// Writer only: copies and publishes.
@@ -26,14 +26,14 @@ class TripleBuffer {
     publish();
   }
 
-  /// Reader only: takes the newest value if there is one since the last call; true when there was.
+  /// Reader only: takes the newest value and returns true if there is a new one since the last call.
   bool update() {
     if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
     read_ = middle_.exchange(read_) & kIndex;
     return true;
   }
 
-  /// Reader only: the value taken last (a default-made one before the first).
+  /// Reader only: the value taken last (a default-constructed one before the first).
   const T& value() const { return slots_[read_]; }
 
  private:

@@ -10,17 +10,17 @@
 
 namespace hapticell::haptic {
 
-/// What the controlling client sends to the force loop: its session, its signs of life and the newest message of each
-/// kind. The link thread writes, the force thread takes; neither ever waits, allocates or throws.
+/// Passes data from the controlling client to the force loop: its session, its signs of life and the newest message of
+/// each kind. The link thread writes, the force thread reads; neither ever waits, allocates or throws.
 ///
-/// Messages carry the session that they came in, so that a late one of an earlier client is not taken.
+/// Messages have their session's number, so a late message of an earlier client is ignored.
 class ClientInbox {
  public:
   // Link thread. `now`: the loop's clock, ns.
   void open(std::int64_t now) noexcept;
   void close() noexcept { session_.store(0, std::memory_order_release); }
   void heard(std::int64_t now) noexcept { last_heard_.store(now, std::memory_order_relaxed); }
-  /// How long this client may be silent, s; 0: as the loop's options say.
+  /// Sets how long this client may be silent, s; 0: as in the loop's options.
   void expectWithin(double seconds) noexcept { silence_limit_.store(seconds, std::memory_order_relaxed); }
   void submit(const ConstraintSet& set) noexcept { put(sets_, set); }
   void submit(const HapticControl& control) noexcept { put(controls_, control); }
@@ -28,11 +28,11 @@ class ClientInbox {
 
   // Force thread.
   bool isOpen() const noexcept { return session_.load(std::memory_order_acquire) != 0; }
-  /// True when a session is open that has not been seen before: its messages are taken from now on.
+  /// True if a new session is open; its messages are used from now on.
   bool beginSession() noexcept;
-  double silence(std::int64_t now) const noexcept;  ///< s since the client was heard.
+  double silence(std::int64_t now) const noexcept;  ///< s since the client's last sign of life.
   double silenceLimit() const noexcept { return silence_limit_.load(std::memory_order_relaxed); }
-  /// The newest message of the session that has begun, once; null when there is none.
+  /// The newest message of the current session, once; null if there is no new one.
   const ConstraintSet* takeSet() noexcept { return take(sets_); }
   const HapticControl* takeControl() noexcept { return take(controls_); }
   const HandTarget* takeHandTarget() noexcept { return take(targets_); }
@@ -46,7 +46,7 @@ class ClientInbox {
   template <typename T>
   struct Slot {
     TripleBuffer<Incoming<T>> buffer;
-    bool waiting = false;  // Force thread's own: the newest value is not used yet.
+    bool waiting = false;  // Force thread only: the newest value is not used yet.
   };
 
   template <typename T>
@@ -59,7 +59,7 @@ class ClientInbox {
   template <typename T>
   const T* take(Slot<T>& slot) noexcept {
     if (slot.buffer.update()) slot.waiting = true;
-    // One of a session that the loop has not seen yet waits for the next tick.
+    // A message of a session that the loop has not begun yet waits for the next tick.
     if (!slot.waiting || slot.buffer.value().session != begun_) return nullptr;
     slot.waiting = false;
     return &slot.buffer.value().value;
@@ -68,8 +68,8 @@ class ClientInbox {
   std::atomic<std::uint64_t> session_{0};  // 0: closed; else counts the sessions.
   std::atomic<std::int64_t> last_heard_{0};
   std::atomic<double> silence_limit_{0.0};
-  std::uint64_t last_session_ = 0;  // Link thread's own.
-  std::uint64_t begun_ = 0;         // Force thread's own: the session whose messages it takes.
+  std::uint64_t last_session_ = 0;  // Link thread only.
+  std::uint64_t begun_ = 0;         // Force thread only: the session whose messages it uses.
   Slot<ConstraintSet> sets_;
   Slot<HapticControl> controls_;
   Slot<HandTarget> targets_;

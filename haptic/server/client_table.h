@@ -17,22 +17,23 @@
 
 namespace hapticell::haptic {
 
-/// The connections of a NetworkServer and the rules that they are held to: who may control, what each may send, how
-/// long it may be silent. Used by the network thread only.
+/// The connections of a NetworkServer and their rules: who may control, what each may send, how long it may be silent.
+/// Used by the network thread only.
 class ClientTable {
  public:
   /// All must outlive the table.
   ClientTable(ForceLoop& loop, const Clock& clock, const DeviceDescription& device, const NetworkOptions& options);
   ~ClientTable();  ///< Closes everything.
 
-  /// Takes a connection that has just been made. False: another had to make room for it, take the next one later.
+  /// Adds a new connection. False: another one had to be closed for it; accept the next one later.
   bool add(std::unique_ptr<ByteStream> connection);
 
-  /// Sends the loop's newest state and, about ten times a second, its statistics to all who were welcomed. A stylus
-  /// that lies still without forces is told of 20 times a second only, so that the clients can rest too.
+  /// Sends the loop's newest state and, about ten times a second, its statistics to all welcomed clients. If the stylus
+  /// does not move and there are no forces, the state is sent only 20 times a second, so that the clients can be idle
+  /// too.
   void broadcast();
 
-  /// Ends what has been silent for too long and forgets what is closed.
+  /// Ends connections that were silent for too long and removes closed ones.
   void sweep();
 
   bool empty() const { return clients_.empty(); }
@@ -42,9 +43,9 @@ class ClientTable {
     std::shared_ptr<MessageStream> stream;
     std::string name;                ///< For messages: program and address.
     std::string network;             ///< MessageStream::peerNetwork().
-    bool has_key = false;            ///< It has shown it.
+    bool has_key = false;            ///< The client has proven that it has the key.
     std::optional<ClientKind> kind;  ///< Once welcomed.
-    std::int64_t since_ns = 0;       ///< Connected, or told to go.
+    std::int64_t since_ns = 0;       ///< Time of the connection, or of the refusal.
     std::int64_t heard_ns = 0;
     HeartbeatExchange heartbeat;
     BeatWatch beats;
@@ -79,16 +80,16 @@ class ClientTable {
   const DeviceDescription& device_;
   const NetworkOptions& options_;
   ReportBudget reports_;
-  std::string controllers_network_;  // Of who controls, or did last: its way back is kept free.
+  std::string controllers_network_;  // Network of the current or last controller; a place is kept free for its return.
   Encoder encoder_;
   ConstraintSet stamped_;  // A set on its way to the loop, with its stamp in the loop's clock.
   std::vector<std::unique_ptr<Client>> clients_;
   Client* controller_ = nullptr;
-  std::optional<PeerProcess> controllers_process_;  // Where it is on this machine and may be seen.
+  std::optional<PeerProcess> controllers_process_;  // If the controller is on this machine and visible.
   HapticState told_state_;
-  std::int64_t told_ns_ = 0;          // When it was sent; 0: whatever is next is news.
+  std::int64_t told_ns_ = 0;          // When the state was sent; 0: send the next one in any case.
   std::uint64_t told_condition_ = 0;  // DeviceCare::changes() that was sent.
-  bool stalled_ = false;              // As it was reported last.
+  bool stalled_ = false;              // The value in the last report.
 };
 
 }  // namespace hapticell::haptic

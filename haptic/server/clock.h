@@ -6,7 +6,7 @@
 
 namespace hapticell::haptic {
 
-/// Steady time for the force loop: the machine's, or one that a test advances.
+/// Steady clock for the force loop: the machine's, or one that a test advances.
 class Clock {
  public:
   virtual ~Clock() = default;
@@ -23,14 +23,14 @@ class RealClock final : public Clock {
   }
 };
 
-/// Stands still until it is told to move on. One thread.
+/// Advances only by calls. One thread.
 class VirtualClock final : public Clock {
  public:
   std::int64_t now() const noexcept override { return now_; }
   void advance(std::int64_t nanoseconds) { now_ += nanoseconds; }
 
  private:
-  std::int64_t now_ = 1'000'000'000;  // Not zero: zero stands for "never" in stamps.
+  std::int64_t now_ = 1'000'000'000;  // Not zero, because zero means "never" in stamps.
 };
 
 inline constexpr double kSecondsPerNanosecond = 1e-9;

@@ -7,10 +7,10 @@
 
 namespace hapticell::haptic {
 
-/// What suits the device, with what the configuration says otherwise.
+/// The device's default options, overridden by the configuration.
 ForceLoopOptions configuredLoop(const Device& device, const config::Configuration& configuration);
 
-/// The hand that holds a simulated stylus, as the configuration describes it.
+/// The hand on a simulated stylus, from the configuration.
 HandOptions configuredHand(const config::Configuration& configuration);
 
 }  // namespace hapticell::haptic

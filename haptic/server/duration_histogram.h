@@ -10,8 +10,8 @@ namespace hapticell::haptic {
 
 /// Counts durations from 1 us to about a minute in buckets of at most 6 % width, in fixed memory.
 ///
-/// Below 16 us a bucket is one microsecond wide; above, each doubling is cut into 16. A value type; add() neither
-/// allocates nor throws.
+/// Below 16 us a bucket is one microsecond wide; above, each doubling is divided into 16. A value type; add() does not
+/// allocate or throw.
 class DurationHistogram {
  public:
   /// Adds one duration in nanoseconds; a negative one counts as zero.
@@ -27,7 +27,8 @@ class DurationHistogram {
   /// The longest duration, exact, seconds; 0 when empty.
   double max() const { return 1e-9 * static_cast<double>(max_); }
 
-  /// The duration that the share `p` in [0, 1] of all stays below, seconds (upper edge of its bucket); 0 when empty.
+  /// The duration below which the share `p` in [0, 1] of all durations lies, seconds (upper edge of its bucket); 0 when
+  /// empty.
   double percentile(double p) const;
 
   /// How many durations lie in buckets that end at or below `seconds`.

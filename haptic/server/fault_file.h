@@ -10,24 +10,25 @@
 
 namespace hapticell::haptic {
 
-/// Writes fault-TICK.csv, a row a tick, into the folder (made if it is not there); gives its path. Never by the force
+/// Writes fault-TICK.csv, one row per tick, into the folder (made if missing); returns its path. Not for the force
 /// thread. Errors: it cannot be written, or others may write to the folder.
 Expected<std::filesystem::path> writeFault(const FaultRecord& record, const std::filesystem::path& folder);
 
-/// How much of a disk faults may take.
+/// Limits of the disk space for fault files.
 struct FaultBudget {
-  std::size_t files = 20;                           ///< In the folder, of all runs; the oldest are removed.
-  std::uintmax_t bytes = std::uintmax_t{16} << 20;  ///< Of those.
-  std::size_t at_once = 5;                          ///< Written as they come, of one run: the first tell most.
-  double pause = 60.0;                              ///< s between two files after those.
+  std::size_t files = 20;                           ///< Files in the folder, of all runs; the oldest are removed.
+  std::uintmax_t bytes = std::uintmax_t{16} << 20;  ///< Total size of these files.
+  std::size_t at_once = 5;                          ///< Faults of one run that are written at once; the first ones are
+                                                    ///< the most useful.
+  double pause = 60.0;                              ///< s between two later files.
 };
 
-/// The fault files of a run, held to a budget: a client can make faults as often as it likes. One thread.
+/// Writes the fault files of a run within a budget, because a client can cause faults as often as it likes. One thread.
 class FaultFiles {
  public:
-  /// `folder`: where, or why there is none.
+  /// `folder`: the folder, or why it could not be determined.
   explicit FaultFiles(Expected<std::filesystem::path> folder, FaultBudget budget = {});
-  /// writeFault(); nothing where the budget does not allow one now. `now_ns`: any steady clock.
+  /// writeFault(), or no path if the budget does not allow a file now. `now_ns`: any steady clock.
   Expected<std::optional<std::filesystem::path>> write(const FaultRecord& record, std::int64_t now_ns);
   std::uint64_t leftOut() const { return left_out_; }  ///< Faults without a file.
 

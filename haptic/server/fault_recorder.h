@@ -16,14 +16,14 @@ enum class FaultKind : std::uint8_t { kNone, kDevice, kMissedTicks, kInput, kSpe
 /// "device", "missed ticks", "input", "speed".
 const char* toString(FaultKind kind);
 
-/// Everything that one tick knew.
+/// All data of one tick.
 struct FaultSample {
   std::uint64_t tick = 0;
   std::int64_t stamp_ns = 0;
   Pose X_DS, X_DP;
   dvec3 wanted_D{0.0}, commanded_D{0.0};  ///< N.
   std::uint64_t adopted_set = 0;
-  std::uint32_t rows = 0;     ///< That hold the proxy.
+  std::uint32_t rows = 0;     ///< Rows that hold the proxy.
   std::uint32_t skipped = 0;  ///< Ticks missed before this one.
   std::uint32_t buttons = 0;
   bool forces_on = false;
@@ -32,24 +32,24 @@ struct FaultSample {
 /// A fault with the ticks around it, oldest first.
 struct FaultRecord {
   FaultKind kind = FaultKind::kNone;
-  std::uint64_t tick = 0;  ///< Of the fault.
+  std::uint64_t tick = 0;  ///< Tick of the fault.
   std::vector<FaultSample> samples;
 };
 
-/// Keeps the last two seconds of the force loop; a fault hands them, with 0.2 s that follow, to whoever writes them to
-/// a file. Two rings: while one is read, the other goes on. The force thread calls add() and trigger() (no allocation,
+/// Keeps the last two seconds of the force loop. After a fault and 0.2 s more, it hands them over to be written to a
+/// file. Two rings: while one is read, the other continues. The force thread calls add() and trigger() (no allocation,
 /// no lock); one other thread calls pending(), copy() and release().
 class FaultRecorder {
  public:
   explicit FaultRecorder(std::size_t kept = 2000, std::size_t after = 200);
 
   void add(const FaultSample& sample) noexcept;
-  /// The first fault counts until it was handed over; those that come while the last is still read are only counted.
+  /// The first fault counts until it is handed over; further faults before it has been read are only counted.
   void trigger(FaultKind kind) noexcept;
   std::uint64_t faults() const noexcept { return faults_.load(std::memory_order_relaxed); }
 
   bool pending() const noexcept { return handed_.load(std::memory_order_acquire) >= 0; }
-  /// The fault that is pending (contract).
+  /// The pending fault. Contract: pending() is true.
   FaultRecord copy() const;
   void release() noexcept { handed_.store(-1, std::memory_order_release); }
 

@@ -10,18 +10,18 @@
 
 namespace hapticell::haptic {
 
-/// How a force loop runs.
+/// Options of a force loop.
 struct ForceLoopOptions {
   double rate_hz = 1000.0;
-  RendererOptions renderer;  ///< Stiffness and damping of the device's own, and its delay.
+  RendererOptions renderer;  ///< The device's stiffness, damping and delay.
   SafetyOptions safety;
-  std::size_t log_ticks = 4096;  ///< How many ticks the log keeps.
+  std::size_t log_ticks = 4096;  ///< Number of ticks that the log keeps.
 };
 
 /// The options that follow from what a device can do: its forces, stiffness, damping and delay.
 ForceLoopOptions optionsFor(const Device& device, double rate_hz = 1000.0);
 
-/// What a client is told of a device at connection.
+/// The description of a device that a client gets at connection.
 DeviceDescription describe(const Device& device);
 
 }  // namespace hapticell::haptic

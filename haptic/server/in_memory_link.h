@@ -13,10 +13,10 @@
 
 namespace hapticell::haptic {
 
-/// How bad the imagined network is. Like TCP it keeps the order of messages.
+/// Properties of the simulated network. Like TCP it keeps the order of messages.
 struct InMemoryLinkOptions {
-  double latency = 0.0;    ///< One way, seconds; 0: heard at the next tick (server) or poll (client).
-  double jitter = 0.0;     ///< Up to so much more, evenly spread, seconds.
+  double latency = 0.0;    ///< One way, seconds; 0: received at the next tick (server) or poll (client).
+  double jitter = 0.0;     ///< Up to this much more, uniformly distributed, seconds.
   double loss = 0.0;       ///< Share of states, sets and hand targets that never arrive (0 to 1).
   std::uint64_t seed = 1;  ///< Same seed, same jitter and loss.
 };
@@ -24,22 +24,21 @@ struct InMemoryLinkOptions {
 /// Joins a manipulation loop and a force loop in virtual time, in one thread; every message is encoded, decoded and
 /// checked as on a socket.
 ///
-/// step() lets one tick pass: whoever drives the session calls it 1000 times for a second and polls the client's side
-/// as often as the client's rate says. The link is connected from the start.
+/// step() advances by one tick. The session calls it 1000 times per second of virtual time and polls the client's side
+/// at the client's rate. The link is connected from the start.
 class InMemoryLink final : public HapticLink {
  public:
-  /// `clock` must be the one that `loop` was made with; both must outlive the link. `device` is what the client is
-  /// told.
+  /// `clock` must be the one that `loop` was made with; both must outlive the link. `device` is sent to the client.
   InMemoryLink(ForceLoop& loop, VirtualClock& clock, const DeviceDescription& device,
                const InMemoryLinkOptions& options = {});
 
-  /// One tick of virtual time: advances the clock, hands the server what has arrived, ticks the loop, sends its state.
-  /// `skipped` ticks before it are missed, as when a real force thread is held up.
+  /// One tick of virtual time: advances the clock, passes arrived messages to the server, ticks the loop, sends its
+  /// state. `skipped` ticks before it are missed, as when a real force thread is delayed.
   void step(std::uint32_t skipped = 0);
 
-  /// The client's process stops (SIGSTOP) or goes on: nothing is sent meanwhile, heart-beats neither.
+  /// The client's process stops (SIGSTOP) or continues. While stopped it sends nothing, not even heart-beats.
   void setSilent(bool silent) { silent_ = silent; }
-  /// The socket closes (the client ends, or is killed); what is under way is lost.
+  /// The socket closes (the client ends, or is killed); messages on the way are lost.
   void disconnect();
   /// The client connects again, as a new session.
   void connect();
@@ -61,7 +60,7 @@ class InMemoryLink final : public HapticLink {
   /// One direction: parcels in the order they were sent.
   struct Pipe {
     std::deque<Parcel> parcels;
-    std::vector<std::vector<std::uint8_t>> spare;  // Memory of delivered frames, used again.
+    std::vector<std::vector<std::uint8_t>> spare;  // Memory of delivered frames, for reuse.
     std::int64_t last_due = 0;
   };
 

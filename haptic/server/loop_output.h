@@ -9,8 +9,8 @@
 
 namespace hapticell::haptic {
 
-/// What the force loop hands to other threads: its state with every tick, its figures ten times a second. Newest wins;
-/// nobody waits.
+/// Passes data from the force loop to other threads: its state with every tick, its figures ten times a second. The
+/// newest wins; no thread waits.
 class LoopOutput {
  public:
   explicit LoopOutput(double rate_hz) : statistics_(rate_hz) {}
@@ -29,7 +29,7 @@ class LoopOutput {
     figures_.publish();
   }
 
-  // Any one thread for each.
+  // One thread for each.
   TripleBuffer<HapticState>& states() noexcept { return states_; }
   const TripleBuffer<HapticState>& states() const noexcept { return states_; }
   TripleBuffer<LoopFigures>& figures() noexcept { return figures_; }

@@ -7,7 +7,7 @@
 
 namespace hapticell::haptic {
 
-/// The force loop's figures in words and as a lateness histogram, several lines, for a person at a terminal.
+/// The force loop's figures in words and as a lateness histogram, several lines, for the terminal.
 std::string loopReport(const LoopFigures& figures);
 
 }  // namespace hapticell::haptic

@@ -20,20 +20,20 @@ struct LoopFigures {
   DurationHistogram recent_set_age;   ///< From a set's query to its adoption, last 5 to 10 s.
   std::uint64_t late_sets = 0;        ///< Adopted when older than kLateSetAge, since the start.
   std::uint64_t refused_sets = 0;     ///< Not adopted, since the start.
-  std::uint64_t dropped_sets = 0;     ///< Adopted, but their numbers made no proxy or force; since the start.
-  std::uint64_t refused_samples = 0;  ///< Of the stylus, that no hand can have made; since the start.
+  std::uint64_t dropped_sets = 0;     ///< Adopted, but their numbers gave no valid proxy or force; since the start.
+  std::uint64_t refused_samples = 0;  ///< Stylus samples that no hand can have caused; since the start.
 };
 
-/// What the heart-beats of the controlling client tell, seconds.
+/// Results of the controlling client's heart-beats, seconds.
 struct LinkFigures {
   double round_trip = 0.0;             ///< The newest one; 0 without a client.
-  std::optional<double> clock_offset;  ///< What brings its stamps to the server's clock; nothing until measured.
+  std::optional<double> clock_offset;  ///< Offset from its clock to the server's; empty until measured.
 };
 
-/// The statistics message of a loop's and a link's figures.
+/// Makes the statistics message from a loop's and a link's figures.
 ServerStatistics statisticsOf(const LoopFigures& figures, const LinkFigures& link);
 
-/// Counts what the force loop does; ten times a second gives out its figures. Fixed memory, no allocation.
+/// Counts events of the force loop and publishes figures ten times a second. Fixed memory, no allocation.
 class LoopStatistics {
  public:
   explicit LoopStatistics(double rate_hz) noexcept;
@@ -42,11 +42,11 @@ class LoopStatistics {
   void addTick(std::int64_t now, std::int64_t late_ns, std::uint32_t skipped) noexcept;
   /// A set was adopted `age_ns` after its query.
   void addSetAge(std::int64_t age_ns) noexcept;
-  /// A set was not adopted: the one before is held.
+  /// A set was not adopted; the one before stays in use.
   void addRefusedSet() noexcept { ++refused_sets_; }
-  /// A set was adopted and forgotten again: see RenderResult::dropped.
+  /// A set was adopted and then dropped: see RenderResult::dropped.
   void addDroppedSet() noexcept { ++dropped_sets_; }
-  /// A sample of the stylus was not believed: see SampleGate.
+  /// A sample of the stylus was refused: see SampleGate.
   void addRefusedSample() noexcept { ++refused_samples_; }
 
   /// True about ten times a second.

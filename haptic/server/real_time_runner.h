@@ -10,17 +10,17 @@ namespace hapticell::haptic {
 
 class ForceLoop;
 
-/// What the force thread asks of the system.
+/// What the force thread requests from the system.
 struct RealTimeOptions {
   bool fifo = true;         ///< SCHED_FIFO with `priority`.
   int priority = 80;        ///< Above the machine's ordinary threads, below its watchdogs.
-  bool lock_memory = true;  ///< mlockall(), so that no page has to be fetched within a tick.
+  bool lock_memory = true;  ///< mlockall(), so that no page fault occurs within a tick.
 };
 
-/// Runs a force loop in a thread of its own, one tick at each absolute deadline.
+/// Runs a force loop in its own thread, one tick at each absolute deadline.
 ///
-/// What the system does not grant is done without and told by warnings(). Ticks that were missed are skipped and
-/// counted, never replayed. The loop must have been made with a RealClock.
+/// If the system does not grant a request, the runner works without it and warnings() lists it. Missed ticks are
+/// skipped and counted, never replayed. The loop must use a RealClock.
 class RealTimeRunner {
  public:
   explicit RealTimeRunner(ForceLoop& loop, const RealTimeOptions& options = {});
@@ -28,12 +28,12 @@ class RealTimeRunner {
   RealTimeRunner(const RealTimeRunner&) = delete;
   RealTimeRunner& operator=(const RealTimeRunner&) = delete;
 
-  /// Starts the thread; returns when it knows what it was granted.
+  /// Starts the thread; returns when the system has granted or refused its requests.
   void start();
-  /// Ends the thread: force zero, motors off. More than once is harmless.
+  /// Ends the thread: force zero, motors off. May be called more than once.
   void stop();
 
-  /// A sentence with the fix for each thing that was asked for and not granted; after start().
+  /// A sentence with the fix for each request that was not granted; valid after start().
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:

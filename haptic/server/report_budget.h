@@ -9,17 +9,17 @@
 
 namespace hapticell::haptic {
 
-/// What a server tells of its clients, held to a measure: whoever connects, is refused and comes again thousands of
-/// times a second must not fill a disk. Each kind of event has some lines at once and one more every few seconds; what
-/// goes beyond is counted, and said in one line at most every kSummaryPeriod. Used by one thread; its time is the
-/// caller's, in nanoseconds.
+/// Limits a server's messages about its clients: a client that connects and is refused thousands of times a second must
+/// not fill the disk. Each kind of event may use some lines at once and one more every few seconds. Further events are
+/// counted and summarised in one line at most every kSummaryPeriod. Used by one thread; the caller provides the time,
+/// in nanoseconds.
 class ReportBudget {
  public:
   enum class Kind : std::uint8_t { kRefused, kWatcher, kController };
   static constexpr std::size_t kKinds = 3;
 
-  static constexpr std::size_t kLinesAtOnce = 10;       ///< Of a kind, after a quiet time.
-  static constexpr double kLinePeriod = 5.0;            ///< s after which another one is allowed.
+  static constexpr std::size_t kLinesAtOnce = 10;       ///< Lines per kind after a quiet time.
+  static constexpr double kLinePeriod = 5.0;            ///< s until another line is allowed.
   static constexpr double kSummaryPeriod = 10.0;        ///< s between two summaries.
   static constexpr std::size_t kLongestSentence = 400;  ///< Bytes; plainText().
 
@@ -27,15 +27,15 @@ class ReportBudget {
   explicit ReportBudget(std::function<void(const std::string&)> say) : say_(std::move(say)) {}
 
   void tell(Kind kind, const std::string& sentence, std::int64_t now_ns);
-  /// Was ended without a line of its own (the waiting room was full).
+  /// Counts an event without its own line (the waiting room was full).
   void count(Kind kind) { ++counted(kind); }
-  /// Says what was counted, when that is due.
+  /// Writes the summary line, if it is due.
   void summarize(std::int64_t now_ns);
 
  private:
   struct Allowance {
     std::size_t used = 0;
-    std::int64_t since_ns = 0;  ///< Whence `used` shrinks.
+    std::int64_t since_ns = 0;  ///< Time from which `used` decreases.
     std::uint64_t counted = 0;  ///< Events without a line since the last summary.
   };
   std::uint64_t& counted(Kind kind) { return allowances_[static_cast<std::size_t>(kind)].counted; }

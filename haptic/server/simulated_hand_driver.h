@@ -7,7 +7,7 @@
 
 namespace hapticell::haptic {
 
-/// Advances a simulated device, and moves its hand as the client wants; does nothing for other devices.
+/// Advances a simulated device and moves its hand as the client requests; does nothing for other devices.
 ///
 /// Force thread; never allocates, locks or throws.
 class SimulatedHandDriver {
@@ -19,7 +19,7 @@ class SimulatedHandDriver {
     if (simulated_ != nullptr) simulated_->advance(dt);
   }
 
-  /// Takes the client's newest target; lets go when the client is gone.
+  /// Takes the client's newest target; releases the stylus when the client is gone.
   void follow(ClientInbox& inbox) noexcept {
     if (simulated_ == nullptr) return;
     const bool open = inbox.isOpen();

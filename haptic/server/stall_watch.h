@@ -7,8 +7,8 @@
 
 namespace hapticell::haptic {
 
-/// Switches the motors of a hardware device off where kStall ticks are missed at once (a stalled machine), until the
-/// client takes its enable back and gives it again. For a simulated device it only counts.
+/// If kStall ticks are missed at once (a stalled machine), switches the motors of a hardware device off until the
+/// client disables and enables forces again. For a simulated device it only counts.
 ///
 /// Force thread; never allocates, locks or throws.
 class StallWatch {
@@ -18,13 +18,13 @@ class StallWatch {
   /// `device` must outlive this.
   explicit StallWatch(Device& device) : device_(device), simulated_(device.simulated() != nullptr) {}
 
-  /// `skipped` ticks were missed before this one. True when the motors go off now.
+  /// `skipped` ticks were missed before this one. True if the motors go off now.
   bool note(std::uint32_t skipped, bool forces_enabled) noexcept {
     const bool stalled = skipped >= kStall;
     if (stalled) ++stalls_;
     const bool goes_off = stalled && !simulated_ && !motors_off_;
     if (goes_off) switchMotors(false);
-    // The client has taken its enable back.
+    // The client has disabled forces.
     if (motors_off_ && !forces_enabled) switchMotors(true);
     return goes_off;
   }

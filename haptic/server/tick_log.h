@@ -9,7 +9,7 @@
 
 namespace hapticell::haptic {
 
-/// What one tick did, for a look back after a fault and for tests.
+/// Record of one tick, for analysis after a fault and for tests.
 struct TickRecord {
   std::uint64_t tick = 0;
   std::int64_t stamp_ns = 0;
@@ -19,7 +19,7 @@ struct TickRecord {
   bool forces_on = false;
 };
 
-/// The last ticks, in a ring of fixed size. Written by the force loop's thread; read when that has stopped.
+/// The last ticks, in a ring of fixed size. Written by the force loop's thread; read after that has stopped.
 class TickLog {
  public:
   explicit TickLog(std::size_t capacity) : ring_(capacity > 0 ? capacity : 1) {}
@@ -28,7 +28,7 @@ class TickLog {
 
   std::size_t size() const { return written_ < ring_.size() ? written_ : ring_.size(); }
 
-  /// The i-th oldest of those that are kept, i < size().
+  /// The i-th oldest tick in the ring, i < size().
   const TickRecord& at(std::size_t i) const { return ring_[(written_ - size() + i) % ring_.size()]; }
 
  private:

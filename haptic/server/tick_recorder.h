@@ -9,15 +9,15 @@
 
 namespace hapticell::haptic {
 
-/// What is kept of each tick: the log, and the ticks around a fault.
+/// Records each tick: in the log, and for the ticks around a fault.
 ///
-/// Force thread; never allocates, locks or throws. faults() serves one other thread too, see FaultRecorder.
+/// Force thread; never allocates, locks or throws. One other thread may use faults(), see FaultRecorder.
 class TickRecorder {
  public:
   explicit TickRecorder(std::size_t log_ticks) : log_(log_ticks) {}
 
   void log(const TickRecord& record) noexcept { log_.add(record); }
-  /// Faults that the safety chain found begin with the tick that finds them.
+  /// A fault found by the safety chain begins with the tick that finds it.
   void record(const SafetyResult& safety, const FaultSample& sample) noexcept {
     if (safety.input_fault && !input_fault_) faults_.trigger(FaultKind::kInput);
     if (safety.too_fast && !too_fast_) faults_.trigger(FaultKind::kSpeed);

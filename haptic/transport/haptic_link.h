@@ -20,12 +20,13 @@ class HapticLink {
  public:
   virtual ~HapticLink() = default;
   virtual LinkState linkState() const = 0;
-  virtual std::string problem() const = 0;                      ///< A sentence while not connected.
-  virtual std::optional<DeviceDescription> device() const = 0;  ///< Once connected.
-  /// Newest since the last call, if any; its buttons are also those that were pressed between the calls, however short.
+  virtual std::string problem() const = 0;                      ///< A sentence if not connected.
+  virtual std::optional<DeviceDescription> device() const = 0;  ///< Set once connected.
+  /// The newest state since the last call, if any. Its buttons include those that were pressed between the calls,
+  /// however briefly.
   virtual std::optional<HapticState> latestState() = 0;
   virtual std::optional<ServerStatistics> latestStatistics() = 0;
-  virtual void sendSet(const ConstraintSet& set) = 0;  ///< Newest wins; older unsent ones are dropped.
+  virtual void sendSet(const ConstraintSet& set) = 0;  ///< The newest set wins; older unsent ones are dropped.
   virtual void sendControl(const HapticControl& control) = 0;
   virtual void sendHandTarget(const HandTarget& target) = 0;
 };

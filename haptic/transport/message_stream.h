@@ -14,23 +14,23 @@
 
 namespace hapticell::haptic {
 
-/// A connection that carries whole messages both ways without ever blocking. Used by both ends, each from its one
-/// network thread; always owned by a shared_ptr.
+/// A connection for complete messages in both directions; it never blocks. Both ends use it, each from one network
+/// thread; always owned by a shared_ptr.
 ///
-/// Two kinds of sending: send() keeps the order and loses nothing; sendNewest() fills one of a few slots, and what has
-/// not left when the next comes is replaced. So a slow peer gets fewer messages, never old ones.
+/// Two ways to send: send() keeps the order and loses nothing. sendNewest() fills one of a few slots; a message that
+/// has not left when the next one arrives is replaced. So a slow peer gets fewer messages, never old ones.
 class MessageStream : public std::enable_shared_from_this<MessageStream> {
  public:
   enum class Slot : std::uint8_t { kState, kStatistics, kSet, kHandTarget };
 
   struct Handlers {
     std::function<void(const Message&)> message;
-    /// What came is not of this protocol. Nothing more is read; sending still works.
+    /// The received data violate the protocol. Nothing more is read; sending still works.
     std::function<void(const Error&)> garbage;
-    /// The other side did not show that it has the key, and why in a few words. The connection is closed; nothing else
-    /// is called. Null: counts as closed.
+    /// The other side did not prove that it has the key; `why` gives the reason in a few words. The connection is
+    /// closed; nothing else is called. Null: closed() is called instead.
     std::function<void(HandshakeFailure failure, const std::string& why)> stranger = nullptr;
-    /// The other side has shown that it has the key; at once where none is asked for. May be null.
+    /// The other side has proven that it has the key; called at once if no key is required. May be null.
     std::function<void()> opened = nullptr;
     /// The connection is gone (closed, reset, or not writable for too long). Called once, not after close().
     std::function<void()> closed;
@@ -38,24 +38,25 @@ class MessageStream : public std::enable_shared_from_this<MessageStream> {
 
   MessageStream(std::unique_ptr<ByteStream> stream, Handlers handlers);
 
-  /// Sets TCP_NODELAY and small buffers, makes sure of the other side, begins to read. What is sent before waits.
+  /// Sets TCP_NODELAY and small buffers, authenticates the other side and begins to read. Messages sent before that
+  /// wait.
   void start();
   void send(std::span<const std::uint8_t> frame);
   void sendNewest(Slot slot, std::span<const std::uint8_t> frame);
-  /// Sends what send() queued, then says goodbye (FIN). Whatever still comes is not read any more.
+  /// Sends the queue of send(), then FIN. Nothing more is read.
   void finish();
   /// Closes at once; no handler is called afterwards.
   void close();
 
   bool finishing() const { return finishing_; }
   std::string peer() const;  ///< "127.0.0.1:53412", empty when unknown.
-  /// Whom the connection is reckoned to where addresses are counted: "127.0.0.1"; of IPv6 the network, which one
-  /// machine may have all addresses of ("2001:db8::/64"). Empty when unknown.
+  /// The address under which the connection is counted: "127.0.0.1"; for IPv6 the network ("2001:db8::/64"), because
+  /// one machine may own all its addresses. Empty when unknown.
   std::string peerNetwork() const;
 
  private:
   static constexpr std::size_t kSlots = 4;
-  /// More than this unsent in order means a peer that does not read: it is given up.
+  /// If more than this is unsent in the queue, the peer does not read and is disconnected.
   static constexpr std::size_t kMaxQueuedBytes = 128 * 1024;
 
   void read();

@@ -6,8 +6,9 @@
 
 namespace hapticell::haptic {
 
-/// Keeps a press of a stylus's button until somebody looks: states come a thousand times a second, a client's loop may
-/// look ten times, and a short press between two looks is meant as well. One thread hears, one takes; neither waits.
+/// Keeps a press of a stylus's button until the client reads it: states arrive a thousand times a second, but a
+/// client's loop may read only ten times, and short presses must not be lost. One thread writes, one reads; neither
+/// waits.
 class PressLatch {
  public:
   /// Buttons of the newest state (bit i: button i), each state once, in order.
@@ -15,9 +16,9 @@ class PressLatch {
     pressed_.fetch_or(buttons & ~before_, std::memory_order_relaxed);
     before_ = buttons;
   }
-  /// `buttons` of the state that is looked at, and what was newly pressed since the last look.
+  /// Returns `buttons` of the state being read and those pressed since the last call.
   std::uint32_t take(std::uint32_t buttons) { return buttons | pressed_.exchange(0, std::memory_order_relaxed); }
-  /// Another connection: what was pressed before it is not meant. By the thread that hears.
+  /// After a reconnection: forgets earlier presses. Called by the writing thread.
   void forget() {
     pressed_.store(0, std::memory_order_relaxed);
     before_ = 0;

@@ -12,8 +12,8 @@
 namespace hapticell::haptic {
 
 /// Makes protected streams with one pairing key: TLS 1.3 only (RFC 8446), keyed by the pre-shared key with an ephemeral
-/// Diffie-Hellman exchange, so that a recorded connection stays closed even to who learns the key later. No
-/// certificates, no tickets, no early data: nothing that could be played again.
+/// Diffie-Hellman exchange, so that nobody can decrypt a recorded connection, even with the key. No certificates,
+/// tickets or early data, so nothing can be replayed.
 class SecureStreams {
  public:
   enum class Side { kClient, kServer };
@@ -23,7 +23,7 @@ class SecureStreams {
   SecureStreams(const SecureStreams&) = delete;
   SecureStreams& operator=(const SecureStreams&) = delete;
 
-  /// The stream keeps what it needs of this object alive.
+  /// The stream keeps the needed parts of this object alive.
   std::unique_ptr<ByteStream> make(asio::ip::tcp::socket socket) const;
 
  private:
@@ -32,10 +32,10 @@ class SecureStreams {
   std::shared_ptr<Context> context_;
 };
 
-/// What kind of failure ended a handshake.
+/// The kind of failure that ended a handshake.
 HandshakeFailure handshakeFailure(const std::error_code& failed);
 
-/// Why a handshake ended so, for a user: "its key is another one", "it speaks no TLS", ...
+/// Why a handshake failed, for the user.
 std::string handshakeProblem(const std::error_code& failed);
 
 }  // namespace hapticell::haptic

@@ -12,27 +12,27 @@
 
 namespace hapticell::manipulation {
 
-/// How far a robot can go straight from its joints as they stand to others, all joints arriving together.
+/// How far a robot can move straight from its present joints to others; all joints arrive together.
 struct JointMotion {
-  std::vector<double> joints;  ///< Where it ends: what was asked for, or the last free place before what is in the way.
+  std::vector<double> joints;  ///< End of the motion: the requested joints, or the last free ones before the obstacle.
   bool complete = true;
-  double share = 1.0;           ///< Of the way that is free, 0 .. 1.
-  std::string reason;           ///< Where it is not complete: "link_4 would touch Fixture after 43 % of the way".
-  double time_s = 0.0;          ///< Of the whole way with the slowest joint at its greatest speed.
-  std::string obstacle;         ///< Name of the entity in the way; empty where none is.
-  workcell::SetJoints command;  ///< Takes the robot to `joints`: the undoable step.
+  double share = 1.0;           ///< Free share of the motion, 0 .. 1.
+  std::string reason;           ///< If it is not complete: "link_4 would touch Fixture after 43 % of the way".
+  double time_s = 0.0;          ///< Duration of the complete motion with the slowest joint at its greatest speed.
+  std::string obstacle;         ///< Name of the blocking entity; empty if the motion is free.
+  workcell::SetJoints command;  ///< Moves the robot to `joints`: the undo step.
 };
 
-/// Checks the motion of the entity (a robot or mechanism, with all that hangs on it) from where it stands in the scene
-/// to `joints`, continuously: nothing thin is jumped over, what is touched already is only entered no deeper.
-/// On-contact choices count: pairs that pass do not stop it. Errors: no such entity, no robot, locked, another number
-/// of joints, a joint outside its limits (the message says which). Takes milliseconds, with many triangles more: not
-/// for Qt's thread without thought. Any thread.
+/// Checks the motion of the entity (a robot or mechanism, with everything attached to it) from its present state in the
+/// scene to `joints`, continuously: thin parts are not skipped. Parts that already touch must not go deeper. Contact
+/// modes apply: pairs that pass do not stop the motion. Errors: no such entity, not a robot, locked, a wrong number of
+/// joints, a joint outside its limits (the message names it). Takes milliseconds, more with many triangles; avoid it in
+/// Qt's thread. Any thread.
 Expected<JointMotion> checkJointMotion(std::shared_ptr<const PreparedScene> scene, workcell::EntityId entity,
                                        const std::vector<double>& joints, const config::Configuration& configuration);
 
-/// What the robot would meet if it stood at `joints`, apart from what it meets now: "link_4 would touch Fixture", or
-/// empty. The way there is not looked at. Errors as above, but limits are not checked.
+/// The collision of the robot at `joints`, except those that it already has: "link_4 would touch Fixture", or empty.
+/// The motion to `joints` is not checked. Errors as above, but limits are not checked.
 Expected<std::string> collisionAt(std::shared_ptr<const PreparedScene> scene, workcell::EntityId entity,
                                   const std::vector<double>& joints, const config::Configuration& configuration);
 

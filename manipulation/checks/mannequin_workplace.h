@@ -14,15 +14,15 @@
 
 namespace hapticell::manipulation {
 
-/// What of a workplace may be moved, and what is done there.
+/// What may be moved in a workplace, and the task done there.
 struct WorkplaceQuestion {
   std::vector<workcell::Entity> entities;  ///< The cell.
-  workcell::EntityId mannequin = 0;        ///< Who shows the task: the active hands' places are the targets.
+  workcell::EntityId mannequin = 0;        ///< Shows the task: the poses of its active hands are the targets.
   std::vector<workcell::EntityId>
-      station;  ///< What goes up, down, to and fro with the targets: a table and what is on it.
+      station;  ///< Moves with the targets, vertically and horizontally: a table and what is on it.
   ergonomics::WorkTask task;
   double rise_from = -0.20, rise_to = 0.20, rise_step = 0.04;  ///< m
-  double away_from = -0.12, away_to = 0.20, away_step = 0.04;  ///< m, along where the mannequin faces.
+  double away_from = -0.12, away_to = 0.20, away_step = 0.04;  ///< m, in the direction that the mannequin faces.
   bool may_stand = true, may_sit = false;
 };
 
@@ -30,27 +30,28 @@ struct WorkplaceQuestion {
 struct WorkplaceCell {
   double rise = 0.0, away = 0.0;  ///< m
   bool is_seated = false;
-  int worst = 0;              ///< Highest RULA of the four bodies; 0: one of them cannot do it.
-  std::array<int, 4> rula{};  ///< P5F, P50F, P50M, P95M; 0 where that body cannot.
-  std::string why{};          ///< Where it cannot: "P95M would touch Bench", "P5F is 42 mm short".
-  std::vector<mannequin::Posture> postures{};  ///< Of the four bodies; empty where one of them cannot.
+  int worst = 0;              ///< Highest RULA of the four bodies; 0: one of them cannot do the task.
+  std::array<int, 4> rula{};  ///< P5F, P50F, P50M, P95M; 0 if that body cannot do the task.
+  std::string why{};          ///< Why one cannot: "P95M would touch Bench", "P5F is 42 mm short".
+  std::vector<mannequin::Posture> postures{};  ///< Of the four bodies; empty if one of them cannot do the task.
 };
 
 struct WorkplaceMap {
   std::vector<double> rises, aways;
   std::vector<WorkplaceCell> cells;  ///< By stance, then rise, then away.
-  int best = -1;                     ///< Least worst RULA, then least sum, then nearest to now; -1: nowhere.
+  int best = -1;                     ///< Index of the best cell: least worst RULA, then least sum, then nearest to the
+                                     ///< present placement; -1: no placement works.
   bool is_complete = true;           ///< False: cancelled.
 };
 
-/// The station with what is attached to its parts, directly or through others: all that the placements move, in the
-/// order of `entities`. Never the mannequin, nor what it carries.
+/// The station and everything attached to its parts, directly or through others: all that the placements move, in the
+/// order of `entities`. Never the mannequin or what it carries.
 std::vector<workcell::EntityId> movedWith(const WorkplaceQuestion& question);
 
-/// Tries every placement with the four boundary figures: each is solved with all limits, feet and balance, must reach
-/// and must not enter anything of the cell with its body (hands and what they hold aside), and is scored by RULA with
-/// the task. Runs on all cores; `progress` (0 to 1) is called from any of them, and `cancel` ends it soon. Errors: no
-/// such mannequin or station, an empty or huge (over 10 000) grid.
+/// Tries every placement with the four boundary figures: each is solved with all limits, feet and balance. Each must
+/// reach, and its body (except the hands and what they hold) must not enter anything in the cell. RULA scores it with
+/// the task. Runs on all cores; `progress` (0 to 1) is called from any of their threads; `cancel` ends the search
+/// early. Errors: no such mannequin or station, an empty or huge (over 10 000) grid.
 Expected<WorkplaceMap> searchWorkplace(const WorkplaceQuestion& question, const std::function<void(double)>& progress,
                                        const std::atomic<bool>& cancel);
 

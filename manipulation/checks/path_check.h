@@ -13,11 +13,11 @@
 
 namespace hapticell::manipulation {
 
-/// What a check of a whole motion found somewhere on it.
+/// A finding of a check of a whole motion.
 struct PathFinding {
   enum class Kind {
     kCollision,      ///< Two parts meet; checked continuously between the frames.
-    kJointLimit,     ///< A joint beyond its end.
+    kJointLimit,     ///< A joint beyond its limit.
     kJointSpeed,     ///< A joint faster than it can move.
     kSingularity,    ///< A direction of the tool centre point is (nearly) lost.
     kOffPose,        ///< The joints do not bring the tool centre point to the frame's pose.
@@ -35,32 +35,33 @@ const char* toString(PathFinding::Kind kind);
 
 struct PathCheckResult {
   std::vector<PathFinding> findings{};
-  /// Pairs that meet in the first frame already (a robot on its table): told apart, as they stand so at rest.
+  /// Pairs that already touch in the first frame (a robot on its table); listed separately because they touch at rest.
   std::vector<PathFinding> touching_at_start{};
-  /// m, at the frames, to what stands in the cell (not between the robot's own parts), of pairs that are apart;
-  /// infinite when nothing came near.
+  /// Least clearance (m) at the frames between pairs that are apart, to the cell (not between the robot's own parts);
+  /// infinite if nothing comes near.
   double least_clearance = 0.0;
   std::string nearest_first, nearest_second;
   double t_nearest = 0.0;
-  std::vector<std::string> notes{};  ///< What was left out, in sentences: links that touch each other at rest.
-  bool cancelled = false;  ///< The progress told it to end: what is here is of the way so far.
+  std::vector<std::string> notes{};  ///< What was not checked, in sentences: links that touch each other at rest.
+  bool cancelled = false;  ///< `progress` ended the check; the results cover the motion so far.
 };
 
 struct PathCheckOptions {
   HoldOptions hold{};
-  /// Motions of the external axes that the robot stands on, on the same clock (the same take); an axis without one
-  /// stands still. They count where the motion has joints.
+  /// Motions of the robot's external axes, on the same clock (the same take); an axis without a motion does not move.
+  /// Used if the motion has joints.
   std::vector<std::shared_ptr<const trajectory::Trajectory>> axes{};
-  double look = 0.05;            ///< m: clearances beyond this are not told apart.
+  double look = 0.05;            ///< m: larger clearances are not measured.
   double pose_tolerance = 1e-4;  ///< m and rad, for kOffPose.
-  /// Told how far the check is (0 .. 1); false ends it. Called from the checking thread; may be empty.
+  /// Gets the progress (0 .. 1); returning false ends the check. Called in the checking thread; may be empty.
   std::function<bool(double)> progress = {};
 };
 
-/// Moves the entity, with all that hangs on it, through the frames as the manipulation loop would: by its joints where the trajectory has them (by
-/// name), else by its inverse model, nearest to the frame before. Nothing thin is jumped over between the frames. Checked
-/// is what HeldEntity would check: its parts and what it carries against the cell and against each other.
-/// Errors: no such entity, no frames, a joint that the robot does not have.
+/// Moves the entity, with everything attached to it, through the frames as the manipulation loop would: by its joints
+/// if the trajectory has them (by name), else by its inverse model, nearest to the frame before. The motion between
+/// frames is checked continuously, so thin parts are not skipped. It checks what HeldEntity checks: the entity's parts
+/// and what it carries, against the cell and against each other. Errors: no such entity, no frames, a joint that the
+/// robot does not have.
 Expected<PathCheckResult> checkPath(std::shared_ptr<const PreparedScene> scene, const std::string& entity,
                                     const trajectory::Trajectory& trajectory, const PathCheckOptions& options,
                                     const config::Configuration& configuration);

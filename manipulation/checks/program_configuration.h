@@ -11,8 +11,9 @@
 
 namespace hapticell::manipulation {
 
-/// What a program's targets say of a six-axis arm's configuration, for ProgramOptions::configuration: KUKA "S 2,T 35",
-/// ABB "[0,-1,0,1]", FANUC "N U T, 0, 0, 0". Empty for formats that say nothing of it and for chains without six axes.
+/// The configuration of a six-axis arm as written in a program's targets, for ProgramOptions::configuration: KUKA "S
+/// 2,T 35", ABB "[0,-1,0,1]", FANUC "N U T, 0, 0, 0". Empty for formats without configurations and for chains without
+/// six axes.
 std::function<std::string(std::span<const double>)> programConfiguration(std::shared_ptr<const kinematics::Chain> chain,
                                                                          trajectory::ProgramFormat format);
 

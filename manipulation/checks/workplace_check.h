@@ -8,13 +8,13 @@
 
 namespace hapticell::manipulation {
 
-/// The cell as it is once the station was put where `place` says, along with what is attached to it.
+/// The cell with the station, and everything attached to it, moved to `place`.
 std::vector<workcell::Entity> movedCell(const WorkplaceQuestion& question, const WorkplaceCell& place);
 
-/// Measures what a search promises of a place on its four postures (WorkplaceCell::postures), without solving anything:
-/// of each body its RULA as `place` says it, the grips of its active hands within 2 mm of where the mannequin's are,
-/// moved along with the station, no joint beyond its limits, and no part of it inside anything of `after`, the cell as it
-/// then is (movedCell(), or a document in which the parts were put there).
+/// Measures the promises of a search result on its four postures (WorkplaceCell::postures), without solving. For each
+/// body: the RULA score equals that in `place`; the grips of its active hands are within 2 mm of the mannequin's, moved
+/// with the station; no joint is beyond its limits; no part of it is inside anything in `after`, the resulting cell
+/// (movedCell(), or a document with the moved parts).
 Promises workplacePromises(const WorkplaceQuestion& question, const WorkplaceCell& place,
                            const std::vector<workcell::Entity>& after);
 

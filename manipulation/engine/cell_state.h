@@ -11,8 +11,8 @@
 
 namespace hapticell::manipulation {
 
-/// The cell that all styluses and hands of one engine share: its scene, where things stand that do not stand as in the
-/// document, and the time. The manipulation thread's.
+/// The cell that all styluses and hands of one engine share: its scene, the placements that differ from the document,
+/// and the time. Manipulation thread only.
 class CellState {
  public:
   explicit CellState(const config::Configuration& configuration) : configuration_(configuration) {}
@@ -23,22 +23,22 @@ class CellState {
 
   /// Null before the first document.
   const std::shared_ptr<const PreparedScene>& scene() const { return scene_; }
-  /// The scene that counts from now on; `kept`: what stands elsewhere than in its document.
+  /// Sets the current scene; `kept`: placements that differ from its document.
   void setScene(std::shared_ptr<const PreparedScene> scene, Placements kept);
-  /// Null where there is no scene, or no such entity in it.
+  /// Null if there is no scene, or no such entity in it.
   const workcell::Entity* find(workcell::EntityId id) const { return scene_ ? scene_->find(id) : nullptr; }
   const workcell::Entity* find(const std::string& name) const { return scene_ ? scene_->find(name) : nullptr; }
-  /// Whether an entity is `below`, or hangs on it, directly or by others. With a scene (contract).
+  /// Whether an entity is `below`, or attached to it directly or through others. Contract: there is a scene.
   bool standsOn(workcell::EntityId entity, workcell::EntityId below) const;
 
-  /// What does not stand as in the document; of what is held, where it stood when it was taken or told last.
+  /// Placements that differ from the document; for held entities, the placement when they were taken or last reported.
   const Placements& placements() const { return placements_; }
-  /// Where an entity stands by placements() and the document. It exists (contract).
+  /// An entity's placement by placements() and the document. Contract: it exists.
   EntityConfiguration placement(workcell::EntityId id) const;
   void place(workcell::EntityId id, EntityConfiguration at) { placements_[id] = std::move(at); }
 
   const StepClock& clock() const { return clock_; }
-  /// A step at `now_ns` begins; steps at the same time are one.
+  /// Begins a step at `now_ns`; steps at the same time count as one.
   void tick(std::int64_t now_ns);
 
  private:
@@ -48,7 +48,7 @@ class CellState {
   StepClock clock_;
 };
 
-/// The same place and joints, to the last digit.
+/// Whether placement and joints are exactly equal.
 bool areSame(const EntityConfiguration& a, const EntityConfiguration& b);
 
 }  // namespace hapticell::manipulation

@@ -10,7 +10,7 @@
 
 namespace hapticell::manipulation {
 
-/// The guides that one stylus feels while what they bind is held. The manipulation thread's.
+/// The guides that one stylus feels while it holds their entity. Manipulation thread only.
 class FeltGuides {
  public:
   /// `cell` outlives it.
@@ -18,13 +18,14 @@ class FeltGuides {
 
   void set(std::vector<workcell::Guide> guides) { guides_ = std::move(guides); }
 
-  /// The largest dry friction of those that bind `held`, N.
+  /// The largest dry friction of the guides of `held`, N.
   double friction(const HeldEntity& held) const;
-  /// How far the entity turns while the hand goes `radius` (m), where a guide turns it by its place; else 0. rad.
+  /// How far (rad) the entity turns while the hand moves by `radius` (m), if a guide couples its rotation to its
+  /// position; else 0.
   double turnWithin(double radius, const HeldEntity& held, const MotionMapping& mapping) const;
-  /// The nearest pose on what the guides fix, so that what is shown is on them though the rows are made of old sets.
+  /// The nearest pose that the guides allow, so that the shown pose is on them although the rows come from old sets.
   Pose onGuides(const Pose& X_DP, const HeldEntity& held, const MotionMapping& mapping) const;
-  /// Adds their rows to a set, with the proxy at X_DP; they go before contacts that are far away.
+  /// Adds the guides' rows to a set, with the proxy at X_DP, before distant contacts.
   void addTo(BuiltConstraints& built, HeldEntity& held, const MotionMapping& mapping, const Pose& X_DP) const;
 
  private:

@@ -22,7 +22,7 @@ namespace hapticell::manipulation {
 enum class ScaleLevel { kRough, kMedium, kFine, kScreen, kNumber };
 struct ScaleChoice {
   ScaleLevel level = ScaleLevel::kMedium;
-  double number = 1.0;  ///< Metres of the cell a metre of hand; kNumber only.
+  double number = 1.0;  ///< Metres in the cell per metre of hand motion; kNumber only.
 };
 
 /// rough, medium, fine, screen or a number in 1e-3 .. 1e3; anything else is an error.
@@ -38,21 +38,20 @@ Expected<AxesChoice> parseAxes(const std::string& text);
 Expected<workcell::OnContact> parseOnContact(const std::string& text);
 Expected<workcell::ForceClass> parseForceClass(const std::string& text);
 
-/// What the window (or a session) asks of the manipulation loop. Values; queued, never waited for.
+/// Commands from the window (or a session) to the manipulation loop. Values; queued, the caller does not wait.
 namespace command {
 
-/// The document has changed: all entities and what is checked against what, as they stand now. What is held goes on
-/// being held.
+/// The document has changed: all entities and the pairs to check. A held entity stays held.
 struct SetDocument {
   std::vector<workcell::Entity> entities;
   workcell::PairPolicy pairs;
   std::uint64_t revision = 0;  ///< SceneSource::revision.
 };
-/// The entity that the next press of the stylus's button takes; 0: whatever the stylus's tip touches.
+/// The entity that the next press of the stylus's button takes; 0: the one that the tip touches.
 struct ChooseEntity {
   workcell::EntityId entity = 0;
 };
-/// All guides of the document; those of what is held are felt.
+/// All guides of the document; those of the held entity are felt.
 struct SetGuides {
   std::vector<workcell::Guide> guides;
 };
@@ -65,11 +64,11 @@ struct SetAxes {
 struct SetScale {
   ScaleChoice scale;
 };
-/// What the view shows; `visible_width` is the width of the cell seen at the focus, metres.
+/// The view; `visible_width` is the width of the cell seen at the focus, metres.
 struct SetCamera {
   Pose X_WCamera;  ///< Looks along its -z, x to the right, y up.
   double visible_width = 1.0;
-  dvec3 p_WFocus{0.0};  ///< Middle of the view: there the stylus stands that holds nothing.
+  dvec3 p_WFocus{0.0};  ///< Middle of the view; a stylus that holds nothing is shown there.
 };
 /// Overrides the entity's own choice until the next document; for the held or chosen entity.
 struct SetOnContact {
@@ -81,18 +80,19 @@ struct SetForceClass {
 struct SetForces {
   bool on = false;
 };
-/// What of the hand's motion is let through; `axes` are the device's x, y, z: one for a line, two for a plane.
+/// Which parts of the hand's motion act on the entity; `axes` are the device's x, y, z: one for a line, two for a
+/// plane.
 struct SetFilter {
   bool translates = true;
   bool rotates = true;
   std::array<bool, 3> axes{true, true, true};
-  std::array<bool, 3> turns{true, true, true};  ///< Turning about the device's x, y, z; where `rotates`.
+  std::array<bool, 3> turns{true, true, true};  ///< Rotation about the device's x, y, z; used if `rotates`.
 };
-/// While true the hand moves without the entity.
+/// If true, the hand moves without the entity.
 struct SetClutch {
   bool on = false;
 };
-/// Where the simulated hand shall bring the stylus; passed on to the server.
+/// Target of the simulated hand; sent to the server.
 struct SetHandTarget {
   haptic::HandTarget target;
 };
@@ -102,31 +102,31 @@ struct Grab {
 };
 struct Release {};
 
-/// Brings an entity's joints where a glove has them, as far as the way is free, each of `fingers` (indices of joints)
-/// by itself, and keeps them there until told otherwise; what touches is told in the snapshot's pairs. The stylus may
-/// hold the entity meanwhile. An entity that is not there (0), is locked or has another number of joints ends it.
+/// Moves an entity's joints to the glove's values as far as the way is free, each group of `fingers` (indices of
+/// joints) independently, and keeps them there until the next command. The snapshot's pairs list what touches. The
+/// stylus may hold the entity at the same time. An entity that does not exist (0), is locked or has another number of
+/// joints ends it.
 struct PoseJoints {
   workcell::EntityId entity = 0;
-  std::vector<double> joints;  ///< Of all variables.
+  std::vector<double> joints;  ///< One per variable.
   std::vector<std::vector<std::size_t>> fingers;
 };
 
-/// From now on what moves is recorded, a step of the loop at a time: what is held, what goes by itself; each by itself,
-/// all on one clock. A recording that goes on is finished first.
+/// Starts recording everything that moves, once per step of the loop: held entities and those with their own motion,
+/// each as a separate trajectory, all on one clock. A running recording is finished first.
 struct StartRecording {
   trajectory::RecordingOptions options;
-  std::string take;             ///< Its name, and that of what is recorded together.
+  std::string take;             ///< Name of the take.
   bool mark_by_button = false;  ///< The stylus's second button adds a frame (else it is the clutch).
 };
-/// Adds a frame by hand of what is held, or of the chosen entity where it stands.
+/// Adds a frame by hand of the held entity, or of the chosen entity at its present place.
 struct MarkFrame {};
-/// Ends it; result::Recorded tells.
+/// Ends the recording; result::Recorded reports it.
 struct StopRecording {};
 
 }  // namespace command
 
-/// "all", "translation", "rotation", or what of x, y, z is let through: "x", "xz" ... (the hand's axes; rotation is
-/// not).
+/// "all", "translation", "rotation", or the axes x, y, z of the hand that act: "x", "xz" ... (then without rotation).
 Expected<command::SetFilter> parseFilter(const std::string& text);
 
 using Command = std::variant<command::SetDocument, command::SetGuides, command::ChooseEntity, command::SetMovedBy,
@@ -135,19 +135,19 @@ using Command = std::variant<command::SetDocument, command::SetGuides, command::
                              command::SetHandTarget, command::Grab, command::Release, command::PoseJoints,
                              command::StartRecording, command::MarkFrame, command::StopRecording>;
 
-/// What the loop tells back, in order; each is told once.
+/// Results from the loop, in order, each once.
 namespace result {
 
 /// An entity was taken.
 struct Grabbed {
   workcell::EntityId entity = 0;
 };
-/// An entity was let go where it stands now: to be made one undoable step of the document.
+/// An entity was released at its present placement: make this one undo step of the document.
 struct Moved {
   workcell::EntityId entity = 0;
   Pose X_WE;
   std::vector<double> joints;  ///< Robots: position of each variable.
-  /// External axes that went along, the one at the bottom first: to be set before the entity, in the same step.
+  /// External axes that moved along, the bottom one first: set them before the entity, in the same undo step.
   struct Axis {
     workcell::EntityId entity = 0;
     Pose X_WE;
@@ -155,12 +155,13 @@ struct Moved {
   };
   std::vector<Axis> axes = {};
 };
-/// Something that the user should read.
+/// A message to the user.
 struct Notice {
   std::string sentence;
 };
 
-/// A recording ended: one trajectory for each entity that moved, those that moved first first. None moved: empty.
+/// A recording ended: one trajectory for each entity that moved, in the order of their first motion. Empty if none
+/// moved.
 struct Recorded {
   std::vector<trajectory::Trajectory> trajectories;
 };

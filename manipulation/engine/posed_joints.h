@@ -15,38 +15,38 @@ namespace hapticell::manipulation {
 
 class StylusHolder;
 
-/// The joints of a cell's entity that a glove poses, through the stylus that holds the entity or, where none does, in a
-/// hand of their own. The manipulation thread's.
+/// The joints of an entity that a glove poses: through the stylus that holds the entity or, if no stylus holds it,
+/// through its own held entity. Manipulation thread only.
 class PosedJoints {
  public:
   /// Both outlive it.
   PosedJoints(CellState& cell, ResultLog& log) : cell_(cell), log_(log) {}
 
-  /// Where the glove has them from now on; see command::PoseJoints.
+  /// Sets the glove's joint values; see command::PoseJoints.
   void want(const command::PoseJoints& wanted);
-  /// What is wanted is of this entity; 0: nothing is.
+  /// The entity to pose; 0: no entity.
   workcell::EntityId wanted() const { return wanted_ ? wanted_->entity : 0; }
 
-  /// The own hand; null while a stylus poses, or nothing is posed.
+  /// The own held entity; null if a stylus holds the entity, or nothing is posed.
   const HeldEntity* posed() const { return posed_.get(); }
   bool poses(workcell::EntityId id) const { return posed_ && posed_->id() == id; }
-  /// A stylus has taken what was posed.
+  /// A stylus has taken the posed entity.
   void letGo() { posed_.reset(); }
-  /// The cell has another scene: the hand is taken anew at the next step.
+  /// The cell has a new scene: the entity is taken again at the next step.
   void takeScene();
 
-  /// Brings the joints where they are wanted, as far as the way is free: those of what `stylus` holds, or those in the
-  /// own hand. Not at every step.
+  /// Moves the joints to the glove's values as far as the way is free, through `stylus` or through the own held entity.
+  /// Not at every step.
   void follow(StylusHolder& stylus);
-  /// Something that a stylus moves stands there now; its way was free of what is posed.
+  /// An entity moved by a stylus has a new placement; its way did not collide with the posed entity.
   void placeOther(workcell::EntityId id, const EntityConfiguration& at);
 
-  /// A take begins: nothing has moved in it yet.
+  /// A take begins.
   void beginTake() { moved_ = false; }
-  /// The own hand, where it has moved since the take began; else null.
+  /// The own held entity, if it has moved since the take began; else null.
   const HeldEntity* movedInTake() const { return moved_ ? posed_.get() : nullptr; }
 
-  /// Adds what the own hand touches and is near, as the window and a glove's vibrators want it.
+  /// Adds the contacts and near pairs of the own held entity, for the window and the glove's vibrators.
   void addTo(SceneSnapshot& snapshot) const;
 
  private:

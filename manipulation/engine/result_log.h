@@ -10,19 +10,19 @@
 
 namespace hapticell::manipulation {
 
-/// What happened, in order, until somebody takes it. The manipulation thread's.
+/// Results in order, until they are taken. Manipulation thread only.
 class ResultLog {
  public:
-  /// One of what a Result can be.
+  /// One alternative of Result.
   template <typename One>
   void add(One result) {
     results_.emplace_back(std::move(result));
   }
   /// A sentence for the user.
   void notice(const std::string& sentence);
-  /// Tells a sentence the first time only.
+  /// Adds a sentence only if it was not added before.
   void noticeOnce(const std::string& sentence);
-  /// What was added since the last call.
+  /// The results added since the last call.
   std::vector<Result> take();
 
  private:

@@ -14,7 +14,7 @@
 
 namespace hapticell::manipulation {
 
-/// Where one entity stands now: what the window draws. Never a penetrating pose.
+/// Present configuration of one entity, as drawn by the window. Never a penetrating pose.
 struct EntityState {
   workcell::EntityId id = 0;
   Pose X_WE;
@@ -23,64 +23,65 @@ struct EntityState {
   bool near_miss = false;
 };
 
-/// A limit that is near, or holds the entity: why it does not follow.
+/// A limit that is near or holds the entity, and so explains why it does not follow.
 struct LimitState {
   std::string text;  ///< "A5 is 1.2 deg from its upper limit"
-  int joint = -1;    ///< Index among the robot's joints; -1 for what is no joint's.
+  int joint = -1;    ///< Index among the robot's joints; -1 if the limit is not a joint's.
   LimitKind kind = LimitKind::kJoint;
-  double gap = 0.0;    ///< m of the moved frame's motion until it holds.
-  bool holds = false;  ///< It pushes back now.
+  double gap = 0.0;    ///< m that the moved frame can still move.
+  bool holds = false;  ///< It limits the motion now.
 };
 
-/// A second stylus beside the first: what is drawn and said of it.
+/// State of a second stylus, for the window.
 struct SecondStylusState {
   bool connected = false, forces_on = false, device_fault = false;
-  workcell::EntityId held = 0;  ///< 0 while it holds nothing.
+  workcell::EntityId held = 0;  ///< 0 if it holds nothing.
   Pose X_WStylus;               ///< As drawn in the cell.
   Pose X_DS;                    ///< In its own workspace.
-  dvec3 force_W{0.0};           ///< N on that hand, by the cell's axes.
+  dvec3 force_W{0.0};           ///< N on that hand, in the cell's axes.
   double force_n = 0.0;
   double motion_scale = 1.0;
   std::string status;  ///< One sentence.
 };
 
-/// What the manipulation loop hands to the window each step: a value, newest wins, no lock between the loops.
+/// The data that the manipulation loop passes to the window each step: a value, the newest wins, no lock between the
+/// loops.
 struct SceneSnapshot {
   std::uint64_t step = 0;
-  double time_s = 0.0;  ///< Since the loop was started.
+  double time_s = 0.0;  ///< Since the start of the loop.
   std::vector<EntityState>
-      entities;                  ///< Only those that differ from the document (the held one and what moves with it).
+      entities;                  ///< Only those that differ from the document (the held entity and what moves with it).
   std::vector<PairState> pairs;  ///< Nearest first.
   std::vector<LimitState> limits;
-  workcell::EntityId held = 0;  ///< 0 while nothing is held.
+  workcell::EntityId held = 0;  ///< 0 if nothing is held.
   bool clutched = false;
-  bool stopped = false;  ///< Stop-on-collision holds the entity.
+  bool stopped = false;  ///< A pair in mode *Stop* holds the entity.
   bool connected = false;
   bool forces_on = false;
   bool device_fault = false;  ///< The device cannot be read or commanded; the force is zero.
-  bool loop_stalled = false;  ///< The haptic server heard of no contacts for 2 s: it lets the force fade.
+  bool loop_stalled = false;  ///< The haptic server got no constraint set for 2 s and lets the force fade.
   double force_ramp = 0.0;    ///< 0 .. 1.
   Pose X_WStylus;             ///< The stylus as drawn in the cell.
   Pose X_DS;                  ///< The stylus in its own workspace.
   dvec3 force_W{0.0};         ///< On the hand, N, mapped to the cell's axes.
   double force_n = 0.0;
-  double motion_scale = 1.0;   ///< Metres of the cell a metre of hand.
+  double motion_scale = 1.0;   ///< Metres in the cell per metre of hand motion.
   double device_edge_m = 0.0;  ///< To the edge of the device's workspace.
   double free_gap_m = 0.0;     ///< Nearest free pair.
   double rate_manipulation_hz = 0.0, step_p99_ms = 0.0;
-  /// When the newest contact was felt first, ns of this program's steady clock: the force loop's tick, brought to that
-  /// clock. 0 before any.
+  /// When the newest contact was first felt, ns of this program's steady clock: the force loop's tick, converted to
+  /// that clock. 0 before the first.
   std::int64_t felt_ns = 0;
-  /// The loop rests: nothing is held, forces are off, the stylus lies still. The rate is the one before that.
+  /// The loop is idle: nothing is held, forces are off, the stylus does not move. The rate is the last one before that.
   bool idle = false;
-  haptic::ServerStatistics server;  ///< The haptic server's figures, as it told them last.
+  haptic::ServerStatistics server;  ///< The newest figures of the haptic server.
   struct Recording {
     bool on = false;
-    double seconds = 0.0;     ///< Since it began.
+    double seconds = 0.0;     ///< Duration so far.
     std::size_t frames = 0;   ///< Kept so far, of all entities.
-    std::size_t by_hand = 0;  ///< Of these, added by the user.
+    std::size_t by_hand = 0;  ///< Those of them added by the user.
   } recording;
-  std::optional<SecondStylusState> second;  ///< Where there is one.
+  std::optional<SecondStylusState> second;  ///< Set if there is a second stylus.
   std::string status;                       ///< One sentence: "Gripper G2 is 6.4 mm from Clamp tower B".
 };
 

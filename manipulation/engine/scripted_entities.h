@@ -11,28 +11,28 @@
 
 namespace hapticell::manipulation {
 
-/// The entities of a cell that go by themselves (workcell::ScriptedMotion). The manipulation thread's.
+/// The entities of a cell that move by a script (workcell::ScriptedMotion). Manipulation thread only.
 class ScriptedEntities {
  public:
-  /// Where one is on its way: it waits where what is held cannot give way.
+  /// State of one scripted motion; it waits if a held entity cannot give way.
   struct OnItsWay {
-    double t = 0.0;         ///< s of its script.
+    double t = 0.0;         ///< Time in its script, s.
     dvec3 velocity_W{0.0};  ///< m/s.
   };
 
   /// `cell` outlives it.
   explicit ScriptedEntities(CellState& cell) : cell_(cell) {}
 
-  /// Moves them to the cell's time. What `grips` hold gives way, and is not moved itself. `leapt` is called where one
-  /// began its way anew. True where a speed is no longer what sets foresee.
+  /// Moves them to the cell's time. Entities held by `grips` give way and are not moved by their scripts. `leapt` is
+  /// called when one restarts its script. Returns true if a speed differs from that assumed in the sets.
   bool move(std::span<StylusGrip* const> grips, const std::function<void()>& leapt);
 
-  /// By entity, all that have moved.
+  /// All that have moved, by entity.
   const std::map<workcell::EntityId, OnItsWay>& onTheirWay() const { return on_their_way_; }
-  /// The greatest of their speeds now, m/s.
+  /// Their greatest present speed, m/s.
   double fastest() const;
-  /// To the velocities of a set's obstacles, as motions of the stylus: those that go by themselves, and all where the
-  /// mapping drifts by `drift_D` (m/s).
+  /// Adds velocities to a set's obstacles, as motions of the stylus: to scripted ones, and to all if the mapping drifts
+  /// by `drift_D` (m/s).
   void addVelocities(BuiltConstraints& built, const HeldEntity& held, const MotionMapping& mapping,
                      const dvec3& drift_D) const;
 

@@ -7,9 +7,9 @@
 
 namespace hapticell::manipulation {
 
-/// A second stylus in the cell of an engine, at a haptic server of its own: it holds another entity, or the other hand
-/// of the same mannequin (whose trunk then stands still: by::Hand::locks in both). What either moves counts for the
-/// other at its next step, checked exactly by both. One thread, that of the engine.
+/// A second stylus in an engine's cell, with its own haptic server. It holds another entity, or the other hand of the
+/// same mannequin (whose trunk is then locked: by::Hand::locks in both). At its next step each stylus uses what the
+/// other one moved; both check exactly. Runs in the engine's thread.
 class SecondStylus {
  public:
   /// `engine` outlives it, and has one of these at a time.
@@ -23,7 +23,7 @@ class SecondStylus {
   /// After a step of the engine, see ManipulationEngine::stepSecond().
   void step(std::int64_t now_ns) { engine_.stepSecond(now_ns); }
 
-  /// Adds what it holds, is near to and feels to the picture of the engine.
+  /// Adds what it holds, its near pairs and its force to the engine's snapshot.
   void addTo(SceneSnapshot& snapshot);
 
  private:

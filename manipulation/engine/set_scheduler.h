@@ -14,13 +14,13 @@
 
 namespace hapticell::manipulation {
 
-/// Decides when one stylus gets a new constraint set and how far that must be good for, has it made and sends it. The
-/// manipulation thread's.
+/// Decides when one stylus needs a new constraint set and how large its zone must be, makes it and sends it.
+/// Manipulation thread only.
 class SetScheduler {
  public:
-  /// What a set is made of, as it is in this step.
+  /// The inputs of a set in this step.
   struct Inputs {
-    HeldEntity* held = nullptr;  ///< Null while nothing is held, or the hand moves without it.
+    HeldEntity* held = nullptr;  ///< Null if nothing is held, or the hand moves without it.
     const HandMapping& hand;
     const haptic::HapticState& state;
     const FeltGuides& guides;
@@ -28,27 +28,27 @@ class SetScheduler {
     std::int64_t now_ns;
   };
 
-  /// `zone_radius`: m of hand that a set is good for where nothing asks for more.
+  /// `zone_radius`: default zone radius of a set, m of hand motion.
   explicit SetScheduler(double zone_radius) : configured_radius_(zone_radius) {}
 
-  /// The last one is not true any more: one is made at the next step.
+  /// The last set is out of date: makes a new one at the next step.
   void want() { wanted_ = true; }
-  /// Others moved: what is felt is not true any more. Not at every step, a set costs time.
+  /// Others moved, so the set is out of date. Does not make one at every step, because a set costs time.
   void wantForOthers(std::int64_t now_ns);
-  /// Nothing is felt of the last set.
+  /// Forgets the last set.
   void forget() { built_ = {}; }
-  /// Makes and sends one where it is time for one.
+  /// Makes and sends a set if one is due.
   void update(const Inputs& inputs, haptic::HapticLink& link);
 
-  /// The newest.
+  /// The newest set.
   const BuiltConstraints& built() const { return built_; }
-  /// Sequence of the newest that was sent; 0 before the first.
+  /// Sequence of the newest set sent; 0 before the first.
   std::uint64_t sent() const { return sequence_; }
 
  private:
   bool isDue(const Inputs& inputs) const;
   bool holdsStill(const Inputs& inputs) const;
-  /// False where it is still being worked out and the last one goes on.
+  /// False if it is not ready yet; the last set stays in use.
   bool make(const Inputs& inputs, bool changed);
   HeldEntity::SetWish wish(const Inputs& inputs, bool changed);
   void wishZone(const Inputs& inputs, HeldEntity::SetWish& wish);
@@ -61,12 +61,13 @@ class SetScheduler {
   std::uint64_t sequence_ = 0;
   std::int64_t set_ns_ = 0;
   std::int64_t last_set_ns_ = 0;
-  std::int64_t adopted_ns_ = 0;  ///< When the set was made that the newest state was rendered with.
-  std::deque<std::pair<std::uint64_t, std::int64_t>> on_their_way_;  ///< Sets not seen adopted: number, when made.
-  double speed_ = 0.0;                                               ///< Of the hand lately, m/s.
+  std::int64_t adopted_ns_ = 0;  ///< When the set used by the newest state was made.
+  std::deque<std::pair<std::uint64_t, std::int64_t>> on_their_way_;  ///< Sent sets whose adoption is not reported yet:
+                                                                     ///< number, time made.
+  double speed_ = 0.0;                                               ///< Recent speed of the hand, m/s.
   std::int64_t speed_ns_ = 0;
-  Pose X_DSeen_;  ///< The stylus at the set before.
-  Pose X_DLag_;   ///< Reference of the set before.
+  Pose X_DSeen_;  ///< The stylus at the previous set.
+  Pose X_DLag_;   ///< Reference of the previous set.
   std::vector<double> gaps_;
 };
 

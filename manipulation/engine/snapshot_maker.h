@@ -11,7 +11,7 @@
 
 namespace hapticell::manipulation {
 
-/// Makes the picture of what one stylus holds and feels. The manipulation thread's.
+/// Makes the snapshot of what one stylus holds and feels. Manipulation thread only.
 class SnapshotMaker {
  public:
   /// `cell` outlives it.
@@ -19,12 +19,12 @@ class SnapshotMaker {
 
   /// Something else is held, or nothing.
   void forget() { near_.clear(); }
-  /// Adds where everything stands that does not stand as in the document, and the pairs of what is held (distances are
-  /// measured for it at most 30 times a second).
+  /// Adds all placements that differ from the document, and the pairs of the held entity (measured at most 30 times a
+  /// second).
   void addEntities(StylusGrip& grip, const ContactWatch& contacts, SceneSnapshot& snapshot);
-  /// Adds what is known of the stylus itself.
+  /// Adds the state of the stylus.
   static void addStylus(const StylusInput& input, const MotionMapping& mapping, SceneSnapshot& snapshot);
-  /// One sentence of what the snapshot has: SceneSnapshot::status.
+  /// Sets SceneSnapshot::status, one sentence.
   void describe(const StylusInput& input, const StylusGrip& grip, SceneSnapshot& snapshot) const;
 
  private:
@@ -36,7 +36,7 @@ class SnapshotMaker {
   std::vector<FreeMotion::PairDistance> near_;
 };
 
-/// A pair that was measured, as it is shown.
+/// Converts a measured pair for display.
 PairState shownPair(const HeldPair& pair, const collision::DistanceResult& measured, bool in_contact);
 
 }  // namespace hapticell::manipulation

@@ -5,7 +5,7 @@
 
 namespace hapticell::manipulation {
 
-/// When the steps of an engine are, by a steady clock of its caller that never goes back. A value.
+/// The times of an engine's steps, by the caller's steady clock. A value.
 class StepClock {
  public:
   /// A step begins.
@@ -17,7 +17,7 @@ class StepClock {
   std::uint64_t steps() const { return steps_; }
   /// s since the first step; 0 before it.
   double sinceStart() const;
-  /// s that the joints may use in this step: a loop that was held up does not let them catch up at once.
+  /// Time that the joints may use in this step, s; limited, so that after a delay they do not catch up at once.
   double stepTime() const;
 
  private:

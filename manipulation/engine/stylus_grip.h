@@ -14,31 +14,30 @@
 
 namespace hapticell::manipulation {
 
-/// What one stylus holds of the cell and how, by the user's choices; and what another one holds meanwhile. The
-/// manipulation thread's.
+/// What one stylus holds and how, by the user's choices, and what another one holds. Manipulation thread only.
 class StylusGrip {
  public:
   /// Both outlive it.
   StylusGrip(CellState& cell, ResultLog& log) : cell_(cell), log_(log) {}
 
-  /// From now on contacts are looked for in a thread of their own.
+  /// Moves the search for contacts to a separate thread.
   void searchInThread();
 
   HeldEntity* held() { return held_.get(); }
   const HeldEntity* held() const { return held_.get(); }
   bool holds(workcell::EntityId id) const { return held_ && held_->id() == id; }
-  /// It is held, or goes with what is.
+  /// Whether the entity is held or moves with the held one.
   bool moves(workcell::EntityId id) const;
-  /// Where an entity stands as this stylus has it: of what is held, where it was accepted last. It exists (contract).
+  /// An entity's placement for this stylus: for held ones the last accepted one. Contract: it exists.
   EntityConfiguration placement(workcell::EntityId id) const;
 
   workcell::EntityId chosen() const { return chosen_; }
-  /// Forgets the choices that were for the one before.
+  /// Chooses an entity; forgets the choices for the previous one.
   void choose(workcell::EntityId entity);
-  /// It is gone; the choices for the one that is held stay.
+  /// The chosen entity no longer exists; the choices for the held one stay.
   void dropChosen() { chosen_ = 0; }
   const MovedBy& movedBy() const { return moved_by_; }
-  /// These count when something is taken (anew).
+  /// These take effect when an entity is taken (again).
   void setMovedBy(const MovedBy& moved_by) { moved_by_ = moved_by; }
   void setOnContact(workcell::OnContact on_contact) { on_contact_ = on_contact; }
   void setForceClass(workcell::ForceClass force_class) { force_class_ = force_class; }
@@ -46,31 +45,32 @@ class StylusGrip {
     return force_class_.value_or(entity.force_class);
   }
 
-  /// Takes an entity, where nothing is held; what cannot be is told. True where it is held now.
+  /// Takes an entity if nothing is held; reports if that is impossible. Returns true if it is held now.
   bool take(workcell::EntityId entity);
-  /// Lets go; the cell has it where it stands. Something is held (contract).
+  /// Releases the entity; the cell keeps its present placement. Contract: something is held.
   void putDown();
-  /// Where what is held stands, as the document is told when it is let go.
+  /// The held entity's placement, as reported to the document on release.
   result::Moved whereHeld() const;
-  /// Somebody else moves the joints of what is held: while this is set it is taken so that they may.
+  /// Something else moves the held entity's joints: if set, the entity is taken in a way that allows this.
   bool jointsMove() const { return joints_move_; }
   void setJointsMove(bool move) { joints_move_ = move; }
 
-  /// What may be taken and is nearest to a point, nearer than `reach` (m); 0: nothing.
+  /// The entity that may be taken and is nearest to a point, within `reach` (m); 0: no entity.
   workcell::EntityId entityAt(const Pose& X_WTip, double reach) const;
 
-  /// What another stylus holds in the same cell, and how; 0: nothing.
+  /// Sets what another stylus holds in the same cell, and how; 0: nothing.
   void setOther(workcell::EntityId held, const MovedBy& moved_by);
   workcell::EntityId otherHeld() const { return other_held_; }
-  /// Why an entity may not be taken while the other stylus holds what it holds; empty: it may.
+  /// Why an entity may not be taken because of what the other stylus holds; empty: it may.
   std::string heldElsewhere(workcell::EntityId wanted) const;
-  /// Something that another hand moves stands there now, its way was free. True where that is news here.
+  /// An entity moved by another hand has a new placement; its way was free. Returns true if that changes something
+  /// here.
   bool placeOther(workcell::EntityId id, const EntityConfiguration& at);
 
  private:
   CellState& cell_;
   ResultLog& log_;
-  std::unique_ptr<ContactSearch> search_;  // Outlives what is held.
+  std::unique_ptr<ContactSearch> search_;  // Outlives the held entity.
   std::unique_ptr<HeldEntity> held_;
   workcell::EntityId chosen_ = 0;
   MovedBy moved_by_;
@@ -79,7 +79,7 @@ class StylusGrip {
   bool joints_move_ = false;
   workcell::EntityId other_held_ = 0;
   MovedBy other_moved_by_;
-  Placements told_;  ///< Where others' things stood when what is held here was told last.
+  Placements told_;  ///< Placements of the others' entities when the held one last got them.
 };
 
 }  // namespace hapticell::manipulation

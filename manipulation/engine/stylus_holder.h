@@ -21,8 +21,8 @@
 
 namespace hapticell::manipulation {
 
-/// One stylus in a cell: what it holds follows it, and what that meets is felt. An engine steps one, or two in the same
-/// cell. The manipulation thread's.
+/// One stylus in a cell: the held entity follows it, and its contacts are felt. An engine steps one, or two in the same
+/// cell. Manipulation thread only.
 class StylusHolder {
  public:
   /// `link` and `cell` must outlive it.
@@ -32,36 +32,36 @@ class StylusHolder {
 
   /// See ManipulationEngine::searchInThread().
   void searchInThread() { grip_.searchInThread(); }
-  /// Takes a command that is for one stylus; those for the cell are the engine's.
+  /// Executes a command for one stylus; the engine executes those for the cell.
   void apply(const Command& command);
-  /// The cell has another scene. What is held goes on being held if it still exists.
+  /// The cell has a new scene. A held entity stays held if it still exists.
   void takeScene();
 
-  /// A step, one after the other: the newest state of the stylus, its buttons, ...
+  /// A step consists of these calls in order: takes the newest state of the stylus, then its buttons, ...
   void takeState();
-  /// With a state (contract). `recording`: its second button may mark frames of it.
+  /// Contract: there is a state. `recording`: the second button may mark its frames.
   void watchButtons(TakeRecording& recording);
-  /// The edge of the workspace. With a state (contract).
+  /// Drift at the edge of the workspace. Contract: there is a state.
   void driftAtEdge();
-  /// ... what is held follows, and the next set is sent. With a state (contract).
+  /// ... moves the held entity and sends the next set. Contract: there is a state.
   void follow(const ScriptedEntities& scripted);
 
   void grab(workcell::EntityId wanted);
   void release();
-  /// Takes what is held anew, where it stands.
+  /// Takes the held entity again at its present placement.
   void retake();
-  /// What is held lets somebody else move its joints: it is taken anew for that where it must. False: it cannot.
+  /// Lets something else move the held entity's joints; takes the entity again if necessary. False: impossible.
   bool yieldJoints();
-  /// Something that others move stands there; its way was free. True where that is news here.
+  /// An entity moved by others has a new placement; its way was free. Returns true if that changes something here.
   bool placeOther(workcell::EntityId id, const EntityConfiguration& at);
-  /// Another stylus has what is held, or what it goes with: it is let go, and that is told. A mannequin's two hands may
-  /// be held by both.
+  /// If another stylus holds the same entity, or one that moves with it, releases it and reports that. Two styluses may
+  /// hold the two hands of one mannequin.
   void letGoOfWhatOtherHolds();
-  /// The other hand has brought what both hold there: it is followed as far as the exact check finds the way free.
+  /// The other hand has moved the entity that both hold: follows as far as the exact check finds the way free.
   void followOther(const EntityConfiguration& at);
-  /// Others moved what is held or is in its way: what is felt is not true any more.
+  /// Others moved the held entity or an obstacle, so the set is out of date.
   void wantSetForOthers() { sets_.wantForOthers(cell_.clock().now()); }
-  /// What is foreseen is not true any more.
+  /// The set's assumptions are no longer valid.
   void wantSet() { sets_.want(); }
 
   const CellState& cell() const { return cell_; }
@@ -77,10 +77,10 @@ class StylusHolder {
   std::vector<Result> takeResults() { return log_.take(); }
   /// See ManipulationEngine::nearLimits().
   std::vector<LimitState> nearLimits() const;
-  /// As a take has it.
+  /// This stylus for a take.
   TakeRecording::Hand hand() const;
 
-  /// What it holds and feels, in a snapshot that is empty yet; then its one sentence.
+  /// Adds what it holds and feels to an empty snapshot, then the status sentence.
   void addTo(SceneSnapshot& snapshot);
   void describe(SceneSnapshot& snapshot) const { snapshots_.describe(input_, grip_, snapshot); }
 
@@ -104,7 +104,7 @@ class StylusHolder {
   SetScheduler sets_;
   SnapshotMaker snapshots_;
   bool stopped_ = false;
-  int hurried_joint_ = -1;  ///< Goes as fast as it can, and there is way left; -1: none does.
+  int hurried_joint_ = -1;  ///< Joint that moves at its greatest speed and has not arrived; -1: no such joint.
 };
 
 }  // namespace hapticell::manipulation

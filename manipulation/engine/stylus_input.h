@@ -9,14 +9,14 @@
 
 namespace hapticell::manipulation {
 
-/// What the haptic server of one stylus told last, and what it is asked for besides constraint sets. The manipulation
-/// thread's.
+/// The newest data from one stylus's haptic server, and the requests to it apart from constraint sets. Manipulation
+/// thread only.
 class StylusInput {
  public:
   /// `link` must outlive it.
   StylusInput(haptic::HapticLink& link, const config::Configuration& configuration);
 
-  /// Looks at the connection; true where it is made anew (the server has been told what it is asked for then).
+  /// Checks the connection; returns true after a reconnection (the requests have then been sent again).
   bool watchLink();
   /// Takes the newest state and statistics.
   void takeNewest();
@@ -32,14 +32,14 @@ class StylusInput {
   bool isConnected() const { return link_state_ == haptic::LinkState::kConnected; }
   const std::optional<haptic::HapticState>& state() const { return state_; }
   const haptic::ServerStatistics& statistics() const { return statistics_; }
-  /// Forces are on, or asked for.
+  /// Whether forces are on or requested.
   bool hasForces() const { return control_.forces_enabled || (state_ && state_->forces_on); }
-  /// When the newest state was, ns by this program's clock: the tick's stamp, as far as it can be brought to that
-  /// clock. With a state (contract).
+  /// Time of the newest state, ns by this program's clock: the tick's stamp, converted to that clock if possible.
+  /// Contract: there is a state.
   std::int64_t stateTime(std::int64_t now_ns) const;
 
   void setForces(bool on);
-  /// What the hand carries; told where it has changed.
+  /// Sets the load on the hand; sent if it has changed.
   void setLoad(const haptic::LoadOptions& load);
 
  private:

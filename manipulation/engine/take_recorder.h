@@ -14,19 +14,19 @@
 
 namespace hapticell::manipulation {
 
-/// A trajectory of the entity without frames: names of its joints, and of the channels. A mannequin is recorded by its
-/// root (moved "whole") with all its joints, whatever the hand drew, so that the posture is whole.
+/// A trajectory of the entity without frames, with the names of its joints and channels. A mannequin is always recorded
+/// by its root (moved "whole") with all joints, so that the posture is complete.
 trajectory::Trajectory emptyRecording(const workcell::Entity& entity, const MovedBy& moved_by);
 
-/// Everything that moves while a take is recorded, each entity as a trajectory of its own, all on one clock.
+/// Records everything that moves during a take, each entity as its own trajectory, all on one clock.
 ///
-/// Beside pose and joints: the force on the hand, whether it touches, a six-axis arm's configuration; contacts as
-/// touches by time. One thread (the manipulation loop's).
+/// Apart from pose and joints it records the force on the hand, whether the entity touches something, a six-axis arm's
+/// configuration, and contacts by time. One thread (the manipulation loop's).
 class TakeRecorder {
  public:
   explicit TakeRecorder(trajectory::RecordingOptions options, std::string take = {});
 
-  /// Where an entity is in one step, and what was felt.
+  /// State of an entity in one step, and the force.
   struct Sample {
     double t = 0.0;  ///< s, any clock; the first sample's time is the take's zero.
     const workcell::Entity* entity = nullptr;
@@ -34,28 +34,28 @@ class TakeRecorder {
     Pose X_WM;  ///< The moved frame.
     MovedBy moved_by;
     dvec3 force_W{0.0};
-    /// What it touches: its part and the other ("robot/link_3", "fixture").
+    /// Its contacts: its part and the other ("robot/link_3", "fixture").
     std::vector<std::pair<std::string, std::string>> touching = {};
   };
   void add(const Sample& sample) { take(sample, false); }
-  /// The user adds a frame here; kept in every mode.
+  /// Adds a frame by the user; kept in every mode.
   void mark(const Sample& sample) { take(sample, true); }
   void take(const Sample& sample, bool marked);
-  /// Only what it touches, of an entity whose frames come from somebody else.
+  /// Adds only the contacts of an entity whose frames come from another stylus.
   void touch(const Sample& sample);
   std::size_t frames() const;
-  /// The user's marks, however many entities each is a frame of.
+  /// Number of the user's marks; a mark of several entities counts once.
   std::size_t framesByHand() const { return marks_; }
   double seconds(double now) const { return start_ ? now - *start_ : 0.0; }
 
-  /// One trajectory for each entity that moved, in the order in which they were seen first. Time 0 is where the first
-  /// of them began to move.
+  /// One trajectory for each entity that moved, in the order of their first samples. Time 0 is when the first of them
+  /// began to move.
   std::vector<trajectory::Trajectory> finish();
 
  private:
   struct Track {
     trajectory::Recorder recorder;
-    std::optional<kinematics::Chain> arm;                ///< A six-axis one whose configuration is told.
+    std::optional<kinematics::Chain> arm;                ///< A six-axis arm whose configuration is recorded.
     std::vector<trajectory::Trajectory::Touch> touches;  ///< In the take's time.
   };
   static void follow(Track& track, const Sample& sample, double t);
@@ -65,7 +65,7 @@ class TakeRecorder {
   std::string take_;
   std::optional<double> start_;
   std::size_t marks_ = 0;
-  std::optional<double> marked_;  ///< Time of the newest.
+  std::optional<double> marked_;  ///< Time of the newest mark.
   std::vector<workcell::EntityId> order_;
   std::map<workcell::EntityId, std::unique_ptr<Track>> tracks_;
 };

@@ -14,37 +14,38 @@
 
 namespace hapticell::manipulation {
 
-/// The take of a cell that is recorded, a step of the loop at a time: what any stylus or glove moves and what goes by
-/// itself. The manipulation thread's.
+/// Records a take of the cell, once per step of the loop: what styluses or gloves move, and scripted motions.
+/// Manipulation thread only.
 class TakeRecording {
  public:
-  /// A stylus as it is recorded.
+  /// The data of a stylus for the recording.
   struct Hand {
     const StylusGrip& grip;
-    dvec3 force_W{0.0};                        ///< N on it.
-    const std::vector<std::size_t>& contacts;  ///< Pairs of what it holds.
+    dvec3 force_W{0.0};                        ///< Force on the hand, N.
+    const std::vector<std::size_t>& contacts;  ///< Contacts of the held entity.
   };
 
   /// Both outlive it.
   TakeRecording(const CellState& cell, ResultLog& log) : cell_(cell), log_(log) {}
 
-  /// One that goes on is finished first.
+  /// Starts a recording; a running one is finished first.
   void start(const command::StartRecording& wanted);
-  /// Tells what was recorded, where one goes on.
+  /// Ends a running recording and reports it.
   void stop();
   bool isOn() const { return recorder_ != nullptr; }
-  /// It is on, and a stylus's second button adds a frame.
+  /// Whether a recording runs in which a stylus's second button adds a frame.
   bool isMarkedByButton() const { return recorder_ && mark_by_button_; }
   /// Adds a frame by hand at the next step, of everything that moves.
   void mark() { mark_wanted_ = true; }
 
-  /// A step of the first stylus, of what a glove poses and nobody holds (null: nothing has moved so), and of what goes
-  /// by itself.
+  /// Records a step of the first stylus, of an entity posed by a glove only (null: none has moved), and of scripted
+  /// motions.
   void step(const Hand& hand, const HeldEntity* posed, const ScriptedEntities& scripted);
-  /// What a second stylus moves (it holds something: contract); of a mannequin that `first` holds too, what it touches.
+  /// Records what a second stylus moves; for a mannequin that `first` also holds, only its contacts. Contract: the
+  /// second stylus holds something.
   void addOther(const Hand& other, const StylusGrip& first);
 
-  /// As the window shows it.
+  /// The recording's state for the window.
   SceneSnapshot::Recording shown() const;
 
  private:
@@ -56,7 +57,7 @@ class TakeRecording {
   ResultLog& log_;
   std::unique_ptr<TakeRecorder> recorder_;
   bool mark_by_button_ = false, mark_wanted_ = false;
-  std::int64_t marked_ns_ = -1;  ///< The step that the newest mark belongs to.
+  std::int64_t marked_ns_ = -1;  ///< Step of the newest mark.
 };
 
 }  // namespace hapticell::manipulation

@@ -24,34 +24,35 @@ struct PairFeel {
   double friction = 0.0;
 };
 
-/// A pair that intersects and is let out one way only: gap + nhat_W . v for a motion v of the moved part at p_W.
+/// A pair that intersects and may come apart in one direction only: gap + nhat_W . v for a motion v of the moved part
+/// at p_W.
 struct FreeingPlane {
   std::uint32_t pair = 0;
   dvec3 p_W{0.0};
   dvec3 nhat_W{0.0, 0.0, 1.0};
-  double gap = 0.0;  ///< m: how far it has come back from where it was freest.
+  double gap = 0.0;  ///< m: how far it has moved back from its freest pose.
 };
 
-/// What a constraint set is made of. Parts and obstacles are those of the motion check, `feel` is in the order of
-/// `pairs`. All spans outlive the call.
+/// Inputs of a constraint set. Parts and obstacles are those of the motion check, `feel` is in the order of `pairs`.
+/// All spans outlive the call.
 struct ConstraintInputs {
   const Manipulator& manipulator;
-  const EntityConfiguration& configuration;  ///< Accepted: the reference of the set.
+  const EntityConfiguration& configuration;  ///< The accepted one: the reference of the set.
   const MotionMapping& mapping;
-  Pose X_DNear;  ///< The proxy: supplies what the mapping's filters hide of the reference.
+  Pose X_DNear;  ///< The proxy; it supplies the components of the reference that the mapping's filters remove.
   double zone_radius = haptic::kWantedZoneRadius;  ///< Hand space, m.
-  double turn_ahead = 0.1;  ///< rad that the entity is expected to turn at most before the next set.
-  std::span<const collision::ConvexPieces* const> parts;  ///< One a part.
+  double turn_ahead = 0.1;  ///< Largest expected rotation of the entity before the next set, rad.
+  std::span<const collision::ConvexPieces* const> parts;  ///< One per part.
   std::span<const collision::ZonePart> obstacles;
   std::span<const MotionPair> pairs;
   std::span<const PairFeel> feel;
-  /// What the sets before have learnt; null: facets only, from scratch.
+  /// Keeps data from earlier sets; null: facets only, without earlier data.
   collision::ContactFinder* finder = nullptr;
-  std::span<const collision::SurfaceModel* const> surfaces{};  ///< One a part, or none at all: facets only.
+  std::span<const collision::SurfaceModel* const> surfaces{};  ///< One per part; empty: facets only.
   bool only_complete = false;                                  ///< See collision::ZoneOptions::only_complete.
-  /// Nearest points of the pairs of moved parts (MotionPair::other_part): a tangent plane each.
+  /// Nearest points of the pairs of moved parts (MotionPair::other_part): each gives a tangent plane.
   std::span<const FreeMotion::PairDistance> own{};
-  std::span<const FreeingPlane> freeing{};  ///< Their pairs are not `felt` otherwise.
+  std::span<const FreeingPlane> freeing{};  ///< Their pairs are not `felt` in any other way.
 };
 
 /// One entry's origin, in the order of ConstraintSet::constraints.
@@ -67,15 +68,16 @@ struct BuiltConstraints {
   bool complete = true;             ///< False: see collision::ZoneContacts::complete.
   bool pending = false;             ///< See collision::ZoneContacts::pending.
   bool facets = false;              ///< See collision::ZoneContacts::facets.
-  double turn = 0.0;                ///< rad that the entity may turn in it, where that is bounded: see dropTurnBound().
-  double cost = 0.0;                ///< s that such a set takes to make, reckoned and not measured: repeats exactly.
+  double turn = 0.0;                ///< Allowed rotation of the entity in the set, rad, if it is bounded: see
+                                    ///< dropTurnBound().
+  double cost = 0.0;                ///< Calculated (not measured) time to make such a set, s; the same in every run.
 };
 
-/// A set before its contacts are known: what is to be looked for, and all that the answer is turned into rows with. It
-/// refers to the shapes of the parts only.
+/// A set before its contacts are known: what to search for, and the data to convert the answer into rows. It refers
+/// only to the shapes of the parts.
 struct ConstraintDraft {
   std::vector<collision::ZonePart> moving;
-  std::vector<std::uint8_t> mask;  ///< What ZoneOptions::pair_mask is set to.
+  std::vector<std::uint8_t> mask;  ///< Value for ZoneOptions::pair_mask.
   collision::ZoneOptions options;
   Pose X_WM;  ///< The moved frame at the reference.
   Pose X_DR;
@@ -95,30 +97,31 @@ struct ConstraintDraft {
 
 ConstraintDraft draftConstraints(const ConstraintInputs& inputs);
 
-/// The set, from what a collision::ContactFinder answered to the draft. Obstacles have meanwhile gone by `gone_W` (m,
-/// one each; empty: none has).
+/// Makes the set from a collision::ContactFinder's answer to the draft. The obstacles have moved by `gone_W` since (m,
+/// one each; empty: no motion).
 BuiltConstraints completed(const ConstraintDraft& draft, const collision::ZoneContacts& found,
                            std::span<const dvec3> gone_W = {});
 
-/// The same set about another reference: what was found a moment ago, for where the entity is now. `X_DR` is where the
-/// set's reference is meant to be by the mapping of now.
+/// Moves a recent set to another reference, where the entity is now. `X_DR` is the set's reference by the present
+/// mapping.
 void moveReference(BuiltConstraints& built, const Pose& X_DR, const Pose& X_DNow);
 
 /// Everything that the hand can feel from this configuration: contacts with their curvature, the entity's own limits,
-/// all mapped to the hand's space about the device pose that means this configuration (gap less the pair's boundary).
+/// all mapped to the hand's space around the device pose that corresponds to this configuration (gap minus the pair's
+/// boundary).
 BuiltConstraints buildConstraints(const ConstraintInputs& inputs);
 
-/// A plainer set for shapes too crowded for a complete one: a plane at the nearest points of each near pair (the
-/// paper's own way, several pairs at once), good for `zone_radius`. What it does not know the exact motion check still
-/// stops.
+/// A simpler set if the shapes are too crowded for a complete one: a plane at the nearest points of each near pair (the
+/// paper's method, for several pairs), valid for `zone_radius`. The exact motion check stops at contacts that are
+/// missing in it.
 BuiltConstraints buildPlainConstraints(const ConstraintInputs& inputs, std::span<const FreeMotion::PairDistance> near);
 
-/// Takes out the row that keeps turning within `turn`: for an entity whose turn follows from its place, so that the
+/// Removes the row that limits rotation to `turn`: for an entity whose rotation follows from its position, so that the
 /// zone bounds both.
 void dropTurnBound(BuiltConstraints& built);
 
-/// Smallest value (hand space, m) of any of a pair's groups for the stylus (or proxy) at X_DP: the entry with the
-/// largest value counts for its group. Infinite for pairs that are not in the set. One entry for each pair.
+/// Smallest value (hand space, m) of any of a pair's groups for the stylus (or proxy) at X_DP: in a group, the entry
+/// with the largest value counts. Infinite for pairs that are not in the set. `gaps` has one number per pair.
 void pairGaps(const BuiltConstraints& built, const Pose& X_DP, std::span<double> gaps);
 
 }  // namespace hapticell::manipulation

@@ -11,12 +11,12 @@ namespace hapticell::manipulation {
 
 class PreparedScene;
 
-/// Looks for contacts in a thread of its own, one question after the other, while the manipulation loop goes on.
+/// Searches for contacts in a separate thread, one question after the other, while the manipulation loop continues.
 ///
 /// All calls belong to one thread (the loop's) and never wait longer than it takes to move a pointer.
 class ContactSearch {
  public:
-  /// What collision::ContactFinder::find() is asked, and what came of it. `mask` is its pair mask.
+  /// The arguments of collision::ContactFinder::find() and its answer. `mask` is its pair mask.
   struct Question {
     std::shared_ptr<collision::ContactFinder> finder;
     std::shared_ptr<const PreparedScene> scene;  ///< Keeps the parts' shapes.
@@ -28,19 +28,19 @@ class ContactSearch {
 
   /// Starts the thread.
   ContactSearch();
-  /// Waits for the search that is under way, if any.
+  /// Waits for a running search.
   ~ContactSearch();
   ContactSearch(const ContactSearch&) = delete;
   ContactSearch& operator=(const ContactSearch&) = delete;
 
-  /// No search is under way and no answer waits.
+  /// True if no search runs and no answer waits.
   bool isFree() const;
-  /// Takes a question; it isFree() (contract).
+  /// Starts the search for a question. Contract: isFree().
   void ask(std::unique_ptr<Question> question);
   bool isAnswered() const;
-  /// The answered question; null while there is none.
+  /// The answered question; null if there is no answer yet.
   std::unique_ptr<Question> take();
-  /// The answer to what was asked is not wanted any more.
+  /// Discards the answer of the running search.
   void drop();
 
  private:

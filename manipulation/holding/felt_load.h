@@ -8,9 +8,9 @@
 
 namespace hapticell::manipulation {
 
-/// What of a held entity's mass the hand is to feel, by its force class: nothing (constant), what gravity compensation
-/// leaves of its weight (contact), that and inertia and damping (dynamics). The weight points down in the cell, turned
-/// into the device's axes, and is at most half of what the motors bear for ever.
+/// The load of a held entity that the hand feels, by its force class: nothing (constant), the weight that remains after
+/// gravity compensation (contact), or that plus inertia and damping (dynamics). The weight points down in the cell, is
+/// converted to the device's axes, and is at most half of the motors' continuous force.
 haptic::LoadOptions feltLoad(const workcell::Entity& entity, workcell::ForceClass force_class,
                              const config::Configuration::Manipulation& settings, const MotionMapping& mapping,
                              double continuous_force);

@@ -12,39 +12,39 @@ namespace hapticell::manipulation {
 
 class PostureFinder;
 
-/// Draws a mannequin by a hand, both hands or the head to where a mouse wants it, in short steps of the same held
-/// entity that the stylus moves: nothing is entered, and limits, feet and balance hold. One thread at a time.
+/// Drags a mannequin by a hand, both hands or the head to the mouse's target, in short steps with the same HeldEntity
+/// as the stylus: it enters nothing and keeps limits, feet and balance. One thread at a time.
 class FigureWay {
  public:
-  /// How the moved frame turns on its way.
+  /// How the moved frame rotates on the way.
   enum class Turn {
-    kAsWanted,        ///< As aim() says.
-    kWithTheForearm,  ///< Of hands: wrists stay as they are bent, so that the arms find their way; only the place
-                      ///< counts. Both hands turn as both forearms do in the mean. Of the head: as wanted.
+    kAsWanted,        ///< As the target of aim().
+    kWithTheForearm,  ///< Hands: the wrists keep their angles, so only the position counts and the arms reach it more
+                      ///< easily. Both hands rotate with the mean of both forearms. Head: as kAsWanted.
   };
-  /// Takes the mannequin as it stands in the scene. Errors: as HeldEntity::take(). Contract: it has a figure.
+  /// Takes the mannequin in its present posture. Errors: as HeldEntity::take(). Contract: it has a figure.
   static Expected<std::unique_ptr<FigureWay>> take(std::shared_ptr<const PreparedScene> scene,
                                                    workcell::EntityId entity, const HoldOptions& options, Turn turn,
                                                    const config::Configuration& configuration);
 
-  /// Where the moved frame shall be, in the cell; the newest counts.
+  /// Sets the target of the moved frame, in the cell; the newest one counts.
   void aim(const Pose& X_WM);
-  /// What is asked while a way round is looked for, a second or two of work: true gives it up, as there is something
-  /// newer to do. On the thread of follow().
+  /// `interrupted` is called during the search for a detour, which takes a second or two; if it returns true, the
+  /// search ends. Called in the thread of follow().
   void setInterrupted(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
 
-  /// How the way went.
+  /// Result of a step.
   struct Reach {
-    double short_m = 0.0;  ///< From the moved frame to where it was wanted.
-    std::string obstacle;  ///< What it would touch; empty: nothing is in the way.
+    double short_m = 0.0;  ///< Distance from the moved frame to the target.
+    std::string obstacle;  ///< What it would touch; empty: not blocked.
     Pose X_WM;             ///< Where the moved frame is.
-    bool arrived = false;  ///< It is there, or comes no nearer; else it is on its way.
+    bool arrived = false;  ///< It has arrived or comes no nearer; else it is still moving.
   };
-  /// A few steps straight towards the target. The way is the same however many places of the mouse were left out
-  /// meanwhile. Where arms get stuck on it (at a limit, at the own body) they go round by a posture found anew; what
-  /// another entity holds up stays held up. It ends where it came nearest.
+  /// Makes a few steps straight towards the target. The path does not depend on how many mouse positions were skipped.
+  /// If the arms get stuck (at a limit, at the own body), they make a detour through a newly solved posture; if another
+  /// entity blocks them, they stay blocked. It ends at the pose nearest to the target.
   Reach follow();
-  /// How the figure is to be shown now.
+  /// The configuration to show now.
   const EntityConfiguration& stands() const { return shown_; }
 
  private:
@@ -67,20 +67,20 @@ class FigureWay {
   std::shared_ptr<const PreparedScene> scene_;
   std::unique_ptr<HeldEntity> held_;
   std::shared_ptr<const mannequin::Figure> figure_;
-  std::array<bool, 2> turns_with_{};          ///< The left, the right forearm; neither: the target says how it turns.
-  std::array<dquat, 2> forearms_at_start_{};  ///< In the cell.
+  std::array<bool, 2> turns_with_{};          ///< Left, right forearm; neither: the target defines the rotation.
+  std::array<dquat, 2> forearms_at_start_{};  ///< Orientations in the cell.
   bool may_step_ = false;
   MotionMapping mapping_;
   Pose X_WTaken_, X_WTarget_;
-  double nearest_yet_ = 1e9;  ///< m that was missing at the best,
-  int idle_steps_ = 0;        ///< and since when it was not bettered.
+  double nearest_yet_ = 1e9;  ///< Least distance so far, m,
+  int idle_steps_ = 0;        ///< and steps without improvement since.
   int rounds_left_ = 0;
-  double least_missing_ = 1e9;  ///< m that was missing of this target at the least,
-  EntityConfiguration best_;    ///< and how it stood there.
-  bool is_at_best_ = false;     ///< It went back to that, and is done.
+  double least_missing_ = 1e9;  ///< Least distance to this target, m,
+  EntityConfiguration best_;    ///< and the configuration there.
+  bool is_at_best_ = false;     ///< It has returned to that configuration and is done.
   std::function<bool()> interrupted_;
   EntityConfiguration shown_;
-  std::vector<EntityConfiguration> round_;  ///< What is to be shown yet of a way round, the last first.
+  std::vector<EntityConfiguration> round_;  ///< Remaining configurations of a detour to show, in reverse order.
 };
 
 }  // namespace hapticell::manipulation

@@ -15,8 +15,8 @@ namespace hapticell::manipulation {
 struct MotionPair {
   std::uint32_t part = 0;
   std::uint32_t obstacle = 0;
-  bool blocks = true;   ///< False: distances are told, motion is not stopped.
-  int other_part = -1;  ///< Not -1: the part that it is checked against; `obstacle` has no meaning then.
+  bool blocks = true;   ///< False: distances are measured, but motion is not stopped.
+  int other_part = -1;  ///< Not -1: the part that it is checked against; `obstacle` is then unused.
 };
 
 /// Something at rest that the moved parts must not enter.
@@ -25,20 +25,20 @@ struct Obstacle {
   Pose X_WO;
 };
 
-/// How far a motion is free.
+/// Result of a motion check.
 struct MotionAnswer {
-  double s = 1.0;                     ///< Free from 0 to here, nothing is tunnelled through.
-  bool blocked = false;               ///< Something stands in the way at `s`.
+  double s = 1.0;                     ///< Free from 0 to here, checked continuously.
+  bool blocked = false;               ///< Something blocks the motion at `s`.
   std::uint32_t pair = 0;             ///< Index of the pair that blocks.
   collision::DistanceResult contact;  ///< Its nearest points there, A on the moved part.
 };
 
 /// The exact check of the motion from one accepted configuration to the next, by conservative advancement (Mirtich
-/// 1996; Zhang, Lee, Kim 2006): a step never exceeds the distance that was measured over the speed bound of the part.
+/// 1996; Zhang, Lee, Kim 2006): a step never exceeds the measured distance divided by the speed bound of the part.
 ///
-/// Keeps for every pair a lower bound of its distance, used up by motion, so that a pair is measured again only when it
-/// could have come near. Pairs that touch or intersect at reset() are `soft`: they do not block (nothing could ever
-/// move) until they have come apart once; who moves them sees to it that they get no deeper. One thread.
+/// Keeps a lower bound of every pair's distance, reduced by motion, so that a pair is measured again only when it could
+/// have come near. Pairs that touch or intersect at reset() are `soft`: they do not block until they have come apart
+/// once, because otherwise nothing could move. The caller must ensure that they get no deeper. One thread.
 class FreeMotion {
  public:
   /// Distance (m) that is left between surfaces when a motion is blocked.
@@ -49,20 +49,21 @@ class FreeMotion {
   FreeMotion(std::vector<std::shared_ptr<const collision::MeshCollider>> parts, std::vector<Obstacle> obstacles,
              std::vector<MotionPair> pairs);
 
-  /// Starts anew at this configuration.
+  /// Restarts at this configuration.
   void reset(const Manipulator& manipulator, const EntityConfiguration& at);
 
-  /// Says which way a soft pair that only touches comes free. Where a small shift along the unit `nhat_W` frees it, it
-  /// blocks from now on as if the obstacle stood back by that shift, until it has come apart.
+  /// Gives the direction in which a soft pair that only touches comes free. If a small shift along the unit vector
+  /// `nhat_W` frees the pair, it blocks from now on as if the obstacle were moved back by that shift, until the pair
+  /// has come apart.
   void guard(std::uint32_t pair, const dvec3& nhat_W);
 
-  /// An obstacle goes to X_WO; nobody else moves. What it comes to touch blocks from then on.
+  /// Moves an obstacle to X_WO; nothing else moves. New contacts block from then on.
   void moveObstacle(std::uint32_t obstacle, const Pose& X_WO);
 
-  /// Goes along manipulator.between(from, to, .) as far as it is free; `from` must be where the last call ended.
+  /// Moves along manipulator.between(from, to, .) as far as it is free; `from` must be the end of the last call.
   MotionAnswer advance(const Manipulator& manipulator, const EntityConfiguration& from, const EntityConfiguration& to);
 
-  /// Exact distances of all pairs nearer than `limit` where the parts stand now, in the order of the pairs.
+  /// Exact present distances of all pairs nearer than `limit`, in the order of the pairs.
   struct PairDistance {
     std::uint32_t pair = 0;
     collision::DistanceResult result;
@@ -85,7 +86,7 @@ class FreeMotion {
     collision::ProximityQuery query;
     double clearance = 0.0;  ///< Lower bound of the distance now, m.
     bool soft = false;
-    dvec3 stand_back_W{0.0};  ///< By this the obstacle is moved for blocking only; zero where it is not guarded.
+    dvec3 stand_back_W{0.0};  ///< Shift of the obstacle, for blocking only; zero if the pair is not guarded.
     bool guarded() const { return stand_back_W != dvec3(0.0); }
   };
   struct Motion {

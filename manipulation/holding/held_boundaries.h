@@ -7,16 +7,16 @@
 
 namespace hapticell::manipulation {
 
-/// From which distance on each pair of a held entity is felt: its safety distance, or less while it is nearer than that
-/// since it was taken; it must not be thrown out, only get no nearer. One thread.
+/// The distance at which each pair of a held entity is felt: its safety distance, or less if the pair has been nearer
+/// since the entity was taken. The entity must not be pushed out, only get no nearer. One thread.
 class HeldBoundaries {
  public:
-  /// As the entity is taken: what it touches or starts inside of is noted. `state` outlives this.
+  /// When the entity is taken: notes what it touches or starts inside. `state` outlives this.
   explicit HeldBoundaries(HeldState& state);
 
-  /// Pairs that have come apart since get back what they lack of their safety distance.
+  /// Raises the boundaries of pairs that have come apart since, up to their safety distance.
   void raise();
-  /// Where what the entity started inside of is let out now.
+  /// The present planes along which the entity may leave what it started inside.
   const std::vector<FreeingPlane>& freeingPlanes();
 
  private:

@@ -12,19 +12,19 @@ namespace hapticell::manipulation {
 
 class ContactSearch;
 
-/// The constraint sets of a held entity, made here and now or with the search in another thread. Manipulation thread
-/// only.
+/// Makes the constraint sets of a held entity, at once or with the search in another thread. Manipulation thread only.
 class HeldConstraints {
  public:
-  /// What a set has to be good for.
+  /// Requirements on a set.
   struct Wish {
     double zone_radius = haptic::kWantedZoneRadius;  ///< m of hand.
-    double least_radius = 0.003;  ///< m of hand: a complete set that is good for less holds the hand back in free air.
+    double least_radius = 0.003;  ///< m of hand motion: a complete set with a smaller zone would stop the hand in free
+                                  ///< space.
     double turn_ahead = 0.1;      ///< rad.
-    bool anew = false;            ///< What was asked for before is not wanted any more (another mapping, say).
-    bool may_wait = false;        ///< The last set is good yet: while the next is worked out only `pending` is told.
-    double needed_radius = 0.0;   ///< m of hand: what it may go until the set after this one; a set that is only plain
-                                  ///< is given for so far, so that its edge is not met in free air.
+    bool anew = false;            ///< Discard the running search (for example after a change of the mapping).
+    bool may_wait = false;        ///< The last set is still valid: until the next one is ready, return only `pending`.
+    double needed_radius = 0.0;   ///< m of hand motion until the set after this one; a plain set gets this zone, so
+                                  ///< that the hand does not meet its edge in free space.
   };
 
   /// `state` outlives this.
@@ -42,11 +42,11 @@ class HeldConstraints {
   bool isPlain() const { return crowded_; }
   /// See HeldEntity::surfaceConstraint().
   std::optional<haptic::Constraint> surface(workcell::EntityId other, double offset);
-  /// As it was with the newest set, N.
+  /// Of the newest set, N.
   double jointFriction() const { return friction_.felt(); }
 
  private:
-  /// A draft that is answered meanwhile, and what its set has to be good for.
+  /// The draft of the running search, and the requirements on its set.
   struct Asked {
     ConstraintDraft draft;
     double least_radius;
@@ -62,13 +62,13 @@ class HeldConstraints {
   HeldState& state_;
   HeldBoundaries boundaries_;
   JointFriction friction_;
-  std::shared_ptr<collision::ContactFinder> finder_;  ///< Shared with a search that is under way.
-  ContactSearch* search_ = nullptr;                   ///< Outlives this; null: contacts are found here.
-  std::optional<Asked> asked_;                        ///< A search is under way for it.
+  std::shared_ptr<collision::ContactFinder> finder_;  ///< Shared with a running search.
+  ContactSearch* search_ = nullptr;                   ///< Outlives this; null: contacts are searched here.
+  std::optional<Asked> asked_;                        ///< The draft of the running search.
   double needed_radius_ = 0.0;                        ///< See Wish.
-  bool crowded_ = false;                              ///< The last complete set was too small to be of use.
-  double crowded_radius_ = 0.0;                       ///< What it was good for, m of hand.
-  Pose X_DCrowded_;                                   ///< Where that was.
+  bool crowded_ = false;                              ///< The last complete set was too small to be useful.
+  double crowded_radius_ = 0.0;                       ///< Its zone, m of hand motion.
+  Pose X_DCrowded_;                                   ///< Its reference.
   std::vector<FreeMotion::PairDistance> near_, own_;  // Scratch.
 };
 

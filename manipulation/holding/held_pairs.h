@@ -12,10 +12,10 @@
 
 namespace hapticell::manipulation {
 
-/// A pair of a moved part with something at rest, or with another moved part, as users know it.
+/// A pair of a moved part with an obstacle, or with another moved part, in the user's terms.
 struct HeldPair {
   workcell::EntityId other = 0;
-  workcell::EntityId owner = 0;  ///< Whose part moves: the held entity, something that hangs on it, or an axis.
+  workcell::EntityId owner = 0;  ///< Owner of the moved part: the held entity, one attached to it, or an axis.
   std::string moved_part;        ///< Link names; empty for solids.
   std::string other_part;
   double safety_distance = 0.0;  ///< m, felt as the boundary.
@@ -24,7 +24,7 @@ struct HeldPair {
   PairFeel feel;
 };
 
-/// What a held entity is checked against: the obstacles, and the pairs of its parts with these and with each other.
+/// What a held entity is checked against: the obstacles, and the pairs of its parts with these and among each other.
 /// One thread.
 class HeldPairs {
  public:
@@ -35,24 +35,24 @@ class HeldPairs {
   const std::vector<HeldPair>& all() const { return pairs_; }
   const HeldPair& operator[](std::size_t pair) const { return pairs_[pair]; }
   std::size_t size() const { return pairs_.size(); }
-  /// The same pairs as the exact check knows them.
+  /// The same pairs for the exact check.
   const std::vector<MotionPair>& motionPairs() const { return motion_pairs_; }
-  /// Pairs from here on are of two moved parts.
+  /// Pairs from this index on have two moved parts.
   std::uint32_t firstOwn() const { return first_own_; }
 
   /// How each pair is felt now; HeldBoundaries changes it.
   const std::vector<PairFeel>& feel() const { return feel_; }
   std::vector<PairFeel>& feel() { return feel_; }
 
-  /// What the parts may meet, in the order of MotionPair::obstacle: where it is now, and what it is.
+  /// What the parts may meet, in the order of MotionPair::obstacle: present pose and identity.
   const std::vector<collision::ZonePart>& obstacles() const { return obstacles_; }
   const std::vector<const ScenePart*>& obstacleParts() const { return obstacle_parts_; }
   void moveObstacle(std::size_t obstacle, const Pose& X_W) { obstacles_[obstacle].X_W = X_W; }
 
-  /// A check of motions against all of these, not started yet.
+  /// A motion check against all of these; call its reset() before use.
   FreeMotion motionCheck(const HeldModel& model) const;
 
-  /// The note about links that touch at rest and so are not checked; empty: there are none.
+  /// The note about links that touch at rest and are therefore not checked; empty: no such links.
   const std::string& leftOutNote() const { return left_out_note_; }
 
  private:

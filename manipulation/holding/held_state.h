@@ -10,17 +10,17 @@
 
 namespace hapticell::manipulation {
 
-/// What the parts of a HeldEntity work on together: what moves, how, where it is and what it may meet.
+/// The data that the parts of a HeldEntity share: what moves, how, its configuration and its pairs.
 struct HeldState {
   /// m: least boundary of a pair, so that the exact check has room to work in.
   static constexpr double kSkin = 20e-6;
 
   HeldModel model;
   std::unique_ptr<const Manipulator> manipulator;
-  EntityConfiguration accepted;  ///< The last one that was free; `motion` stands there.
+  EntityConfiguration accepted;  ///< The last free configuration, also that of `motion`.
   HeldPairs pairs;
   FreeMotion motion;
-  std::vector<std::string> notes;  ///< What was noticed when it was taken.
+  std::vector<std::string> notes;  ///< Notes from the taking.
 
   Pose movedFrame() const { return manipulator->movedFrame(accepted); }
   void moveObstacle(std::size_t obstacle, const Pose& X_W) {

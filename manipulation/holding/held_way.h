@@ -15,30 +15,30 @@ namespace hapticell::manipulation {
 struct HalfSpaces {
   std::array<haptic::SolverRow, haptic::kMaxRows> rows{};
   std::size_t count = 0;
-  /// Nothing where there is no room left.
+  /// Ignored if there is no space left.
   void add(const haptic::SolverRow& row) {
     if (count < rows.size()) rows[count++] = row;
   }
   std::span<const haptic::SolverRow> all() const { return {rows.data(), count}; }
-  /// The hand has gone by `d`.
+  /// The hand has moved by `d`.
   void moveBy(const haptic::Vector6& d);
 };
 
-/// How a held entity moves: as far as it is free, and along what stands in the way. Remembers what stood there lately.
-/// Manipulation thread only.
+/// How a held entity moves: as far as the way is free, and along obstacles. Remembers recent obstacles. Manipulation
+/// thread only.
 class HeldWay {
  public:
-  /// How following the hand went.
+  /// Result of following the hand.
   struct Followed {
-    bool blocked = false;    ///< Something stood in the way of the straight motion.
-    bool stopped = false;    ///< By a pair that stops.
-    int hurried_joint = -1;  ///< One that went as fast as it may while there is way left; -1: none did.
+    bool blocked = false;    ///< Something blocked the straight motion.
+    bool stopped = false;    ///< By a pair in mode *Stop*.
+    int hurried_joint = -1;  ///< A joint that moved at its greatest speed and has not arrived; -1: no such joint.
   };
-  /// How far a straight way was free.
+  /// Result of a straight motion.
   struct Gone {
-    double share = 1.0;  ///< Of the way that was gone.
+    double share = 1.0;  ///< Share of the motion that was made.
     bool blocked = false;
-    std::uint32_t pair = 0;  ///< Where blocked: the index of what stood in the way.
+    std::uint32_t pair = 0;  ///< If blocked: the index of the blocking pair.
   };
 
   /// `state` outlives this.
@@ -51,7 +51,7 @@ class HeldWay {
   void placeOther(workcell::EntityId other, const EntityConfiguration& at);
 
  private:
-  /// Contacts that stood in the way, and how far (m of hand) it has gone since each was found.
+  /// Contacts that blocked the way, and how far (m of hand motion) the entity has moved since each was found.
   struct Contacts {
     HalfSpaces spaces;
     std::array<double, haptic::kMaxRows> moved{};
@@ -67,11 +67,11 @@ class HeldWay {
 
   HeldState& state_;
   Contacts contacts_;
-  dquat axes_{1.0, 0.0, 0.0, 0.0};              ///< The mapping's, when the contacts were found.
-  double scale_ = 0.0;                          ///< The same.
-  Pose X_WWanted_;                              ///< Of the last step,
-  Followed followed_;                           ///< and what came of it.
-  bool known_ = false;                          ///< The same wish has the same answer.
+  dquat axes_{1.0, 0.0, 0.0, 0.0};              ///< The mapping's axes when the contacts were found.
+  double scale_ = 0.0;                          ///< Its scale then.
+  Pose X_WWanted_;                              ///< Target of the last step,
+  Followed followed_;                           ///< and its result.
+  bool known_ = false;                          ///< The same target gives the same result.
   std::vector<FreeMotion::PairDistance> near_;  // Scratch.
 };
 

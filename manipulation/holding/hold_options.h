@@ -11,7 +11,7 @@ struct HoldOptions {
   MovedBy moved_by;
   workcell::OnContact on_contact = workcell::OnContact::kSlide;
   workcell::ForceClass force_class = workcell::ForceClass::kContact;
-  bool joints_move = false;  ///< Something else moves the entity's joints meanwhile: a glove, another hand.
+  bool joints_move = false;  ///< Something else moves the entity's joints at the same time: a glove, another hand.
 };
 
 }  // namespace hapticell::manipulation

@@ -12,13 +12,13 @@ class JointFriction {
  public:
   explicit JointFriction(const HeldModel& model);
 
-  /// Works it out anew for where the entity is.
+  /// Computes it for the entity's present configuration.
   void update(const Manipulator& manipulator, const EntityConfiguration& at);
-  /// N, in steps of 0.05; 0 for what has no friction.
+  /// N, in steps of 0.05; 0 without friction.
   double felt() const { return felt_; }
 
  private:
-  std::vector<double> friction_;  ///< Of the model's variables, N m or N; empty where none has any.
+  std::vector<double> friction_;  ///< Of the model's variables, N m or N; empty if there is no friction.
   double felt_ = 0.0;
 };
 

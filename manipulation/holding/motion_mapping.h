@@ -6,7 +6,7 @@
 
 namespace hapticell::manipulation {
 
-/// Along whose axes the hand moves the entity (the paper's section 5.4).
+/// The axes along which the hand moves the entity (section 5.4 of the paper).
 enum class AxesMode {
   kScreen,  ///< What the user sees: right is right, up is up, away is into the picture (X normal to it, Y and Z in it).
   kCell,    ///< The cell's own axes: x right, y away, z up.
@@ -18,48 +18,49 @@ enum class AxesMode {
 /// `X_WCamera` looks along its -z with x to the right and y up; used by kScreen only. `X_WF` is used by kFrame only.
 dquat deviceAxes(AxesMode mode, const Pose& X_WCamera, const Pose& X_WF);
 
-/// Scale of the level "screen": the width that is seen at the depth of the focus, per width of the device's workspace.
+/// Scale of the level "screen": the visible width at the depth of the focus, divided by the width of the device's
+/// workspace.
 double screenScale(double visible_width, double workspace_width);
 
 /// Turns motions of the stylus into motions of the moved frame M in the cell and back.
 ///
-/// With an anchor (X_DA, X_WA) set at grab or at the end of a clutch:
-///   p_WM = p_WA + scale R_WD K (p_DP - p_DA),   R_WM = exp(rotation scale R_WD rotvec(R_DP R_DA^-1)) R_WA,
-/// K keeping the device's axes that are let through. Rotation counts one to one where nothing else is said. A value;
-/// used by the manipulation thread.
+/// With an anchor (X_DA, X_WA) set at grab or at the end of a clutch: p_WM = p_WA + scale R_WD K (p_DP - p_DA), R_WM =
+/// exp(rotation scale R_WD rotvec(R_DP R_DA^-1)) R_WA, where K keeps the device's allowed axes. The default rotation
+/// scale is 1. A value; used by the manipulation thread.
 class MotionMapping {
  public:
   const dquat& axes() const { return q_WD_; }
   double scale() const { return scale_; }
 
   void setAxes(const dquat& q_WD) { q_WD_ = glm::normalize(q_WD); }
-  /// Metres of the cell a metre of hand; held within 1e-3 .. 1e3, anything not finite is ignored.
+  /// Metres in the cell per metre of hand motion; limited to 1e-3 .. 1e3; values that are not finite are ignored.
   void setScale(double scale);
-  /// Switches off that the hand translates or turns the entity.
+  /// Switches translation or rotation by the hand on or off.
   void setFilter(bool translates, bool rotates);
-  /// Lets through only motions along these of the device's axes: one (a line), two (a plane), all three.
+  /// Allows only motions along these of the device's axes: one (a line), two (a plane), all three.
   void setAxisFilter(bool x, bool y, bool z) { kept_ = {x ? 1.0 : 0.0, y ? 1.0 : 0.0, z ? 1.0 : 0.0}; }
-  /// Lets through only turning about these of the device's axes (of the rotation vector since the anchor).
+  /// Allows only rotation about these of the device's axes (of the rotation vector since the anchor).
   void setTurnFilter(bool x, bool y, bool z) { turned_ = {x ? 1.0 : 0.0, y ? 1.0 : 0.0, z ? 1.0 : 0.0}; }
-  /// Radians of the entity a radian of the wrist; held within 0.01 .. 10, anything not finite is ignored.
+  /// Radians of the entity per radian of the wrist; limited to 0.01 .. 10; values that are not finite are ignored.
   void setRotationScale(double scale);
   double rotationScale() const { return rotation_scale_; }
   bool translates() const { return translates_; }
   bool rotates() const { return rotates_; }
 
-  /// From now on the stylus at X_DA means the moved frame at X_WA. To be called after setAxes, setScale and setFilter.
+  /// From now on the stylus at X_DA corresponds to the moved frame at X_WA. Call it after setAxes, setScale and
+  /// setFilter.
   void anchor(const Pose& X_DA, const Pose& X_WA);
 
-  /// From now on the stylus `motion_D` farther back means the same: what is held goes on by it.
+  /// Moves the anchor back by `motion_D`, so that the held entity moves on by it.
   void drift(const dvec3& motion_D) { X_DA_.p -= motion_D; }
 
-  /// Where the moved frame shall be for the stylus (or proxy) at X_DP.
+  /// The target of the moved frame for the stylus (or proxy) at X_DP.
   Pose toCell(const Pose& X_DP) const;
-  /// The stylus pose that means X_WM; what a filter hides is taken from `X_DNear`. Inverse of toCell().
+  /// The stylus pose that corresponds to X_WM; components removed by a filter come from `X_DNear`. Inverse of toCell().
   Pose toDevice(const Pose& X_WM, const Pose& X_DNear) const;
 
-  /// Small motions and constraints are mapped as they are for a stylus (or proxy) turned like X_DP; anchor() says: as
-  /// there. Scaled turns do not add up as vectors, so for a rotation scale other than 1 the map depends on it.
+  /// Sets the stylus (or proxy) orientation X_DP for which small motions and constraints are mapped; anchor() sets its
+  /// own. Scaled rotations do not add up as vectors, so for a rotation scale other than 1 the map depends on it.
   void lookFrom(const Pose& X_DP);
 
   /// A small motion of the stylus as one of the moved frame, and back (filtered parts become zero).
@@ -80,13 +81,13 @@ class MotionMapping {
   double scale_ = 1.0;
   bool translates_ = true;
   bool rotates_ = true;
-  dvec3 kept_{1.0};    ///< 1 for an axis that is let through, else 0.
-  dvec3 turned_{1.0};  ///< The same for turning.
+  dvec3 kept_{1.0};    ///< 1 for an allowed axis, else 0.
+  dvec3 turned_{1.0};  ///< The same for rotation.
   double rotation_scale_ = 1.0;
   Pose X_DA_;
   Pose X_WA_;
-  dmat3 bend_{1.0};  ///< What of a small turn is not mere scale, in D: exp(s theta)'s left Jacobian times that of theta
-                     ///< inverted.
+  dmat3 bend_{1.0};  ///< The part of a small rotation's map that is not the scale, in D: the left Jacobian of exp(s
+                     ///< theta) times the inverse of that of theta.
 };
 
 }  // namespace hapticell::manipulation

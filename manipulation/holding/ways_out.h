@@ -12,23 +12,23 @@ struct FreeingShift;
 
 namespace hapticell::manipulation {
 
-/// Pairs that intersected other than by a hair when the entity was taken: each is led out by one plane, as facets deep
-/// inside say nothing of use. One thread.
+/// Pairs that intersected by more than a hair when the entity was taken: each is guided out by one plane, because
+/// facets deep inside give no useful direction. One thread.
 class WaysOut {
  public:
-  /// Looks at the pairs that are `near` as the entity is taken; notes what it finds, and such pairs are not felt
-  /// otherwise.
+  /// Checks the pairs that are `near` when the entity is taken, notes the intersecting ones, and switches off their
+  /// other constraints.
   void find(HeldState& state, std::span<const FreeMotion::PairDistance> near);
-  /// Where they have come apart the usual contacts hold from now on.
+  /// Pairs that have come apart use the usual contacts from now on.
   void update(HeldState& state);
-  /// As the last update() found them.
+  /// The planes of the last update().
   const std::vector<FreeingPlane>& planes() const { return planes_; }
 
  private:
   struct WayOut {
     FreeingPlane plane;
-    dvec3 p_PC{0.0};       ///< Of the part, that is watched.
-    double reached = 0.0;  ///< m along the plane's normal: it goes no deeper again.
+    dvec3 p_PC{0.0};       ///< The watched point of the part.
+    double reached = 0.0;  ///< m along the plane's normal; the pair must not get deeper again.
   };
   static void note(HeldState& state, std::uint32_t pair, const collision::FreeingShift& shift);
 

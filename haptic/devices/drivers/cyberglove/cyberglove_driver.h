@@ -10,10 +10,10 @@
 
 namespace hapticell::driver {
 
-/// How a glove is asked for samples.
+/// Whether samples are requested one by one or streamed.
 enum class GloveMode { kPoll, kStream };
 
-/// What was found out about a glove, and how it is spoken to.
+/// Properties of a glove, and how to communicate with it.
 struct GloveSetup {
   GloveFormat format;
   GloveMode mode = GloveMode::kStream;
@@ -21,7 +21,7 @@ struct GloveSetup {
   bool touch = false;  ///< CyberTouch: six vibrators.
 };
 
-/// A CyberGlove on an open port that has been asked what it is.
+/// A CyberGlove on an open port whose setup is known.
 class CyberGloveDevice final : public Device {
  public:
   CyberGloveDevice(std::unique_ptr<SerialPort> port, const GloveSetup& setup);
@@ -33,8 +33,8 @@ class CyberGloveDevice final : public Device {
   Status write(const Command& command) noexcept override;
   const Problem& problem() const noexcept override { return problem_; }
 
-  /// Reads of a millisecond each without a sample until it is asked again, and so often in vain until it counts as
-  /// gone.
+  /// Reads of a millisecond each without a sample before a new request, and failed requests before the glove counts as
+  /// lost.
   static constexpr int kPatience = 100, kMostAsked = 10;
 
  private:
@@ -58,12 +58,13 @@ class CyberGloveDriver final : public Driver {
  public:
   const Information& information() const noexcept override { return information_; }
   void configure(const char* key, const char* value) noexcept override;
-  /// Ports, not gloves: what hangs on a serial port is known only once it is asked, and others do not like that.
+  /// Lists ports, not gloves: only a request shows what is connected to a serial port, and requests can disturb other
+  /// devices.
   std::uint32_t find(Found* found, std::uint32_t room, Problem& problem) noexcept override;
   /// `id` is the port.
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
-  /// By the ports alone: none is opened, which would reset what hangs on it.
+  /// Uses only the list of ports. Opening a port would reset the connected device.
   std::uint64_t presence() noexcept override;
 
  private:
@@ -78,8 +79,8 @@ class CyberGloveDriver final : public Driver {
   std::size_t sensors_ = 22;
 };
 
-/// Asks the glove what it is: connected, sensors, hand, options. Null and a problem where it does not answer. The setup
-/// holds what was asked for and is completed.
+/// Asks the glove for its properties: connected, sensors, hand, options. False and a problem if it does not answer. The
+/// setup contains the user's settings and is completed.
 bool askGlove(SerialPort& port, GloveSetup& setup, Problem& problem);
 
 }  // namespace hapticell::driver

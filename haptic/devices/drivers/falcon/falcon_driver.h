@@ -14,13 +14,13 @@
 
 namespace hapticell::driver {
 
-/// The motor numbers that exert a force at a place of the grip, all scaled together where one saturates: the direction
-/// stays. `force_F` in N; `saturated`, where given, tells whether they were.
+/// The motor values that exert `force_F` (N) with the grip at `p_F`. If one saturates, all are scaled together, so the
+/// direction stays. `saturated`, if given, is set to whether that happened.
 std::array<std::int16_t, 3> falconMotors(const dvec3& p_F, const dvec3& force_F, bool* saturated = nullptr);
 
-/// A Falcon whose firmware runs. Each packet out is answered by one packet in; the one is sent by write(), the other
-/// taken by read(). Homing is the user's: the grip pulled out to its stop and pushed in again; its ring is red until
-/// then, and there is no force.
+/// A Falcon whose firmware runs. write() sends a packet; the Falcon answers each with one packet, which read() takes.
+/// The user does the homing: pull the grip out to its stop and push it in again. Until then the ring is red and there
+/// is no force.
 class FalconDevice final : public Device {
  public:
   explicit FalconDevice(std::unique_ptr<FtdiPort> port);
@@ -31,7 +31,7 @@ class FalconDevice final : public Device {
   const Problem& problem() const noexcept override { return problem_; }
   const char* calibrationText(std::uint32_t step) const noexcept override;
 
-  /// Reads of a millisecond without an answer until the packet counts as lost, and such packets until it is gone.
+  /// Reads of a millisecond without an answer before a packet counts as lost, and lost packets before the device does.
   static constexpr int kPatience = 20, kMostLost = 10;
 
  private:
@@ -44,7 +44,7 @@ class FalconDevice final : public Device {
   dvec3 p_F_;
   CommandSteps steps_;
   bool homed_ = false, waiting_ = false;
-  bool pushed_ = false;  // By the packet that was sent last.
+  bool pushed_ = false;  // In the last packet sent.
   int empty_reads_ = 0, lost_packets_ = 0;
   std::size_t garbled_ = 0;
 };
@@ -58,7 +58,7 @@ class FalconDriver final : public Driver {
   const Information& information() const noexcept override { return information_; }
   void configure(const char* key, const char* value) noexcept override;
   std::uint32_t find(Found* found, std::uint32_t room, Problem& problem) noexcept override;
-  /// `id` as find() tells it: the serial number, else the USB port.
+  /// `id` as returned by find(): the serial number, else the USB port.
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
   std::uint64_t presence() noexcept override { return presenceByFind(*this); }

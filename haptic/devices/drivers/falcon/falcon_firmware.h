@@ -8,14 +8,14 @@
 
 namespace hapticell::driver {
 
-/// Puts the chip into the mode in which the firmware is spoken to.
+/// Sets the chip to the mode for communication with the firmware.
 bool setFalconRunning(FtdiPort& port);
 
-/// True when the firmware runs already: it answers a packet of zero forces.
+/// True if the firmware is already running: it answers a packet of zero forces.
 bool falconAnswers(FtdiPort& port);
 
-/// Uploads the firmware (Novint's file, which the user supplies: its licence does not let it be shipped), each block of
-/// 62 bytes compared with its echo; up to ten attempts from the start. kOk, or why not.
+/// Uploads the firmware (Novint's file, which the user supplies, because its licence does not allow us to ship it),
+/// each block of 62 bytes compared with its echo; up to ten attempts from the start. kOk, or the reason of the failure.
 Problem uploadFalconFirmware(FtdiPort& port, std::span<const std::uint8_t> firmware);
 
 }  // namespace hapticell::driver

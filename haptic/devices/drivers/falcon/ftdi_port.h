@@ -15,9 +15,10 @@ namespace hapticell::driver {
 class FtdiPort {
  public:
   virtual ~FtdiPort() = default;
-  /// A vendor request without data; false when it was not taken.
+  /// A vendor request without data; false if it was not accepted.
   virtual bool control(std::uint8_t request, std::uint16_t value) = 0;
-  /// Bytes that have come (modem status taken off), waiting `wait_ms` at most; 0 for none, -1 when the device is gone.
+  /// Reads the bytes that have arrived (without modem status), waiting at most `wait_ms`; 0 if none, -1 if the device
+  /// is gone.
   virtual int read(std::span<std::uint8_t> to, int wait_ms) = 0;
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;
 };

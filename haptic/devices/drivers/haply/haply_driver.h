@@ -10,11 +10,11 @@
 
 namespace hapticell::driver {
 
-/// An Inverse3 behind its maker's service, with the grip on it where there is one. Each state that comes is answered by
-/// a force; a force of zero is sent at once, whether or not anything comes.
+/// An Inverse3 through its maker's service, with its grip if there is one. Each state from the service is answered by a
+/// force; a zero force is sent at once, without waiting for a state.
 class HaplyDevice final : public Device {
  public:
-  /// `first`: what the service told last; its cursor is the middle of the workspace unless `middle` is given.
+  /// `first`: the service's last report; its cursor is the middle of the workspace unless `middle` is given.
   HaplyDevice(std::unique_ptr<WebSocket> socket, const HaplyReport& first, const std::optional<dvec3>& middle);
   ~HaplyDevice();  ///< Sends a last force of zero.
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
@@ -22,7 +22,7 @@ class HaplyDevice final : public Device {
   Status write(const Command& command) noexcept override;
   const Problem& problem() const noexcept override { return problem_; }
 
-  /// Reads of a millisecond without a state until service or device counts as gone: a second.
+  /// Reads of a millisecond without a state (1 s in all) before the service or the device counts as lost.
   static constexpr int kPatience = 1000;
 
  private:
@@ -37,16 +37,16 @@ class HaplyDevice final : public Device {
 };
 
 /// Haply Inverse3 through its maker's service. Settings: `address` (ws://localhost:10001), `middle` ("x,y,z" in metres:
-/// the workspace's middle in the service's axes; else where the grip is when it is opened).
+/// the workspace's middle in the service's axes; default: the grip's position at opening).
 class HaplyDriver final : public Driver {
  public:
   const Information& information() const noexcept override { return information_; }
   void configure(const char* key, const char* value) noexcept override;
   std::uint32_t find(Found* found, std::uint32_t room, Problem& problem) noexcept override;
-  /// `id` as the service tells it, or an address "ws://..." whose first device is meant.
+  /// `id` as sent by the service, or an address "ws://..." for its first device.
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
-  /// By whether the service can be reached (it is not spoken to), and by what is plugged into the USB.
+  /// Depends on whether the service accepts a connection (nothing is sent) and on the USB devices.
   std::uint64_t presence() noexcept override;
 
  private:

@@ -9,7 +9,7 @@
 
 namespace hapticell::driver {
 
-/// What a message of Haply's service tells about one Inverse3 and the grip on it.
+/// One Inverse3 and its grip in a message of Haply's service.
 struct HaplyReport {
   std::string device_id;
   dvec3 cursor{0.0};  ///< m, the service's axes: x right, y away, z up.
@@ -18,8 +18,9 @@ struct HaplyReport {
 };
 
 /// Reads a message: {"inverse3":[{"device_id":..., "state":{"cursor_position":{"x","y","z"}}}],
-/// "wireless_verse_grip":[{"state":{"orientation":{"x","y","z","w"},"buttons":{"a","b","c"}}}]}. Nothing where it is no
-/// JSON, a number is missing or not finite, or a quaternion is none. A message without an Inverse3 is an empty list.
+/// "wireless_verse_grip":[{"state":{"orientation":{"x","y","z","w"},"buttons":{"a","b","c"}}}]}. Empty if the text is
+/// not JSON, a number is missing or not finite, or a quaternion is invalid. A message without an Inverse3 gives an
+/// empty list.
 std::optional<std::vector<HaplyReport>> readHaplyMessage(const std::string& text);
 
 /// The command that exerts `force` (N, the service's axes) on that device's cursor.

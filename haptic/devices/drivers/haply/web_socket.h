@@ -9,23 +9,23 @@
 
 namespace hapticell::driver {
 
-/// A client's end of a WebSocket that carries texts, newest wins in both directions. Its network runs in a thread of
-/// its own; no call waits longer than it says. One user thread.
+/// The client's end of a WebSocket for texts; the newest wins in both directions. A separate thread does the network
+/// work; no call waits longer than stated. One user thread.
 class WebSocket {
  public:
-  /// Connects and shakes hands within `wait_ms`; null and a problem where nobody answers. `address`:
-  /// "ws://host:port/path", the path may be missing.
+  /// Connects and does the handshake within `wait_ms`; null and a problem if that fails. `address`:
+  /// "ws://host:port/path"; the path is optional.
   static std::unique_ptr<WebSocket> connect(const std::string& address, int wait_ms, Problem& problem);
-  ~WebSocket();  ///< Closes; what was sent just before is given 100 ms to go out.
+  ~WebSocket();  ///< Closes; texts sent just before have 100 ms to leave.
 
-  /// Somebody listens there: connects, says nothing and goes again. Waits `wait_ms` at most.
+  /// Whether a server listens there: connects, sends nothing and disconnects. Waits at most `wait_ms`.
   static bool isServed(const std::string& address, int wait_ms);
 
-  /// The newest text that came since the last call, waiting `wait_ms` at most.
+  /// The newest text received since the last call; waits at most `wait_ms`.
   std::optional<std::string> read(int wait_ms);
-  /// Sends it, unless a newer one overtakes it before the line is free.
+  /// Sends the text, unless a newer one replaces it before it leaves.
   void send(std::string text);
-  /// False once the other side has gone.
+  /// False after the other side has disconnected.
   bool isOpen() const;
 
  private:

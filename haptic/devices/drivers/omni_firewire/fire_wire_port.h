@@ -19,15 +19,16 @@ class FireWirePort {
   virtual ~FireWirePort() = default;
   virtual std::optional<std::uint32_t> readQuadlet(std::uint64_t address) = 0;  ///< In this machine's byte order.
   virtual bool write(std::uint64_t address, std::span<const std::uint8_t> bytes) = 0;
-  /// Takes a channel each way and starts both; the host's is sent again and again until send() changes it.
+  /// Allocates a channel in each direction and starts both. The host's packet is repeated until send() changes it.
   virtual bool startStreams(std::uint8_t& to_device, std::uint8_t& from_device) = 0;
-  /// The packet that is sent from now on.
+  /// Sets the packet that is sent from now on.
   virtual void send(std::span<const std::uint8_t> packet) = 0;
-  /// The newest packet, waiting `wait_ms` at most; empty for none. Nothing when the bus is gone or was reset.
+  /// The newest packet, waiting at most `wait_ms`; an empty vector if none arrived. No value if the bus is gone or was
+  /// reset.
   virtual std::optional<std::vector<std::uint8_t>> receive(int wait_ms) = 0;
 };
 
-/// A node that the buses show.
+/// A node on one of the buses.
 struct FireWireNode {
   int bus = 0;
   std::uint16_t node = 0;

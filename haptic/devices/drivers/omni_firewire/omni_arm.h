@@ -13,14 +13,14 @@ namespace hapticell::driver {
 /// in its inkwell, where the joints are (0, 0.23, -0.60) rad.
 class OmniArm {
  public:
-  /// Takes these counts for those in the inkwell.
+  /// Stores these counts as the counts in the inkwell.
   void home(const std::array<int, 3>& encoders);
   bool isHomed() const { return homed_; }
 
   /// Waist, shoulder, elbow (from the vertical), rad.
   dvec3 joints(const std::array<int, 3>& encoders) const;
   Pose X_DS(const OmniReading& reading) const;
-  /// Joint torques of a force (N, D) at these joints: J^T F, N m.
+  /// Joint torques (N m) that exert a force (N, D) at these joints: J^T F.
   dvec3 torques(const dvec3& joints, const dvec3& force_D) const;
   const haptic::PhantomArm& arm() const { return arm_; }
 
@@ -30,7 +30,7 @@ class OmniArm {
   bool homed_ = false;
 };
 
-/// Joint commands, -1 .. 1, of torques: all scaled together where one saturates, so that the direction stays.
+/// Joint commands, -1 .. 1, for torques. If one saturates, all are scaled together, so the direction stays.
 dvec3 omniCommands(const dvec3& torques, double newton_metres_per_unit);
 
 }  // namespace hapticell::driver

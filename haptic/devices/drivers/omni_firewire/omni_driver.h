@@ -10,8 +10,8 @@
 
 namespace hapticell::driver {
 
-/// A started Omni. Homed whenever its stylus is in the inkwell. It exerts no force until the user has measured how much
-/// a command is (`newton_metres_per_unit` above 0), and at most 30 % of the range then.
+/// A started Omni. It homes whenever its stylus is in the inkwell. It exerts no force until the user has measured the
+/// scale of the commands (`newton_metres_per_unit` above 0), and then at most 30 % of the range.
 class OmniDevice final : public Device {
  public:
   OmniDevice(std::unique_ptr<FireWirePort> port, const std::string& serial, double newton_metres_per_unit);
@@ -22,9 +22,9 @@ class OmniDevice final : public Device {
   const Problem& problem() const noexcept override { return problem_; }
   const char* calibrationText(std::uint32_t step) const noexcept override;
 
-  static constexpr int kPatience = 100;     ///< Reads of a millisecond without a packet until it counts as gone.
-  static constexpr double kMostUsed = 0.3;  ///< Of the commands' range.
-  static constexpr std::size_t kMean = 20;  ///< Packets that the noisy gimbal is averaged over.
+  static constexpr int kPatience = 100;     ///< Reads of a millisecond without a packet before it counts as lost.
+  static constexpr double kMostUsed = 0.3;  ///< Share of the commands' range that is used.
+  static constexpr std::size_t kMean = 20;  ///< Number of packets over which the noisy gimbal is averaged.
 
  private:
   void average(OmniReading& reading);
@@ -42,7 +42,7 @@ class OmniDevice final : public Device {
 };
 
 /// SensAble Phantom Omni over FireWire, experimental. Setting: `newtons_per_unit`, the force at the tip (N) in the
-/// middle of the workspace that a whole command exerts; measured with a spring balance.
+/// middle of the workspace at full command; measured with a spring balance.
 class OmniDriver final : public Driver {
  public:
   explicit OmniDriver(std::unique_ptr<FireWireBus> bus) : bus_(std::move(bus)) {}

@@ -11,7 +11,7 @@
 
 namespace hapticell::driver {
 
-/// What a Phantom Omni's isochronous packet of 64 bytes tells. Layout as raw_omni and phantom-drivers found it.
+/// Content of a Phantom Omni's isochronous packet of 64 bytes. Layout according to raw_omni and phantom-drivers.
 struct OmniReading {
   std::array<int, 3> encoders{};          ///< Counts: x, y, z.
   std::array<double, 3> gimbal_ratios{};  ///< A / (A + B) of each potentiometer, 0 .. 1.
@@ -19,14 +19,13 @@ struct OmniReading {
   std::uint32_t packet = 0;  ///< Counts up.
 };
 
-/// Nothing where the packet is too short or a gimbal's two halves are both zero.
+/// Empty if the packet is too short or a gimbal's two halves are both zero.
 std::optional<OmniReading> readOmniPacket(std::span<const std::uint8_t> bytes);
 
-/// The 16 bytes to the device: joint commands of -1 .. 1 (beyond is clamped; not-a-number is 0), motors, the dock's
-/// light.
+/// The 16 bytes to the device: joint commands of -1 .. 1 (clamped; NaN becomes 0), motors, the dock's light.
 std::array<std::uint8_t, 16> makeOmniPacket(const dvec3& commands, bool motors, bool light);
 
-/// The serial number as the maker prints it, of the quadlet at 0x10060010.
+/// The serial number as the maker prints it, from the quadlet at 0x10060010.
 std::string omniSerial(std::uint32_t quadlet);
 
 }  // namespace hapticell::driver

@@ -16,8 +16,8 @@ struct HdError {
   unsigned handle = 0;
 };
 
-/// The vendor's HDAPI (3D Systems OpenHaptics), found at run time. The signatures and numbers are facts of its binary
-/// interface, written down from public sources; no header of the vendor is used and nothing of it is shipped.
+/// The vendor's HDAPI (3D Systems OpenHaptics), loaded at run time. The signatures and numbers of its binary interface
+/// come from public sources; we use no header of the vendor and ship none of its files.
 struct HdLibrary {
   using Callback = unsigned (*)(void*);
 
@@ -42,15 +42,16 @@ struct HdLibrary {
   unsigned (*hdCheckCalibration)() = nullptr;
   void (*hdUpdateCalibration)(unsigned) = nullptr;
 
-  std::string file;  ///< Which one was loaded.
+  std::string file;  ///< The library that was loaded.
 
   bool isLoaded() const { return hdInitDevice != nullptr; }
-  /// Loads the first of `names` that there is; all functions above, or a problem that names the file and the function.
-  /// Sets the locale to "C" before: the library reads numbers by it. It is never unloaded.
+  /// Loads the first of `names` that exists, with all functions above; otherwise a problem that names the file and the
+  /// function. Sets the locale to "C" first, because the library uses it to read numbers. The library is never
+  /// unloaded.
   Problem load(const std::vector<std::string>& names);
 };
 
-/// HDAPI's numbers.
+/// Constants of HDAPI.
 namespace hd {
 inline constexpr unsigned kBadHandle = 0xFFFFFFFF;
 inline constexpr unsigned kContinue = 1, kDone = 0;

@@ -13,29 +13,29 @@ namespace hapticell::driver {
 
 /// HDAPI's frame (x right, y up, z to the user, mm) against D (x right, y away, z up, m, origin in the middle).
 struct HdFrame {
-  dvec3 middle_hd{0.0};  ///< Of the usable workspace, mm.
+  dvec3 middle_hd{0.0};  ///< Middle of the usable workspace, mm.
 
   dvec3 position(const double* position_hd) const;
-  /// Of the 4x4 transform with the translation in [12..14].
+  /// Orientation from the 4x4 transform, whose translation is in [12..14].
   static dquat orientation(const double* transform_hd);
   /// N, or N m, from D to HDAPI's axes.
   static dvec3 toHd(const dvec3& v_D);
 };
 
-/// A Phantom, Touch or Touch X that OpenHaptics drives, in the vendor's own scheduler.
+/// A Phantom, Touch or Touch X driven by OpenHaptics in the vendor's scheduler.
 ///
-/// The scheduler's callback measures and commands once a tick, one frame each; values go to and from the host's thread
-/// through triple buffers. A host that commands nothing for 50 ticks counts as one that commands zero force.
+/// The scheduler's callback measures and commands once a tick, in one frame. Triple buffers pass the values to and from
+/// the host's thread. If the host commands nothing for 50 ticks, the force is zero.
 class OpenHapticsDevice final : public Device {
  public:
-  /// `handle` is an initialised device; it is current when this is made.
+  /// `handle` is an initialised device; it is the current device when this object is made.
   OpenHapticsDevice(const HdLibrary& hd, unsigned handle);
   /// Disables the device. The scheduler must not run.
   ~OpenHapticsDevice();
   OpenHapticsDevice(const OpenHapticsDevice&) = delete;
   OpenHapticsDevice& operator=(const OpenHapticsDevice&) = delete;
 
-  /// Gives the callback to the vendor's scheduler, which must not run yet.
+  /// Registers the callback with the vendor's scheduler, which must not run yet.
   void schedule();
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
   Status read(State& state) noexcept override;
@@ -45,10 +45,10 @@ class OpenHapticsDevice final : public Device {
   Status calibrate(std::uint32_t step) noexcept override;
 
  private:
-  /// What a tick of the scheduler found out.
+  /// Results of one tick of the scheduler.
   struct Sample {
     State state;
-    unsigned error = 0;  ///< The gravest of this tick, HDAPI's code; 0: none.
+    unsigned error = 0;  ///< The most serious error of this tick, HDAPI's code; 0: no error.
     int internal = 0;
   };
 
@@ -72,21 +72,21 @@ class OpenHapticsDevice final : public Device {
   haptic::TripleBuffer<Sample> samples_;
   std::atomic<bool> asked_to_calibrate_{false};
 
-  // The scheduler's own.
+  // Scheduler's thread only.
   int ticks_without_command_ = 0;
-  int quiet_ticks_ = 0;  // No force after the vendor's library has refused one.
+  int quiet_ticks_ = 0;  // Ticks without force after the vendor's library has refused one.
   int warm_ticks_ = 0;
   CommandSteps steps_;
   bool force_output_ = false;
-  bool let_go_ = false;  // Of what is commanded nothing is exerted until a command without motors has come.
+  bool let_go_ = false;  // Commands are not exerted until a command without motors arrives.
 
-  // The host's own.
+  // Host's thread only.
   int reads_without_sample_ = 0;
-  bool switched_off_ = false;  // Past a scheduler that stands still.
+  bool switched_off_ = false;  // Without the scheduler, because it does not run.
   Problem problem_;
 };
 
-/// What an HDAPI error means for the host, and what mends it; `code` is HDAPI's, `text` the library's own words.
+/// Converts an HDAPI error to a problem with its fix; `code` is HDAPI's, `text` the library's text.
 Problem hdProblem(unsigned code, int internal, const std::string& text);
 
 }  // namespace hapticell::driver

@@ -17,14 +17,15 @@ class OpenHapticsDriver final : public Driver {
  public:
   const Information& information() const noexcept override { return information_; }
   void configure(const char* key, const char* value) noexcept override;
-  /// Opens the default device for a moment, when it is not open already.
+  /// Opens the default device briefly, if it is not already open.
   std::uint32_t find(Found* found, std::uint32_t room, Problem& problem) noexcept override;
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
-  /// By what the system shows: the vendor's library is neither loaded nor asked. A Touch on Ethernet is not seen.
+  /// Depends on the devices that the system lists; the vendor's library is not used. It does not see a Touch on
+  /// Ethernet.
   std::uint64_t presence() noexcept override;
 
-  /// The names that hdInitDevice is asked for, in order; a null pointer stands for the vendor's default.
+  /// The names to try with hdInitDevice, in order; a null pointer means the vendor's default.
   std::vector<const char*> namesToTry(const char* id) const;
 
  private:

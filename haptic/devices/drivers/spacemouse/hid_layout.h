@@ -8,32 +8,32 @@
 
 namespace hapticell::driver {
 
-/// One value (or, of an array, one slot for the usage that is on) of an input report.
+/// One value of an input report; for an array, one slot that contains a usage.
 struct HidField {
-  std::uint8_t report = 0;  ///< Its id; 0 where the device numbers none.
-  std::size_t bit = 0;      ///< Where it begins, behind the report's id.
+  std::uint8_t report = 0;  ///< Its id; 0 if the device does not number its reports.
+  std::size_t bit = 0;      ///< Its first bit, counted after the report's id.
   std::uint8_t bits = 0;
   std::uint16_t page = 0;
-  std::uint16_t usage = 0;         ///< Arrays: the usage that the logical minimum stands for.
+  std::uint16_t usage = 0;         ///< Arrays: the usage of the logical minimum.
   std::int32_t low = 0, high = 0;  ///< Logical minimum and maximum.
   bool array = false;
 };
 
-/// Where a device's input reports have what, by its report descriptor (USB, "Device Class Definition for HID 1.11",
-/// 6.2.2). A plain value.
+/// Layout of a device's input reports, from its report descriptor (USB, "Device Class Definition for HID 1.11", 6.2.2).
+/// A plain value.
 class HidLayout {
  public:
   static constexpr std::uint16_t kDesktop = 0x01, kButtons = 0x09;
   static constexpr std::uint16_t kFirstAxis = 0x30;  ///< X; then Y, Z, Rx, Ry, Rz.
 
-  /// Empty where the descriptor is broken or has no input.
+  /// Empty if the descriptor is invalid or has no input.
   static HidLayout parse(std::span<const std::uint8_t> descriptor);
 
   const std::vector<HidField>& fields() const { return fields_; }
   bool hasReportIds() const { return has_ids_; }
-  /// All six axes, X to Rz, are there.
+  /// Whether all six axes, X to Rz, are present.
   bool statesAxes() const;
-  /// The field's value in a report (id first where there is one); false where the report ends before it.
+  /// The field's value in a report (with its id first, if it has one); false if the report ends before it.
   bool read(const HidField& field, std::span<const std::uint8_t> report, std::int32_t& value) const;
 
  private:

@@ -12,11 +12,11 @@
 
 namespace hapticell::driver {
 
-/// A 3-D mouse. Its light is on while it is open. A deflection that is not repeated for a quarter of a second counts
-/// as none: a wireless one's last report may be lost, and a held one repeats itself.
+/// A 3D mouse. Its light is on while it is open. If a deflection is not repeated within 0.25 s, it counts as zero: a
+/// held mouse repeats its reports, but the last report of a wireless one may be lost.
 class SpaceMouseDevice final : public OwnedMouse {
  public:
-  /// `model` may be null; `layout` is what its report descriptor states, or nothing.
+  /// `model` may be null; `layout` comes from its report descriptor and may be empty.
   SpaceMouseDevice(std::unique_ptr<HidPort> port, const char* name, const SpaceMouseModel* model, HidLayout layout);
   ~SpaceMouseDevice() override;
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
@@ -24,7 +24,7 @@ class SpaceMouseDevice final : public OwnedMouse {
   Status write(const Command& command) noexcept override;
   const Problem& problem() const noexcept override { return problem_; }
 
-  /// Empty reads of a millisecond each until a deflection counts as none.
+  /// Empty reads of a millisecond each before a deflection counts as zero.
   static constexpr int kPatience = 250;
 
  private:
@@ -40,19 +40,19 @@ class SpaceMouseDevice final : public OwnedMouse {
   bool light_ = false;
 };
 
-/// 3Dconnexion's 3-D mice. Where spacenavd runs they come from it, so that other programs can use them at the same time
-/// (and its settings count); else over hidraw.
+/// 3Dconnexion's 3D mice. If spacenavd runs, the driver uses it, so that other programs can use the mouse at the same
+/// time (and spacenavd's settings apply); else it uses hidraw.
 class SpaceMouseDriver final : public Driver {
  public:
-  /// `daemon` may be null: never asked.
+  /// `daemon` may be null: spacenavd is not used.
   explicit SpaceMouseDriver(std::unique_ptr<HidBackend> hid, std::unique_ptr<SpacenavBackend> daemon = nullptr)
       : hid_(std::move(hid)), daemon_(std::move(daemon)) {}
   const Information& information() const noexcept override { return information_; }
   std::uint32_t find(Found* found, std::uint32_t room, Problem& problem) noexcept override;
-  /// `id` is the serial number where there is one, else the device file; kSpacenavId for the one of spacenavd.
+  /// `id` is the serial number, or the device file if there is no number; kSpacenavId for the mouse of spacenavd.
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
-  /// Does not ask the daemon: a client that comes and goes makes the mouse's light blink.
+  /// Does not connect to the daemon, because each connection makes the mouse's light blink.
   std::uint64_t presence() noexcept override;
 
   static constexpr const char* kSpacenavId = "spacenavd";

@@ -9,16 +9,16 @@
 
 namespace hapticell::driver {
 
-/// A device that this driver made and ends.
+/// A device that this driver creates and deletes.
 class OwnedMouse : public Device {
  public:
   virtual ~OwnedMouse() = default;
 };
 
-/// What spacenavd tells: a motion or a key.
+/// An event of spacenavd: a motion or a key.
 struct SpacenavEvent {
   bool motion = false;
-  int axes[6] = {};  ///< Counts, about 500 at full deflection: right, up, away; turning about the same.
+  int axes[6] = {};  ///< Counts, about 500 at full deflection: right, up, away; rotation about the same axes.
   int button = 0;
   bool pressed = false;
 };
@@ -27,9 +27,9 @@ struct SpacenavEvent {
 class SpacenavPort {
  public:
   virtual ~SpacenavPort() = default;
-  /// Waits `wait_ms` at most. 1: `event` is filled; 0: nothing; -1: the daemon is gone.
+  /// Waits at most `wait_ms`. 1: `event` is filled; 0: no event; -1: the daemon is gone.
   virtual int next(SpacenavEvent& event, int wait_ms) = 0;
-  virtual std::string deviceName() = 0;  ///< Empty where it has none, or does not tell.
+  virtual std::string deviceName() = 0;  ///< Empty if unknown.
   virtual std::uint32_t buttons() = 0;
 };
 
@@ -37,25 +37,25 @@ class SpacenavPort {
 class SpacenavBackend {
  public:
   virtual ~SpacenavBackend() = default;
-  virtual bool isRunning() = 0;     ///< It answers. To ask is to be its client for a moment.
-  virtual std::string trace() = 0;  ///< Of its socket's file: another one when the daemon came, went or came anew.
+  virtual bool isRunning() = 0;     ///< Whether it answers. The check connects as a client for a moment.
+  virtual std::string trace() = 0;  ///< Identifies its socket's file; changes when the daemon starts, ends or restarts.
   virtual std::string place() = 0;  ///< Its socket.
   virtual std::string deviceName() = 0;
   virtual std::unique_ptr<SpacenavPort> open(Problem& problem) = 0;
 };
 
-/// By libspnav, whose own rule says where the socket is: SPNAV_SOCKET, /etc/spnavrc, /var/run/spnav.sock. Null where
-/// the program was built without it.
+/// Access through libspnav, which looks for the socket in SPNAV_SOCKET, /etc/spnavrc, /var/run/spnav.sock. Null if the
+/// program was built without libspnav.
 std::unique_ptr<SpacenavBackend> makeSpacenav();
 
-/// A 3-D mouse that spacenavd reads. Its dead zone, sensitivity and axis settings have been applied. It says each
-/// change once, so a deflection stands until the next event.
+/// A 3D mouse that spacenavd reads. Its dead zone, sensitivity and axis settings have been applied. It sends each
+/// change once, so a deflection is valid until the next event.
 class SpacenavDevice final : public OwnedMouse {
  public:
   explicit SpacenavDevice(std::unique_ptr<SpacenavPort> port);
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
   Status read(State& state) noexcept override;
-  Status write(const Command&) noexcept override { return Status::kOk; }  ///< Its light is the daemon's.
+  Status write(const Command&) noexcept override { return Status::kOk; }  ///< The daemon controls the light.
   const Problem& problem() const noexcept override { return problem_; }
 
  private:
