@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Installs to an empty prefix, then uses that installation as others would: every header, every library, a driver of one's own.
-# cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -DFLAGS=... -DPYTHON=... -P install_and_build.cmake
+# Installs to an empty prefix, then uses that installation as others would: every library, a driver of one's own.
+# cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -DFLAGS=... -P install_and_build.cmake
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -9,10 +9,8 @@ function(run)
 endfunction()
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-separate_arguments(flag_list UNIX_COMMAND "${FLAGS}")
-run(${PYTHON} ${SOURCE}/lone_headers.py ${WORK}/prefix/include/hapticell ${COMPILER} ${flag_list})
 
-set(configure ${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_BUILD_TYPE=Release
+set(configure ${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -DCMAKE_PREFIX_PATH=${WORK}/prefix
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_EXE_LINKER_FLAGS=${LINKER_FLAGS})
 run(${configure} -B ${WORK}/build)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
@@ -23,7 +21,7 @@ if(status EQUAL 0 OR NOT said MATCHES "HAPTICELL_LINKED")
 endif()
 
 # A driver of somebody else, built with nothing but the installed headers, as docs/library/drivers.md says, then found and driven.
-run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE}/../../examples/driver -B ${WORK}/driver -DCMAKE_BUILD_TYPE=Release
+run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE}/../../examples/driver -B ${WORK}/driver
   -DHAPTICELL_INCLUDE=${WORK}/prefix/include/hapticell -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS})
 run(${CMAKE_COMMAND} --build ${WORK}/driver)
 set(ENV{HAPTICELL_DRIVERS} ${WORK}/driver)

@@ -278,7 +278,7 @@ TEST(WorkplaceSearch, WhatItPromisesIsMeasuredOnThePostures) {
   question.station = {8};
   question.rise_from = question.away_from = -0.1;
   question.rise_to = question.away_to = 0.1;
-  question.rise_step = question.away_step = 0.1;
+  question.rise_step = question.away_step = 0.2;
   const std::atomic<bool> cancel{false};
   const auto map = searchWorkplace(question, {}, cancel);
   ASSERT_TRUE(map && map->best >= 0);
