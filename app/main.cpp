@@ -68,24 +68,24 @@ Options parse(const QApplication& application) {
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument(
-      "file", "A workcell (*.hcell); without one the first page is shown, or the cell opened last.", "[file]");
+      "file", "Workcell (*.hcell) to open. Default: the start page, or the cell opened last.", "[file]");
   parser.addOptions(
-      {{"screenshot", "Saves a picture of the window once it stands still.", "file.png"},
-       {"exit", "Quits after the screenshot."},
-       {"delay", "Milliseconds before the screenshot.", "ms", "1500"},
-       {"measure-frames", "Prints the median time of a frame at each level of detail and quits."},
+      {{"screenshot", "Save a picture of the window when it has finished drawing.", "file.png"},
+       {"exit", "Quit after the screenshot."},
+       {"delay", "Wait this long before the screenshot.", "ms", "1500"},
+       {"measure-frames", "Print the median frame time at each level of detail, then quit."},
        {"measure-start",
-        "Prints when the window stood, when its cell was read and how long it ever kept a click waiting, and quits."},
-       {"theme", "dark or light.", "name"},
-       {"language", "en or fr.", "code"},
-       {"size", "Size of the window, or of the picture.", "WIDTHxHEIGHT"},
-       {"render", "Draws this cell or file into the picture or video named by -o, without a window.", "file"},
-       {{"o", "output"}, "The picture or video that --render makes.", "file"},
+        "Print the times to the first picture and to the loaded cell and the longest wait for a click, then quit."},
+       {"theme", "Theme: dark or light.", "name"},
+       {"language", "Language: en or fr.", "code"},
+       {"size", "Size of the window or of the picture, in pixels.", "WIDTHxHEIGHT"},
+       {"render", "Draw this cell or file to the picture or video named by -o, without a window.", "file"},
+       {{"o", "output"}, "Picture or video that --render writes.", "file"},
        {"view", "For --render: front, back, right, left, top, bottom, iso or saved.", "name", "iso"},
-       {"seconds", "For --render into a video (mp4, webm, mkv, gif): how long one turn takes.", "s", "8"},
-       {"no-floor", "For --render: leaves the floor's grid out."},
-       {"config", "A hapticell.toml that is read over the shipped one.", "file"},
-       {"no-module", "Does not start the Virtual Desktop by itself."}});
+       {"seconds", "For --render to a video (mp4, webm, mkv, gif): duration of one turn.", "s", "8"},
+       {"no-floor", "For --render: do not draw the floor grid."},
+       {"config", "hapticell.toml whose values override the shipped ones.", "file"},
+       {"no-module", "Do not start Virtual Desktop automatically."}});
   if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText() + ". See hapticell --help.");
   parser.process(application);  // --help and --version.
   Options options;
@@ -101,7 +101,7 @@ Options parse(const QApplication& application) {
   options.delay_ms = qBound(0, parser.value("delay").toInt(), 600000);
   const auto size = sizeFrom(parser.value("size"));
   if (parser.isSet("size") && !size)
-    refuse(QString("--size: '%1' is no size; WIDTHxHEIGHT was expected, each from 1 to %2 pixels")
+    refuse(QString("--size: '%1' is not a size. Enter WIDTHxHEIGHT, each from 1 to %2 pixels.")
                .arg(parser.value("size"))
                .arg(kLargestSide));
   if (size && size->width() >= 640 && size->height() >= 400) options.size = *size;
@@ -120,7 +120,7 @@ Options parse(const QApplication& application) {
 
 int renderPicture(const hapticell::app::RenderCommand& command) {
   if (command.output.isEmpty()) {
-    qCritical("--render needs the picture's name: hapticell --render cell.hcell -o picture.png");
+    qCritical("--render needs an output file: hapticell --render cell.hcell -o picture.png");
     return 2;
   }
   hapticell::Diagnostics diagnostics;
@@ -256,7 +256,7 @@ int main(int argc, char** argv) {
   for (const std::string& sentence : hapticell::config::cleanEnvironment())
     qWarning().noquote() << QString::fromStdString(sentence);
   if (!hasDisplay()) {
-    qCritical("There is no display to draw on. Start it on a desktop, or under xvfb-run.");
+    qCritical("No display found. Start hapticell on a desktop, or under xvfb-run.");
     return 2;
   }
   hapticell::app::Application application(argc, argv);

@@ -26,9 +26,9 @@ int run(const Action& chosen, const std::string& json_file) {
   try {
     return static_cast<int>(chosen(writer));
   } catch (const std::bad_alloc&) {
-    report({"", "", "there is not enough memory for this", "", "Use a smaller or coarser model."});
+    report({"", "", "not enough memory", "", "Use a smaller or coarser model."});
   } catch (const std::exception& exception) {
-    report({"", "", std::string("an unforeseen fault: ") + exception.what(), "", "This is a bug worth reporting."});
+    report({"", "", std::string("unexpected error: ") + exception.what(), "", "This is a bug. Please report it."});
   }
   return static_cast<int>(ExitStatus::kBadInput);
 }
@@ -37,7 +37,7 @@ int run(const Action& chosen, const std::string& json_file) {
 int reportUnknownCommand(const CLI::App& app, const std::string& word) {
   std::string known;
   for (const CLI::App* command : app.get_subcommands({})) known += (known.empty() ? "" : ", ") + command->get_name();
-  report({"", "", "there is no command '" + word + "'", "one of " + known, ""});
+  report({"", "", "no command is named '" + word + "'", "one of " + known, ""});
   return static_cast<int>(ExitStatus::kBadInput);
 }
 
@@ -85,7 +85,7 @@ int runCommandLine(int argc, char** argv) {
     return app.exit(problem) == 0 ? 0 : static_cast<int>(ExitStatus::kBadInput);
   }
   if (!chosen) {
-    report({"", "", "the command needs a further word", "", "See hapticell-cli COMMAND --help."});
+    report({"", "", "the command needs a subcommand", "", "See hapticell-cli COMMAND --help."});
     return static_cast<int>(ExitStatus::kBadInput);
   }
   return run(chosen, json_file);

@@ -24,7 +24,7 @@ void choosePartColor(Host& host, const QColor& now, std::function<void(const QCo
       host.messages().tell(
           Severity::kInformation, QObject::tr("The part is shown in a quieter colour than %1").arg(chosen.name()),
           QObject::tr(
-              "So contacts stay easy to see. Settings, Appearance, \"Parts in their full colours\" changes it."));
+              "This keeps contacts easy to see. To change it: Settings > Appearance > Show parts in full colour."));
   });
   dialog->open();
 }

@@ -39,7 +39,7 @@ FrameFields::FrameFields(Host& host, QWidget* parent) : QWidget(parent), host_(h
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   carrier_->setObjectName("comboFrameCarrier");
-  carrier_->setToolTip(tr("The frame goes with it, and keeps its place now"));
+  carrier_->setToolTip(tr("The frame keeps its current placement and moves with it"));
   addRow(*rows, tr("Fixed to"), carrier_, kFrameLabel);
   connect(carrier_, &QComboBox::activated, this, &FrameFields::choose);
 }

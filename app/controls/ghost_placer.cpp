@@ -35,7 +35,7 @@ void GhostPlacer::begin(const workcell::Entity& entity) {
   showAt(p_W_);
   if (on_) return;
   host_.viewport().startPick({{.faces = true, .edges = false, .vertices = false},
-                              tr("Click where it shall stand; Esc: not now"),
+                              tr("Click to place it; Esc: cancel"),
                               [this](const std::optional<PickedFeature>& feature) {
                                 const bool on = on_;
                                 forget();

@@ -26,7 +26,7 @@ PlaceFields::PlaceFields(Host& host, const QString& name, const QString& prompt,
   addRow(*rows, tr("X Y Z"), sideBySide({fields_[0], fields_[1], fields_[2]}), 56);
   auto* button = new QPushButton(tr("Pick in the scene"));
   button->setObjectName(name + QStringLiteral("Pick"));
-  addRow(*rows, tr("Turn"), sideBySide({fields_[3], button}), 56);
+  addRow(*rows, tr("Angle"), sideBySide({fields_[3], button}), 56);
   connect(button, &QPushButton::clicked, this, [this, prompt] { pick(prompt); });
 }
 

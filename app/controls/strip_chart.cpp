@@ -45,7 +45,7 @@ struct StripChart::Axes {
 
 StripChart::StripChart(double length_s, QWidget* parent) : QWidget(parent), history_(length_s) {
   setObjectName("stripChart");
-  setAccessibleName(tr("Force and gap over the last seconds"));
+  setAccessibleName(tr("Force and clearance over the last seconds"));
   setMouseTracking(true);
 }
 
@@ -196,8 +196,8 @@ void StripChart::paintRates(QPainter& painter, const Axes& axes) const {
     painter.drawText(QRect(12, axes.rates.top() - 2 + 16 * line, 176, 16), Qt::AlignVCenter | Qt::AlignLeft, text);
     painter.drawText(QRect(12, axes.rates.top() - 2 + 16 * line, 176, 16), Qt::AlignVCenter | Qt::AlignRight, rate);
   };
-  word(0, theme.text1, tr("Haptic loop"), now ? now->haptic_hz : 0.0);
-  word(1, theme.text2, tr("Collision loop, dashed"), now ? now->manipulation_hz : 0.0);
+  word(0, theme.text1, tr("Force loop"), now ? now->haptic_hz : 0.0);
+  word(1, theme.text2, tr("Manipulation loop, dashed"), now ? now->manipulation_hz : 0.0);
 }
 
 void StripChart::paintLegend(QPainter& painter, const Axes& axes) const {
@@ -213,13 +213,13 @@ void StripChart::paintLegend(QPainter& painter, const Axes& axes) const {
     painter.drawText(QRect(12, y, room, 20), Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(text, Qt::ElideRight, room));
   };
-  write(top - 4, theme.selection, tr("Gap, nearest pair"));
+  write(top - 4, theme.selection, tr("Clearance, nearest pair"));
   write(top + 18, theme.text1, tr("Force on the hand"));
   painter.setFont(textFont(TextRole::kSecond));
-  write(top + 40, theme.words.near_miss, tr("Near miss under %1").arg(gapText(near_miss_m_)));
+  write(top + 40, theme.words.near_miss, tr("Near miss below %1").arg(gapText(near_miss_m_)));
   if (!history_.samples().empty()) return;
   painter.setPen(theme.text2);
-  painter.drawText(axes.plot, Qt::AlignCenter, tr("Nothing is measured yet. Connect a stylus and hold an entity."));
+  painter.drawText(axes.plot, Qt::AlignCenter, tr("No measurements yet. Connect a stylus and hold an entity."));
 }
 
 void StripChart::paintCursor(QPainter& painter, const Axes& axes) const {
@@ -231,7 +231,8 @@ void StripChart::paintCursor(QPainter& painter, const Axes& axes) const {
   const int above = std::min(8, axes.plot.top());
   painter.fillRect(QRectF(x - 0.75, axes.plot.top() - above, 1.5, axes.plot.height() + above), theme.text1);
   if (!pointed) return;
-  const QString gap = std::isfinite(sample->gap_m) ? QString::fromStdString(millimetres(sample->gap_m)) : tr("no gap");
+  const QString gap =
+      std::isfinite(sample->gap_m) ? QString::fromStdString(millimetres(sample->gap_m)) : tr("no clearance");
   const QString force = tr("%1 N at %2 s").arg(sample->force_n, 0, 'f', 1).arg(sample->time_s, 0, 'f', 2);
   painter.setFont(textFont(TextRole::kSecond));
   const int gap_width = painter.fontMetrics().horizontalAdvance(gap) + 12;

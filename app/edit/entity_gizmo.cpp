@@ -132,10 +132,10 @@ bool EntityGizmo::press(const PointerEvent& event) {
 QString EntityGizmo::stepText(bool turns) const {
   const std::vector<workcell::EntityId> ids = moved();
   if (ids.size() != 1)
-    return (turns ? tr("Turn %n entities", nullptr, static_cast<int>(ids.size()))
+    return (turns ? tr("Rotate %n entities", nullptr, static_cast<int>(ids.size()))
                   : tr("Move %n entities", nullptr, static_cast<int>(ids.size())));
   const QString name = QString::fromStdString(host_.documentModel().document().find(ids.front())->name);
-  return turns ? tr("Turn %1").arg(name) : tr("Move %1").arg(name);
+  return turns ? tr("Rotate %1").arg(name) : tr("Move %1").arg(name);
 }
 
 /// A value on the grid: of world or parent where these are the axes, else of the motion.
@@ -237,11 +237,11 @@ void EntityGizmo::moveBy(const Twist& motion_G) {
 
 QString EntityGizmo::hint() const {
   if (drag_)
-    return snapping_ ? tr("Snaps to corners, edges, faces and frames · Ctrl: free · Esc takes it back")
-                     : tr("Ctrl snaps to corners, edges, faces and frames · Esc takes it back");
+    return snapping_ ? tr("Snapping to corners, edges, faces and frames · Ctrl: free · Esc: cancel")
+                     : tr("Ctrl: snap to corners, edges, faces and frames · Esc: cancel");
   if (!over_) return {};
-  if (over_->axis == Gizmo::kFree) return tr("Drag to move in the plane of the screen");
-  return over_->turns ? tr("Drag to turn") : tr("Drag to move");
+  if (over_->axis == Gizmo::kFree) return tr("Drag to move parallel to the screen");
+  return over_->turns ? tr("Drag to rotate") : tr("Drag to move");
 }
 
 }  // namespace hapticell::app

@@ -25,15 +25,14 @@ FramePlacer::~FramePlacer() = default;
 
 void FramePlacer::begin() {
   if (on_) return;
-  host_.viewport().startPick(
-      {{.faces = true, .edges = true, .vertices = true},
-       tr("Click where the frame shall be: a corner, an edge, a face or the floor; Esc: not now"),
-       [this](const std::optional<PickedFeature>& feature) {
-         const bool on = on_;
-         const auto shown = X_WF_;
-         forget();
-         if (feature && on) insert(shown.value_or(featureFrame_W(*feature)));
-       }});
+  host_.viewport().startPick({{.faces = true, .edges = true, .vertices = true},
+                              tr("Click a corner, an edge, a face or the floor to place the frame; Esc: cancel"),
+                              [this](const std::optional<PickedFeature>& feature) {
+                                const bool on = on_;
+                                const auto shown = X_WF_;
+                                forget();
+                                if (feature && on) insert(shown.value_or(featureFrame_W(*feature)));
+                              }});
   on_ = true;
   host_.viewport().installEventFilter(this);
 }

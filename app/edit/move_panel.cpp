@@ -67,15 +67,15 @@ void MovePanel::addTool(QVBoxLayout& column) {
   mode_ = new Segmented({tr("Select"), tr("Move"), tr("Rotate")});
   mode_->setObjectName("segmentsTool");
   addRow(*section, tr("Tool"), mode_);
-  axes_ = new Segmented({tr("World"), tr("Parent"), tr("Own"), tr("Frame")});
+  axes_ = new Segmented({tr("World"), tr("Parent"), tr("Local"), tr("Frame")});
   axes_->setObjectName("segmentsEditAxes");
-  addRow(*section, tr("Axes of"), axes_);
+  addRow(*section, tr("Axes"), axes_);
   frame_ = new ReferenceChoice(host_, {});
   frame_->setObjectName("comboEditFrame");
   frame_row_ = addRow(*section, tr("Frame"), frame_);
   about_ = new Segmented({tr("Own origin"), tr("Centre"), tr("Frame")});
   about_->setObjectName("segmentsAbout");
-  addRow(*section, tr("About"), about_);
+  addRow(*section, tr("Pivot"), about_);
   connect(mode_, &Segmented::chosen, this, [this](int index) { gizmo_.setMode(static_cast<Mode>(index)); });
   connect(axes_, &Segmented::chosen, this, &MovePanel::chooseAxes);
   connect(frame_, &ReferenceChoice::referenceChanged, this, &MovePanel::showFrames);
@@ -100,13 +100,13 @@ void MovePanel::showFrames() {
   if (gizmo_.axes() == EditAxes::kFrame)
     gizmo_.setAxes(any ? EditAxes::kFrame : EditAxes::kWorld, frame_->frame_W().value_or(Pose::identity()).q);
   axes_->setCurrent(static_cast<int>(gizmo_.axes()));
-  axes_->setChoiceEnabled(kFrameAxes, any, tr("This cell has no frame yet: Insert, Frame makes one"));
+  axes_->setChoiceEnabled(kFrameAxes, any, tr("No frame in this cell yet. Add one with Insert > Frame."));
   frame_row_->setVisible(any);
   frame_->setEnabled(gizmo_.axes() == EditAxes::kFrame);
 }
 
 void MovePanel::addNumbers(QVBoxLayout& column) {
-  QVBoxLayout* section = addSection(column, tr("By numbers"));
+  QVBoxLayout* section = addSection(column, tr("By values"));
   const char* const names[]{"X", "Y", "Z", "A", "B", "C"};
   for (std::size_t i = 0; i < 6; ++i) {
     numbers_[i] = new ValueField(
@@ -116,7 +116,7 @@ void MovePanel::addNumbers(QVBoxLayout& column) {
   addRow(*section, tr("X Y Z"), sideBySide({numbers_[0], numbers_[1], numbers_[2]}));
   addRow(*section, tr("A B C"), sideBySide({numbers_[3], numbers_[4], numbers_[5]}));
   for (std::size_t i = 0; i < 6; ++i) numbers_[i]->setAccessibleName(tr("Move by %1").arg(QLatin1String(names[i])));
-  apply_ = new QPushButton(tr("Move by this"));
+  apply_ = new QPushButton(tr("Apply"));
   apply_->setObjectName("buttonMoveBy");
   apply_->setProperty("main", true);
   auto* row = new QHBoxLayout;
@@ -128,15 +128,15 @@ void MovePanel::addNumbers(QVBoxLayout& column) {
 
 void MovePanel::addSteps(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("While dragging"));
-  grid_on_ = makeSwitch(tr("Steps of length"), "switchGrid");
-  angle_on_ = makeSwitch(tr("Steps of angle"), "switchAngle");
+  grid_on_ = makeSwitch(tr("Length step"), "switchGrid");
+  angle_on_ = makeSwitch(tr("Angle step"), "switchAngle");
   snap_ = makeSwitch(tr("Snap to corner, edge, face, frame"), "switchSnap");
   grid_ = new ValueField({tr("mm"), 1, 0.01, 1e5, 1.0});
   grid_->setObjectName("fieldGrid");
-  grid_->setAccessibleName(tr("Step of length"));
+  grid_->setAccessibleName(tr("Length step"));
   angle_ = new ValueField({QStringLiteral("°"), 1, 0.01, 180.0, 1.0});
   angle_->setObjectName("fieldAngle");
-  angle_->setAccessibleName(tr("Step of angle"));
+  angle_->setAccessibleName(tr("Angle step"));
   for (const auto& [box, field] : {std::pair{grid_on_, grid_}, std::pair{angle_on_, angle_}}) {
     auto* row = new QHBoxLayout;
     row->addWidget(box, 1);
@@ -151,13 +151,13 @@ void MovePanel::addSteps(QVBoxLayout& column) {
 }
 
 void MovePanel::addOnto(QVBoxLayout& column) {
-  QVBoxLayout* section = addSection(column, tr("Put onto"));
-  align_ = makeSwitch(tr("Turn it too: axes along, faces flat"), "switchAlign");
+  QVBoxLayout* section = addSection(column, tr("Place on"));
+  align_ = makeSwitch(tr("Rotate too: axes aligned, faces flush"), "switchAlign");
   align_->setChecked(true);
   section->addWidget(align_);
-  onto_ = new QPushButton(tr("Pick from and to"));
+  onto_ = new QPushButton(tr("Pick start and target"));
   onto_->setObjectName("buttonOnto");
-  onto_->setToolTip(tr("First a face, edge or corner of what moves, then where it shall go"));
+  onto_->setToolTip(tr("First pick a face, edge or corner of the moving part, then the target"));
   auto* row = new QHBoxLayout;
   row->addStretch(1);
   row->addWidget(onto_);
@@ -209,11 +209,11 @@ void MovePanel::showSelection() {
   title_->setText(all.size() > 1 ? tr("%n selected", nullptr, static_cast<int>(all.size()))
                   : now          ? QString::fromStdString(now->name)
                                  : tr("Nothing is selected"));
-  note_->setText(all.empty()      ? tr("Click a part, or draw a box about several.")
+  note_->setText(all.empty()      ? tr("Click a part, or draw a box around several.")
                  : moved.empty()  ? tr("It is locked in place. Unlock it in the tree first.")
-                 : all.size() > 1 ? tr("They move together, about the one chosen last.")
+                 : all.size() > 1 ? tr("They move together. The last one selected is the pivot.")
                                   : QString());
-  about_->setChoiceEnabled(2, now && !now->frames.empty(), tr("It has no frame yet: the panel Solid makes one"));
+  about_->setChoiceEnabled(2, now && !now->frames.empty(), tr("It has no frame yet. Add one in the Solid panel."));
   apply_->setEnabled(!moved.empty());
   onto_->setEnabled(!moved.empty());
 }
@@ -235,7 +235,7 @@ void MovePanel::applyNumbers() {
 
 void MovePanel::pickFrom() {
   host_.viewport().startPick({{true, true, true},
-                              tr("Pick a face, edge or corner of what moves · Esc: end"),
+                              tr("Pick a face, edge or corner of the moving part · Esc: end"),
                               [self = QPointer(this)](const std::optional<PickedFeature>& feature) {
                                 if (self && feature) self->pickTo(*feature);
                               }});
@@ -244,7 +244,7 @@ void MovePanel::pickFrom() {
 void MovePanel::pickTo(const PickedFeature& from) {
   host_.viewport().startPick(
       {{true, true, true},
-       tr("Pick where it shall go · Esc: end"),
+       tr("Pick the target · Esc: end"),
        [self = QPointer(this), from](const std::optional<PickedFeature>& to) {
          if (!self || !to) return;
          if (!self->host_.selection().contains(from.entity)) self->host_.selection().set(from.entity);
@@ -253,7 +253,7 @@ void MovePanel::pickTo(const PickedFeature& from) {
          const Pose M_W =
              motionOnto(featureFrame_W(from), featureFrame_W(*to), self->align_->isChecked() && !corner, faces);
          self->gizmo_.applyMotion(
-             M_W, tr("Put %1 onto %2")
+             M_W, tr("Place %1 on %2")
                       .arg(QString::fromStdString(featureText(from)), QString::fromStdString(featureText(*to))));
        }});
 }

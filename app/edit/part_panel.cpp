@@ -127,8 +127,8 @@ QWidget* PartPanel::makePlace() {
   auto* holder = new QWidget;
   auto* column = new QVBoxLayout(holder);
   column->setContentsMargins(0, 0, 0, 0);
-  QVBoxLayout* section = addSection(*column, tr("Where it stands"));
-  place_ = new PlaceFields(host_, "placePart", tr("Click where the middle of its lower side shall stand"));
+  QVBoxLayout* section = addSection(*column, tr("Placement"));
+  place_ = new PlaceFields(host_, "placePart", tr("Click where the centre of its underside goes"));
   section->addWidget(place_);
   ghost_ = new GhostPlacer(
       host_, *place_, [this] { insertThere(); }, this);
@@ -232,7 +232,7 @@ void PartPanel::showGhost() {
 void PartPanel::showRobots() {
   const QVariant before = mount_on_->count() > 0 ? mount_on_->currentData() : QVariant();
   mount_on_->clear();
-  mount_on_->addItem(tr("Nothing: it stands free"), QVariant::fromValue<qulonglong>(0));
+  mount_on_->addItem(tr("Nothing (free-standing)"), QVariant::fromValue<qulonglong>(0));
   for (const auto& entity : host_.documentModel().document().state().entities) {
     if (entity->kind != workcell::EntityKind::kRobot || tipOf(*entity) < 0) continue;
     mount_on_->addItem(QString::fromStdString(entity->name), QVariant::fromValue<qulonglong>(entity->id));
@@ -306,7 +306,7 @@ void PartPanel::mount(workcell::EntityId part, const Entity& robot) {
   const double ahead = document.document().find(part)->mesh->bounds().max.z;
   if (!document.execute(workcell::SetTool{id, link, Pose::translation({0.0, 0.0, ahead})})) return;
   host_.messages().tell(Severity::kInformation, tr("The TCP of %1 is at the gripper's finger tips").arg(name),
-                        tr("%1 mm in front of the flange. Change it in the Robot dock, or undo the insertion.")
+                        tr("%1 mm in front of the flange. To change it, use the Robot panel or undo the insertion.")
                             .arg(kMillimetres * ahead, 0, 'f', 0));
 }
 

@@ -67,7 +67,7 @@ void PartSizes::resize() {
     for (ValueField* field : fields_) field->clearFocus();
     return showPart(*solid);
   }
-  host_.documentModel().executeAll(tr("Size of %1").arg(QString::fromStdString(solid->name)), *commands);
+  host_.documentModel().executeAll(tr("Resize %1").arg(QString::fromStdString(solid->name)), *commands);
 }
 
 }  // namespace hapticell::app

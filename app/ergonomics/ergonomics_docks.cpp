@@ -111,7 +111,7 @@ class ErgonomicsDocks : public QObject {
     entry("actionErgonomicsTime", tr("Ergonomics over time"), time_);
     entry("actionWorkTask", tr("Task data…"), task_);
     entry("actionErgonomicsReport", tr("Ergonomics report…"), report_);
-    entry("actionWorkplace", tr("Search the workplace…"), workplace_);
+    entry("actionWorkplace", tr("Workplace search…"), workplace_);
   }
 
   bool isWanted() const { return isSeen(*panel_) || isSeen(*report_panel_) || isSeen(*task_->widget()); }

@@ -51,11 +51,11 @@ QString refusedLiftText(const Error& why) {
       {"repetitions_per_min", QObject::tr("enter the repetition in Task data.")},
       {"duration_h", is_missing ? QObject::tr("enter the hours in a shift in Task data.")
                                 : QObject::tr("the equation covers shifts of up to 8 h.")},
-      {"grip", is_missing ? QObject::tr("enter the grip in Task data.")
-                          : QObject::tr("it needs a grip that is good, fair or poor.")},
-      {"one_handed", QObject::tr("only one hand bears the load; it judges lifts with both hands. Use RULA or REBA.")},
+      {"grip",
+       is_missing ? QObject::tr("enter the grip in Task data.") : QObject::tr("it needs a good, fair or poor grip.")},
+      {"one_handed", QObject::tr("only one hand carries the load; it covers lifts with both hands. Use RULA or REBA.")},
       {"seated_or_kneeling",
-       QObject::tr("the figure sits or kneels; it judges lifts while standing. Use RULA or REBA.")},
+       QObject::tr("the mannequin sits or kneels; it covers lifts while standing. Use RULA or REBA.")},
   };
   const auto found = reasons.find(why.place);
   return found == reasons.end() ? shown(why.message()) : found->second;
@@ -84,7 +84,7 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
 QWidget* ErgonomicsPanel::makeEmptyPage() {
   auto* page = new QWidget;
   auto* nothing = new QVBoxLayout(page);
-  auto* words = makeLabel(tr("No mannequin is in the cell, so there is nobody to score."), TextRole::kText, true);
+  auto* words = makeLabel(tr("No mannequin in the cell to score."), TextRole::kText, true);
   words->setWordWrap(true);
   auto* add = new QPushButton(tr("Add mannequin"));
   add->setProperty("main", true);
@@ -103,7 +103,7 @@ QWidget* ErgonomicsPanel::makeMethodRows() {
   methods_->button(3)->setToolTip(
       tr("EN 1005-4 and ISO 11226: zones and holding times of the parts; the outline of EAWS; joint comfort"));
   methods_->button(kLoadTab)->setToolTip(
-      tr("The lifting equation and what the hands bear; the colours stay those of RULA"));
+      tr("The lifting equation and the forces on the hands; colours stay those of RULA"));
   auto* task = new QPushButton(tr("Task data…"));
   task->setObjectName("buttonTaskData");
   connect(task, &QPushButton::clicked, this, &ErgonomicsPanel::taskWanted);
@@ -115,7 +115,7 @@ QWidget* ErgonomicsPanel::makeMethodRows() {
   columns_ = new ScoreColumns(scores_);
   all_bodies_ = new QCheckBox(tr("Show all four in the scene"));
   all_bodies_->setObjectName("checkAllBodies");
-  all_bodies_->setToolTip(tr("As ghosts at the same task; a column shows its body alone"));
+  all_bodies_->setToolTip(tr("As ghosts at the same task; click a column to show only that mannequin"));
   rows->addWidget(methods_);
   rows->addWidget(sideBySide({task, report}));
   rows->addWidget(live_);
@@ -140,7 +140,7 @@ QWidget* ErgonomicsPanel::makeWhyBox() {
   show_posture_ = new QPushButton(tr("Show this posture"));
   show_posture_->setObjectName("buttonShowPosture");
   show_posture_->setProperty("main", true);
-  auto* search = new QPushButton(tr("Search the workplace…"));
+  auto* search = new QPushButton(tr("Workplace search…"));
   search->setObjectName("buttonSearchWorkplace");
   connect(search, &QPushButton::clicked, this, &ErgonomicsPanel::searchWanted);
   buttons->addWidget(show_posture_);
@@ -156,9 +156,9 @@ QWidget* ErgonomicsPanel::makeFigures() {
   table_title_ = makeLabel({}, TextRole::kSecond, true);
   sub_scores_ = new SubScoreTable;
   sums_ = makeWords("labelSums", true);
-  limits_ = new QPushButton(tr("Own limits of the hands…"));
+  limits_ = new QPushButton(tr("Custom hand force limits…"));
   limits_->setObjectName("buttonOwnLimits");
-  limits_->setToolTip(tr("A table of the forces that a hand may exert, of your own source; none are shipped"));
+  limits_->setToolTip(tr("Load your own table of hand force limits; none is included"));
   missing_ = makeWords("labelPartial", false);
   heights_ = new HeightStrips(scores_);
   rows->addWidget(table_title_);
@@ -166,7 +166,7 @@ QWidget* ErgonomicsPanel::makeFigures() {
   rows->addWidget(sums_);
   rows->addWidget(limits_, 0, Qt::AlignLeft);
   rows->addWidget(missing_);
-  rows->addWidget(makeLabel(tr("Height of the work and RULA, four bodies"), TextRole::kSecond, true));
+  rows->addWidget(makeLabel(tr("RULA by working height, four mannequins"), TextRole::kSecond, true));
   rows->addWidget(heights_);
   return page;
 }
@@ -201,12 +201,12 @@ void ErgonomicsPanel::takeBetterPosture() {
   const workcell::Entity* entity = context_.entity();
   const ergonomics::BetterPlace* better = betterPlace();
   if (!entity || !context_.isFree() || !better) return;
-  context_.host().documentModel().executeAll(tr("Better posture of %1").arg(shown(entity->name)),
+  context_.host().documentModel().executeAll(tr("Improve the posture of %1").arg(shown(entity->name)),
                                              {postureCommand(*entity, better->posture)});
 }
 
 void ErgonomicsPanel::chooseOwnLimits() {
-  const QString file = askToOpen(this, tr("Own limits of the hands' force"), {}, tr("Tables (*.csv);;All files (*)"));
+  const QString file = askToOpen(this, tr("Custom hand force limits"), {}, tr("Tables (*.csv);;All files (*)"));
   if (file.isEmpty()) return;
   const auto read = scores_.chooseOwnLimits(file);
   if (!read)
@@ -220,8 +220,7 @@ void ErgonomicsPanel::showScores() {
   content_->setVisible(any);
   if (!any) return;
   const auto& scores = scores_.scores();
-  live_->setText(tr("live, both sides, %1 µs a posture · left RULA %2, right %3 · EAWS outline %4 points")
-                     .arg(scores_.microseconds(), 0, 'f', 0)
+  live_->setText(tr("RULA left %1, right %2 · EAWS outline %3 points")
                      .arg(scores.sides[0].rula_score)
                      .arg(scores.sides[1].rula_score)
                      .arg(scores.eaws_points, 0, 'f', 0));
@@ -235,18 +234,17 @@ void ErgonomicsPanel::showScores() {
   lift_->setText(liftText());
   QStringList missing;
   for (const auto& name : scores.missing) missing << shown(ergonomics::word(name, shownLanguage()));
-  missing_->setText(
-      missing.isEmpty()
-          ? QString()
-          : tr("The scores are partial: %1 not entered. Task data… completes them.").arg(missing.join(", ")));
+  missing_->setText(missing.isEmpty()
+                        ? QString()
+                        : tr("Partial scores: %1 not entered. Complete them in Task data…").arg(missing.join(", ")));
   showAdvice();
 }
 
 QString ErgonomicsPanel::sumsText() const {
   if (tab_.shows_load) {
-    return tr("A method's limit is where its next class begins; moments hold the arms' own weight.") + ' ' +
-           (scores_.ownLimits().isEmpty() ? tr("No table of strength is shipped; yours can be read in.")
-                                          : tr("Own limits: %1").arg(shown(scores_.ownLimits().source)));
+    return tr("The limit of a method is the start of its next class. Moments include the weight of the arms.") + ' ' +
+           (scores_.ownLimits().isEmpty() ? tr("No strength table is included; you can load your own.")
+                                          : tr("Custom limits: %1").arg(shown(scores_.ownLimits().source)));
   }
   if (tab_.method != ColourMethod::kRula && tab_.method != ColourMethod::kReba) return {};
   const bool rula = tab_.method == ColourMethod::kRula;
@@ -264,24 +262,24 @@ QString ErgonomicsPanel::sumsText() const {
   for (const auto& sum : evaluation.sums)
     sums += QString::fromLatin1(sum.name.data(), static_cast<qsizetype>(sum.name.size())).replace('_', ' ') +
             QStringLiteral(" %1, ").arg(sum.value);
-  return sums + tr("final %1. Bound rule: an inner boundary belongs to the lower class.").arg(evaluation.score);
+  return sums + tr("final %1. A value on a class boundary belongs to the lower class.").arg(evaluation.score);
 }
 
 QString ErgonomicsPanel::liftText() const {
   const ergonomics::WorkTask& task = scores_.task();
   if (!task.is_lift) {
     return task.totalLoad().value_or(0.0) > 0.0
-               ? tr("NIOSH does not apply: the load is held. Where it is lifted, tick so in Task data.")
-               : tr("NIOSH does not apply: nothing is lifted. A lift and its load are entered in Task data.");
+               ? tr("NIOSH does not apply: the load is held. If it is lifted, tick that in Task data.")
+               : tr("NIOSH does not apply: nothing is lifted. Enter a lift and its load in Task data.");
   }
   const auto pose = mannequin::forwardKinematics(*scores_.figure(), scores_.posture());
   const auto lift = ergonomics::scoreLift(*scores_.figure(), pose, scores_.scores(), task);
   if (!lift) return tr("NIOSH does not apply: %1").arg(refusedLiftText(lift.error()));
   const double limit = lift->recommended_weight_limit_kg;
-  if (!lift->lifting_index) return tr("NIOSH: limit 0 kg, no load is acceptable from this place");
+  if (!lift->lifting_index) return tr("NIOSH: limit 0 kg, no load is acceptable at this place");
   const int level = ergonomics::liftingLevel(lift->lifting_index);
   const QString judged = level == 1   ? tr("acceptable for nearly all")
-                         : level == 2 ? tr("a raised risk for some")
+                         : level == 2 ? tr("an increased risk for some")
                                       : tr("a high risk");
   return tr("NIOSH: lifting index %1, %2 (%3 kg of a limit of %4 kg)")
       .arg(*lift->lifting_index, 0, 'f', 2)
@@ -330,15 +328,15 @@ QString ErgonomicsPanel::whyTitle() const {
     const PostureMethod method = labelledMethod();
     what = shown(ergonomics::scoreWords(method, ergonomics::scoreBy(scores_.scores(), method), shownLanguage()));
   }
-  return tr("%1: why %2, and what brings it down").arg(entity ? shown(entity->name) : QString(), what);
+  return tr("%1: why %2, and how to lower it").arg(entity ? shown(entity->name) : QString(), what);
 }
 
 QString ErgonomicsPanel::whyText() const {
-  const QString later = tr("What brings it down is told once the figure rests.");
+  const QString later = tr("Suggestions appear when the mannequin stops moving.");
   if (tab_.shows_load) {
     const QString lift = scores_.liftAdviceText();
-    if (!scores_.task().is_lift) return tr("The task is no lift; the forces stand below.");
-    return lift.isEmpty() ? (scores_.advice() ? tr("The lifting equation does not take this lift.") : later) : lift;
+    if (!scores_.task().is_lift) return tr("The task is not a lift. The forces are below.");
+    return lift.isEmpty() ? (scores_.advice() ? tr("The lifting equation does not cover this lift.") : later) : lift;
   }
   if (tab_.method == ColourMethod::kRula) {
     const QString advice = scores_.adviceText(PostureMethod::kRula);

@@ -22,7 +22,7 @@ const std::array<const char*, 4> kStripBodies{
 HeightStrips::HeightStrips(const LiveScores& scores, QWidget* parent) : QWidget(parent), scores_(scores) {
   setObjectName("heightStrips");
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setAccessibleName(tr("RULA by the height of the work"));
+  setAccessibleName(tr("RULA by working height"));
 }
 
 void HeightStrips::paintEvent(QPaintEvent*) {
@@ -38,7 +38,7 @@ void HeightStrips::paintEvent(QPaintEvent*) {
   const QRectF area(kHeightLabels, 0, width() - kHeightLabels - 1, 4 * kStripLine - 4);
   if (!advice || advice->by_height.size() < 4) {
     painter.setPen(theme.text3);
-    painter.drawText(area, Qt::AlignCenter, tr("Told once the figure rests"));
+    painter.drawText(area, Qt::AlignCenter, tr("Shown when the mannequin stops moving"));
     return;
   }
   for (std::size_t i = 0; i < 4; ++i) {

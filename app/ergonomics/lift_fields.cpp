@@ -28,8 +28,8 @@ LiftFields::LiftFields(QVBoxLayout& column, Change change, QObject* parent)
   lift_distance_->setObjectName("fieldLiftDistance");
   asymmetry_ = new ValueField({tr("°"), 0, 0.0, 180.0, 5.0});
   asymmetry_->setObjectName("fieldAsymmetry");
-  addRow(*rows, tr("By"), lift_distance_, kLiftNamesColumn);
-  addRow(*rows, tr("Beside the middle"), asymmetry_, kLiftNamesColumn);
+  addRow(*rows, tr("Travel"), lift_distance_, kLiftNamesColumn);
+  addRow(*rows, tr("Asymmetry"), asymmetry_, kLiftNamesColumn);
   section->addWidget(lift_rows_);
   connect(lift_, &QCheckBox::clicked, this,
           [this](bool on) { change_([&](ergonomics::WorkTask& t) { t.is_lift = on; }); });

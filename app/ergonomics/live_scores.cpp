@@ -3,7 +3,6 @@
 
 #include <QLocale>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "app/host/document_model.h"
@@ -132,11 +131,8 @@ void LiveScores::look() {
 }
 
 void LiveScores::score() {
-  const auto begin = std::chrono::steady_clock::now();
   const auto pose = mannequin::forwardKinematics(*figure_, posture_);
   scores_ = ergonomics::scorePosture(*figure_, posture_, pose, task_);
-  const double took = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
-  microseconds_ = microseconds_ <= 0.0 ? took : 0.9 * microseconds_ + 0.1 * took;
   bodies_late_ = since_bodies_.isValid() && since_bodies_.elapsed() < kBodiesMilliseconds;
   if (!bodies_late_) {
     bodies_ = ergonomics::atSameTask(figures_, *figure_, posture_, task_);
@@ -178,7 +174,9 @@ void LiveScores::advise() {
 
 QString LiveScores::placeText(ergonomics::PostureMethod method) const {
   const auto& better = advice_->better[static_cast<std::size_t>(method)];
-  if (!better) return tr("No shift of the work by up to %1 lowers the level for this body.").arg(lengthText(0.6, 0));
+  if (!better)
+    return tr("Moving the work by up to %1 does not lower the action level for this mannequin.")
+        .arg(lengthText(0.6, 0));
   const dvec3 shift = better->shift_W;
   const QString far = lengthText(glm::length(shift), 0);
   const dvec3 ahead = posture_.X_WR.rotate({1.0, 0.0, 0.0});
@@ -186,7 +184,7 @@ QString LiveScores::placeText(ergonomics::PostureMethod method) const {
   const QString how = std::abs(shift.z) > 1e-6
                           ? (shift.z < 0.0 ? tr("Lowering the work by %1") : tr("Raising the work by %1"))
                       : forward < -0.5 * glm::length(shift) ? tr("Bringing the work %1 nearer")
-                      : forward > 0.5 * glm::length(shift)  ? tr("Moving the work %1 further away")
+                      : forward > 0.5 * glm::length(shift)  ? tr("Moving the work %1 farther away")
                                                             : tr("Moving the work %1 to the side");
   return tr("%1 gives %2.").arg(how.arg(far), shown(ergonomics::scoreWords(method, better->score, shownLanguage())));
 }
@@ -194,7 +192,7 @@ QString LiveScores::placeText(ergonomics::PostureMethod method) const {
 QString LiveScores::adviceText(ergonomics::PostureMethod method) const {
   if (!advice_) return {};
   const ergonomics::MethodAdvice& advice = advice_->methods[static_cast<std::size_t>(method)];
-  if (advice.now.level <= ergonomics::leastLevel(method)) return tr("Nothing needs to change.");
+  if (advice.now.level <= ergonomics::leastLevel(method)) return tr("No change is needed.");
   QString text;
   // Of RULA the sentence before it names what drives it.
   if (const auto drivers = ergonomics::driverWords(advice, shownLanguage());
@@ -208,10 +206,10 @@ QString LiveScores::adviceText(ergonomics::PostureMethod method) const {
 QString LiveScores::liftAdviceText() const {
   if (!advice_ || !advice_->lift) return {};
   const ergonomics::LiftingAdvice& lift = *advice_->lift;
-  QString text = tr("What costs most first: %1.").arg(shown(ergonomics::liftingDriverWords(lift)));
+  QString text = tr("Most important first: %1.").arg(shown(ergonomics::liftingDriverWords(lift)));
   if (lift.drivers.empty()) text = tr("No multiplier is below 1.");
   const QString next = shown(ergonomics::liftingNextWords(lift, shownLanguage()));
-  return next.isEmpty() ? text : text + ' ' + tr("What brings it down: %1.").arg(next);
+  return next.isEmpty() ? text : text + ' ' + tr("To lower it: %1.").arg(next);
 }
 
 ergonomics::Language shownLanguage() {

@@ -41,8 +41,6 @@ class LiveScores : public QObject {
   const std::vector<ergonomics::BodyAtTask>& bodies() const { return bodies_; }
   /// Which of bodies() is of the mannequin's own size; -1: none.
   int ownBody() const;
-  /// What scoring one posture by all methods took, microseconds (smoothed).
-  double microseconds() const { return microseconds_; }
 
   /// Of the posture at rest.
   struct Advice {
@@ -78,7 +76,6 @@ class LiveScores : public QObject {
   std::vector<ergonomics::BodyAtTask> bodies_;
   std::vector<mannequin::NamedFigure> figures_;
   std::optional<Advice> advice_;
-  double microseconds_ = 0.0;
   QTimer rests_;
   QElapsedTimer since_bodies_;
   std::uint64_t question_ = 0;

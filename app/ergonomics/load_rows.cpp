@@ -22,10 +22,10 @@ int bandOfIndex(double index) {
 }
 
 void addLift(const ergonomics::LiftingResult& lift, std::vector<Row>& rows) {
-  const std::array<std::pair<QString, double>, 6> multipliers{{{SubScoreTable::tr("Hands away"), lift.hm},
+  const std::array<std::pair<QString, double>, 6> multipliers{{{SubScoreTable::tr("Horizontal distance"), lift.hm},
                                                                {SubScoreTable::tr("Height"), lift.vm},
-                                                               {SubScoreTable::tr("Way of the lift"), lift.dm},
-                                                               {SubScoreTable::tr("Turned"), lift.am},
+                                                               {SubScoreTable::tr("Travel distance"), lift.dm},
+                                                               {SubScoreTable::tr("Asymmetry"), lift.am},
                                                                {SubScoreTable::tr("Frequency"), lift.fm},
                                                                {SubScoreTable::tr("Coupling"), lift.cm}}};
   for (const auto& [name, value] : multipliers)
@@ -35,7 +35,7 @@ void addLift(const ergonomics::LiftingResult& lift, std::vector<Row>& rows) {
                     value >= 0.9   ? 0
                     : value >= 0.7 ? 1
                                    : 2});
-  rows.push_back({SubScoreTable::tr("Limit"),
+  rows.push_back({SubScoreTable::tr("Weight limit"),
                   {},
                   SubScoreTable::tr("%1 kg").arg(lift.recommended_weight_limit_kg, 0, 'f', 1),
                   -1});
@@ -56,7 +56,7 @@ void addForces(const ergonomics::HandForces& forces, std::vector<Row>& rows) {
                                            : method;
     if (limit.method == "own") {
       const QString hand =
-          limit.hand == 0 ? SubScoreTable::tr("Own limit, left") : SubScoreTable::tr("Own limit, right");
+          limit.hand == 0 ? SubScoreTable::tr("Custom limit, left") : SubScoreTable::tr("Custom limit, right");
       rows.push_back(
           {hand, {}, SubScoreTable::tr("%1 of %2").arg(newtons(limit.force_n), newtons(*limit.limit_n)), limit.band});
       continue;
@@ -69,7 +69,7 @@ void addForces(const ergonomics::HandForces& forces, std::vector<Row>& rows) {
   for (const std::string_view name : forces.missing) {
     if (name == "force_limits")
       rows.push_back(
-          {SubScoreTable::tr("Own limits"), {}, SubScoreTable::tr("partial: none entered for this place"), -1});
+          {SubScoreTable::tr("Custom limits"), {}, SubScoreTable::tr("partial: none entered for this place"), -1});
   }
   const std::array<std::pair<QString, double>, 5> moments{{{SubScoreTable::tr("Left elbow"), forces.elbow_nm[0]},
                                                            {SubScoreTable::tr("Right elbow"), forces.elbow_nm[1]},

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/kit/beside.h"
+#include "app/mannequin/joint_words.h"
 
 namespace hapticell::app {
 namespace {
@@ -111,14 +112,14 @@ QString MotionScoresModel::mostBeyond() const {
   if (!motion_ || motion_->beyond.empty()) return {};
   const auto most = std::max_element(motion_->beyond.begin(), motion_->beyond.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
-  return tr("%1 in %n frames", nullptr, most->second).arg(QString::fromStdString(most->first));
+  return tr("%1 in %n frames", nullptr, most->second).arg(jointNameWithSide(QString::fromStdString(most->first)));
 }
 
 QString MotionScoresModel::beyondLimits() const {
   QStringList said;
   if (motion_)
     for (const auto& [limit, frames] : motion_->beyond)
-      said << tr("%1 in %n frames", nullptr, frames).arg(QString::fromStdString(limit));
+      said << tr("%1 in %n frames", nullptr, frames).arg(jointNameWithSide(QString::fromStdString(limit)));
   return said.join(", ");
 }
 

@@ -59,8 +59,8 @@ ReportHead::ReportHead(Host& host, QWidget* parent) : QWidget(parent), host_(hos
     emit changed();
   });
   connect(open, &QAction::triggered, this, [this] {
-    const QString file = askToOpen(this, tr("Choose the logo of the reports"), {},
-                                   tr("Pictures (*.png *.jpg *.jpeg *.svg);;All files (*)"));
+    const QString file =
+        askToOpen(this, tr("Choose the report logo"), {}, tr("Pictures (*.png *.jpg *.jpeg *.svg);;All files (*)"));
     if (!file.isEmpty()) takeLogo(file);
   });
   connect(drop, &QAction::triggered, this, &ReportHead::dropLogo);
@@ -82,7 +82,7 @@ bool ReportHead::takeLogo(const QString& file) {
   if (read.isNull()) {
     host_.messages().tell(
         Severity::kProblem, tr("The logo was not read"),
-        tr("%1 is no picture that can be read. Choose a PNG, JPEG or SVG file; the report stays as it was.").arg(file));
+        tr("%1 is not a readable picture. Choose a PNG, JPEG or SVG file. The report is unchanged.").arg(file));
     return false;
   }
   QByteArray bytes;
@@ -106,14 +106,14 @@ void ReportHead::dropLogo() {
 void ReportHead::showLogo() {
   if (logo_.isEmpty()) {
     choose_->setIcon({});
-    choose_->setToolTip(tr("A picture at the head of every report; none is chosen"));
+    choose_->setToolTip(tr("A picture at the top of every report; none is chosen"));
     return;
   }
   const auto* bytes = static_cast<const uchar*>(static_cast<const void*>(logo_.pixels.data()));
   const QImage image(bytes, logo_.width, logo_.height, QImage::Format_ARGB32_Premultiplied);
   choose_->setIconSize({4 * kChipHeight, kChipHeight});
   choose_->setIcon(QPixmap::fromImage(image.copy()));
-  choose_->setToolTip(tr("This picture stands at the head of every report"));
+  choose_->setToolTip(tr("This picture is at the top of every report"));
 }
 
 }  // namespace hapticell::app

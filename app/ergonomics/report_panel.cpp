@@ -93,8 +93,8 @@ QHBoxLayout* ReportPanel::makeButtons() {
   language_->setCurrentIndex(shownLanguage() == ergonomics::Language::kFrench ? 1 : 0);
   zoom_ = new QComboBox;
   zoom_->setObjectName("comboReportZoom");
-  zoom_->setAccessibleName(tr("Size of the page"));
-  zoom_->setToolTip(tr("Size of the page; Ctrl and the wheel change it as well"));
+  zoom_->setAccessibleName(tr("Page size"));
+  zoom_->setToolTip(tr("Page size. You can also use Ctrl and the wheel."));
   zoom_->addItem(tr("Width"), 0.0);
   for (const int percent : {75, 100, 150, 200, 300}) zoom_->addItem(tr("%1 %").arg(percent), percent / 100.0);
   zoom_->setMinimumWidth(zoom_->sizeHint().width() + 12);
@@ -213,9 +213,9 @@ bool ReportPanel::write(const QString& path) {
   if (path.endsWith(".pdf") || path.endsWith(".html") || path.endsWith(".htm")) takeScene(kFineSamples);
   const auto written = ergonomics::writeReport(report(), path.toStdString());
   if (written) {
-    context_.host().messages().tell(Severity::kInformation, tr("The report is written"), path);
+    context_.host().messages().tell(Severity::kInformation, tr("The report is saved"), path);
   } else {
-    context_.host().messages().tell(Severity::kProblem, tr("The report was not written"),
+    context_.host().messages().tell(Severity::kProblem, tr("The report was not saved"),
                                     shown(written.error().message()));
   }
   return written.has_value();
@@ -261,7 +261,7 @@ void ReportPanel::takeScene(int samples) {
 }
 
 void ReportPanel::chooseFile() {
-  const QString path = askToSave(this, tr("Write the report"), "report.pdf",
+  const QString path = askToSave(this, tr("Save the report"), "report.pdf",
                                  tr("PDF (*.pdf);;HTML (*.html);;Comma-separated values (*.csv);;JSON (*.json)"));
   if (!path.isEmpty()) write(path);
 }
@@ -272,7 +272,7 @@ void ReportPanel::drawLater() {
 
 void ReportPanel::draw() {
   if (scores_.isEmpty() || !context_.entity()) {
-    page_->setText(tr("Nobody to report on: add a mannequin."));
+    page_->setText(tr("No mannequin to report on. Add one first."));
     return;
   }
   if (drawing_) {

@@ -66,7 +66,7 @@ QString heldText(const manipulation::MovedBy& held) {
   if (isSameWay(held, by::Hand{mannequin::Side::kLeft})) return MarkText::tr("Left hand");
   if (isSameWay(held, by::Hand{mannequin::Side::kRight})) return MarkText::tr("Right hand");
   if (std::holds_alternative<by::BothHands>(held)) return MarkText::tr("Both hands");
-  return std::holds_alternative<by::Head>(held) ? MarkText::tr("Head") : MarkText::tr("Figure");
+  return std::holds_alternative<by::Head>(held) ? MarkText::tr("Head") : MarkText::tr("Mannequin");
 }
 
 StripCell handCell(const MannequinContext& context, const std::array<bool, 2>& active) {
@@ -80,7 +80,7 @@ StripCell handCell(const MannequinContext& context, const std::array<bool, 2>& a
 
 StripCell balanceCell(const LiveScores& scores, const mannequin::FigurePose& pose) {
   if (scores.scores().is_seated)
-    return {Mark::kNone, said(MarkText::tr("Seated")), said(MarkText::tr("borne by the seat"))};
+    return {Mark::kNone, said(MarkText::tr("Seated")), said(MarkText::tr("carried by the seat"))};
   const mannequin::Figure& figure = *scores.figure();
   const auto support =
       mannequin::supportPolygon(figure, {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]},
@@ -100,7 +100,7 @@ std::vector<StripCell> stripOf(const LiveScores& scores, const MannequinContext&
           handCell(context, active),
           {left < kLittle ? Mark::kLimit : Mark::kNone, said(lengthText(left, 0)), said(MarkText::tr("of reach left"))},
           balanceCell(scores, pose),
-          {Mark::kNone, said(chosen.may_step ? MarkText::tr("Feet may step") : MarkText::tr("Feet locked")),
+          {Mark::kNone, said(chosen.may_step ? MarkText::tr("Feet can step") : MarkText::tr("Feet locked")),
            said(chosen.locks.trunk ? MarkText::tr("trunk locked") : MarkText::tr("trunk free"))}};
 }
 

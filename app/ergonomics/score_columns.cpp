@@ -27,7 +27,7 @@ const std::array<const char*, 4> kBodyRows{
 ScoreColumns::ScoreColumns(const LiveScores& scores, QWidget* parent) : QWidget(parent), scores_(scores) {
   setObjectName("scoreColumns");
   setFocusPolicy(Qt::TabFocus);
-  setAccessibleName(tr("Four bodies at the same task"));
+  setAccessibleName(tr("Four mannequins at the same task"));
 }
 
 void ScoreColumns::setMethod(ergonomics::ColourMethod method) {
@@ -74,7 +74,7 @@ void ScoreColumns::paintEvent(QPaintEvent*) {
     painter.drawText(QRectF(0, top, kColumnLabels - 6, lines * kLine), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
                      text);
   };
-  label(kPicture + 4, tr("Same task, four bodies"), 5);
+  label(kPicture + 4, tr("Same task, four mannequins"), 5);
   label(kDriverTop, tr("Driver"));
   label(kRebaTop, tr("REBA"));
   label(kRebaTop + kLine + 2, tr("OWAS"));

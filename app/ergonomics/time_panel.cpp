@@ -49,11 +49,11 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   play_->setCheckable(true);
   worst_ = new QPushButton(tr("Worst phase"));
   worst_->setObjectName("buttonWorstFrame");
-  take_ = new QPushButton(tr("Take this posture"));
+  take_ = new QPushButton(tr("Apply this posture"));
   take_->setObjectName("buttonTakeFrame");
   save_ = new QPushButton(tr("Save as BVH…"));
   save_->setObjectName("buttonSaveMotion");
-  save_->setToolTip(tr("The motion as it is on this mannequin"));
+  save_->setToolTip(tr("Save the motion as fitted to this mannequin"));
   name_ = makeLabel({}, TextRole::kSection);
   name_->setObjectName("labelMotion");
   at_ = makeLive(1, TextRole::kSecond, true);
@@ -95,7 +95,7 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   connect(&motion_, &MotionScoresModel::opened, this, [this] {
     setFrame(motion_.worstFrame());
     if (const QString said = motion_.assumptions(); !said.isEmpty())
-      context_.host().messages().tell(Severity::kInformation, tr("How %1 was read").arg(motion_.name()), said);
+      context_.host().messages().tell(Severity::kInformation, tr("Assumptions for %1").arg(motion_.name()), said);
   });
   connect(&motion_, &MotionScoresModel::failed, this, [this](const QString& why) {
     context_.host().messages().tell(Severity::kWarning, tr("The motion cannot be shown"), why);
@@ -144,7 +144,7 @@ void TimePanel::showMotion() {
   const QString beyond = motion_.beyondLimits();
   beyond_->setText(beyond.isEmpty()
                        ? QString()
-                       : tr("Beyond limits of the figure, not clamped; longest: %1.").arg(motion_.mostBeyond()));
+                       : tr("Beyond the range of motion, not clamped. Longest: %1.").arg(motion_.mostBeyond()));
   beyond_->setToolTip(beyond);
   name_->setText(motion_.isBusy() ? tr("Scoring the motion…") : any ? motion_.name() : QString());
   at_->setText(any ? QString() : tr("Open a recording (BVH, AMC, C3D) to score each of its frames."));
@@ -207,7 +207,7 @@ ScoreHistory::ScoreHistory(const MotionScoresModel& motion, QWidget* parent) : Q
   setObjectName("scoreHistory");
   setFocusPolicy(Qt::StrongFocus);
   setMinimumHeight(kTop + 4 * kTimeLine);
-  setAccessibleName(tr("RULA along the motion, four bodies"));
+  setAccessibleName(tr("RULA along the motion, four mannequins"));
 }
 
 QRectF ScoreHistory::area() const {

@@ -52,7 +52,7 @@ void WorkTaskPanel::addPerson(QVBoxLayout& column) {
   preset_->setObjectName("comboTaskPreset");
   preset_->addItem(tr("Choose a typical task…"));
   for (const WorkTask& preset : ergonomics::workTaskPresets()) preset_->addItem(QString::fromStdString(preset.name));
-  addRow(*section, tr("Begin from"), preset_, kNamesColumn);
+  addRow(*section, tr("Start from"), preset_, kNamesColumn);
   name_ = new QLineEdit;
   name_->setObjectName("editTaskName");
   addRow(*section, tr("Task"), name_, kNamesColumn);
@@ -93,7 +93,7 @@ void WorkTaskPanel::addWork(QVBoxLayout& column) {
   load_left_->field().setToolTip(tr("Weight, or a force divided by 9.81"));
   load_right_->field().setToolTip(load_left_->field().toolTip());
   repetitions_ = number("fieldRepetitions", tr("Repetition"), {tr("/min"), 1, 0.0, 120.0, 1.0});
-  duration_ = number("fieldDuration", tr("In a shift"), {tr("h"), 1, 0.0, 24.0, 0.5});
+  duration_ = number("fieldDuration", tr("Per shift"), {tr("h"), 1, 0.0, 24.0, 0.5});
   const QStringList answers{tr("Not entered"), tr("No"), tr("Yes")};
   const auto question = [&](const char* name, const QString& words) {
     auto* segments = new Segmented(answers);

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "app/ergonomics/live_scores.h"
 #include "app/ergonomics/score_painting.h"
@@ -47,16 +48,16 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
     : QWidget(parent), context_(context), scores_(scores) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  QVBoxLayout* what = addSection(*column, tr("These parts may move, with the hands' targets"));
+  QVBoxLayout* what = addSection(*column, tr("These parts can move, with the targets of the hands"));
   station_ = new QListWidget;
   station_->setObjectName("listStation");
   station_->setMaximumHeight(130);
-  station_->setAccessibleName(tr("Parts that may move"));
+  station_->setAccessibleName(tr("Parts that can move"));
   what->addWidget(station_);
   moves_ = makeLive(2, TextRole::kSecond);
   moves_->setObjectName("labelMoves");
   what->addWidget(moves_);
-  QVBoxLayout* how = addSection(*column, tr("How far"));
+  QVBoxLayout* how = addSection(*column, tr("Range"));
   const auto field = [&](const char* name, const QString& words, double least, double most, double value) {
     auto* made = new ValueField({tr("mm"), 0, least, most, 10.0});
     made->setObjectName(name);
@@ -64,8 +65,8 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
     addRow(*how, words, made);
     return made;
   };
-  rise_ = field("fieldRise", tr("Up, down ±"), 0.0, 600.0, 200.0);
-  away_ = field("fieldAway", tr("To, fro ±"), 0.0, 600.0, 160.0);
+  rise_ = field("fieldRise", tr("Up/down ±"), 0.0, 600.0, 200.0);
+  away_ = field("fieldAway", tr("Nearer/farther ±"), 0.0, 600.0, 160.0);
   step_ = field("fieldStep", tr("In steps of"), 5.0, 200.0, 40.0);
   sit_ = new QCheckBox(tr("Try sitting as well"));
   sit_->setObjectName("checkSit");
@@ -83,13 +84,13 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
   bar_->setTextVisible(false);
   bar_->setMaximumHeight(6);
   how->addWidget(bar_);
-  QVBoxLayout* found = addSection(*column, tr("Worst RULA of four bodies"));
+  QVBoxLayout* found = addSection(*column, tr("Worst RULA of four mannequins"));
   view_ = new WorkplaceView;
   found->addWidget(view_);
   result_ = makeLive(4, TextRole::kText);
   result_->setObjectName("labelSearch");
   found->addWidget(result_);
-  take_ = new QPushButton(tr("Put it there"));
+  take_ = new QPushButton(tr("Move it there"));
   take_->setObjectName("buttonTakePlace");
   found->addWidget(take_, 0, Qt::AlignLeft);
   column->addStretch(1);
@@ -163,7 +164,7 @@ void WorkplacePanel::showMoves() {
     if (entity && !entity->attachment.to.empty()) along << QString::fromStdString(entity->name);
   }
   search_->setEnabled(!busy_ && context_.entity() && !question.station.empty());
-  if (question.station.empty()) return moves_->setText(tr("Nothing is ticked: tick the bench, a shelf, a fixture."));
+  if (question.station.empty()) return moves_->setText(tr("Tick at least one part: a bench, a shelf, a fixture."));
   moves_->setText(along.isEmpty()
                       ? tr("The ticked parts move; everything else stays.")
                       : tr("The ticked parts move, and what is attached to them: %1. Everything else stays.")
@@ -232,7 +233,7 @@ void WorkplacePanel::search() {
           map_ = std::move(*map);
           view_->setMap(&*map_);
         } else {
-          context_.host().messages().tell(Severity::kWarning, tr("The workplace was not searched"),
+          context_.host().messages().tell(Severity::kWarning, tr("The workplace search failed"),
                                           shown(map.error().message()));
         }
         showMap();
@@ -245,19 +246,22 @@ void WorkplacePanel::showMap() {
   cancel_->setEnabled(busy_);
   const int cell = view_->chosen();
   take_->setEnabled(map_ && cell >= 0 && map_->cells[static_cast<std::size_t>(cell)].worst > 0);
-  if (busy_) return result_->setText(tr("Trying every placement with four bodies…"));
-  if (!map_) return result_->setText(tr("Choose what may be moved, then search."));
+  if (busy_) return result_->setText(tr("Trying every placement with four mannequins…"));
+  if (!map_) return result_->setText(tr("Choose what can be moved, then search."));
   QStringList names;
   for (const std::string& name : asked_.moved) names << shown(name);
   QString text = map_->is_complete ? QString() : tr("Cancelled: the map is not complete. ");
   if (cell < 0) {
-    result_->setText(text + tr("No placement suits all four bodies.") + ' ' + tr("Moved: %1.").arg(names.join(", ")));
+    result_->setText(text + tr("No placement suits all four mannequins.") + ' ' +
+                     tr("Moved: %1.").arg(names.join(", ")));
     return;
   }
   const auto& place = map_->cells[static_cast<std::size_t>(cell)];
-  text +=
-      tr("%1 up, %2 away, %3: ")
-          .arg(lengthText(place.rise, 0), lengthText(place.away, 0), place.is_seated ? tr("sitting") : tr("standing"));
+  const QString rise = lengthText(std::abs(place.rise), 0), away = lengthText(std::abs(place.away), 0);
+  text += tr("%1, %2, %3: ")
+              .arg(place.rise < 0.0 ? tr("%1 lower").arg(rise) : tr("%1 higher").arg(rise),
+                   place.away < 0.0 ? tr("%1 nearer").arg(away) : tr("%1 farther").arg(away),
+                   place.is_seated ? tr("sitting") : tr("standing"));
   text += place.worst > 0 ? tr("worst RULA %1 (P5 woman %2, P50 woman %3, P50 man %4, P95 man %5).")
                                 .arg(place.worst)
                                 .arg(place.rula[0])
@@ -300,9 +304,9 @@ void WorkplacePanel::checkTaken(const manipulation::WorkplaceCell& place) {
       [this](const Promises& promises) {
         if (promises.areKept()) return;
         context_.host().messages().tell(
-            Severity::kProblem, tr("This place does not keep what the search found"),
+            Severity::kProblem, tr("This placement does not give the score that was found"),
             shown(promises.missed("").message()) + ' ' +
-                tr("The parts are moved; undo it, or search again in the cell as it is now."));
+                tr("The parts were moved. Undo, or search again in the cell as it is now."));
       });
 }
 
@@ -378,7 +382,7 @@ void WorkplaceView::paintEvent(QPaintEvent*) {
     painter.drawText(QRectF(box.center().x() - 40, height() - 32, 80, 14), Qt::AlignCenter,
                      lengthText(map_->aways[column], 0));
   }
-  painter.drawText(QRectF(52, height() - 16, width() - 52, 14), Qt::AlignCenter, tr("further away"));
+  painter.drawText(QRectF(52, height() - 16, width() - 52, 14), Qt::AlignCenter, tr("farther away"));
 }
 
 }  // namespace hapticell::app

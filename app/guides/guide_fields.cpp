@@ -33,7 +33,7 @@ GuideFields::GuideFields(QVBoxLayout& column, GuideEdit edit, QObject* parent)
   addRow(*section, tr("Friction"), friction_);
   addHelp(*section);
   addLocks(*section);
-  auto* words = makeLabel(tr("Felt at once while it is edited."), TextRole::kSecond, true);
+  auto* words = makeLabel(tr("Changes are felt immediately."), TextRole::kSecond, true);
   section->addWidget(words);
 }
 
@@ -49,7 +49,7 @@ ValueField* GuideFields::field(const char* name, const ValueField::Format& forma
 void GuideFields::addSizes(QVBoxLayout& section) {
   radius_ = field("fieldRadius", {tr("mm"), 1, 0.1, 1e5, 1.0}, 1e-3, &workcell::Guide::radius);
   radius_row_ = addRow(section, tr("Radius"), radius_);
-  pitch_ = field("fieldPitch", {tr("mm a turn"), 2, -1000.0, 1000.0, 0.1}, 1e-3, &workcell::Guide::pitch);
+  pitch_ = field("fieldPitch", {tr("mm/turn"), 2, -1000.0, 1000.0, 0.1}, 1e-3, &workcell::Guide::pitch);
   pitch_row_ = addRow(section, tr("Pitch"), pitch_);
   offset_ = field("fieldOffset", {tr("mm"), 1, 0.0, 1e5, 1.0}, 1e-3, &workcell::Guide::offset);
   offset_row_ = addRow(section, tr("Offset"), offset_);
@@ -58,7 +58,7 @@ void GuideFields::addSizes(QVBoxLayout& section) {
 void GuideFields::addDetents(QVBoxLayout& section) {
   detents_ = new QLineEdit;
   detents_->setObjectName("fieldDetents");
-  detents_->setToolTip(tr("Where it snaps in, several with spaces between"));
+  detents_->setToolTip(tr("Snap positions, separated by spaces"));
   detents_row_ = addRow(section, tr("Detents"), detents_);
   detent_width_ = field("fieldDetentWidth", {tr("mm wide"), 1, 0.1, 1000.0, 1.0}, 1e-3, &workcell::Guide::detent_width);
   detent_force_ = field("fieldDetentForce", {tr("N/mm"), 2, 0.0, 0.5, 0.05}, 1e3, &workcell::Guide::detent_stiffness);
@@ -78,7 +78,7 @@ void GuideFields::addHelp(QVBoxLayout& section) {
   help_value_ = makeLabel({}, TextRole::kText);
   help_value_->setMinimumWidth(40);
   help_value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  help_row_ = addRow(section, tr("Help"), guideRow(help_, {help_value_}));
+  help_row_ = addRow(section, tr("Guidance"), guideRow(help_, {help_value_}));
   connect(help_, &QSlider::sliderReleased, this,
           [this] { edit_([this](workcell::Guide& guide) { guide.help = 5.0 * help_->value(); }); });
   connect(help_, &QSlider::valueChanged, this, [this](int value) {
@@ -95,7 +95,7 @@ void GuideFields::addLocks(QVBoxLayout& section) {
     locks_[i]->setObjectName(QString("lock") + names[i]);
     locks_[i]->setCheckable(true);
     locks_[i]->setMinimumWidth(24);
-    locks_[i]->setToolTip(i < 3 ? tr("Held along %1").arg(names[i]) : tr("No turning about %1").arg("XYZ"[i - 3]));
+    locks_[i]->setToolTip(i < 3 ? tr("Held along %1").arg(names[i]) : tr("No rotation about %1").arg("XYZ"[i - 3]));
     locks_[i]->setAccessibleName(locks_[i]->toolTip());
     connect(locks_[i], &QPushButton::clicked, this,
             [this, i](bool on) { edit_([&](workcell::Guide& guide) { guide.locked[i] = on; }); });

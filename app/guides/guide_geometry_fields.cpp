@@ -46,14 +46,14 @@ GuideGeometryFields::GuideGeometryFields(Host& host, QVBoxLayout& column, GuideE
   geometry_ = makeShown("fieldGeometry");
   pick_ = guideButton("buttonPickGeometry", tr("Pick"));
   addRow(*section, tr("Geometry"), guideRow(geometry_, {pick_}));
-  path_ = guideButton("buttonPath", tr("From a recording…"), tr("The path of a recorded motion, thinned"));
+  path_ = guideButton("buttonPath", tr("From a recording…"), tr("The path of a recorded motion, simplified"));
   path_row_ = addRow(*section, {}, path_);
-  reverse_ = guideButton("buttonReverse", tr("Turn round"), tr("The axis or normal points the other way"));
-  place_ = guideButton("buttonPlace", tr("Through entity"),
-                       tr("Moves the guide to where the entity is held, turned as it is"));
+  reverse_ = guideButton("buttonReverse", tr("Flip"), tr("Flip the axis or normal"));
+  place_ = guideButton("buttonPlace", tr("Move to entity"),
+                       tr("Moves the guide to the handle of the entity; its direction stays"));
   addRow(*section, {}, sideBySide({reverse_, place_}));
   handle_ = makeShown("fieldHandle");
-  handle_pick_ = guideButton("buttonPickHandle", tr("Pick"), tr("A point of the entity by which the hand holds it"));
+  handle_pick_ = guideButton("buttonPickHandle", tr("Pick"), tr("Point at which the hand holds the entity"));
   addRow(*section, tr("Handle at"), guideRow(handle_, {handle_pick_}));
   connect(name_, &QLineEdit::editingFinished, this, [this] {
     const QString name = name_->text().trimmed();
@@ -81,7 +81,7 @@ void GuideGeometryFields::show(const workcell::Guide& guide) {
   geometry_->setCursorPosition(0);
   geometry_->setToolTip(geometry_->text());
   const HoldChoice& hold = host_.holdChoice();
-  handle_->setText(hold.is<by::Frame>() ? QString::fromStdString(hold.frame()) : tr("as it is held"));
+  handle_->setText(hold.is<by::Frame>() ? QString::fromStdString(hold.frame()) : tr("where it is held"));
   path_row_->setVisible(guide.kind == workcell::GuideKind::kTube);
 }
 

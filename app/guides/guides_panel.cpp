@@ -60,14 +60,13 @@ void GuidesPanel::addList(QVBoxLayout& column) {
   column.addSpacing(8);
   column.addWidget(list_);
   QVBoxLayout* section = addSection(column, {});
-  new_ = makeButton("buttonNewGuide", tr("New guide"), tr("Choose a kind below, then pick its geometry in the scene"));
+  new_ = makeButton("buttonNewGuide", tr("New guide"), tr("Choose a type below, then pick its geometry in the scene"));
   new_->setProperty("main", true);
   remove_ = makeButton("buttonRemoveGuide", tr("Remove"));
   section->addWidget(sideBySide({new_, remove_}));
-  auto* words =
-      makeLabel(tr("A guide holds what you move on a line, a plane, a hinge … Select an entity, choose a kind, "
-                   "then pick an edge or a face."),
-                TextRole::kSecond, true);
+  auto* words = makeLabel(tr("A guide keeps what you move on a line, a plane, a hinge and so on. Select an entity, "
+                             "choose a type, then pick an edge or a face."),
+                          TextRole::kSecond, true);
   words->setWordWrap(true);
   empty_ = words;
   section->addWidget(words);
@@ -88,7 +87,7 @@ void GuidesPanel::addList(QVBoxLayout& column) {
 }
 
 void GuidesPanel::addKinds(QVBoxLayout& column) {
-  QVBoxLayout* section = addSection(column, tr("Kind"));
+  QVBoxLayout* section = addSection(column, tr("Type"));
   auto* grid = new QGridLayout;
   grid->setSpacing(4);
   kinds_ = new QButtonGroup(this);

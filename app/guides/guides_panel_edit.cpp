@@ -100,7 +100,8 @@ void GuidesPanel::take(const PickedFeature& feature, GuideKind kind, bool make) 
       fresh.name = guideKindName(kind) + (n > 1 ? " " + std::to_string(n) : "");
   }
   if (!takeGeometry(feature, picked ? picked->name : std::string(), fresh)) {
-    host_.messages().tell(Severity::kInformation, tr("%1 cannot be made of that").arg(tr(guideKindName(kind).c_str())),
+    host_.messages().tell(Severity::kInformation,
+                          tr("%1 cannot be made from this geometry").arg(tr(guideKindName(kind).c_str())),
                           tr("Picked: %1. %2.").arg(QString::fromStdString(featureText(feature)), guidePrompt(kind)));
     return pickGeometry(kind, make);
   }

@@ -68,7 +68,7 @@ HelpPanel::HelpPanel(const QString& language, Addition addition, QWidget* parent
       browser_(new PageBrowser(language, addition_)) {
   setObjectName("panelHelp");
   browser_->setObjectName("browserHelp");
-  browser_->setAccessibleName(tr("Help"));
+  browser_->setAccessibleName(tr("Guidance"));
   browser_->setFrameShape(QFrame::NoFrame);
   browser_->document()->setDocumentMargin(12);
   makeContents();
@@ -112,9 +112,9 @@ QWidget* HelpPanel::makeBar() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(8, 6, 8, 6);
   row->setSpacing(4);
-  row->addWidget(button("buttonHelpBack", tr("Page before"), "left", browser_, &QTextBrowser::backward,
+  row->addWidget(button("buttonHelpBack", tr("Previous page"), "left", browser_, &QTextBrowser::backward,
                         &QTextBrowser::backwardAvailable));
-  row->addWidget(button("buttonHelpForward", tr("Page after"), "right", browser_, &QTextBrowser::forward,
+  row->addWidget(button("buttonHelpForward", tr("Next page"), "right", browser_, &QTextBrowser::forward,
                         &QTextBrowser::forwardAvailable));
   row->addWidget(typed_, 1);
   return bar;

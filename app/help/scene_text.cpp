@@ -61,12 +61,11 @@ void appendLive(const SceneModel& scene, QStringList& lines) {
     lines << (pair.contact ? SceneText::tr("%1 touches %2.").arg(a, b)
                            : SceneText::tr("%1 is %2 from %3: a near miss.").arg(a, lengthText(pair.distance), b));
   }
-  if (!now->limits.empty())
-    lines << SceneText::tr("%n limits push back.", nullptr, static_cast<int>(now->limits.size()));
+  if (!now->limits.empty()) lines << SceneText::tr("%n limits reached.", nullptr, static_cast<int>(now->limits.size()));
   const workcell::Entity* held = scene.find(now->held);
   lines << (held ? SceneText::tr("Held by the stylus: %1.").arg(QString::fromStdString(held->name))
                  : SceneText::tr("Nothing is held."));
-  lines << (now->forces_on ? SceneText::tr("Forces are on, %1 now.").arg(forceText(now->force_n))
+  lines << (now->forces_on ? SceneText::tr("Forces are on: %1.").arg(forceText(now->force_n))
                            : SceneText::tr("Forces are off."));
 }
 

@@ -16,10 +16,11 @@ void startBent(workcell::Entity& entity, workcell::ImportReport& report) {
   QStringList joints;
   for (const std::string& joint : start->bent_joints) joints << QString::fromStdString(joint);
   entity.joints = std::move(start->q);
-  report.warnings.push_back(QObject::tr("The file of %1 names no home, and at zero it is singular: it could hardly be "
-                                        "dragged. It starts with %2 bent. Keep a home of your own in the Robot dock.")
-                                .arg(QString::fromStdString(entity.name), joints.join(QStringLiteral(", ")))
-                                .toStdString());
+  report.warnings.push_back(
+      QObject::tr("The file of %1 has no home pose, and its zero pose is singular, so it could hardly be dragged. It "
+                  "starts with %2 bent. To set a home pose, use the Robot panel.")
+          .arg(QString::fromStdString(entity.name), joints.join(QStringLiteral(", ")))
+          .toStdString());
 }
 
 }  // namespace hapticell::app

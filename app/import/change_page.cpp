@@ -65,12 +65,13 @@ QString changesAsHtml(const std::vector<workcell::EntityChange>& changes, const 
              "<table border='1' cellspacing='0' cellpadding='4' width='100%'><tr><th align='left'>%5</th>"
              "<th align='left'>%6</th><th align='left'>%7</th><th align='left'>%8</th></tr>%9</table></body></html>")
       .arg(QObject::tr("Changes of %1").arg(cell.toHtmlEscaped()),
-           QObject::tr("Against %1").arg(against.toHtmlEscaped()), QDateTime::currentDateTime().toString(Qt::ISODate),
-           QObject::tr("%1 moved, %2 added, %3 removed. Places: X Y Z in mm, A B C in degrees about z, y, x.")
+           QObject::tr("Compared with %1").arg(against.toHtmlEscaped()),
+           QDateTime::currentDateTime().toString(Qt::ISODate),
+           QObject::tr("%1 moved, %2 added, %3 removed. Placements: X Y Z in mm, A B C in degrees about z, y, x.")
                .arg(moved)
                .arg(added)
                .arg(removed),
-           QObject::tr("Entity"), QObject::tr("From"), QObject::tr("To"), QObject::tr("Change"), rows);
+           QObject::tr("Entity"), QObject::tr("From"), QObject::tr("To"), QObject::tr("Difference"), rows);
 }
 
 Expected<void> writeChanges(const std::vector<workcell::EntityChange>& changes, const QString& cell,

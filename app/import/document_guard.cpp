@@ -12,7 +12,7 @@ namespace {
 
 QString sentenceAbout(const workcell::DocumentOwner& owner) {
   const auto named = [](const std::string& name) { return QString::fromStdString(name).simplified().left(64); };
-  if (owner.user.empty()) return DocumentGuard::tr("Another program has had it open.");
+  if (owner.user.empty()) return DocumentGuard::tr("Another program has it open.");
   return DocumentGuard::tr("%1 on %2 has had it open since %3.")
       .arg(named(owner.user), named(owner.host), named(owner.since));
 }
@@ -62,9 +62,9 @@ QString DocumentGuard::doubtAbout(const QString& path) {
   const bool was_read_only = isReadOnly();
   if (lock_.tryAgain() && was_read_only) emit changed();
   if (lock_.owner()) return sentenceAbout(*lock_.owner());
-  return workcell::changedOnDisk(place, content()) ? tr("Another program has written the file since it was opened "
-                                                        "here. Saving it undoes what that program wrote.")
-                                                   : QString();
+  return workcell::changedOnDisk(place, content())
+             ? tr("Another program changed this file after it was opened here. If you save, those changes are lost.")
+             : QString();
 }
 
 void DocumentGuard::noteSaved() {

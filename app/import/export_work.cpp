@@ -60,7 +60,7 @@ void ExportWork::askExport(bool selection_only) {
   const QString stem = selection_only ? QString::fromStdString(entity->name) : host_.documentModel().title();
   const bool robot = selection_only && entity->robot;
   QStringList filters{tr("STEP (*.step)"), tr("glTF (*.glb)"), tr("STL (*.stl)"), tr("OBJ (*.obj)"), tr("PLY (*.ply)")};
-  robot ? filters.prepend(tr("URDF (*.urdf)")) : filters.append(tr("URDF of the one robot (*.urdf)"));
+  robot ? filters.prepend(tr("URDF (*.urdf)")) : filters.append(tr("URDF of the robot (*.urdf)"));
   const QString path = askToSave(&host_.window(), tr("Export"), stem + (robot ? ".urdf" : ".step"), filters.join(";;"));
   if (!path.isEmpty()) exportTo(path, selection_only);
 }
@@ -77,7 +77,7 @@ void ExportWork::askReport(Against against) {
     other = askToOpen(&host_.window(), tr("Compare with"), {}, tr("Workcells (*.hcell)"));
     if (other.isEmpty()) return;
   }
-  const QString path = askToSave(&host_.window(), tr("Report what was changed"),
+  const QString path = askToSave(&host_.window(), tr("Save the change report"),
                                  host_.documentModel().title() + tr("-changes.pdf"), tr("PDF (*.pdf);;CSV (*.csv)"));
   if (!path.isEmpty()) reportTo(path, against, other);
 }
@@ -85,10 +85,9 @@ void ExportWork::askReport(Against against) {
 void ExportWork::tellWritten(const QString& path, const std::vector<std::string>& notes) {
   const QString name = QFileInfo(path).fileName();
   for (const std::string& note : notes)
-    host_.messages().tell(Severity::kWarning, tr("%1 was written with remarks").arg(name),
-                          QString::fromStdString(note));
+    host_.messages().tell(Severity::kWarning, tr("%1 was saved with warnings").arg(name), QString::fromStdString(note));
   const QString folder = QFileInfo(path).absolutePath();
-  host_.messages().tell(Severity::kInformation, tr("%1 is written").arg(name), folder,
+  host_.messages().tell(Severity::kInformation, tr("%1 is saved").arg(name), folder,
                         {{tr("Show folder"), [folder] { openWithSystem(folder); }}});
   emit finished(path, true);
 }
@@ -112,16 +111,15 @@ void ExportWork::exportTo(const QString& path, bool selection_only) {
     HAPTICELL_TRY(written);
     return BackgroundWork::Then([this, path, notes] { tellWritten(path, notes.warnings); });
   };
-  run(path, work, tr("%1 was not written").arg(QFileInfo(path).fileName()));
+  run(path, work, tr("%1 was not saved").arg(QFileInfo(path).fileName()));
 }
 
 /// A workcell of others may name any file of this computer: what goes into an archive is the user's word.
 void ExportWork::askOutside(const QString& path, const QStringList& files) {
   constexpr qsizetype kShown = 15;
-  auto* question =
-      new QMessageBox(QMessageBox::Question, tr("Pack the workcell with its files"),
-                      tr("%1 files lie outside of the workcell's folder. Pack them too?").arg(files.size()),
-                      QMessageBox::NoButton, &host_.window());
+  auto* question = new QMessageBox(QMessageBox::Question, tr("Pack the workcell with its files"),
+                                   tr("%1 files are outside the workcell's folder. Pack them too?").arg(files.size()),
+                                   QMessageBox::NoButton, &host_.window());
   question->setObjectName("askOutside");
   question->setAttribute(Qt::WA_DeleteOnClose);
   question->setTextFormat(Qt::PlainText);
@@ -129,7 +127,7 @@ void ExportWork::askOutside(const QString& path, const QStringList& files) {
   if (files.size() > kShown) list += QLatin1Char('\n') + tr("and %1 more").arg(files.size() - kShown);
   question->setInformativeText(
       list + QStringLiteral("\n\n") +
-      tr("A workcell that somebody sent may name any file of this computer. Look whether all of these belong to it."));
+      tr("A workcell from someone else can name any file on this computer. Check that all of these belong to it."));
   if (files.size() > kShown) question->setDetailedText(files.join(QLatin1Char('\n')));
   QPushButton* all = question->addButton(tr("Pack them too"), QMessageBox::AcceptRole);
   question->setDefaultButton(question->addButton(QMessageBox::Cancel));
@@ -157,16 +155,16 @@ void ExportWork::packTo(const QString& path, bool allow_outside) {
     }
     return BackgroundWork::Then([this, path, notes] { tellWritten(path, notes.warnings); });
   };
-  run(path, work, tr("%1 was not written").arg(QFileInfo(path).fileName()));
+  run(path, work, tr("%1 was not saved").arg(QFileInfo(path).fileName()));
 }
 
 void ExportWork::reportTo(const QString& path, Against against, const QString& other) {
   const workcell::Document& document = host_.documentModel().document();
   const std::string file = against == Against::kOtherCell ? other.toStdString() : document.path().string();
-  const QString failed = tr("%1 was not written").arg(QFileInfo(path).fileName());
+  const QString failed = tr("%1 was not saved").arg(QFileInfo(path).fileName());
   if (against == Against::kSaved && file.empty()) {
     host_.messages().tell(Severity::kWarning, failed,
-                          tr("The cell was never saved. Compare it with the import instead."));
+                          tr("This cell has never been saved. Compare it with the imported files instead."));
     emit finished(path, false);
     return;
   }

@@ -91,7 +91,7 @@ FileWork::FileWork(Host& host, QObject* parent)
   autosaver_.setContent([this] { return guard_.content(); });
   autosaver_.setPicture([this] { return smallPicture(host_); });
   connect(&autosaver_, &Autosaver::failed, this, [this](const QString& sentence) {
-    host_.messages().tell(Severity::kWarning, tr("No copy against a crash could be written"), sentence);
+    host_.messages().tell(Severity::kWarning, tr("The recovery copy could not be saved"), sentence);
   });
   connect(&opener_, &DocumentOpener::ended, this, &FileWork::takeOpened);
   connect(panel_, &ImportPanel::otherCancelled, this, &FileWork::cancelOther);
@@ -150,7 +150,7 @@ void FileWork::cancelOther() {
 
 void FileWork::tellError(const QString& title, const Error& error) {
   host_.messages().tell(Severity::kProblem, title,
-                        QString::fromStdString(error.message()) + " " + tr("The cell is as it was."));
+                        QString::fromStdString(error.message()) + " " + tr("The cell is unchanged."));
 }
 
 void FileWork::tellRemarks(const QString& name, const std::vector<std::string>& remarks, const NamedParts& parts) {
@@ -163,7 +163,7 @@ void FileWork::tellRemarks(const QString& name, const std::vector<std::string>& 
   }
   const QString first = lines.front().text;
   const QString text = lines.size() == 1 ? first : first + ' ' + tr("and %1 more").arg(lines.size() - 1);
-  host_.messages().tell(Severity::kWarning, tr("%1 was read with remarks").arg(name), text, {}, std::move(lines));
+  host_.messages().tell(Severity::kWarning, tr("%1 was read with warnings").arg(name), text, {}, std::move(lines));
 }
 
 NamedParts FileWork::partsOfCell() const {
@@ -230,10 +230,10 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
   tellRemarks(name, remarks, partsOfCell());
   offerMissing(opened->missing);
   if (guard_.isReadOnly()) {
-    offer(Severity::kWarning, tr("%1 is open elsewhere").arg(name),
-          guard_.ownerSentence() + ' ' +
-              tr("Here it is for reading: save it under another name, or when it is closed there."),
-          {});
+    offer(
+        Severity::kWarning, tr("%1 is open elsewhere").arg(name),
+        guard_.ownerSentence() + ' ' + tr("It is read-only here. Save it under another name, or close it there first."),
+        {});
   }
   if (!restored.empty())
     autosaver_.adopt(restored);
@@ -273,7 +273,7 @@ void FileWork::tellLeft(const QString& path) {
     const QString what =
         left.document.empty() ? tr("A new workcell") : QString::fromStdString(left.document.filename().string());
     return offer(Severity::kWarning, tr("%1 has unsaved work from before a crash").arg(what),
-                 tr("Changes up to %1 were kept. What is open does not have them.").arg(when),
+                 tr("Changes up to %1 were kept. The open cell does not include them.").arg(when),
                  {{tr("Show"), [this] {
                      put_off_.clear();
                      emit leftWorkChanged();
@@ -289,8 +289,8 @@ void FileWork::offerReload(const QStringList& paths) {
     files.push_back(path.toStdString());
   }
   offer(Severity::kInformation, tr("%1 changed on disk").arg(names.join(", ")),
-        tr("The cell shows what it held before. Placements, names and colours stay when it is read again."),
-        {{tr("Read again"), [this, files] { reload(files); }}});
+        tr("The cell still shows the old version. Reloading keeps placements, names and colours."),
+        {{tr("Reload"), [this, files] { reload(files); }}});
 }
 
 void FileWork::reloadSelected() {
@@ -305,7 +305,7 @@ void FileWork::reloadSelected() {
 
 void FileWork::reload(const std::vector<std::string>& paths) {
   const QString name = QFileInfo(QString::fromStdString(paths.front())).fileName();
-  const QString text = paths.size() == 1 ? tr("Read %1 again").arg(name) : tr("Read %1 files again").arg(paths.size());
+  const QString text = paths.size() == 1 ? tr("Reload %1").arg(name) : tr("Reload %1 files").arg(paths.size());
   const auto work = [this, paths, name, text, state = host_.documentModel().document().state()](
                         workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
     auto reload = std::make_shared<ShapeReload>(reloadShapes(state, paths, monitor));
@@ -324,7 +324,7 @@ void FileWork::reload(const std::vector<std::string>& paths) {
     });
   };
   background_.start(name, work,
-                    [this, name](const Error& error) { tellError(tr("%1 was not read again").arg(name), error); });
+                    [this, name](const Error& error) { tellError(tr("%1 was not reloaded").arg(name), error); });
 }
 
 void FileWork::offerMissing(const std::vector<std::filesystem::path>& missing) {
@@ -338,13 +338,13 @@ void FileWork::offerMissing(const std::vector<std::filesystem::path>& missing) {
   offer(Severity::kWarning,
         names.size() == 1 ? tr("A file of this cell is missing")
                           : tr("%1 files of this cell are missing").arg(names.size()),
-        text + tr(". Their parts are kept without a shape; the rest is here. Show a folder that holds them."),
-        {{tr("Show folder…"), [this] { findMissing(); }}});
+        text + tr(". Their parts have no shape until you choose the folder that contains the files."),
+        {{tr("Choose folder…"), [this] { findMissing(); }}});
 }
 
 void FileWork::findMissing() {
   const workcell::Document& document = host_.documentModel().document();
-  const QString folder = askForFolder(&host_.window(), tr("Where the missing files are"),
+  const QString folder = askForFolder(&host_.window(), tr("Folder of the missing files"),
                                       QString::fromStdString(document.path().parent_path().string()));
   if (folder.isEmpty()) return;
   const std::filesystem::path base = document.path().empty() ? std::filesystem::path(QDir::currentPath().toStdString())
@@ -388,7 +388,7 @@ void FileWork::takeImported(const QString& path, const ImportSession::Result& re
 
 void FileWork::tellReport(const QString& name, const workcell::ImportReport& report, const NamedParts& parts) {
   tellRemarks(name, report.warnings, parts);
-  host_.messages().tell(Severity::kInformation, tr("%1 is in the cell").arg(name), reportText(report));
+  host_.messages().tell(Severity::kInformation, tr("%1 is added to the cell").arg(name), reportText(report));
 }
 
 }  // namespace hapticell::app

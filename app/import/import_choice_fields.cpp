@@ -49,7 +49,7 @@ ImportChoiceFields::ImportChoiceFields(ImportSession& session, QWidget* parent) 
   unit_question_ = new UnitQuestion;
   section->addWidget(unit_question_);
   unit_ = new QComboBox;
-  unit_->setPlaceholderText(tr("Not known yet"));
+  unit_->setPlaceholderText(tr("Unknown"));
   unit_->setObjectName("importUnit");
   addRow(*section, tr("Unit"), unit_);
   up_ = new Segmented({tr("X"), tr("Y"), tr("Z")});
@@ -63,7 +63,7 @@ ImportChoiceFields::ImportChoiceFields(ImportSession& session, QWidget* parent) 
   addRow(*section, {}, estimate_);
   tree_ = new Segmented({tr("One solid"), tr("Tree")});
   tree_->setObjectName("importTree");
-  addRow(*section, tr("Bring in as"), tree_);
+  addRow(*section, tr("Import as"), tree_);
   connectFields();
 }
 
@@ -117,7 +117,7 @@ void ImportChoiceFields::showMesh(const FileImport& file) {
   const ImportFacts& facts = *file.facts;
   up_->setCurrent(static_cast<int>(file.choices.up_axis.value_or(facts.up_axis)));
   quality_->setCurrent(facts.can_be_cut_finer ? static_cast<int>(file.choices.quality) : -1);
-  for (int k = 0; k < 3; ++k) quality_->setChoiceEnabled(k, facts.can_be_cut_finer, tr("The file holds triangles."));
+  for (int k = 0; k < 3; ++k) quality_->setChoiceEnabled(k, facts.can_be_cut_finer, tr("The file contains triangles."));
   const ImportEstimate estimate = ImportSession::estimateOf(file);
   const bool same = file.choices.quality == file.examined_with.quality;
   const QString triangles = tr("%1%2 triangles").arg(same ? QString() : tr("about "), countText(estimate.triangles));
@@ -130,22 +130,22 @@ void ImportChoiceFields::showMesh(const FileImport& file) {
   tree_->button(1)->setText(several && !file.examined_with.merge
                                 ? tr("Tree of %1").arg(countText(static_cast<double>(facts.parts)))
                                 : tr("Tree"));
-  for (int k = 0; k < 2; ++k) tree_->setChoiceEnabled(k, several, tr("The file holds one part."));
+  for (int k = 0; k < 2; ++k) tree_->setChoiceEnabled(k, several, tr("The file contains one part."));
 }
 
 void ImportChoiceFields::showUnits(const FileImport& file) {
   const ImportFacts& facts = *file.facts;
   unit_->clear();
   const bool stated = facts.unit_is_stated;
-  if (stated) unit_->addItem(tr("%1, as the file says").arg(capitalUnit(unitText(facts.metres_per_unit))));
+  if (stated) unit_->addItem(tr("%1, from the file").arg(capitalUnit(unitText(facts.metres_per_unit))));
   for (const double metres : kUnits) {
     QString text = capitalUnit(unitText(metres));
     if (!stated && !facts.unit_is_open && metres == facts.likely_metres_per_unit) text += tr(", guessed from the size");
     unit_->addItem(text, metres);
   }
   unit_asked_->setVisible(!stated);
-  unit_asked_->setText(file.unit_is_open ? tr("The file names no unit. Which size is right?")
-                                         : tr("The file names no unit. Is this size right?"));
+  unit_asked_->setText(file.unit_is_open ? tr("The file states no unit. Which size is right?")
+                                         : tr("The file states no unit. Is this size right?"));
   unit_question_->setVisible(!stated);
   if (file.unit_is_open) {
     unit_->setCurrentIndex(-1);

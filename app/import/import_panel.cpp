@@ -67,7 +67,7 @@ QString sizeLine(const FileImport& file) {
   if (file.unit_is_open) {
     const dvec3 in_units = file.facts->size / file.facts->metres_per_unit;
     const auto plain = [](double value) { return numberText(value, 3); };
-    return QObject::tr("%1 × %2 × %3, unit not known").arg(plain(in_units.x), plain(in_units.y), plain(in_units.z));
+    return QObject::tr("%1 × %2 × %3, unit unknown").arg(plain(in_units.x), plain(in_units.y), plain(in_units.z));
   }
   const double largest = units.perMetre() * std::max({size.x, size.y, size.z});
   const int decimals = largest < 10.0 ? 3 : largest < 100.0 ? 2 : largest < 1000.0 ? 1 : 0;
@@ -229,7 +229,7 @@ void ImportPanel::showProgress() {
   QString stage = other_ ? other_->stage : QString();
   if (file) {
     share = file->progress.share;
-    stage = file->queued ? tr("Waits for the file before it") : QString::fromStdString(file->progress.stage);
+    stage = file->queued ? tr("Waiting for the previous file") : QString::fromStdString(file->progress.stage);
   }
   QString words = capital(stage.isEmpty() ? tr("Reading") : stage);
   if (file != shown) words = QFileInfo(file->path).fileName() + QStringLiteral(": ") + words;

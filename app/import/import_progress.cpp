@@ -29,7 +29,7 @@ ImportProgress::ImportProgress(QWidget* parent) : QWidget(parent) {
   bar_->setTextVisible(false);
   bar_->setFixedHeight(6);
   column->addWidget(bar_);
-  auto* note = makeLabel(tr("The cell stays usable meanwhile."), TextRole::kSecond, true);
+  auto* note = makeLabel(tr("You can keep working in the cell."), TextRole::kSecond, true);
   note->setWordWrap(true);
   column->addWidget(note);
 }

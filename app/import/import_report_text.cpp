@@ -15,14 +15,11 @@ QString reportText(const workcell::ImportReport& report) {
   sentences << QObject::tr("%1 %2, %3 triangles. One unit of the file is one %4%5.")
                    .arg(count(report.parts), report.parts == 1 ? QObject::tr("part") : QObject::tr("parts"),
                         count(report.triangles), unit,
-                        report.unit_is_stated ? QObject::tr(", as it says") : QObject::tr("; it names none itself"));
-  if (report.merged_vertices > 0)
-    sentences << QObject::tr("Repaired: %1 corners of neighbouring triangles were made one.")
-                     .arg(count(report.merged_vertices));
+                        report.unit_is_stated ? QObject::tr(", from the file") : QObject::tr("; the file states none"));
   if (report.degenerate_triangles > 0)
-    sentences << QObject::tr("Dropped: %1 triangles without area.").arg(count(report.degenerate_triangles));
+    sentences << QObject::tr("Removed: %1 zero-area triangles.").arg(count(report.degenerate_triangles));
   if (report.duplicate_triangles > 0)
-    sentences << QObject::tr("Dropped: %1 triangles that were there twice.").arg(count(report.duplicate_triangles));
+    sentences << QObject::tr("Removed: %1 duplicate triangles.").arg(count(report.duplicate_triangles));
   return sentences.join(' ');
 }
 

@@ -31,9 +31,9 @@ QString healthText(const workcell::MeshHealth& health) {
   QStringList words;
   if (health.border_edges > 0) words << QObject::tr("%1 open edges").arg(count(health.border_edges));
   if (health.non_manifold_edges > 0)
-    words << QObject::tr("%1 edges of more than two faces").arg(count(health.non_manifold_edges));
+    words << QObject::tr("%1 edges with more than two faces").arg(count(health.non_manifold_edges));
   if (health.flipped_edges > 0)
-    words << QObject::tr("%1 edges whose faces look opposite ways").arg(count(health.flipped_edges));
+    words << QObject::tr("%1 edges between faces of opposite orientation").arg(count(health.flipped_edges));
   return words.isEmpty() ? QObject::tr("closed") : words.join(", ");
 }
 
@@ -56,12 +56,12 @@ MeshCarePanel::MeshCarePanel(Host& host, BackgroundWork& background, QWidget* pa
   tolerance_->setValue(0.2);
   simplify_ = new QPushButton(tr("Simplify"));
   simplify_->setObjectName("meshSimplify");
-  addRow(*fewer, tr("Off by at most"), sideBySide({tolerance_, simplify_}), 100);
-  turn_ = new QPushButton(tr("Turn faces outwards"));
+  addRow(*fewer, tr("Tolerance"), sideBySide({tolerance_, simplify_}), 100);
+  turn_ = new QPushButton(tr("Orient faces outwards"));
   turn_->setObjectName("meshTurn");
   addRow(*fewer, {}, turn_, 100);
-  QVBoxLayout* checked = addSection(*column, tr("Checked for contact by"));
-  proxy_ = new Segmented({tr("Itself"), tr("Coarse"), tr("Convex hull")});
+  QVBoxLayout* checked = addSection(*column, tr("Collision shape"));
+  proxy_ = new Segmented({tr("Own mesh"), tr("Coarse"), tr("Convex hull")});
   proxy_->setObjectName("meshProxy");
   checked->addWidget(proxy_);
   proxy_text_ = makeLive(2, TextRole::kSecond, true);
@@ -101,10 +101,10 @@ void MeshCarePanel::refresh() {
   name_->setText(QString::fromStdString(entity->name));
   proxy_->setCurrent(static_cast<int>(entity->proxy.kind));
   const CollisionProxy& proxy = entity->proxy;
-  proxy_text_->setText(proxy.mesh ? tr("%1 triangles, off the mesh by at most %2")
+  proxy_text_->setText(proxy.mesh ? tr("%1 triangles, at most %2 from the mesh")
                                         .arg(countText(static_cast<double>(proxy.mesh->triangles.size())),
                                              millimetreText(proxy.deviation))
-                                  : tr("The mesh as it is drawn."));
+                                  : tr("The displayed mesh."));
   if (looked_at_ != entity->mesh.get()) look();
 }
 
@@ -114,7 +114,7 @@ void MeshCarePanel::look() {
   const QString triangles = tr("%1 triangles").arg(countText(static_cast<double>(mesh->triangles.size())));
   counts_->setText(triangles);
   background_.start(
-      tr("Looking at the mesh"),
+      tr("Checking the mesh"),
       [this, mesh, triangles](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
         const QString health = healthText(workcell::healthOf(*mesh));
         return BackgroundWork::Then([this, mesh, triangles, health] {
@@ -126,7 +126,7 @@ void MeshCarePanel::look() {
 
 void MeshCarePanel::start(const QString& name, BackgroundWork::Work work) {
   background_.start(name, std::move(work), [this, name](const Error& error) {
-    host_.messages().tell(Severity::kProblem, tr("%1 is as it was").arg(name), QString::fromStdString(error.message()));
+    host_.messages().tell(Severity::kProblem, tr("%1 is unchanged").arg(name), QString::fromStdString(error.message()));
   });
 }
 
@@ -153,7 +153,7 @@ void MeshCarePanel::simplify() {
           auto made = workcell::simplify(*mesh, tolerance);
           HAPTICELL_TRY(made);
           const QString told =
-              tr("%1 of %2 triangles are left, off the surface by at most %3.")
+              tr("%1 of %2 triangles left, at most %3 from the surface.")
                   .arg(countText(static_cast<double>(made->mesh.triangles.size())),
                        countText(static_cast<double>(mesh->triangles.size())), millimetreText(made->deviation));
           auto result = std::make_shared<workcell::MadeMesh>(std::move(*made));
@@ -173,8 +173,8 @@ void MeshCarePanel::turnOutwards() {
         auto turned = std::make_shared<geometry::TriangleMesh>(*mesh);
         const std::size_t count = workcell::orient(*turned);
         const QString told = count == 0
-                                 ? tr("All faces look outwards already.")
-                                 : tr("%1 faces were turned outwards.").arg(countText(static_cast<double>(count)));
+                                 ? tr("All faces already point outwards.")
+                                 : tr("%1 faces were flipped outwards.").arg(countText(static_cast<double>(count)));
         return BackgroundWork::Then(
             [this, id, source, turned, told] { replace(id, source, std::move(*turned), told); });
       });

@@ -74,7 +74,7 @@ class FilePreview final : public QWidget {
     QStringList lines{file.fileName(), QLocale().formattedDataSize(file.size()),
                       QLocale().toString(file.lastModified(), QObject::tr("d MMM yyyy, HH:mm"))};
     if (picture.isNull() && file.suffix() == QStringLiteral("hcell"))
-      lines << QObject::tr("Its picture is made when it is saved or left here.");
+      lines << QObject::tr("The preview is made when the file is saved or closed here.");
     words_->setText(lines.join('\n'));
   }
 
@@ -100,7 +100,7 @@ class FileTimes final : public QIdentityProxyModel {
     return QLocale().toString(files->lastModified(mapToSource(index)), QLocale::ShortFormat);
   }
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
-    const QStringList names{QObject::tr("Name"), QObject::tr("File size"), QObject::tr("Kind"), QObject::tr("Changed")};
+    const QStringList names{QObject::tr("Name"), QObject::tr("File size"), QObject::tr("Type"), QObject::tr("Changed")};
     const bool named = role == Qt::DisplayRole && orientation == Qt::Horizontal && section < names.size();
     return named ? names[section] : QIdentityProxyModel::headerData(section, orientation, role);
   }
@@ -135,12 +135,12 @@ class FileQuestion final : public QFileDialog {
   void setWords() {
     setLabelText(LookIn, QObject::tr("Folder"));
     setLabelText(FileName, QObject::tr("Name"));
-    setLabelText(FileType, QObject::tr("Kind"));
+    setLabelText(FileType, QObject::tr("Type"));
     setLabelText(Reject, QObject::tr("Cancel"));
     const std::pair<const char*, QString> tips[]{
-        {"backButton", QObject::tr("Folder before")},    {"forwardButton", QObject::tr("Folder after")},
-        {"toParentButton", QObject::tr("Folder above")}, {"newFolderButton", QObject::tr("New folder")},
-        {"listModeButton", QObject::tr("Names only")},   {"detailModeButton", QObject::tr("With size and time")}};
+        {"backButton", QObject::tr("Previous folder")},   {"forwardButton", QObject::tr("Next folder")},
+        {"toParentButton", QObject::tr("Parent folder")}, {"newFolderButton", QObject::tr("New folder")},
+        {"listModeButton", QObject::tr("Names only")},    {"detailModeButton", QObject::tr("Details")}};
     for (const auto& [name, tip] : tips)
       if (auto* button = findChild<QToolButton*>(QLatin1String(name))) {
         button->setToolTip(tip);

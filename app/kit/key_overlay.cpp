@@ -25,11 +25,11 @@ constexpr int kOverlayPadding = 20;
 
 std::vector<KeyLine> keyLines(const QMainWindow& window) {
   std::vector<KeyLine> lines{
-      {QStringLiteral("Esc"), QObject::tr("Forces off; else ends a pick or a tool")},
-      {QStringLiteral("Space"), QObject::tr("Held: the hand moves without the entity (clutch)")},
-      {QStringLiteral("B"), QObject::tr("The stylus button: grabs and releases")},
-      {QObject::tr("Middle button"), QObject::tr("Turns the view; with Shift it shifts it")},
-      {QObject::tr("Wheel"), QObject::tr("Zooms to the pointer")},
+      {QStringLiteral("Esc"), QObject::tr("Forces off; otherwise end picking or the tool")},
+      {QStringLiteral("Space"), QObject::tr("Hold: move the hand without the entity (clutch)")},
+      {QStringLiteral("B"), QObject::tr("Stylus button: hold and release")},
+      {QObject::tr("Middle button"), QObject::tr("Rotate the view; with Shift, pan")},
+      {QObject::tr("Wheel"), QObject::tr("Zoom to the pointer")},
   };
   std::set<QString> seen;
   for (const QAction* action : window.findChildren<QAction*>()) {
@@ -73,7 +73,7 @@ void KeyOverlay::paintEvent(QPaintEvent*) {
   painter.setPen(theme.text1);
   painter.drawText(inside.left(), inside.top(), inside.width(), kRow, Qt::AlignVCenter,
                    painter.fontMetrics().elidedText(
-                       tr("Single keys act while the pointer is over the scene; elsewhere they are text."),
+                       tr("Single keys work while the pointer is over the scene; elsewhere they type text."),
                        Qt::ElideRight, inside.width()));
   for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
     const KeyLine& line = lines_[static_cast<std::size_t>(i)];

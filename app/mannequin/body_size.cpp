@@ -36,9 +36,9 @@ constexpr std::array<const char*, mannequin::kDimensionCount> kDimensions{
     QT_TRANSLATE_NOOP("BodySize", "Stature"),
     QT_TRANSLATE_NOOP("BodySize", "Height of the neck"),
     QT_TRANSLATE_NOOP("BodySize", "Height of the shoulder"),
-    QT_TRANSLATE_NOOP("BodySize", "Height of the breastbone"),
+    QT_TRANSLATE_NOOP("BodySize", "Height of the sternum"),
     QT_TRANSLATE_NOOP("BodySize", "Height of the tenth rib"),
-    QT_TRANSLATE_NOOP("BodySize", "Height of the hip's crest"),
+    QT_TRANSLATE_NOOP("BodySize", "Height of the iliac crest"),
     QT_TRANSLATE_NOOP("BodySize", "Height of the hip joint"),
     QT_TRANSLATE_NOOP("BodySize", "Height of the crotch"),
     QT_TRANSLATE_NOOP("BodySize", "Height of the knee"),
@@ -50,7 +50,7 @@ constexpr std::array<const char*, mannequin::kDimensionCount> kDimensions{
     QT_TRANSLATE_NOOP("BodySize", "Hand length"),
     QT_TRANSLATE_NOOP("BodySize", "Palm length"),
     QT_TRANSLATE_NOOP("BodySize", "Hand breadth"),
-    QT_TRANSLATE_NOOP("BodySize", "Shoulder joints apart"),
+    QT_TRANSLATE_NOOP("BodySize", "Distance of the shoulder joints"),
     QT_TRANSLATE_NOOP("BodySize", "Shoulder breadth"),
     QT_TRANSLATE_NOOP("BodySize", "Breadth of the pelvis"),
     QT_TRANSLATE_NOOP("BodySize", "Hip breadth"),
@@ -74,7 +74,7 @@ BodySize::BodySize(MannequinContext& context, QWidget* parent) : QWidget(parent)
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(6);
   boundary_ = new Segmented({tr("P5 w."), tr("P50 w."), tr("P50 m."), tr("P95 m.")});
-  boundary_->setToolTip(tr("The bodies that bound most users: P5 and P50 woman, P50 and P95 man"));
+  boundary_->setToolTip(tr("The sizes that cover most users: P5 and P50 woman, P50 and P95 man"));
   boundary_->setObjectName("segmentsBoundary");
   rows->addWidget(boundary_);
   sex_ = new Segmented({tr("Woman"), tr("Man")});
@@ -150,10 +150,10 @@ void BodySize::addMeasures() {
   dimension_->setMinimumContentsLength(8);
   measure_ = new ValueField({tr("mm"), 0, 10.0, 2300.0, 1.0});
   measure_->setObjectName("fieldMeasure");
-  measure_->setToolTip(tr("A person's own measure goes before the most likely one of the survey (ANSUR II)"));
+  measure_->setToolTip(tr("A measure of the person replaces the most likely value of the survey (ANSUR II)"));
   auto* pair = sideBySide({dimension_, measure_});
   if (auto* line = qobject_cast<QHBoxLayout*>(pair->layout())) line->setStretch(0, 2);
-  addRow(*qobject_cast<QVBoxLayout*>(layout()), tr("Own measure"), pair, 92);
+  addRow(*qobject_cast<QVBoxLayout*>(layout()), tr("Measured value"), pair, 92);
   connect(dimension_, &QComboBox::activated, this, &BodySize::showMeasure);
   connect(measure_, &ValueField::edited, this, [this](double millimetres) {
     mannequin::BodyRequest request = present();
@@ -186,11 +186,10 @@ void BodySize::begin() {
         busy_ = false;
         const workcell::Entity* now = context_.entity();
         if (!commands) {
-          context_.host().messages().tell(Severity::kWarning, tr("No body of that size"),
+          context_.host().messages().tell(Severity::kWarning, tr("No mannequin of that size"),
                                           QString::fromStdString(commands.error().message()));
         } else if (now && now->id == id && context_.isFree()) {
-          context_.host().documentModel().executeAll(tr("Size of %1").arg(QString::fromStdString(now->name)),
-                                                     *commands);
+          context_.host().documentModel().executeAll(tr("Resize %1").arg(QString::fromStdString(now->name)), *commands);
         }
         if (again_) {
           again_ = false;

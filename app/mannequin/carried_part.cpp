@@ -70,8 +70,8 @@ void CarriedPart::show() {
   }
   const workcell::Entity* part = context_.host().documentModel().document().find(chosen());
   const bool carried = part && part->attachment.to == entity->name;
-  carry_->setText(carried ? tr("Let go") : tr("Take"));
-  carry_->setToolTip(carried ? tr("It stays where it is") : tr("It goes with the hand and is checked with it"));
+  carry_->setText(carried ? tr("Release") : tr("Hold"));
+  carry_->setToolTip(carried ? tr("It stays where it is") : tr("It moves with the hand and is checked with it"));
   carry_->setEnabled(part != nullptr && context_.isFree());
 }
 

@@ -136,7 +136,7 @@ bool FigureDrag::isOwnBody() const {
 }
 
 void FigureDrag::refuse(const QString& why) {
-  context_.host().messages().tell(Severity::kWarning, tr("The mannequin cannot be drawn so"), why);
+  context_.host().messages().tell(Severity::kWarning, tr("The mannequin cannot be dragged there"), why);
   keep_ = false;
   finish();
 }

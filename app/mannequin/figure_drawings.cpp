@@ -69,12 +69,12 @@ FigureDrawings::FigureDrawings(MannequinContext& context, QWidget* parent) : QWi
   column->addWidget(balance_);
   eyes_ = new QPushButton(tr("Through its eyes"));
   eyes_->setObjectName("buttonEyes");
-  sight_ = new QPushButton(tr("What it sees of it"));
+  sight_ = new QPushButton(tr("Visible share"));
   sight_->setObjectName("buttonSees");
-  sight_->setToolTip(tr("Casts rays from its eyes to the part that was chosen last"));
-  gaze_ = new QPushButton(tr("Look at it"));
+  sight_->setToolTip(tr("How much of the last selected part the mannequin sees"));
+  gaze_ = new QPushButton(tr("Look at part"));
   gaze_->setObjectName("buttonLookAt");
-  gaze_->setToolTip(tr("Turns its eyes, as far as they go, to the part that was chosen last"));
+  gaze_->setToolTip(tr("Turns the eyes towards the last selected part, as far as they go"));
   column->addWidget(sideBySide({eyes_, gaze_}));
   column->addWidget(sight_);
   seen_ = makeLive(2, TextRole::kSecond);
@@ -99,12 +99,11 @@ FigureDrawings::FigureDrawings(MannequinContext& context, QWidget* parent) : QWi
 void FigureDrawings::addSwitches(QVBoxLayout& column) {
   const std::array<QString, kKinds> words{
       tr("Reach of the arms"), tr("Reach with the trunk"),       tr("Working zones (as EN ISO 14738)"),
-      tr("What it sees"),      tr("Centre of mass and support"), tr("Reach of P5, P50 and P95")};
+      tr("Field of view"),     tr("Centre of mass and support"), tr("Reach of P5, P50 and P95")};
   for (std::size_t i = 0; i < switches_.size(); ++i) {
     auto* button = switches_[i] = new QCheckBox(words[i]);
     button->setObjectName(QStringLiteral("draw%1").arg(i));
-    if (i == kSizesReach)
-      button->setToolTip(tr("How far the arms of three people of its sex reach who stand as it does"));
+    if (i == kSizesReach) button->setToolTip(tr("Reach of people of the same sex in the same stance"));
     connect(button, &QCheckBox::clicked, this, [this] {
       figure_.reset();  // Looks at it anew.
       showNow();
@@ -267,7 +266,7 @@ void FigureDrawings::lookAtTarget() {
   const workcell::Entity* entity = context_.entity();
   const workcell::Entity* target = context_.target();
   if (!entity || !context_.isFree()) return;
-  if (!target) return seen_->setText(tr("Click a part first, then ask."));
+  if (!target) return seen_->setText(tr("Click a part first."));
   mannequin::Posture posture = postureOf(*entity);
   const geometry::Bounds bounds = context_.host().viewport().scene().boundsOf_W(target->id);
   const dvec3 where = bounds.isEmpty() ? target->X_WE.p : bounds.center();
@@ -280,7 +279,7 @@ void FigureDrawings::lookAtTarget() {
 void FigureDrawings::askSight() {
   const workcell::Entity* entity = context_.entity();
   const workcell::Entity* target = context_.target();
-  if (!entity || !target) return seen_->setText(tr("Click a part first, then ask."));
+  if (!entity || !target) return seen_->setText(tr("Click a part first."));
   const workcell::Document& document = context_.host().documentModel().document();
   const workcell::PairDefaults defaults = manipulation::pairDefaults(context_.host().configuration());
   runBeside(

@@ -62,7 +62,7 @@ FigureSketch::FigureSketch(QWidget* parent) : QWidget(parent) {
   setMinimumSize(100, 150);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   setMaximumWidth(170);
-  setAccessibleName(tr("The figure in its posture"));
+  setAccessibleName(tr("The mannequin in its posture"));
 }
 
 void FigureSketch::setFigure(std::shared_ptr<const mannequin::Figure> figure) {

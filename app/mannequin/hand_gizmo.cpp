@@ -85,7 +85,7 @@ bool HandGizmo::press(const PointerEvent& event) {
   if (!from) return false;
   drag_ = Drag{gizmo, *handle, *from, frame_W()};
   figure_.begin(
-      tr("Draw the %1 of %2").arg(nameOfHeld(held()).toLower(), QString::fromStdString(context_.entity()->name)),
+      tr("Drag the %1 of %2").arg(nameOfHeld(held()).toLower(), QString::fromStdString(context_.entity()->name)),
       held(), handle->turns ? FigureDrag::Turn::kAsWanted : FigureDrag::Turn::kWithTheForearm);
   showNow();
   return true;
@@ -121,16 +121,16 @@ bool HandGizmo::cancel() {
 }
 
 QString HandGizmo::hint() const {
-  if (drag_) return tr("Esc takes the drag back");
+  if (drag_) return tr("Esc: cancel the drag");
   if (!over_) return {};
-  return over_->turns ? tr("Drag to turn it; the body follows") : tr("Drag to move it; the body follows");
+  return over_->turns ? tr("Drag to rotate it; the body follows") : tr("Drag to move it; the body follows");
 }
 
 QString nameOfHeld(const MovedBy& held) {
   if (isSameWay(held, by::Hand{mannequin::Side::kLeft})) return HandGizmo::tr("Left hand");
   if (isSameWay(held, by::Hand{mannequin::Side::kRight})) return HandGizmo::tr("Right hand");
   if (std::holds_alternative<by::BothHands>(held)) return HandGizmo::tr("Both hands");
-  return std::holds_alternative<by::Head>(held) ? HandGizmo::tr("Head") : HandGizmo::tr("Whole figure");
+  return std::holds_alternative<by::Head>(held) ? HandGizmo::tr("Head") : HandGizmo::tr("Whole mannequin");
 }
 
 QString reachText(const FigureDrag& drag, const MovedBy& held) {

@@ -130,7 +130,7 @@ void HandsToPart::pick(Hands hands) {
   const workcell::Entity* entity = context_.entity();
   if (!entity || !context_.isFree() || busy_) return;
   const QString prompt =
-      hands == Hands::kBoth ? tr("Click the part that both hands shall take") : tr("Click where the hand shall be");
+      hands == Hands::kBoth ? tr("Click the part for both hands to hold") : tr("Click where to put the hand");
   context_.host().viewport().startPick({{.faces = true, .edges = false, .vertices = false},
                                         prompt,
                                         [this, hands](const std::optional<PickedFeature>& place) {
@@ -145,7 +145,7 @@ void HandsToPart::send(Hands hands, const PickedFeature& place) {
   const workcell::Entity* part = document.document().find(place.entity);
   if (!part || part->id == entity->id)
     return context_.host().messages().tell(Severity::kWarning, tr("The hands were not moved"),
-                                           tr("Choose a place on a part, not on the mannequin itself."));
+                                           tr("Click a part, not the mannequin."));
   const mannequin::Posture from = postureOf(*entity);
   const auto targets = targetsOf(hands, place, from);
   if (!targets) return;
@@ -199,9 +199,9 @@ void HandsToPart::sit(const PickedFeature& place) {
   hands.locks.seat = true;  // The seat bears it when a hand is drawn next.
   context_.host().holdChoice().setHands(hands);
   if (sitting.feet_above_floor_m > 0.0)
-    context_.host().messages().tell(Severity::kWarning, tr("The feet of %1 do not reach the floor").arg(name),
-                                    tr("They hang %1 above it: lower the seat or put a rest under them.")
-                                        .arg(lengthText(sitting.feet_above_floor_m, 0)));
+    context_.host().messages().tell(
+        Severity::kWarning, tr("The feet of %1 do not reach the floor").arg(name),
+        tr("They are %1 above it. Lower the seat or add a footrest.").arg(lengthText(sitting.feet_above_floor_m, 0)));
 }
 
 void HandsToPart::told(Hands hands, const QString& part, const std::array<double, 2>& short_m) {
@@ -211,7 +211,7 @@ void HandsToPart::told(Hands hands, const QString& part, const std::array<double
   if (hands != Hands::kLeft && short_m[1] > kMissed)
     missed << tr("The right hand is %1 short.").arg(lengthText(short_m[1], 0));
   if (missed.isEmpty()) return;
-  missed << tr("Bring the mannequin or the part nearer, or unlock the feet so that it may step.");
+  missed << tr("Move the mannequin or the part nearer, or unlock the feet so that it can step.");
   context_.host().messages().tell(Severity::kWarning, tr("%1 is out of reach").arg(part), missed.join(' '));
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/mannequin/joint_words.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/kit/form.h"
@@ -36,20 +37,6 @@ constexpr std::array<Part, 6> kParts{{{QT_TR_NOOP("Trunk"), Dof::kVl5Flexion, 9}
 constexpr Dof kNeck = Dof::kVc7Flexion;
 constexpr int kNameWidth = 150;  // px
 
-QString shownName(Dof dof) {
-  QString name = QString::fromLatin1(mannequin::dofInfo(dof).name);
-  if (name.startsWith("l_") || name.startsWith("r_")) name.remove(0, 2);
-  // Shorter, and as one says it; the tool tip has the H-Anim name.
-  for (const auto& [long_name, short_name] : {std::pair{"sternoclavicular", "girdle"},
-                                              {"radioulnar", "forearm"},
-                                              {"talocrural", "ankle"},
-                                              {"subtalar", "foot"},
-                                              {"metatarsal", "toe"},
-                                              {"skullbase", "head"}})
-    name.replace(QLatin1String(long_name), QLatin1String(short_name));
-  return name.replace('_', ' ');
-}
-
 }  // namespace
 
 JointList::JointList(MannequinContext& context, QWidget* parent) : QWidget(parent), context_(context) {
@@ -64,7 +51,7 @@ JointList::JointList(MannequinContext& context, QWidget* parent) : QWidget(paren
   for (std::size_t i = 0; i < mannequin::kDofCount; ++i) {
     const Dof dof = static_cast<Dof>(i);
     const auto& info = mannequin::dofInfo(dof);
-    JointRow* row = addRow(shownName(dof), kDegrees * info.lower, kDegrees * info.upper);
+    JointRow* row = addRow(jointName(QString::fromLatin1(info.name)), kDegrees * info.lower, kDegrees * info.upper);
     row->setObjectName(QStringLiteral("joint_") + QString::fromLatin1(info.name));
     row->setToolTip(tr("%1: %2° to %3°, comfortable %4° to %5°")
                         .arg(QString::fromLatin1(info.name))

@@ -84,7 +84,7 @@ class MannequinDocks : public QObject {
     };
     entry("actionAddMannequin", tr("Add mannequin"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M),
           [this] { add({}); });
-    QMenu* sizes = menu->addMenu(tr("Add of a size"));
+    QMenu* sizes = menu->addMenu(tr("Add with size"));
     const std::pair<const char*, mannequin::BodyRequest> boundary[]{
         {QT_TR_NOOP("P5 woman"),
          {mannequin::Sex::kFemale, *mannequin::statureOfPercentile(mannequin::Sex::kFemale, 5)}},

@@ -108,8 +108,8 @@ void MannequinPanel::addEmptyState(QVBoxLayout& column) {
   auto* title = makeLabel(tr("No mannequin in the cell"), TextRole::kPanelState);
   title->setAlignment(Qt::AlignCenter);
   rows->addWidget(title);
-  auto* how = makeLabel(tr("Add a person of any size with Ctrl+Shift+M: it stands on the floor, and its hands follow "
-                           "the stylus or the mouse."),
+  auto* how = makeLabel(tr("Add a mannequin of any size with Ctrl+Shift+M. It stands on the floor, and its hands "
+                           "follow the stylus or the mouse."),
                         TextRole::kText, true);
   how->setWordWrap(true);
   how->setAlignment(Qt::AlignCenter);
@@ -138,7 +138,7 @@ void MannequinPanel::addHolding(QVBoxLayout& column) {
   auto* choices = new QVBoxLayout;
   choices->setSpacing(4);
   choices->addWidget(makeLabel(tr("Held by the stylus"), TextRole::kSecond, true));
-  const std::array<QString, 5> words{tr("Whole figure"), tr("Left hand"), tr("Right hand"), tr("Both hands"),
+  const std::array<QString, 5> words{tr("Whole mannequin"), tr("Left hand"), tr("Right hand"), tr("Both hands"),
                                      tr("Head, gaze")};
   const std::array<const char*, 5> icons{"mannequin", "hand", "hand", "hands", "eye"};
   for (std::size_t i = 0; i < holds_.size(); ++i) {
@@ -162,8 +162,8 @@ void MannequinPanel::addHolding(QVBoxLayout& column) {
     connect(lock, &QCheckBox::clicked, this, [this, i](bool on) { setLock(static_cast<int>(i), on); });
     choices->addWidget(lock);
   }
-  locks_[2]->setToolTip(tr("Off: the figure may step to where the hand is reached"));
-  locks_[3]->setToolTip(tr("The pelvis stays on the seat, which bears the body"));
+  locks_[2]->setToolTip(tr("Off: the mannequin can step so that the hand reaches"));
+  locks_[3]->setToolTip(tr("The pelvis stays on the seat, which carries the body"));
   line->addLayout(choices);
   section->addLayout(line);
 }
@@ -177,7 +177,7 @@ void MannequinPanel::addHands(QVBoxLayout& column) {
   curl_->setObjectName("sliderCurl");
   curl_->setRange(0, 90);
   addRow(*section, tr("Finger curl"), curl_);
-  two_hands_ = new Segmented({tr("Each its own"), tr("Hold one thing")});
+  two_hands_ = new Segmented({tr("Separate"), tr("Hold one part")});
   two_hands_->setObjectName("segmentsTwoHands");
   addRow(*section, tr("Two hands"), two_hands_);
   part_ = new CarriedPart(context_, *section, this);

@@ -93,7 +93,7 @@ bool MannequinPanel::openPostureFile(const QString& path) {
   const auto beyond = posture ? mannequin::limitViolations(*posture) : std::vector<std::string>{};
   if (!posture || !beyond.empty()) {
     const std::string why = posture ? beyond.front() : posture.error().message();
-    context_.host().messages().tell(Severity::kWarning, tr("The posture was not taken"), QString::fromStdString(why));
+    context_.host().messages().tell(Severity::kWarning, tr("The posture was not loaded"), QString::fromStdString(why));
     return false;
   }
   const mannequin::Posture placed = has_root ? *posture : placedHere(*entity, *posture);

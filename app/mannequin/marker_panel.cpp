@@ -50,7 +50,7 @@ MarkerPanel::MarkerPanel(MannequinContext& context, QWidget* parent)
   column->addLayout(line);
   at_ = new QSlider(Qt::Horizontal);
   at_->setObjectName("sliderMarkers");
-  at_->setAccessibleName(tr("Moment of the recording"));
+  at_->setAccessibleName(tr("Time in the recording"));
   column->addWidget(at_);
   state_ = makeLive(3, TextRole::kSecond, true);
   state_->setText(tr("Open a recording of markers (C3D) to see them in the scene."));
@@ -111,9 +111,10 @@ void MarkerPanel::take(mannequin::MarkerClip clip, const QString& path) {
   const auto set = mannequin::recogniseMarkers(clip_);
   context_.host().messages().tell(
       Severity::kInformation, QFileInfo(path).fileName(),
-      set ? tr("These are the markers of %1. Mannequin, Open a recorded motion, puts the recording on the figure.")
+      set ? tr("These are the markers of %1. To put the recording on the mannequin: Mannequin > Open a recorded "
+               "motion.")
                 .arg(QString::fromStdString(set->name))
-          : tr("The markers are shown; they are of no set that a figure can be fitted to: %1")
+          : tr("The markers are shown, but no mannequin can be fitted to this marker set: %1")
                 .arg(QString::fromStdString(set.error().message())));
   draw(true);
 }

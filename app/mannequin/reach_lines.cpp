@@ -42,12 +42,12 @@ void ReachLines::show() {
   if (!text.isEmpty() && drag_.reach() && drag_.reach()->obstacle.empty()) {
     advice = choice.hands().locks.trunk
                  ? QObject::tr("At full reach with the trunk locked. Unlock the trunk, or move it %1 closer.")
-                 : QObject::tr("At full reach. Move it %1 closer, or let the feet step.");
+                 : QObject::tr("At full reach. Move it %1 closer, or unlock the feet.");
     advice = advice.arg(lengthText(0.01 * std::ceil(100.0 * drag_.reach()->short_m + 0.8), 0));
   }
   const bool any = !text.isEmpty();
   mark_->setPixmap(any ? icon("limit", themeOf(words_->palette()).limit).pixmap(16, 16) : QPixmap());
-  words_->setText(any ? text : QObject::tr("Drag the arrows at the hand, or take it with the stylus."));
+  words_->setText(any ? text : QObject::tr("Drag the arrows at the hand, or hold it with the stylus."));
   words_->setForegroundRole(any ? QPalette::WindowText : kQuietText);
   advice_->setText(advice);
 }

@@ -83,7 +83,7 @@ void MeasurePanel::addTop(QVBoxLayout& column) {
   what_ = new Segmented({tr("Any"), tr("Corner"), tr("Edge"), tr("Face"), tr("Parts")});
   what_->setObjectName("segmentsMeasure");
   what_->setCurrent(0);
-  what_->setAccessibleName(tr("What is picked"));
+  what_->setAccessibleName(tr("What to pick"));
   section->addWidget(what_);
   note_ = makeLive(2, TextRole::kSecond, true);
   pick_ = new QPushButton(tr("Pick"));
@@ -134,7 +134,7 @@ void MeasurePanel::pick() {
          if (feature) return self->take(*feature);
          self->picking_ = false;
          self->pick_->setEnabled(true);
-         self->note_->setText(self->tr("Pick measures again."));
+         self->note_->setText(self->tr("Click Pick to measure again."));
        }});
 }
 
@@ -182,7 +182,7 @@ void MeasurePanel::measureParts(workcell::EntityId a, workcell::EntityId b) {
     picked_.pop_back();
     return;
   }
-  about_->setText(tr("%1 to %2, being measured").arg(nameOf(picked_[0]), nameOf(picked_[1])));
+  about_->setText(tr("%1 to %2: measuring…").arg(nameOf(picked_[0]), nameOf(picked_[1])));
   const SceneModel& scene = host_.viewport().scene();
   auto meshes_a = placedMeshes(scene, a), meshes_b = placedMeshes(scene, b);
   auto current = std::make_shared<std::atomic<bool>>(true);
@@ -200,7 +200,7 @@ void MeasurePanel::showParts(const std::optional<collision::DistanceResult>& res
   if (picked_.size() != 2) return;
   const QString both = tr("%1 to %2").arg(nameOf(picked_[0]), nameOf(picked_[1]));
   if (!result) {
-    about_->setText(tr("%1: one of them has no shape to measure.").arg(both));
+    about_->setText(tr("%1: one part has no shape to measure.").arg(both));
     return;
   }
   Measurement m;
@@ -208,8 +208,8 @@ void MeasurePanel::showParts(const std::optional<collision::DistanceResult>& res
   m.p_WA = result->p_WA;
   m.p_WB = result->p_WB;
   showRows(m, result->contained   ? tr("%1: one lies inside the other").arg(both)
-              : result->colliding ? tr("%1: they touch or cut each other").arg(both)
-                                  : tr("%1, least distance").arg(both));
+              : result->colliding ? tr("%1: they touch or overlap").arg(both)
+                                  : tr("%1, minimum distance").arg(both));
   draw(m);
 }
 

@@ -31,7 +31,7 @@ CartesianJog::CartesianJog(RobotContext& context, JointMover& mover, QWidget* pa
   column->setSpacing(4);
   frame_ = new Segmented({tr("Base"), tr("Tool"), tr("World"), tr("Frame")});
   frame_->setObjectName("segmentsJogFrame");
-  app::addRow(*static_cast<QVBoxLayout*>(layout()), tr("Axes of"), frame_);
+  app::addRow(*static_cast<QVBoxLayout*>(layout()), tr("Axes"), frame_);
   frame_->setCurrent(0);
   given_ = new ReferenceChoice(context_.host(), {});
   given_->setObjectName("comboJogFrame");
@@ -53,7 +53,7 @@ CartesianJog::CartesianJog(RobotContext& context, JointMover& mover, QWidget* pa
 void CartesianJog::showFrames() {
   const bool any = given_->hasFrames();
   if (!any && frame_->current() == kGivenFrame) frame_->setCurrent(0);
-  frame_->setChoiceEnabled(kGivenFrame, any, tr("This cell has no frame yet: Insert, Frame makes one"));
+  frame_->setChoiceEnabled(kGivenFrame, any, tr("No frame in this cell yet. Add one with Insert > Frame."));
   given_row_->setVisible(any);
   given_->setEnabled(frame_->current() == kGivenFrame);
 }
@@ -69,7 +69,7 @@ void CartesianJog::addRow(int axis) {
   auto* label = makeLabel(name, TextRole::kText);
   label->setFixedWidth(24);
   line->addWidget(label);
-  const QString meaning = turns ? tr("turns about %1").arg(QChar('X' + kTurnAxis[axis - 3])) : tr("along %1").arg(name);
+  const QString meaning = turns ? tr("about %1").arg(QChar('X' + kTurnAxis[axis - 3])) : tr("along %1").arg(name);
   line->addWidget(makeLabel(meaning, TextRole::kText, true), 1);
   fields_[i] = new ValueField({turns ? QStringLiteral("°") : QStringLiteral("mm"), 1, -1e6, 1e6, 1.0});
   fields_[i]->setObjectName(QStringLiteral("jogPose%1").arg(name));
@@ -78,8 +78,8 @@ void CartesianJog::addRow(int axis) {
   line->addWidget(fields_[i]);
   connect(fields_[i], &ValueField::edited, this, [this, axis](double value) { typed(axis, value); });
   for (const bool up : {false, true}) {
-    auto* button =
-        new HoldButton(up ? "plus" : "minus", up ? tr("%1 a step up").arg(name) : tr("%1 a step down").arg(name));
+    auto* button = new HoldButton(
+        up ? "plus" : "minus", up ? tr("Increase %1 by one step").arg(name) : tr("Decrease %1 by one step").arg(name));
     button->setObjectName(QStringLiteral("jog%1%2").arg(name, up ? QStringLiteral("More") : QStringLiteral("Less")));
     const auto text = [this, name] {
       const workcell::Entity* robot = context_.robot();
@@ -150,7 +150,7 @@ void CartesianJog::typed(int axis, double value) {
     mover_.step(tr("Move the TCP of %1").arg(QString::fromStdString(robot->name)), solution.q);
     emit held({});
   } else {
-    emit held(solution.status == kinematics::InverseStatus::kLimit ? tr("A joint limit is in the way of this pose")
+    emit held(solution.status == kinematics::InverseStatus::kLimit ? tr("A joint limit prevents this pose")
                                                                    : tr("This pose is out of reach"));
   }
   showNow();

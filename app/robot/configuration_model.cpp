@@ -38,8 +38,8 @@ QString travelText(const kinematics::RobotModel& model, const std::vector<double
   }
   const QString turn = QStringLiteral("%1°").arg(std::lround(degrees));
   const QString slide = lengthText(0.001 * millimetres, 0);
-  if (millimetres < 0.5) return QObject::tr("%1 in all").arg(turn);
-  return degrees < 0.5 ? QObject::tr("%1 in all").arg(slide) : QObject::tr("%1 and %2 in all").arg(turn, slide);
+  if (millimetres < 0.5) return QObject::tr("%1 in total").arg(turn);
+  return degrees < 0.5 ? QObject::tr("%1 in total").arg(slide) : QObject::tr("%1 and %2 in total").arg(turn, slide);
 }
 
 QString limitText(const kinematics::RobotModel& model, const kinematics::ListedSolution& solution) {
@@ -52,7 +52,7 @@ QString limitText(const kinematics::RobotModel& model, const kinematics::ListedS
   const double over = std::max(joint.lower - q, q - joint.upper) / unitOf(joint);
   const JointRow::Scale scale = scaleOf(joint, variable);
   const QString unit = scale.unit == QStringLiteral("°") ? scale.unit : QStringLiteral(" ") + scale.unit;
-  return QObject::tr("%1 over by %2").arg(scale.name, QString::number(over, 'f', 1) + unit);
+  return QObject::tr("%1 over limit by %2").arg(scale.name, QString::number(over, 'f', 1) + unit);
 }
 
 void ConfigurationModel::setSolutions(const kinematics::RobotModel* model,
@@ -67,7 +67,7 @@ void ConfigurationModel::setSolutions(const kinematics::RobotModel* model,
     row.arm = shortConfiguration(solution.configuration);
     if (row.arm.isEmpty()) row.arm = tr("Solution %1").arg(rows_.size() + 1);
     row.way = solution.is_now ? Way::kNow : solution.within_limits ? Way::kUnknown : Way::kOutOfLimits;
-    row.way_text = solution.is_now          ? tr("held now")
+    row.way_text = solution.is_now          ? tr("current")
                    : solution.within_limits ? travelText(*model, now, solution.q)
                                             : limitText(*model, solution);
     row.reason = QString::fromStdString(solution.reason);
@@ -133,7 +133,7 @@ QVariant ConfigurationModel::data(const QModelIndex& index, int role) const {
 QVariant ConfigurationModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   if (section == kFlags) return maker_.isEmpty() ? tr("Flags") : maker_;
-  return section == kArm ? tr("Arm") : tr("Way there");
+  return section == kArm ? tr("Arm") : tr("Path");
 }
 
 }  // namespace hapticell::app

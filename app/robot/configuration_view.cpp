@@ -122,7 +122,7 @@ ConfigurationView::ConfigurationView(RobotContext& context, MotionWorker& worker
   column->addWidget(table_);
   auto* bottom = new QHBoxLayout;
   foot_ = makeLive(3, TextRole::kSecond, true);
-  take_ = new QPushButton(tr("Take this one"));
+  take_ = new QPushButton(tr("Apply"));
   take_->setObjectName("buttonTake");
   take_->setProperty("main", true);
   bottom->addWidget(foot_, 1);
@@ -192,7 +192,7 @@ void ConfigurationView::show(std::vector<kinematics::ListedSolution> solutions) 
   const int rows = model_.rowCount();
   count_->setText(rows == 0     ? QString()
                   : all > kMost ? tr("%1 of many, nearest first").arg(rows)
-                                : tr("%1 of %2 solutions inside the limits").arg(model_.reachable()).arg(rows));
+                                : tr("%1 of %2 solutions within limits").arg(model_.reachable()).arg(rows));
   // What was chosen stays chosen while the list says the same again.
   if (const int row = chosen.empty() ? -1 : model_.rowOf(chosen); row >= 0) table_->selectRow(row);
   std::vector<std::vector<double>> targets;
@@ -239,18 +239,18 @@ void ConfigurationView::showFoot() {
   const QModelIndex chosen = table_->currentIndex();
   const int row = shownRow();
   const Way way = row >= 0 ? model_.way(row) : Way::kNow;
-  const QString dashed = tr("Dashed in the scene: the row chosen.");
+  const QString dashed = tr("The selected row is dashed in the scene.");
   switch (way) {
     case Way::kNow:
-      foot_->setText(model_.rowCount() == 0 ? tr("No inverse model: jog the joints.")
-                     : row < 0              ? tr("Choose a row to see it in the scene.")
-                                            : tr("The robot stands so now."));
+      foot_->setText(model_.rowCount() == 0 ? tr("No inverse kinematics. Jog the joints instead.")
+                     : row < 0              ? tr("Select a row to see it in the scene.")
+                                            : tr("This is the current configuration."));
       break;
     case Way::kUnknown:
-      foot_->setText(dashed + QLatin1Char(' ') + tr("Its way is being checked."));
+      foot_->setText(dashed + QLatin1Char(' ') + tr("Checking the path…"));
       break;
     case Way::kFree:
-      foot_->setText(dashed + QLatin1Char(' ') + tr("Its way is free."));
+      foot_->setText(dashed + QLatin1Char(' ') + tr("The path is free."));
       break;
     default:
       foot_->setText(dashed + QLatin1Char(' ') +
@@ -264,7 +264,7 @@ void ConfigurationView::showFoot() {
 void ConfigurationView::take() {
   const QModelIndex chosen = table_->currentIndex();
   if (!chosen.isValid() || !take_->isEnabled() || !context_.robot()) return;
-  const QString text = tr("%1 takes configuration %2")
+  const QString text = tr("Move %1 to configuration %2")
                            .arg(QString::fromStdString(context_.robot()->name),
                                 model_.data(model_.index(chosen.row(), 0), Qt::DisplayRole).toString());
   mover_.travel(text, model_.solution(chosen.row()).q);

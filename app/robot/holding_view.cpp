@@ -48,9 +48,9 @@ HoldingView::HoldingView(RobotContext& context, QWidget* parent) : QWidget(paren
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(6);
-  held_by_ = new Segmented({tr("TCP"), tr("Base"), tr("Base, TCP stays")});
+  held_by_ = new Segmented({tr("TCP"), tr("Base"), tr("Base, TCP fixed")});
   held_by_->setObjectName("segmentsHeldBy");
-  held_by_->button(2)->setToolTip(tr("The base follows the hand; the joints keep the tool where it is in the cell"));
+  held_by_->button(2)->setToolTip(tr("The base follows the hand; the joints keep the tool in place"));
   addRow(*rows, tr("Held by"), held_by_);
   tool_ = new QComboBox;
   tool_->setObjectName("comboTool");
@@ -68,7 +68,7 @@ HoldingView::HoldingView(RobotContext& context, QWidget* parent) : QWidget(paren
   axes_->setObjectName("switchAxes");
   axes_->setMinimumHeight(24);
   axes_row_ = addRow(*rows, tr("Axes"), axes_);
-  axes_->setAccessibleName(tr("External axes go along"));
+  axes_->setAccessibleName(tr("Move external axes too"));
   addSingularity(*rows);
   connect(edit, &QPushButton::clicked, this, &HoldingView::toolsWanted);
   connect(held_by_, &Segmented::chosen, this, [this](int i) {
@@ -95,10 +95,10 @@ void HoldingView::addSingularity(QVBoxLayout& rows) {
   singularity_ = new QComboBox;
   singularity_->setObjectName("comboSingularity");
   for (const QString& text :
-       {tr("Position kept"), tr("Position kept, wrist joint at rest"), tr("Orientation kept"), tr("Stop before it")})
+       {tr("Keep position"), tr("Keep position, wrist joint fixed"), tr("Keep orientation"), tr("Stop before it")})
     singularity_->addItem(text);
   addRow(rows, tr("Singularity"), singularity_);
-  singularity_->setToolTip(tr("What is kept where a wrist would have to swing round faster than it can"));
+  singularity_->setToolTip(tr("What to keep where the wrist would have to turn faster than it can"));
   connect(singularity_, &QComboBox::activated, this, [this](int i) {
     HoldChoice& choice = context_.host().holdChoice();
     by::Tool tool = choice.tool();
@@ -144,7 +144,7 @@ void HoldingView::showAxes() {
   const QStringList names = axesBelow(context_.host().documentModel().document().state(), *context_.robot());
   axes_row_->setVisible(!names.isEmpty());
   if (names.isEmpty()) return;
-  axes_->setText(tr("%1 goes along").arg(names.join(QStringLiteral(", "))));
+  axes_->setText(tr("%1 moves too").arg(names.join(QStringLiteral(", "))));
   const HoldChoice& choice = context_.host().holdChoice();
   axes_->setChecked(choice.tool().with_axes);
   const bool by_tool = manipulation::toolOf(choice.movedBy()) != nullptr;
@@ -162,11 +162,11 @@ void HoldingView::showSingularity() {
   item->setEnabled(wrist >= 0);
   if (wrist >= 0) {
     const int variable = chain->variables()[static_cast<std::size_t>(wrist)];
-    item->setText(tr("Position kept, %1 at rest").arg(context_.jointName(static_cast<std::size_t>(variable))));
+    item->setText(tr("Keep position, %1 fixed").arg(context_.jointName(static_cast<std::size_t>(variable))));
     item->setToolTip({});
   } else {
-    item->setText(tr("Position kept, wrist joint at rest"));
-    item->setToolTip(tr("Only where the arm's last three of six or more turning joints are a wrist"));
+    item->setText(tr("Keep position, wrist joint fixed"));
+    item->setToolTip(tr("Needs six or more revolute joints, of which the last three form a wrist"));
   }
   singularity_->setEnabled(chain != nullptr);
   const std::string& own = context_.host().holdChoice().tool().at_singularity;

@@ -45,9 +45,9 @@ void JointJog::addRow(std::size_t variable) {
   row.field->setObjectName(QStringLiteral("jogField%1").arg(variable + 1));
   row.field->setAccessibleName(scale.name);
   row.field->setFixedWidth(66);
-  row.less = new HoldButton("minus", tr("%1 a step down").arg(scale.name));
+  row.less = new HoldButton("minus", tr("Decrease %1 by one step").arg(scale.name));
   row.less->setObjectName(QStringLiteral("jogLess%1").arg(variable + 1));
-  row.more = new HoldButton("plus", tr("%1 a step up").arg(scale.name));
+  row.more = new HoldButton("plus", tr("Increase %1 by one step").arg(scale.name));
   row.more->setObjectName(QStringLiteral("jogMore%1").arg(variable + 1));
   auto* holder = new QWidget;
   auto* line = new QHBoxLayout(holder);

@@ -26,7 +26,7 @@ ValueField* limitField(const char* name, const ValueField::Format& format) {
 
 JointLimitFields::JointLimitFields(QVBoxLayout& rows, Edit edit, QObject* parent)
     : QObject(parent), edit_(std::move(edit)) {
-  limited_ = new QCheckBox(tr("End stops, from where it stands now"));
+  limited_ = new QCheckBox(tr("Joint limits, from the current position"));
   limited_->setObjectName("checkLimited");
   rows.addWidget(limited_);
   const char* const names[2]{"", "Slide"};
@@ -45,7 +45,7 @@ JointLimitFields::JointLimitFields(QVBoxLayout& rows, Edit edit, QObject* parent
     limit_row_[i] = addRow(rows, tr("From, to"), sideBySide({lower_[i], upper_[i]}), kLimitLabel);
     velocity_[i] = make("fieldVelocity", unit + tr("/s"), 0.0);
     friction_[i] = make("fieldFriction", i == 0 ? tr("N m") : tr("N"), 0.0);
-    effort_row_[i] = addRow(rows, tr("Speed, drag"), sideBySide({velocity_[i], friction_[i]}), kLimitLabel);
+    effort_row_[i] = addRow(rows, tr("Speed, friction"), sideBySide({velocity_[i], friction_[i]}), kLimitLabel);
     connect(lower_[i], &ValueField::edited, this, [this](double value) {
       edit_([&](workcell::MechanismJoint& joint) { joint.lower = value * shownUnit(joint); });
     });
@@ -58,7 +58,7 @@ JointLimitFields::JointLimitFields(QVBoxLayout& rows, Edit edit, QObject* parent
     connect(friction_[i], &ValueField::edited, this,
             [this](double value) { edit_([&](workcell::MechanismJoint& joint) { joint.friction = value; }); });
   }
-  pitch_ = limitField("fieldPitch", {tr("mm a turn"), 1, -1e4, 1e4, 1.0});
+  pitch_ = limitField("fieldPitch", {tr("mm/turn"), 1, -1e4, 1e4, 1.0});
   pitch_row_ = addRow(rows, tr("Pitch"), pitch_, kLimitLabel);
   connectFields();
 }

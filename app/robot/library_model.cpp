@@ -42,8 +42,8 @@ void LibraryModel::setPicture(int row, const QImage& picture) {
 std::vector<std::pair<QString, QString>> LibraryModel::sheet(int number) const {
   const Row& row = rows_[static_cast<std::size_t>(number)];
   const workcell::RobotSheet& sheet = row.robot.sheet;
-  std::vector<std::pair<QString, QString>> lines{{tr("Maker"), QString::fromStdString(sheet.maker)},
-                                                 {tr("Kind"), QString::fromStdString(sheet.kind)}};
+  std::vector<std::pair<QString, QString>> lines{{tr("Manufacturer"), QString::fromStdString(sheet.maker)},
+                                                 {tr("Type"), QString::fromStdString(sheet.kind)}};
   if (sheet.payload > 0.0) lines.emplace_back(tr("Payload"), payloadText(sheet.payload));
   if (row.entity) lines.emplace_back(tr("Joints"), QString::number(row.entity->robot->dof()));
   if (row.reach > 0.0) lines.emplace_back(tr("Reach"), tr("%1 to the flange").arg(lengthText(row.reach, 0)));

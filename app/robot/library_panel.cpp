@@ -85,7 +85,7 @@ LibraryPanel::LibraryPanel(Host& host, QWidget* parent) : QWidget(parent), host_
   Diagnostics diagnostics;
   model_ = new LibraryModel(workcell::listLibraryRobots(diagnostics), this);
   for (const std::string& warning : diagnostics.warnings)
-    host_.messages().tell(Severity::kWarning, tr("A built-in robot was left out"), QString::fromStdString(warning));
+    host_.messages().tell(Severity::kWarning, tr("A library robot was not loaded"), QString::fromStdString(warning));
   filter_.setSourceModel(model_);
   pool_.setMaxThreadCount(1);
   auto* whole = new QVBoxLayout(this);
@@ -99,20 +99,20 @@ LibraryPanel::LibraryPanel(Host& host, QWidget* parent) : QWidget(parent), host_
   search_ = new QLineEdit;
   search_->setObjectName("searchLibrary");
   search_->setProperty("search", true);
-  search_->setPlaceholderText(tr("Name, maker, kind or payload"));
+  search_->setPlaceholderText(tr("Name, manufacturer, type or payload"));
   search_->setClearButtonEnabled(true);
   search_->addAction(icon("search"), QLineEdit::LeadingPosition);
   search_->setAccessibleName(tr("Search the library"));
   maker_ = new QComboBox;
   maker_->setObjectName("comboMaker");
-  maker_->setAccessibleName(tr("Maker"));
-  maker_->addItem(tr("All makers"), QString());
+  maker_->setAccessibleName(tr("Manufacturer"));
+  maker_->addItem(tr("All manufacturers"), QString());
   for (const QString& maker : model_->makers()) maker_->addItem(maker, maker);
   choice->addWidget(search_);
   choice->addWidget(maker_);
   list_ = new QListView;
   list_->setObjectName("listLibrary");
-  list_->setAccessibleName(tr("Built-in robots"));
+  list_->setAccessibleName(tr("Robot library"));
   list_->setModel(&filter_);
   list_->setItemDelegate(new LibraryDelegate(list_));
   list_->setUniformItemSizes(true);
@@ -168,8 +168,8 @@ QWidget* LibraryPanel::makePlace() {
   auto* holder = new QWidget;
   auto* rows = new QVBoxLayout(holder);
   rows->setContentsMargins(0, 0, 0, 0);
-  QVBoxLayout* inside = addSection(*rows, tr("Where its base stands"));
-  place_ = new PlaceFields(host_, QStringLiteral("placeLibrary"), tr("Click where the base shall stand"));
+  QVBoxLayout* inside = addSection(*rows, tr("Base placement"));
+  place_ = new PlaceFields(host_, QStringLiteral("placeLibrary"), tr("Click where to place the base"));
   inside->addWidget(place_);
   ghost_ = new GhostPlacer(
       host_, *place_, [this] { addThere(); }, this);
@@ -211,7 +211,7 @@ void LibraryPanel::showChosen() {
   const int row = chosenRow();
   add_->setEnabled(row >= 0);
   if (row < 0) {
-    name_->setText(tr("No robot of that name"));
+    name_->setText(tr("No matching robot"));
     sheet_->setText({});
     big_picture_->setPixmap({});
     return;

@@ -32,11 +32,11 @@ void addHanging(const workcell::DocumentState& state, const std::shared_ptr<cons
 QString loadText(const workcell::CarriedLoad& load, double payload) {
   const QString allowed = payload > 0.0 ? kilogramText(payload) : QString();
   if (load.parts.empty())
-    return allowed.isEmpty() ? QObject::tr("Load: none, payload not known")
+    return allowed.isEmpty() ? QObject::tr("Load: none, payload unknown")
                              : QObject::tr("Load: none, payload %1").arg(allowed);
   const auto verdict = workcell::verdictOn(load, payload);
   QString text = verdict == workcell::LoadVerdict::kTooHeavy ? QObject::tr("Too heavy: %1 of %2 allowed")
-                 : allowed.isEmpty()                         ? QObject::tr("Load %1; the payload is not known")
+                 : allowed.isEmpty()                         ? QObject::tr("Load %1, payload unknown")
                                                              : QObject::tr("Load %1 of %2 allowed");
   text = allowed.isEmpty() ? text.arg(kilogramText(load.mass)) : text.arg(kilogramText(load.mass), allowed);
   text +=
@@ -45,7 +45,7 @@ QString loadText(const workcell::CarriedLoad& load, double payload) {
   QStringList names;
   for (const std::string& name : load.starting) names << QString::fromStdString(name);
   return text + QLatin1Char('\n') +
-         QObject::tr("Mass not entered, 1 kg taken: %1").arg(names.join(QStringLiteral(", ")));
+         QObject::tr("Mass not entered, 1 kg assumed: %1").arg(names.join(QStringLiteral(", ")));
 }
 
 LoadLine::LoadLine(RobotContext& context, const char* name, QWidget* parent)

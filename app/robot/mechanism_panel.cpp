@@ -140,7 +140,7 @@ void MechanismPanel::showJoint() {
   child_->setCurrentIndex(std::max(0, child_->findData(QString::fromStdString(joint->child))));
   parent_->setCurrentIndex(std::max(0, parent_->findData(QString::fromStdString(joint->parent))));
   const bool fixed = joint->type == MechanismJointType::kFixed;
-  axis_->setText(fixed ? tr("needs none") : axisText(*joint));
+  axis_->setText(fixed ? tr("not needed") : axisText(*joint));
   limits_->setVisible(!fixed);
   limit_fields_->show(*joint);
   coupled_->clear();
@@ -156,12 +156,12 @@ void MechanismPanel::showJoint() {
 
 void MechanismPanel::showFault() {
   const std::string fault = faultOf(draft_, context_.host().documentModel().document().state());
-  make_->setText(draft_.edited ? tr("Change the mechanism") : tr("Make the mechanism"));
+  make_->setText(draft_.edited ? tr("Change the mechanism") : tr("Create the mechanism"));
   make_->setEnabled(fault.empty());
   if (draft_.joints.empty())
-    fault_->setText(tr("A joint lets one part move on another. Begin with New joint, or take a sample below."));
+    fault_->setText(tr("A joint lets one part move on another. Start with New joint, or use a sample below."));
   else
-    fault_->setText(fault.empty() ? tr("Ready. One step of undo.") : QString::fromStdString(fault));
+    fault_->setText(fault.empty() ? tr("Ready. One undo step.") : QString::fromStdString(fault));
 }
 
 void MechanismPanel::drawAxes() {
@@ -198,7 +198,7 @@ void MechanismPanel::pickPart(QComboBox* box, const QString& prompt) {
       name = picked->robot->links[static_cast<std::size_t>(feature->link)].name;
     if (box->findData(QString::fromStdString(name)) < 0)
       return context_.host().messages().tell(Severity::kWarning,
-                                             tr("%1 cannot be a part of it").arg(QString::fromStdString(name)),
+                                             tr("%1 cannot be part of a mechanism").arg(QString::fromStdString(name)),
                                              tr("Parts of a mechanism are solids of the cell."));
     edit([&](MechanismJoint& joint) { (box == child_ ? joint.child : joint.parent) = name; });
   };

@@ -93,7 +93,7 @@ void MechanismPanel::addJoint(QVBoxLayout& column) {
   addRow(*rows, tr("Name"), joint_name_, kLabel);
   kind_ = new Segmented({tr("Hinge"), tr("Slide"), tr("Screw"), tr("Fixed")});
   kind_->setObjectName("segmentsJointKind");
-  addRow(*rows, tr("Kind"), kind_, kLabel);
+  addRow(*rows, tr("Type"), kind_, kLabel);
   partRow(*rows, tr("Moves"), "comboChild", child_, tr("Click the part that moves"));
   partRow(*rows, tr("Carried by"), "comboParent", parent_, tr("Click the part that it moves on"));
   axis_ = makeLive(2, TextRole::kText);
@@ -102,7 +102,7 @@ void MechanismPanel::addJoint(QVBoxLayout& column) {
   auto* pick = new QPushButton(tr("Pick axis"));
   pick->setObjectName("buttonPickAxis");
   pick->setToolTip(tr("A bore, a shaft, a straight or round edge, or the normal of a face"));
-  auto* flip = new QPushButton(tr("Other way"));
+  auto* flip = new QPushButton(tr("Flip"));
   flip->setObjectName("buttonFlipAxis");
   auto* empty = new QWidget;
   empty->setFixedWidth(kLabel - 6);
@@ -136,7 +136,7 @@ void MechanismPanel::addLimits(QVBoxLayout& column) {
   auto* outside = new QVBoxLayout(limits_);
   outside->setContentsMargins(0, 0, 0, 0);
   outside->setSpacing(0);
-  QVBoxLayout* rows = addSection(*outside, tr("Stops and feel"));
+  QVBoxLayout* rows = addSection(*outside, tr("Limits and feel"));
   limit_fields_ = new JointLimitFields(
       *rows, [this](const std::function<void(MechanismJoint&)>& change) { edit(change); }, this);
   coupled_ = new QComboBox;

@@ -82,7 +82,7 @@ class RobotDocks : public QObject {
     entry("actionRobotPanel", tr("Configurations and jogging"), [this] { bringToFront(dock_); });
     entry("actionTools", tr("Tools and carried parts…"), [this] { openTools(); });
     menu->addSeparator();
-    entry("actionMechanism", tr("Join parts to a mechanism…"), [this] { openMechanism(); });
+    entry("actionMechanism", tr("Join parts into a mechanism…"), [this] { openMechanism(); });
   }
 
   void openTools() {

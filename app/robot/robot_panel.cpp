@@ -89,7 +89,7 @@ void RobotPanel::addEmptyState(QVBoxLayout& column) {
   picture->setPixmap(icon("robot").pixmap(48, 48));
   picture->setAlignment(Qt::AlignCenter);
   rows->addWidget(picture);
-  auto* title = makeLabel(tr("No robot is chosen"), TextRole::kPanelState);
+  auto* title = makeLabel(tr("No robot is selected"), TextRole::kPanelState);
   title->setAlignment(Qt::AlignCenter);
   rows->addWidget(title);
   auto* how = makeLabel(tr("Click a robot or a mechanism in the scene or in the tree, or add one with Ctrl+Shift+I."),
@@ -100,7 +100,7 @@ void RobotPanel::addEmptyState(QVBoxLayout& column) {
   auto* add = new QPushButton(tr("Add robot…"));
   add->setObjectName("buttonAddRobot");
   add->setProperty("main", true);
-  auto* join = new QPushButton(tr("Join parts to a mechanism…"));
+  auto* join = new QPushButton(tr("Join parts into a mechanism…"));
   connect(add, &QPushButton::clicked, this, &RobotPanel::libraryWanted);
   connect(join, &QPushButton::clicked, this, &RobotPanel::mechanismWanted);
   rows->addSpacing(8);
@@ -153,7 +153,7 @@ void RobotPanel::addJog(QVBoxLayout& column) {
   poses_ = new QPushButton(icon("down"), {});
   poses_->setObjectName("buttonPoses");
   poses_->setFixedWidth(24);
-  poses_->setToolTip(tr("Named poses: go to one, keep this one"));
+  poses_->setToolTip(tr("Named poses: go to one, or save this one"));
   poses_->setAccessibleName(tr("Named poses"));
   rows->addWidget(tabs_);
   auto* line = new QHBoxLayout;
@@ -196,9 +196,9 @@ void RobotPanel::addMechanism(QVBoxLayout& column) {
   mechanism_ = section(column, {}, rows);
   auto* edit = new QPushButton(tr("Edit joints…"));
   edit->setObjectName("buttonEditMechanism");
-  auto* apart = new QPushButton(tr("Take apart"));
+  auto* apart = new QPushButton(tr("Disassemble"));
   apart->setObjectName("buttonTakeApart");
-  apart->setToolTip(tr("The parts become solids again, where they stand now"));
+  apart->setToolTip(tr("The parts become solids again, at their current placement"));
   rows->addWidget(sideBySide({edit, apart}));
   connect(edit, &QPushButton::clicked, this, &RobotPanel::mechanismWanted);
   connect(apart, &QPushButton::clicked, this, [this] {
@@ -279,7 +279,7 @@ void RobotPanel::choosePose(const QString& name) {
   if (!robot) return;
   stop_->setHeldBack({});
   const std::vector<double> pose = workcell::findNamedPose(*robot, name.toStdString());
-  if (!pose.empty()) mover_.travel(tr("%1 goes to %2").arg(QString::fromStdString(robot->name), name), pose);
+  if (!pose.empty()) mover_.travel(tr("Move %1 to %2").arg(QString::fromStdString(robot->name), name), pose);
 }
 
 void RobotPanel::fillPoses() {
@@ -292,8 +292,8 @@ void RobotPanel::fillPoses() {
     menu->addAction(name, this, [this, name] { choosePose(name); });
   }
   menu->addSeparator();
-  menu->addAction(tr("Keep this pose…"), this, &RobotPanel::keepPose);
-  QMenu* drop = menu->addMenu(tr("Forget"));
+  menu->addAction(tr("Save this pose…"), this, &RobotPanel::keepPose);
+  QMenu* drop = menu->addMenu(tr("Delete"));
   drop->setEnabled(!robot->named_poses.empty());
   for (const auto& pose : robot->named_poses) {
     const std::string name = pose.name;
@@ -313,7 +313,7 @@ void RobotPanel::keepPose() {
   ask->setObjectName("dialogPoseName");
   ask->setAttribute(Qt::WA_DeleteOnClose);
   ask->setModal(false);
-  ask->setWindowTitle(tr("Keep this pose"));
+  ask->setWindowTitle(tr("Save this pose"));
   ask->setLabelText(tr("Name of the pose (home replaces home)"));
   connect(ask, &QInputDialog::textValueSelected, this, [this](const QString& name) {
     const workcell::Entity* robot = context_.robot();

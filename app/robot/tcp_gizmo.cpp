@@ -136,7 +136,7 @@ bool TcpGizmo::cancel() {
 }
 
 QString TcpGizmo::hint() const {
-  if (drag_) return tr("Esc takes the drag back");
+  if (drag_) return tr("Esc: cancel the drag");
   if (!over_) return {};
   return over_->turns ? tr("Drag to turn the tool") : tr("Drag to move the tool");
 }

@@ -74,7 +74,7 @@ void ToolsPanel::addTools(QVBoxLayout& column) {
   QVBoxLayout* rows = addSection(column, tr("Tool centre points"));
   tools_ = makeList("listTools", tr("Tools"), 4);
   rows->addWidget(tools_);
-  auto* add = makeButton("buttonNewTool", tr("New"), tr("A copy of the chosen one, or at the flange"));
+  auto* add = makeButton("buttonNewTool", tr("New"), tr("Copies the selected tool, or adds one at the flange"));
   remove_ = makeButton("buttonRemoveTool", tr("Remove"));
   use_ = makeButton("buttonUseTool", tr("Use this one"));
   use_->setProperty("main", true);
@@ -95,7 +95,7 @@ void ToolsPanel::addTools(QVBoxLayout& column) {
   addRow(*rows, tr("A B C"), sideBySide({pose_[3], pose_[4], pose_[5]}), 56);
   for (std::size_t i = 0; i < 6; ++i) pose_[i]->setAccessibleName(QLatin1String(axes[i]));
   pick_ = makeButton("buttonPickTool", tr("Pick in the scene"),
-                     tr("A face, an edge or a corner: its origin and direction become the tool's"));
+                     tr("Pick a face, an edge or a corner for the tool's origin and direction"));
   rows->addWidget(pick_);
   connect(tools_, &QListWidget::currentRowChanged, this, &ToolsPanel::showTool);
   connect(tools_, &QListWidget::itemDoubleClicked, this, &ToolsPanel::useTool);
@@ -108,7 +108,7 @@ void ToolsPanel::addTools(QVBoxLayout& column) {
 }
 
 void ToolsPanel::addCarried(QVBoxLayout& column) {
-  QVBoxLayout* rows = addSection(column, tr("Carried: goes with the link and collides with it"));
+  QVBoxLayout* rows = addSection(column, tr("Carried: moves with the link and is checked with it"));
   carried_ = makeList("listCarried", tr("Carried parts"), 3);
   rows->addWidget(carried_);
   release_ = makeButton("buttonRelease", tr("Release"), tr("It stays where it is"));
@@ -127,7 +127,7 @@ void ToolsPanel::addCarried(QVBoxLayout& column) {
   carrier_link_ = new QComboBox;
   carrier_link_->setObjectName("comboCarrierLink");
   addRow(*rows, tr("On link"), carrier_link_, 56);
-  attach_ = makeButton("buttonAttach", tr("Attach"), tr("Where it stands now"));
+  attach_ = makeButton("buttonAttach", tr("Attach"), tr("At its current placement"));
   rows->addWidget(sideBySide({release_, attach_}));
   rows->addWidget(new LoadLine(context_, "labelToolsLoad"));
   connect(carried_, &QListWidget::currentRowChanged, this, [this](int row) { release_->setEnabled(row >= 0); });
@@ -139,7 +139,7 @@ void ToolsPanel::addCarried(QVBoxLayout& column) {
   connect(pick_part, &QPushButton::clicked, this, [this] {
     context_.host().viewport().startPick(
         {{.faces = true, .edges = false, .vertices = false},
-         tr("Click the part that the robot shall carry"),
+         tr("Click the part for the robot to carry"),
          [this](const std::optional<PickedFeature>& feature) {
            const int row = feature ? part_->findData(static_cast<qulonglong>(feature->entity)) : -1;
            if (row >= 0) part_->setCurrentIndex(row);
@@ -303,7 +303,7 @@ void ToolsPanel::useTool() {
 void ToolsPanel::pick() {
   context_.host().viewport().startPick(
       {{},
-       tr("Click a face, an edge or a corner: there the tool's point is"),
+       tr("Click a face, an edge or a corner for the tool centre point"),
        [this](const std::optional<PickedFeature>& feature) {
          const int row = chosen();
          if (!feature || row < 0) return;

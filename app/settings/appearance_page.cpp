@@ -54,10 +54,10 @@ QWidget* makeAppearancePage(Host& host) {
     QObject::connect(box, &QCheckBox::clicked, page, [&settings, key](bool on) { settings.setValue(key, on); });
     section->addWidget(box);
   };
-  addSwitch(QObject::tr("Views turn smoothly"), "switchMotion", "motion", host.configuration().gui.motion);
-  addSwitch(QObject::tr("Parts in their full colours"), "switchFullColors", "colors/full",
+  addSwitch(QObject::tr("Animate view changes"), "switchMotion", "motion", host.configuration().gui.motion);
+  addSwitch(QObject::tr("Show parts in full colour"), "switchFullColors", "colors/full",
             host.configuration().gui.original_colors);
-  addSwitch(QObject::tr("Show the first page at start"), "switchFirstPage", "start/page", true);
+  addSwitch(QObject::tr("Show the start page at start-up"), "switchFirstPage", "start/page", true);
   column->addStretch(1);
   return page;
 }

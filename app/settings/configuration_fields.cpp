@@ -23,30 +23,29 @@ ConfigurationGroup forces() {
   return {
       QObject::tr("Forces of the stylus"),
       {{"haptic.device", QObject::tr("Stylus at start"), {}},
-       {"haptic.stiffness", QObject::tr("Stiffness (0: the stylus's own)"), "N/m", 1.0, 0},
-       {"haptic.damping", QObject::tr("Damping (0: the stylus's own)"), "N s/m", 1.0, 1},
-       {"haptic.force_ramp_s", QObject::tr("Full force after"), "s", 1.0, 2},
-       {"manipulation.hold_to_move", QObject::tr("The stylus button must stay pressed to move"), {}},
-       {"manipulation.gravity_compensation", QObject::tr("Weight of a held part that is not felt"), "%", kPercent, 0},
-       {"manipulation.felt_mass", QObject::tr("Largest mass whose inertia is felt"), "kg", 1.0, 2},
-       {"manipulation.load_damping", QObject::tr("Damping of what is held (Dynamics)"), "N s/m", 1.0, 2},
-       {"manipulation.edge_drift", QObject::tr("Drift at the edge of the stylus's reach (0: none)"), "mm/s", kPerMetre,
-        0},
-       {"manipulation.zone_radius", QObject::tr("Contacts are prepared within"), "mm", kPerMetre, 0}}};
+       {"haptic.stiffness", QObject::tr("Stiffness (0: as the device)"), "N/m", 1.0, 0},
+       {"haptic.damping", QObject::tr("Damping (0: as the device)"), "N s/m", 1.0, 1},
+       {"haptic.force_ramp_s", QObject::tr("Force ramp-up time"), "s", 1.0, 2},
+       {"manipulation.hold_to_move", QObject::tr("Keep the stylus button pressed to move"), {}},
+       {"manipulation.gravity_compensation", QObject::tr("Gravity compensation of the held part"), "%", kPercent, 0},
+       {"manipulation.felt_mass", QObject::tr("Largest mass with felt inertia"), "kg", 1.0, 2},
+       {"manipulation.load_damping", QObject::tr("Damping of the held part (Dynamics)"), "N s/m", 1.0, 2},
+       {"manipulation.edge_drift", QObject::tr("Drift at the edge of the workspace (0: none)"), "mm/s", kPerMetre, 0},
+       {"manipulation.zone_radius", QObject::tr("Prepare contacts within"), "mm", kPerMetre, 0}}};
 }
 
 ConfigurationGroup contacts() {
   return {QObject::tr("Contacts"),
-          {{"manipulation.near_miss", QObject::tr("Near miss: shown and heard from"), "mm", kPerMetre, 1},
-           {"manipulation.safety_distance", QObject::tr("Safety distance: felt from"), "mm", kPerMetre, 2},
-           {"manipulation.on_contact", QObject::tr("On contact, unless the part says otherwise"), {}},
-           {"manipulation.force_class", QObject::tr("Force, unless the part says otherwise"), {}},
-           {"robot.self_collision", QObject::tr("Links of a robot are checked against each other"), {}},
-           {"robot.at_singularity", QObject::tr("A robot near a singular position"), {}}}};
+          {{"manipulation.near_miss", QObject::tr("Near-miss distance: shown and heard below"), "mm", kPerMetre, 1},
+           {"manipulation.safety_distance", QObject::tr("Safety distance: contact felt at"), "mm", kPerMetre, 2},
+           {"manipulation.on_contact", QObject::tr("On contact, unless set for the part"), {}},
+           {"manipulation.force_class", QObject::tr("Force, unless set for the part"), {}},
+           {"robot.self_collision", QObject::tr("Check robots for self-collision"), {}},
+           {"robot.at_singularity", QObject::tr("Robot near a singularity"), {}}}};
 }
 
 ConfigurationGroup scales() {
-  return {QObject::tr("Scale: way of the part for the same way of the hand"),
+  return {QObject::tr("Scale: part motion for the same hand motion"),
           {{"scale.rough", QObject::tr("Rough"), "×", 1.0, 2},
            {"scale.medium", QObject::tr("Medium"), "×", 1.0, 2},
            {"scale.fine", QObject::tr("Fine"), "×", 1.0, 3},
@@ -55,7 +54,7 @@ ConfigurationGroup scales() {
 }
 
 ConfigurationGroup materials(const config::Configuration& configuration) {
-  ConfigurationGroup group{QObject::tr("Materials: how a touched part feels"), {}};
+  ConfigurationGroup group{QObject::tr("Materials: how a part feels in contact"), {}};
   for (const auto& [key, material] : configuration.materials) {
     const QString name = materialName(key);
     const std::string at = "materials." + key;
@@ -67,7 +66,7 @@ ConfigurationGroup materials(const config::Configuration& configuration) {
 }
 
 ConfigurationGroup simulatedHand() {
-  return {QObject::tr("Hand that holds a simulated stylus"),
+  return {QObject::tr("Hand on the simulated stylus"),
           {{"hand.mass", QObject::tr("Mass"), "kg", 1.0, 2},
            {"hand.stiffness", QObject::tr("Stiffness"), "N/m", 1.0, 0},
            {"hand.damping", QObject::tr("Damping (2 is a loose grip)"), "N s/m", 1.0, 1}}};

@@ -167,10 +167,9 @@ class ConfigurationPage : public QWidget {
 
   void addFile(QVBoxLayout& column) {
     QVBoxLayout* section = addSection(column, tr("File"));
-    QLabel* words =
-        makeLabel(tr("Everything on this page is kept in %1; more materials and drivers' keys can be added there.")
-                      .arg(QDir::toNativeSeparators(userConfigurationFile())),
-                  TextRole::kSecond, true);
+    QLabel* words = makeLabel(tr("These settings are stored in %1. You can add materials and driver keys there.")
+                                  .arg(QDir::toNativeSeparators(userConfigurationFile())),
+                              TextRole::kSecond, true);
     words->setWordWrap(true);
     section->addWidget(words);
     auto* open = new QPushButton(tr("Open the file"));

@@ -42,7 +42,7 @@ class KeysPage : public QWidget {
     addRow(*section, tr("Keyboard"), board);
     connect(board, &QComboBox::activated, this,
             [this, board](int i) { keys_.setKeyboard(board->itemData(i).toString()); });
-    auto* letters = new QCheckBox(tr("Single keys without Ctrl are on"));
+    auto* letters = new QCheckBox(tr("Use single keys without Ctrl"));
     letters->setMinimumHeight(26);
     letters->setObjectName("switchLetters");
     letters->setChecked(keys_.lettersOn());
@@ -51,12 +51,12 @@ class KeysPage : public QWidget {
     filter_ = new QLineEdit;
     filter_->setObjectName("fieldKeyFilter");
     filter_->setProperty("search", true);
-    filter_->setPlaceholderText(tr("Filter by what it does or by key"));
+    filter_->setPlaceholderText(tr("Filter by command or key"));
     filter_->setClearButtonEnabled(true);
     connect(filter_, &QLineEdit::textChanged, this, &KeysPage::fill);
     auto* row = new QHBoxLayout;
     row->addWidget(filter_, 1);
-    auto* all = new QPushButton(tr("All as shipped"));
+    auto* all = new QPushButton(tr("Reset all"));
     all->setObjectName("buttonKeysShipped");
     row->addWidget(all);
     connect(all, &QPushButton::clicked, this, [this] { keys_.resetAll(); });
@@ -67,7 +67,7 @@ class KeysPage : public QWidget {
     table_ = new QTableWidget(0, 2);
     table_->setObjectName("tableKeys");
     table_->setAccessibleName(tr("Keys"));
-    table_->setHorizontalHeaderLabels({tr("Does"), tr("Key")});
+    table_->setHorizontalHeaderLabels({tr("Command"), tr("Key")});
     table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     table_->verticalHeader()->hide();
@@ -98,10 +98,10 @@ class KeysPage : public QWidget {
     };
     row->addStretch(1);
     add(tr("No key"), "buttonKeyNone", [this] { take(QKeySequence()); });
-    add(tr("As shipped"), "buttonKeyShipped", [this] {
+    add(tr("Reset"), "buttonKeyShipped", [this] {
       if (!chosen().isEmpty()) keys_.reset(chosen());
     });
-    set_ = add(tr("Set"), "buttonKeySet", [this] { take(edit_->keySequence()); });
+    set_ = add(tr("Assign"), "buttonKeySet", [this] { take(edit_->keySequence()); });
     set_->setProperty("main", true);
     section->addLayout(row);
     connect(edit_, &QKeySequenceEdit::keySequenceChanged, this, &KeysPage::showUse);
@@ -132,7 +132,7 @@ class KeysPage : public QWidget {
       does->setData(Qt::UserRole, row.id);
       table_->setItem(at, 0, does);
       auto* shown = new QTableWidgetItem(key);
-      if (row.now != KeyMap::movedTo(keys_.keyboard(), row.shipped)) shown->setText(key + tr("  (yours)"));
+      if (row.now != KeyMap::movedTo(keys_.keyboard(), row.shipped)) shown->setText(key + tr("  (custom)"));
       table_->setItem(at, 1, shown);
       if (row.id == before) table_->setCurrentCell(at, 0);
     }
@@ -148,9 +148,9 @@ class KeysPage : public QWidget {
   void showUse() {
     set_->setEnabled(!chosen().isEmpty());
     const QString use = keys_.useOf(edit_->keySequence(), chosen());
-    note_->setText(chosen().isEmpty() ? tr("Choose a row, then press its new key.")
-                   : use.isEmpty()    ? tr("Esc, Space and B keep their meaning: forces off, clutch, stylus button.")
-                                      : tr("That key does \"%1\" now; it would lose it.").arg(use));
+    note_->setText(chosen().isEmpty() ? tr("Select a row, then press its new key.")
+                   : use.isEmpty()    ? tr("Esc, Space and B are reserved: forces off, clutch, stylus button.")
+                                      : tr("\"%1\" uses this key and would lose it.").arg(use));
   }
 
   KeyMap& keys_;

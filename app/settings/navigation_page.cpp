@@ -30,18 +30,18 @@ class NavigationPage : public QWidget {
 
  private:
   void addPresets(QVBoxLayout& column) {
-    QVBoxLayout* section = addSection(column, tr("Moving the view"));
+    QVBoxLayout* section = addSection(column, tr("Mouse and view"));
     preset_ = new QComboBox;
     preset_->setObjectName("comboNavigation");
     for (const QString& key : navigationPresets()) preset_->addItem(navigationPresetName(key), key);
-    preset_->addItem(tr("Your own"), "own");
-    addRow(*section, tr("As in"), preset_);
+    preset_->addItem(tr("Custom"), "own");
+    addRow(*section, tr("Preset"), preset_);
     connect(preset_, &QComboBox::activated, this, [this](int index) {
       if (preset_->itemData(index).toString() == QLatin1String("own")) return change(navigationFrom(settings_));
       settings_.setValue("navigation/preset", preset_->itemData(index));
       show();
     });
-    const std::array<QString, 3> names{tr("Turn"), tr("Shift"), tr("Zoom")};
+    const std::array<QString, 3> names{tr("Rotate"), tr("Pan"), tr("Zoom")};
     for (std::size_t i = 0; i < 3; ++i) {
       fields_[i] = new GestureField;
       fields_[i]->setObjectName(QStringLiteral("fieldGesture%1").arg(i));
@@ -79,8 +79,8 @@ class NavigationPage : public QWidget {
       return box;
     };
     pointer_ = add(tr("Zoom to the pointer"), "switchZoomPointer", &Navigation::zoom_to_pointer);
-    reversed_ = add(tr("Wheel the other way round"), "switchWheelReversed", &Navigation::wheel_reversed);
-    turns_ = add(tr("Two fingers turn; with Shift they shift, with Ctrl they zoom"), "switchWheelTurns",
+    reversed_ = add(tr("Invert the wheel"), "switchWheelReversed", &Navigation::wheel_reversed);
+    turns_ = add(tr("Two fingers rotate; with Shift they pan, with Ctrl they zoom"), "switchWheelTurns",
                  &Navigation::wheel_turns);
   }
 
@@ -98,8 +98,8 @@ class NavigationPage : public QWidget {
     reversed_->setChecked(now.wheel_reversed);
     turns_->setChecked(now.wheel_turns);
     const bool left = now.uses(Qt::LeftButton, Qt::NoModifier);
-    note_->setText(left ? tr("A click of the left button still chooses; a box is drawn with Ctrl and the left button.")
-                        : tr("The left button is free: a click chooses, a drag draws a box."));
+    note_->setText(left ? tr("A left click still selects; Ctrl and a left drag draw a selection box.")
+                        : tr("The left button is free: click to select, drag to draw a selection box."));
   }
 
   UserSettings& settings_;

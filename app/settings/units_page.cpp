@@ -42,16 +42,16 @@ QWidget* makeUnitsPage(Host& host) {
   auto* length_decimals = makeDecimals("fieldLengthDecimals", 6);
   auto* angle_decimals = makeDecimals("fieldAngleDecimals", 6);
   auto* force_decimals = makeDecimals("fieldForceDecimals", 4);
-  addRow(*section, QObject::tr("Lengths in"), length);
+  addRow(*section, QObject::tr("Length unit"), length);
   addRow(*section, QObject::tr("Decimals"), length_decimals);
-  addRow(*section, QObject::tr("Angles in"), angle);
+  addRow(*section, QObject::tr("Angle unit"), angle);
   addRow(*section, QObject::tr("Decimals"), angle_decimals);
   addRow(*section, QObject::tr("Forces, N"), force_decimals);
   auto* sample = makeLabel({}, TextRole::kPanelState);
   sample->setObjectName("labelUnits");
   section->addWidget(sample);
   auto* note =
-      makeLabel(QObject::tr("Fields also take a number with its unit: 2 in, 0.5 m, 1.57 rad. Files stay as they are."),
+      makeLabel(QObject::tr("You can also type a number with its unit: 2 in, 0.5 m, 1.57 rad. Files are not affected."),
                 TextRole::kSecond, true);
   note->setWordWrap(true);
   section->addWidget(note);

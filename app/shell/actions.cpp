@@ -88,12 +88,12 @@ void Actions::makeActions(QMainWindow& window) {
   file.export_cell = make({"actionExport", tr("Export cell…"), {}, QKeySequence(Qt::CTRL | Qt::Key_E), {}});
   file.export_selection =
       make({"actionExportSelection", tr("Export selection…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), {}});
-  file.reload = make({"actionReload", tr("Read again from disk"), {}, QKeySequence(Qt::Key_F5), {}});
+  file.reload = make({"actionReload", tr("Reload from disk"), {}, QKeySequence(Qt::Key_F5), {}});
   edit.mesh_care = make({"actionMeshCare", tr("Mesh and collision shape…"), {}, {}, {}});
   file.pack = make({"actionPack", tr("Pack with all files…"), {}, {}, {}});
-  file.report_saved = make({"actionReportSaved", tr("Against the saved cell…"), {}, {}, {}});
-  file.report_import = make({"actionReportImport", tr("Against the imported files…"), {}, {}, {}});
-  file.report_other = make({"actionReportOther", tr("Against another workcell…"), {}, {}, {}});
+  file.report_saved = make({"actionReportSaved", tr("Compared with the saved cell…"), {}, {}, {}});
+  file.report_import = make({"actionReportImport", tr("Compared with the imported files…"), {}, {}, {}});
+  file.report_other = make({"actionReportOther", tr("Compared with another workcell…"), {}, {}, {}});
   edit.duplicate = make({"actionDuplicate", tr("Duplicate"), {}, QKeySequence(Qt::CTRL | Qt::Key_D), {}});
   edit.isolate = make({"actionIsolate", tr("Isolate"), {}, {}, {}});
   edit.show_all = make({"actionShowAll", tr("Show all"), {}, {}, {}});
@@ -103,7 +103,7 @@ void Actions::makeActions(QMainWindow& window) {
   file.quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});
   edit.undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
   edit.redo = make({"actionRedo", tr("Redo"), "redo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), tr("Redo")});
-  edit.go_back = make({"actionGoBack", tr("Go back ten seconds of motion"), "history",
+  edit.go_back = make({"actionGoBack", tr("Go back 10 seconds of motion"), "history",
                        QKeySequence(Qt::CTRL | Qt::Key_G), tr("Go back")});
   edit.remove =
       make({"actionRemove", tr("Remove from the cell"), "delete", QKeySequence(Qt::Key_Delete), tr("Remove")});
@@ -111,7 +111,7 @@ void Actions::makeActions(QMainWindow& window) {
   edit.move = make({"actionMove", tr("Move"), "move", QKeySequence(Qt::Key_W), {}});
   edit.rotate = make({"actionRotate", tr("Rotate"), "rotate", QKeySequence(Qt::Key_E), {}});
   edit.snap = make({"actionSnap", tr("Snap to corner, edge, face, frame"), "snap", {}, tr("Snap")});
-  edit.move_by = make({"actionMoveBy", tr("Move by numbers…"), {}, {}, {}});
+  edit.move_by = make({"actionMoveBy", tr("Move by values…"), {}, {}, {}});
   edit.measure = make({"actionMeasure", tr("Measure…"), "measure", QKeySequence(Qt::CTRL | Qt::Key_M), tr("Measure")});
   edit.select_all = make({"actionSelectAll", tr("Select all"), {}, QKeySequence::SelectAll, {}});
   view.fit_selection = make({"actionFit", tr("Fit selection"), "fit", QKeySequence(Qt::Key_F), tr("Fit")});
@@ -129,10 +129,9 @@ void Actions::makeActions(QMainWindow& window) {
   edit.settings = make({"actionSettings", tr("Settings…"), "settings", QKeySequence(Qt::CTRL | Qt::Key_Comma), {}});
   help.panel_help = make({"actionHelp", tr("Help on this panel"), "help", QKeySequence(Qt::Key_F1), {}});
   help.manual = make({"actionManual", tr("Manual"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F1), {}});
-  help.scene_text =
-      make({"actionSceneText", tr("The scene in words"), "text", QKeySequence(Qt::CTRL | Qt::Key_F1), {}});
-  help.first_page = make({"actionFirstPage", tr("First page"), "home", {}, {}});
-  view.reset_layout = make({"actionResetLayout", tr("Layout as drawn"), "layout", {}, {}});
+  help.scene_text = make({"actionSceneText", tr("Scene description"), "text", QKeySequence(Qt::CTRL | Qt::Key_F1), {}});
+  help.first_page = make({"actionFirstPage", tr("Start page"), "home", {}, {}});
+  view.reset_layout = make({"actionResetLayout", tr("Reset layout"), "layout", {}, {}});
   help.about = make({"actionAbout", tr("About HaptiCell"), {}, {}, {}});
 }
 
@@ -174,7 +173,7 @@ void Actions::fillMenus(QMainWindow& window) {
   menus.windows = topMenu(window, "menuWindow", tr("Window"));
   menus.windows->addActions({view.side_docks, view.reset_layout});
   menus.windows->addSeparator();
-  menus.help = topMenu(window, "menuHelp", tr("Help"));
+  menus.help = topMenu(window, "menuHelp", tr("Guidance"));
   menus.help->addActions({help.manual, help.panel_help, help.scene_text, help.first_page});
   menus.help->addSeparator();
   menus.help->addAction(help.about);

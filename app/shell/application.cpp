@@ -21,10 +21,9 @@ bool Application::notify(QObject* receiver, QEvent* event) {
 
 void tellOutOfMemory(Host& host) {
   host.documentModel().cancelStep();
-  host.messages().tell(
-      Severity::kProblem, Application::tr("There was not enough memory"),
-      Application::tr("What you asked for last was not done, and the workcell is as it was before. Save "
-                      "it, then close other programs, or remove parts that are not needed."));
+  host.messages().tell(Severity::kProblem, Application::tr("Not enough memory"),
+                       Application::tr("Your last action was not carried out, and the workcell is unchanged. Save it, "
+                                       "then close other programs or remove parts you do not need."));
 }
 
 }  // namespace hapticell::app

@@ -26,7 +26,8 @@ void GoBack::start() {
     return host_.holdChoice().letGo();
   }
   waits_ = false;
-  if (!memory_.goBack(kSeconds)) host_.messages().tell(Severity::kInformation, QObject::tr("Nothing has moved since."));
+  if (!memory_.goBack(kSeconds))
+    host_.messages().tell(Severity::kInformation, QObject::tr("There is no motion to go back over."));
 }
 
 void GoBack::snapshotCame() {

@@ -331,7 +331,7 @@ void MainWindow::loadModules(const QStringList& folders) {
   }
   for (const QString& problem : modules_->problems()) messages_.tell(Severity::kWarning, problem);
   if (modules_->modules().empty()) {
-    QAction* none = actions_->menus.applications->addAction(tr("No application was found beside the program"));
+    QAction* none = actions_->menus.applications->addAction(tr("No application was found in the program folder"));
     none->setEnabled(false);
   }
 }

@@ -118,7 +118,7 @@ bool MainWindow::mayDiscardCopy(const workcell::LeftWork& left) {
   const QString name =
       left.document.empty() ? tr("New workcell") : QString::fromStdString(left.document.filename().string());
   QMessageBox question(QMessageBox::Question, tr("Discard the copy"),
-                       tr("The unsaved changes of %1 are lost for good if its copy is discarded.").arg(name),
+                       tr("If you discard the copy, the unsaved changes of %1 are lost for good.").arg(name),
                        QMessageBox::Cancel, this);
   const QAbstractButton* discard = question.addButton(tr("Discard copy"), QMessageBox::DestructiveRole);
   question.setDefaultButton(QMessageBox::Cancel);
@@ -127,14 +127,12 @@ bool MainWindow::mayDiscardCopy(const workcell::LeftWork& left) {
 }
 
 void MainWindow::importFromDialog() {
-  importFiles(askToOpenSeveral(
-      this, tr("Import"), {},
-      tr("All that can be read (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae "
-         "*.3mf *.fbx "
-         "*.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl "
-         "*.obj *.ply "
-         "*.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;"
-         "All files (*)")));
+  importFiles(
+      askToOpenSeveral(this, tr("Import"), {},
+                       tr("All supported files (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf "
+                          "*.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 "
+                          "*.stpz *.iges *.igs);;Meshes (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx "
+                          "*.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;All files (*)")));
 }
 
 void MainWindow::addRobotFromDialog() {
@@ -199,7 +197,7 @@ enum class SaveAnswer { kElsewhere, kAnyway, kNot };
 /// Another program has the file, or has changed it.
 SaveAnswer askAboutSaving(QWidget* parent, const QString& path, const QString& doubt) {
   QMessageBox question(QMessageBox::Warning, MainWindow::tr("Save the workcell"),
-                       MainWindow::tr("%1 may hold the work of others.").arg(QFileInfo(path).fileName()),
+                       MainWindow::tr("%1 may contain the work of others.").arg(QFileInfo(path).fileName()),
                        QMessageBox::NoButton, parent);
   question.setObjectName("askSaving");
   question.setInformativeText(doubt);
@@ -249,10 +247,10 @@ bool MainWindow::saveDocument(bool ask_where) {
 
 bool MainWindow::mayDiscard() {
   if (!document_.isDirty()) return true;
-  QMessageBox question(QMessageBox::Question, tr("Changes are not saved"),
-                       tr("%1 has changes that are not saved.").arg(document_.title()),
+  QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
+                       tr("%1 has unsaved changes.").arg(document_.title()),
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-  question.setInformativeText(tr("They are lost if they are not saved."));
+  question.setInformativeText(tr("If you do not save them, they are lost."));
   const int answer = question.exec();
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveDocument(false));
 }
@@ -306,7 +304,7 @@ void MainWindow::guardAgainstCrash() {
   Autosaver& autosaver = files_->autosaver();
   const auto folder = autosaver.runFolder();
   if (!folder) {
-    messages_.tell(Severity::kWarning, tr("No copy against a crash could be written"),
+    messages_.tell(Severity::kWarning, tr("The recovery copy could not be saved"),
                    QString::fromStdString(folder.error().message()));
     return;
   }

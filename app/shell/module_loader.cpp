@@ -29,14 +29,14 @@ void ModuleLoader::load(const QStringList& folders) {
       if (!QLibrary::isLibrary(file.fileName()) || seen.contains(file.fileName())) continue;
       seen << file.fileName();
       if (const auto trusted = config::checkPlugIn(file.absoluteFilePath().toStdString()); !trusted) {
-        problems_ << QCoreApplication::translate("ModuleLoader", "The module %1 was left out. %2")
+        problems_ << QCoreApplication::translate("ModuleLoader", "The module %1 was not loaded. %2")
                          .arg(file.fileName(), QString::fromStdString(trusted.error().message()));
         continue;
       }
       auto loader = std::make_unique<QPluginLoader>(file.absoluteFilePath());
       Module* module = qobject_cast<Module*>(loader->instance());
       if (!module) {
-        problems_ << QCoreApplication::translate("ModuleLoader", "The module %1 was left out. %2")
+        problems_ << QCoreApplication::translate("ModuleLoader", "The module %1 was not loaded. %2")
                          .arg(file.fileName(), loader->errorString());
         continue;
       }

@@ -130,8 +130,8 @@ void TypedKeys::sayWhere(const QKeyEvent& key) {
     said_ = true;
     return host_.messages().tell(
         Severity::kInformation,
-        QObject::tr("%1 acts while the pointer is over the scene").arg(pressed.toString(QKeySequence::NativeText)),
-        QObject::tr("Elsewhere letters and digits are text: lists and panels are searched by typing."));
+        QObject::tr("%1 works while the pointer is over the scene").arg(pressed.toString(QKeySequence::NativeText)),
+        QObject::tr("Elsewhere, letters and digits are text: type to search lists and panels."));
   }
 }
 

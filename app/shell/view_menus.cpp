@@ -37,12 +37,12 @@ void ViewMenus::addChoice(QMenu& menu, QAction* action, const QString& on, const
 void ViewMenus::addSection() {
   section_.setObjectName("menuSection");
   for (int axis = 0; axis < 3; ++axis)
-    section_.addAction(tr("Across %1").arg(QChar('X' + axis)), this, [this, axis] { chooseAxis(axis); });
-  only_cut_ = {section_.addAction(tr("Other side"), this, [this] {
+    section_.addAction(tr("Perpendicular to %1").arg(QChar('X' + axis)), this, [this, axis] { chooseAxis(axis); });
+  only_cut_ = {section_.addAction(tr("Flip side"), this, [this] {
     if (viewport_.section()) viewport_.setSection(flipped(*viewport_.section()));
   })};
   section_.addSeparator();
-  only_cut_ << section_.addAction(tr("Close the section"), this, [this] { actions_.view.section->setChecked(false); });
+  only_cut_ << section_.addAction(tr("Remove the section"), this, [this] { actions_.view.section->setChecked(false); });
   connect(actions_.view.section, &QAction::toggled, this, &ViewMenus::setSection);
 }
 

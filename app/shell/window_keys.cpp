@@ -66,12 +66,12 @@ void addWindowKeys(QMainWindow& window, QWidget& scene) {
   add({"actionFindCommand", QObject::tr("Find a command"), "search", QKeySequence(Qt::CTRL | Qt::Key_K), {}},
       [finder] { finder->open(); });
   // With Shift on most keyboards, without it on some.
-  add({"actionKeys", QObject::tr("Show the keys"), {}, QKeySequence(Qt::Key_Question), {}}, [keys] {
+  add({"actionKeys", QObject::tr("Show keyboard shortcuts"), {}, QKeySequence(Qt::Key_Question), {}}, [keys] {
     keys->toggle();
   })->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_Question)});
   add({"actionNextPanel", QObject::tr("Next panel"), {}, QKeySequence(Qt::Key_F6), {}},
       [&window, &scene] { goToPanel(window, scene, 1); });
-  add({"actionLastPanel", QObject::tr("Panel before"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F6), {}},
+  add({"actionLastPanel", QObject::tr("Previous panel"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F6), {}},
       [&window, &scene] { goToPanel(window, scene, -1); });
 }
 

@@ -66,7 +66,7 @@ void LeftWorkCard::addWords(QHBoxLayout& row, const workcell::LeftWork& left) {
     words->addWidget(label);
   };
   if (left.copy.empty()) {
-    add(tr("HaptiCell crashed; nothing was unsaved"), TextRole::kSection, false);
+    add(tr("HaptiCell crashed; no changes were lost"), TextRole::kSection, false);
   } else if (left.document.empty()) {
     add(tr("New workcell"), TextRole::kSection, false);
     add(tr("Never saved. Kept up to %1.").arg(shownTime(left.copy)), TextRole::kText, false);
@@ -75,10 +75,11 @@ void LeftWorkCard::addWords(QHBoxLayout& row, const workcell::LeftWork& left) {
     add(tr("Unsaved changes, kept up to %1.").arg(shownTime(left.copy)), TextRole::kText, false);
     add(shownPath(left.document.parent_path()), TextRole::kSecond, true);
     if (left.document_changed)
-      add(tr("The file was written since by another program; the copy does not have that."), TextRole::kSecond, true);
+      add(tr("Another program has changed the file since; the copy does not have those changes."), TextRole::kSecond,
+          true);
   }
-  add(left.crash.empty() ? tr("The program was ended from outside, or the power failed.")
-                         : tr("What broke: %1").arg(QString::fromStdString(left.crash)),
+  add(left.crash.empty() ? tr("The program was terminated, or the power failed.")
+                         : tr("Cause: %1").arg(QString::fromStdString(left.crash)),
       TextRole::kSecond, true);
   words->addStretch(1);
   row.addLayout(words, 1);

@@ -51,13 +51,13 @@ void RecentFiles::fill(QMenu& menu) {
           menu.addAction(tr("%1 – %2").arg(info.fileName(), QDir::toNativeSeparators(info.absolutePath())));
       connect(action, &QAction::triggered, this, [this, path] { emit chosen(path); });
     }
-    if (list.isEmpty()) menu.addAction(tr("Nothing was opened yet"))->setEnabled(false);
+    if (list.isEmpty()) menu.addAction(tr("No recent files"))->setEnabled(false);
     if (list.isEmpty()) return;
     menu.addSeparator();
-    connect(menu.addAction(tr("Forget these")), &QAction::triggered, this, &RecentFiles::clear);
+    connect(menu.addAction(tr("Clear the list")), &QAction::triggered, this, &RecentFiles::clear);
   });
   // A menu without entries is not opened at all.
-  menu.addAction(tr("Nothing was opened yet"))->setEnabled(false);
+  menu.addAction(tr("No recent files"))->setEnabled(false);
 }
 
 }  // namespace hapticell::app

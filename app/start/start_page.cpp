@@ -39,9 +39,9 @@ std::vector<Sample> samples() {
   return {{"demo", StartPage::tr("Robot over a fixture"),
            StartPage::tr("Lower the part onto its locators and feel what it touches.")},
           {"car_door", StartPage::tr("A car door on its hinge"),
-           StartPage::tr("Open it by the handle: a guide leads, stops and a detent are felt.")},
+           StartPage::tr("Open it by the handle: feel the guide, its stops and a detent.")},
           {"workbench", StartPage::tr("A person at a bench"),
-           StartPage::tr("Pose the mannequin, look at its reach and its posture.")}};
+           StartPage::tr("Pose the mannequin and check its reach and posture.")}};
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ std::vector<Sample> samples() {
 StartPage::StartPage(QWidget& scene, UserSettings& settings, RecentFiles& recent)
     : QFrame(&scene), scene_(scene), settings_(settings), recent_(recent) {
   setObjectName("startPage");
-  setAccessibleName(tr("First page"));
+  setAccessibleName(tr("Start page"));
   setFocusPolicy(Qt::StrongFocus);
   hide();
   scene_.installEventFilter(this);
@@ -70,7 +70,7 @@ void StartPage::build(const std::vector<workcell::LeftWork>& left) {
   column->setContentsMargins(24, 20, 24, 16);
   column->setSpacing(14);
   addLeft(*column, left);
-  column->addWidget(makeLabel(tr("Begin with a sample, or with your own cell"), TextRole::kPanelNumber));
+  column->addWidget(makeLabel(tr("Start with a sample or your own cell"), TextRole::kPanelNumber));
   addSamples(*column);
   addOwn(*column);
   auto* whole = new QVBoxLayout;
@@ -124,7 +124,7 @@ void StartPage::addOwn(QVBoxLayout& column) {
   row->setSpacing(24);
   auto* begin = new QVBoxLayout;
   begin->setSpacing(8);
-  begin->addWidget(makeLabel(tr("Your own"), TextRole::kSection));
+  begin->addWidget(makeLabel(tr("Custom"), TextRole::kSection));
   const auto add = [&](const QString& text, const QString& icon_name, const char* action) {
     auto* button = new QPushButton(icon(icon_name), text);
     button->setObjectName(QStringLiteral("start_") + QLatin1String(action));
@@ -134,11 +134,11 @@ void StartPage::addOwn(QVBoxLayout& column) {
   };
   add(tr("Open a workcell…"), "open", "actionOpen");
   add(tr("Import CAD or a robot…"), "import", "actionImport");
-  add(tr("Begin with an empty cell"), "new", "actionNew");
+  add(tr("Start with an empty cell"), "new", "actionNew");
   begin->addStretch(1);
   auto* last = new QVBoxLayout;
   last->setSpacing(8);
-  last->addWidget(makeLabel(tr("Opened last"), TextRole::kSection));
+  last->addWidget(makeLabel(tr("Recent files"), TextRole::kSection));
   const QStringList files = recent_.files();
   auto* grid = new QGridLayout;
   grid->setSpacing(8);
@@ -151,20 +151,20 @@ void StartPage::addOwn(QVBoxLayout& column) {
   }
   last->addLayout(grid);
   if (files.isEmpty())
-    last->addWidget(makeLabel(tr("Nothing yet. Files can also be dropped here."), TextRole::kSecond, true));
+    last->addWidget(makeLabel(tr("No recent files. You can also drop files here."), TextRole::kSecond, true));
   last->addStretch(1);
   row->addLayout(begin);
   row->addLayout(last);
   row->addStretch(1);
   column.addLayout(row);
   auto* foot = new QHBoxLayout;
-  auto* always = new QCheckBox(tr("Show this page at start"));
+  auto* always = new QCheckBox(tr("Show this page at start-up"));
   always->setObjectName("switchStartPage");
   always->setChecked(settings_.value("start/page", true).toBool());
   connect(always, &QCheckBox::clicked, this, [this](bool on) { settings_.setValue("start/page", on); });
   foot->addWidget(always);
   foot->addStretch(1);
-  foot->addWidget(makeLabel(tr("Esc closes it · F1 helps · ? shows the keys"), TextRole::kSecond, true));
+  foot->addWidget(makeLabel(tr("Esc: close · F1: help · ?: shortcuts"), TextRole::kSecond, true));
   column.addLayout(foot);
 }
 

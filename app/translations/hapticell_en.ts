@@ -5,8 +5,8 @@
 <context>
     <name>HaptiCell</name>
     <message numerus="yes">
-        <source>  ·  %n parts are made ready</source>
-        <translation><numerusform>  ·  %n part is made ready</numerusform><numerusform>  ·  %n parts are made ready</numerusform></translation>
+        <source>  ·  preparing %n parts</source>
+        <translation><numerusform>·  preparing %n part</numerusform><numerusform>·  preparing %n parts</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%1 in %n frames</source>
@@ -37,8 +37,8 @@
         <translation><numerusform>%n joint</numerusform><numerusform>%n joints</numerusform></translation>
     </message>
     <message numerus="yes">
-        <source>%n limits push back.</source>
-        <translation><numerusform>%n limit pushes back.</numerusform><numerusform>%n limits push back.</numerusform></translation>
+        <source>%n limits reached.</source>
+        <translation><numerusform>%n limit reached.</numerusform><numerusform>%n limits reached.</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n mannequins</source>
@@ -65,8 +65,8 @@
         <translation><numerusform>Move %n entity</numerusform><numerusform>Move %n entities</numerusform></translation>
     </message>
     <message numerus="yes">
-        <source>Turn %n entities</source>
-        <translation><numerusform>Turn %n entity</numerusform><numerusform>Turn %n entities</numerusform></translation>
+        <source>Rotate %n entities</source>
+        <translation><numerusform>Rotate %n entity</numerusform><numerusform>Rotate %n entities</numerusform></translation>
     </message>
 </context>
 </TS>

@@ -5,20 +5,20 @@
 <context>
     <name>HaptiCell</name>
     <message>
+        <source>  (custom)</source>
+        <translation>  (perso.)</translation>
+    </message>
+    <message>
         <source>  (in use)</source>
         <translation>  (utilisée)</translation>
     </message>
     <message>
-        <source>  (yours)</source>
-        <translation>  (la vôtre)</translation>
-    </message>
-    <message numerus="yes">
-        <source>  ·  %n parts are made ready</source>
-        <translation><numerusform>  ·  %n pièce est préparée</numerusform><numerusform>  ·  %n pièces sont préparées</numerusform></translation>
-    </message>
-    <message>
         <source>  ·  Simplified while moving</source>
         <translation>  ·  Simplifié pendant le mouvement</translation>
+    </message>
+    <message numerus="yes">
+        <source>  ·  preparing %n parts</source>
+        <translation><numerusform>·  préparation de %n pièce</numerusform><numerusform>·  préparation de %n pièces</numerusform></translation>
     </message>
     <message>
         <source> and %1 more</source>
@@ -69,6 +69,10 @@
         <translation> · efforts en marche</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; uses this key and would lose it.</source>
+        <translation>« %1 » utilise cette touche et la perdrait.</translation>
+    </message>
+    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -85,7 +89,7 @@
         <translation>%1 % des limites</translation>
     </message>
     <message>
-        <source>%1 % of the way</source>
+        <source>%1 % of the path</source>
         <translation>%1 % du chemin</translation>
     </message>
     <message>
@@ -117,8 +121,8 @@
         <translation>%1 Hz, retard %2 ms</translation>
     </message>
     <message>
-        <source>%1 Hz, late %2 ms at most in 99 of 100 steps%3</source>
-        <translation>%1 Hz, retard d'au plus %2 ms pour 99 pas sur 100%3</translation>
+        <source>%1 Hz, lateness (99th percentile) %2 ms%3</source>
+        <translation>%1 Hz, retard (99e centile) %2 ms%3</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -133,20 +137,8 @@
         <translation>%1 N m</translation>
     </message>
     <message>
-        <source>%1 N were commanded. If nothing was felt: is the device's power on, is its emergency stop released, is it calibrated?</source>
-        <translation>%1 N ont été commandés. Si rien n'a été senti : le périphérique est-il sous tension, son arrêt d'urgence relâché, est-il étalonné ?</translation>
-    </message>
-    <message>
-        <source>%1 a step down</source>
-        <translation>%1 un pas de moins</translation>
-    </message>
-    <message>
-        <source>%1 a step up</source>
-        <translation>%1 un pas de plus</translation>
-    </message>
-    <message>
-        <source>%1 acts while the pointer is over the scene</source>
-        <translation>%1 agit tant que le pointeur est sur la scène</translation>
+        <source>%1 N were commanded. If you felt nothing, check that the device is powered, its emergency stop released and calibrated.</source>
+        <translation>%1 N ont été commandés. Si vous n'avez rien senti, vérifiez que le périphérique est sous tension, son arrêt d'urgence relâché, et étalonné.</translation>
     </message>
     <message>
         <source>%1 already exists.
@@ -155,7 +147,7 @@ Do you want to replace it?</source>
 Voulez-vous le remplacer ?</translation>
     </message>
     <message>
-        <source>%1 and %2 in all</source>
+        <source>%1 and %2 in total</source>
         <translation>%1 et %2 au total</translation>
     </message>
     <message>
@@ -163,16 +155,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 et %2 de plus</translation>
     </message>
     <message>
-        <source>%1 answers at %2.</source>
-        <translation>%1 répond à %2.</translation>
+        <source>%1 cannot be made from this geometry</source>
+        <translation>%1 : impossible avec cette géométrie</translation>
     </message>
     <message>
-        <source>%1 cannot be a part of it</source>
-        <translation>%1 ne peut pas en faire partie</translation>
-    </message>
-    <message>
-        <source>%1 cannot be made of that</source>
-        <translation>%1 ne peut pas être fait de cela</translation>
+        <source>%1 cannot be part of a mechanism</source>
+        <translation>%1 ne peut pas faire partie d'un mécanisme</translation>
     </message>
     <message>
         <source>%1 cat. %2</source>
@@ -195,20 +183,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 j</translation>
     </message>
     <message>
-        <source>%1 edges of more than two faces</source>
-        <translation>%1 arêtes de plus de deux faces</translation>
+        <source>%1 edges between faces of opposite orientation</source>
+        <translation>%1 arêtes entre faces d'orientations opposées</translation>
     </message>
     <message>
-        <source>%1 edges whose faces look opposite ways</source>
-        <translation>%1 arêtes dont les faces sont opposées</translation>
+        <source>%1 edges with more than two faces</source>
+        <translation>%1 arêtes à plus de deux faces</translation>
     </message>
     <message>
-        <source>%1 faces were turned outwards.</source>
-        <translation>%1 faces ont été tournées vers l'extérieur.</translation>
+        <source>%1 faces were flipped outwards.</source>
+        <translation>%1 faces ont été retournées vers l'extérieur.</translation>
     </message>
     <message>
-        <source>%1 files lie outside of the workcell's folder. Pack them too?</source>
-        <translation>%1 fichiers se trouvent hors du dossier de la cellule. Les archiver aussi ?</translation>
+        <source>%1 farther</source>
+        <translation>%1 plus loin</translation>
+    </message>
+    <message>
+        <source>%1 files are outside the workcell's folder. Pack them too?</source>
+        <translation>%1 fichiers sont hors du dossier de la cellule. Les archiver aussi ?</translation>
     </message>
     <message>
         <source>%1 files of this cell are missing</source>
@@ -219,14 +211,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 donne %2.</translation>
     </message>
     <message>
-        <source>%1 goes along</source>
-        <translation>%1 suit</translation>
-    </message>
-    <message>
-        <source>%1 goes to %2</source>
-        <translation>%1 va à %2</translation>
-    </message>
-    <message>
         <source>%1 h</source>
         <translation>%1 h</translation>
     </message>
@@ -235,27 +219,31 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 vient d'être branché</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
-        <translation>%1 a des changements non enregistrés.</translation>
+        <source>%1 has too many frames to reorder here. Simplify it first.</source>
+        <translation>%1 a trop d'images pour les réordonner ici. Simplifiez-le d'abord.</translation>
     </message>
     <message>
-        <source>%1 has more frames than rows here: simplify it, then reorder its points.</source>
-        <translation>%1 a plus d'images que de lignes ici : simplifiez-le, puis réordonnez ses points.</translation>
+        <source>%1 has unsaved changes.</source>
+        <translation>%1 a des changements non enregistrés.</translation>
     </message>
     <message>
         <source>%1 has unsaved work from before a crash</source>
         <translation>%1 a du travail non enregistré d’avant un plantage</translation>
+    </message>
+    <message>
+        <source>%1 higher</source>
+        <translation>%1 plus haut</translation>
     </message>
     <message numerus="yes">
         <source>%1 in %n frames</source>
         <translation><numerusform>%1 sur %n image</numerusform><numerusform>%1 sur %n images</numerusform></translation>
     </message>
     <message>
-        <source>%1 in all</source>
+        <source>%1 in total</source>
         <translation>%1 au total</translation>
     </message>
     <message>
-        <source>%1 is %2 beyond its end</source>
+        <source>%1 is %2 beyond its limit</source>
         <translation>%1 est %2 au-delà de sa butée</translation>
     </message>
     <message>
@@ -264,7 +252,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 is %2 from %3: a near miss.</source>
-        <translation>%1 est à %2 de %3 : quasi-contact.</translation>
+        <translation>%1 est à %2 de %3 : quasi-collision.</translation>
     </message>
     <message>
         <source>%1 is %2 from its limit</source>
@@ -279,8 +267,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est à %2 de sa butée supérieure</translation>
     </message>
     <message>
-        <source>%1 is as it was</source>
-        <translation>%1 est comme avant</translation>
+        <source>%1 is added to the cell</source>
+        <translation>%1 est ajouté à la cellule</translation>
     </message>
     <message>
         <source>%1 is at its lower limit</source>
@@ -295,14 +283,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est libre</translation>
     </message>
     <message>
-        <source>%1 is in the cell</source>
-        <translation>%1 est dans la cellule</translation>
-    </message>
-    <message>
-        <source>%1 is kept</source>
-        <translation>%1 est gardée</translation>
-    </message>
-    <message>
         <source>%1 is known</source>
         <translation>%1 est connu</translation>
     </message>
@@ -315,12 +295,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est près d'une position où rien ne le retient</translation>
     </message>
     <message>
-        <source>%1 is no picture that can be read. Choose a PNG, JPEG or SVG file; the report stays as it was.</source>
-        <translation>%1 n'est pas une image lisible. Choisissez un fichier PNG, JPEG ou SVG ; le rapport reste comme il était.</translation>
+        <source>%1 is not a readable picture. Choose a PNG, JPEG or SVG file. The report is unchanged.</source>
+        <translation>%1 n'est pas une image lisible. Choisissez un fichier PNG, JPEG ou SVG. Le rapport est inchangé.</translation>
     </message>
     <message>
-        <source>%1 is not there or may not be run.</source>
-        <translation>%1 n'est pas là ou ne peut pas être lancé.</translation>
+        <source>%1 is not in this cell.</source>
+        <translation>%1 n'est pas dans cette cellule.</translation>
     </message>
     <message>
         <source>%1 is open elsewhere</source>
@@ -335,20 +315,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est enregistré</translation>
     </message>
     <message>
-        <source>%1 is used, but only until the end of the program.</source>
-        <translation>%1 est utilisé, mais seulement jusqu'à la fin du programme.</translation>
+        <source>%1 is unchanged</source>
+        <translation>%1 est inchangé</translation>
     </message>
     <message>
-        <source>%1 is written</source>
-        <translation>%1 est écrit</translation>
+        <source>%1 is used, but only until you quit.</source>
+        <translation>%1 est utilisé, mais seulement jusqu'à la fermeture.</translation>
     </message>
     <message>
         <source>%1 kg</source>
         <translation>%1 kg</translation>
     </message>
     <message>
-        <source>%1 late and %2 refused since the server's start</source>
-        <translation>%1 en retard, %2 refusés depuis le démarrage</translation>
+        <source>%1 late and %2 rejected since the server started</source>
+        <translation>%1 en retard, %2 refusés depuis le démarrage du serveur</translation>
     </message>
     <message>
         <source>%1 left</source>
@@ -359,31 +339,31 @@ Voulez-vous le remplacer ?</translation>
         <translation>Longueur %1</translation>
     </message>
     <message>
+        <source>%1 lower</source>
+        <translation>%1 plus bas</translation>
+    </message>
+    <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>%1 may hold the work of others.</source>
+        <source>%1 may contain the work of others.</source>
         <translation>%1 contient peut-être le travail d’autrui.</translation>
-    </message>
-    <message>
-        <source>%1 meets %2</source>
-        <translation>%1 rencontre %2</translation>
     </message>
     <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
     </message>
     <message>
-        <source>%1 mm in front of the flange. Change it in the Robot dock, or undo the insertion.</source>
-        <translation>À %1 mm devant la bride. Changez-le dans le panneau Robot, ou annulez l'insertion.</translation>
+        <source>%1 mm in front of the flange. To change it, use the Robot panel or undo the insertion.</source>
+        <translation>À %1 mm devant la bride. Pour le changer, utilisez le panneau Robot ou annulez l'insertion.</translation>
     </message>
     <message>
         <source>%1 mm&lt;br&gt;%2°</source>
         <translation>%1 mm&lt;br&gt;%2°</translation>
     </message>
     <message>
-        <source>%1 moved, %2 added, %3 removed. Places: X Y Z in mm, A B C in degrees about z, y, x.</source>
+        <source>%1 moved, %2 added, %3 removed. Placements: X Y Z in mm, A B C in degrees about z, y, x.</source>
         <translation>%1 déplacés, %2 ajoutés, %3 retirés. Places : X Y Z en mm, A B C en degrés autour de z, y, x.</translation>
     </message>
     <message>
@@ -391,16 +371,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 va aussi vite qu'il le peut</translation>
     </message>
     <message>
+        <source>%1 moves too</source>
+        <translation>%1 suit</translation>
+    </message>
+    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed</source>
-        <translation>%1 ms après le ressenti au milieu, %2 ms au plus, sur %3 ; %4 ms passent inaperçues</translation>
-    </message>
-    <message>
-        <source>%1 ms old in the middle, %2 ms in 99 of 100; %3</source>
-        <translation>%1 ms d'âge médian, %2 ms pour 99 sur 100 ; %3</translation>
+        <source>%1 nearer</source>
+        <translation>%1 plus près</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -411,11 +391,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 images sur %2 ; au plus %3 de l'enregistrement</translation>
     </message>
     <message>
-        <source>%1 of %2 solutions inside the limits</source>
+        <source>%1 of %2 solutions within limits</source>
         <translation>%1 solutions sur %2 dans les butées</translation>
     </message>
     <message>
-        <source>%1 of %2 triangles are left, off the surface by at most %3.</source>
+        <source>%1 of %2 triangles left, at most %3 from the surface.</source>
         <translation>Il reste %1 triangles sur %2, à %3 au plus de la surface.</translation>
     </message>
     <message>
@@ -443,20 +423,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 arêtes ouvertes</translation>
     </message>
     <message>
-        <source>%1 over by %2</source>
-        <translation>%1 trop loin de %2</translation>
+        <source>%1 over limit by %2</source>
+        <translation>%1 dépasse de %2</translation>
     </message>
     <message>
-        <source>%1 pairs touch as the cell stands: %2. Leave them out of the check?</source>
-        <translation>%1 paires se touchent dans la cellule au repos : %2. Les écarter de la vérification ?</translation>
+        <source>%1 pairs touch at rest: %2. Exclude them from the check?</source>
+        <translation>%1 paires se touchent au repos : %2. Les exclure de la vérification ?</translation>
     </message>
     <message>
         <source>%1 peak</source>
         <translation>%1 crête</translation>
     </message>
     <message>
-        <source>%1 points; %2 are needed and the whole way</source>
-        <translation>%1 points ; il en faut %2 et tout le chemin</translation>
+        <source>%1 points. To pass: %2 points and the whole path</source>
+        <translation>%1 points. Pour réussir : %2 points et tout le chemin</translation>
+    </message>
+    <message>
+        <source>%1 responds at %2.</source>
+        <translation>%1 répond à %2.</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -480,7 +464,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 s, RULA %2 · worst phase %3 s to %4 s, RULA %5</source>
-        <translation>%1 s, RULA %2 · pire phase de %3 s à %4 s, RULA %5</translation>
+        <translation>%1 s, RULA %2 · phase critique de %3 s à %4 s, RULA %5</translation>
     </message>
     <message>
         <source>%1 short</source>
@@ -491,10 +475,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 s'assied sur %2</translation>
     </message>
     <message>
-        <source>%1 takes configuration %2</source>
-        <translation>%1 prend la configuration %2</translation>
-    </message>
-    <message>
         <source>%1 times, last %2</source>
         <translation>%1 fois, dernière à %2</translation>
     </message>
@@ -503,8 +483,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 à %2</translation>
     </message>
     <message>
-        <source>%1 to %2, being measured</source>
-        <translation>%1 à %2, mesure en cours</translation>
+        <source>%1 to %2: measuring…</source>
+        <translation>%1 à %2 : mesure…</translation>
     </message>
     <message>
         <source>%1 to the edge</source>
@@ -535,15 +515,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 triangles</translation>
     </message>
     <message>
-        <source>%1 triangles, off the mesh by at most %2</source>
+        <source>%1 triangles, at most %2 from the mesh</source>
         <translation>%1 triangles, à %2 au plus du maillage</translation>
     </message>
     <message>
-        <source>%1 up, %2 away, %3: </source>
-        <translation>%1 plus haut, %2 plus loin, %3 : </translation>
-    </message>
-    <message>
-        <source>%1 was changed meanwhile: nothing was done</source>
+        <source>%1 was changed in the meantime, so nothing was done</source>
         <translation>%1 a été modifié entre-temps : rien n'a été fait</translation>
     </message>
     <message>
@@ -551,24 +527,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 n'a pas été ajouté</translation>
     </message>
     <message>
+        <source>%1 was not found or cannot be run.</source>
+        <translation>%1 est introuvable ou ne peut pas être lancé.</translation>
+    </message>
+    <message>
         <source>%1 was not opened</source>
         <translation>%1 n'a pas été ouvert</translation>
     </message>
     <message>
-        <source>%1 was not read again</source>
-        <translation>%1 n'a pas été relu</translation>
+        <source>%1 was not reloaded</source>
+        <translation>%1 n'a pas été rechargé</translation>
     </message>
     <message>
-        <source>%1 was not written</source>
-        <translation>%1 n'a pas été écrit</translation>
+        <source>%1 was not saved</source>
+        <translation>%1 n'a pas été enregistré</translation>
     </message>
     <message>
-        <source>%1 was read with remarks</source>
-        <translation>%1 a été lu avec des remarques</translation>
+        <source>%1 was read with warnings</source>
+        <translation>%1 a été lu avec des avertissements</translation>
     </message>
     <message>
-        <source>%1 was written with remarks</source>
-        <translation>%1 a été écrit avec des remarques</translation>
+        <source>%1 was saved with warnings</source>
+        <translation>%1 a été enregistré avec des avertissements</translation>
+    </message>
+    <message>
+        <source>%1 works while the pointer is over the scene</source>
+        <translation>%1 agit tant que le pointeur est sur la scène</translation>
     </message>
     <message>
         <source>%1 would be %2 over its upper limit</source>
@@ -579,8 +563,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 dépasserait de %2 sa butée inférieure</translation>
     </message>
     <message>
-        <source>%1 would have to go %2/s faster than it can</source>
-        <translation>%1 devrait aller %2/s plus vite qu'il ne peut</translation>
+        <source>%1 would exceed its speed limit by %2/s</source>
+        <translation>%1 dépasserait sa vitesse limite de %2/s</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -603,8 +587,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 · sans forme</translation>
     </message>
     <message>
-        <source>%1 · runs: %3 · next help %2 %</source>
-        <translation>%1 · essais : %3 · aide suivante %2 %</translation>
+        <source>%1 · runs: %3 · next guidance %2 %</source>
+        <translation>%1 · essais : %3 · prochaine assistance %2 %</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -615,7 +599,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 × %2 × %3, crête %4 N, %5 N en continu, %6 axes mesurés et %7 motorisés</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3, unit not known</source>
+        <source>%1 × %2 × %3, unit unknown</source>
         <translation>%1 × %2 × %3, unité inconnue</translation>
     </message>
     <message>
@@ -643,28 +627,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, %2, %3 par %4, %5, %6</translation>
     </message>
     <message>
-        <source>%1, as the file says</source>
-        <translation>%1, comme le dit le fichier</translation>
+        <source>%1, %2, %3: </source>
+        <translation>%1, %2, %3 : </translation>
+    </message>
+    <message>
+        <source>%1, from the file</source>
+        <translation>%1, d'après le fichier</translation>
     </message>
     <message>
         <source>%1, heaviest class</source>
         <translation>%1, classe la plus lourde</translation>
     </message>
     <message>
-        <source>%1, least distance</source>
-        <translation>%1, distance minimale</translation>
-    </message>
-    <message>
         <source>%1, left</source>
         <translation>%1, gauche</translation>
     </message>
     <message>
-        <source>%1, not calibrated for you</source>
-        <translation>%1, pas étalonné pour vous</translation>
+        <source>%1, minimum distance</source>
+        <translation>%1, distance minimale</translation>
     </message>
     <message>
-        <source>%1, off what was asked</source>
-        <translation>%1, hors de ce qui était demandé</translation>
+        <source>%1, not calibrated for you</source>
+        <translation>%1, pas étalonné pour vous</translation>
     </message>
     <message>
         <source>%1, right</source>
@@ -673,6 +657,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1, round trip %2 ms</source>
         <translation>%1, aller-retour %2 ms</translation>
+    </message>
+    <message>
+        <source>%1, target missed</source>
+        <translation>%1, cible manquée</translation>
     </message>
     <message>
         <source>%1, undone</source>
@@ -716,7 +704,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1: changed, takes effect at the next start.</source>
-        <translation>%1 : changé, vaut au prochain démarrage.</translation>
+        <translation>%1 : changé, prend effet au prochain démarrage.</translation>
     </message>
     <message>
         <source>%1: damping</source>
@@ -731,8 +719,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : l'une est à l'intérieur de l'autre</translation>
     </message>
     <message>
-        <source>%1: one of them has no shape to measure.</source>
-        <translation>%1 : l'une d'elles n'a pas de forme à mesurer.</translation>
+        <source>%1: one part has no shape to measure.</source>
+        <translation>%1 : l'une des pièces n'a pas de forme à mesurer.</translation>
     </message>
     <message>
         <source>%1: stiffness</source>
@@ -743,16 +731,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : le corps lui-même fait obstacle, il manque %2 jusqu'à la cible</translation>
     </message>
     <message>
-        <source>%1: the nearest that %2 comes to is %3 away.</source>
-        <translation>%1 : %2 n'approche qu'à %3.</translation>
+        <source>%1: the closest %2 gets is %3 away.</source>
+        <translation>%1 : %2 s'en approche au plus à %3.</translation>
     </message>
     <message>
-        <source>%1: they touch or cut each other</source>
-        <translation>%1 : elles se touchent ou se coupent</translation>
+        <source>%1: they touch or overlap</source>
+        <translation>%1 : elles se touchent ou se chevauchent</translation>
     </message>
     <message>
-        <source>%1: why %2, and what brings it down</source>
-        <translation>%1 : pourquoi %2, et ce qui l'abaisse</translation>
+        <source>%1: why %2, and how to lower it</source>
+        <translation>%1 : pourquoi %2, et comment l'abaisser</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -787,8 +775,8 @@ Voulez-vous le remplacer ?</translation>
         <translation><numerusform>%n articulation</numerusform><numerusform>%n articulations</numerusform></translation>
     </message>
     <message numerus="yes">
-        <source>%n limits push back.</source>
-        <translation><numerusform>%n butée repousse.</numerusform><numerusform>%n butées repoussent.</numerusform></translation>
+        <source>%n limits reached.</source>
+        <translation><numerusform>%n butée atteinte.</numerusform><numerusform>%n butées atteintes.</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n mannequins</source>
@@ -859,10 +847,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>, %1 libres</translation>
     </message>
     <message>
-        <source>, as it says</source>
-        <translation>, comme il le dit</translation>
-    </message>
-    <message>
         <source>, at most %1</source>
         <translation>, au plus %1</translation>
     </message>
@@ -879,8 +863,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>, centre à %1 de %2</translation>
     </message>
     <message>
+        <source>, clock offset %1</source>
+        <translation>, décalage d'horloge %1</translation>
+    </message>
+    <message>
+        <source>, dwell %1 s</source>
+        <translation>, temporisation %1 s</translation>
+    </message>
+    <message>
         <source>, firmware %1</source>
         <translation>, micrologiciel %1</translation>
+    </message>
+    <message>
+        <source>, from the file</source>
+        <translation>, d'après le fichier</translation>
     </message>
     <message>
         <source>, guessed from the size</source>
@@ -891,16 +887,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>, caché par %1</translation>
     </message>
     <message>
-        <source>, its clock %1 from ours</source>
-        <translation>, son horloge à %1 de la nôtre</translation>
-    </message>
-    <message>
         <source>, not seen: %1</source>
         <translation>, non vus : %1</translation>
-    </message>
-    <message>
-        <source>, waits %1 s</source>
-        <translation>, attend %1 s</translation>
     </message>
     <message>
         <source>, µ %1</source>
@@ -915,28 +903,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>.</translation>
     </message>
     <message>
-        <source>. A smaller window helps</source>
-        <translation>. Une fenêtre plus petite aide</translation>
+        <source>. Closer to the recording from %1 to %2 s, to avoid collisions</source>
+        <translation>. Plus près de l'enregistrement de %1 à %2 s, pour éviter des collisions</translation>
     </message>
     <message>
-        <source>. Kept nearer to the recording from %1 to %2 s</source>
-        <translation>. Tenu plus près de l'enregistrement de %1 à %2 s</translation>
-    </message>
-    <message>
-        <source>. Real-time priority mends it: add the account to the group realtime</source>
-        <translation>. La priorité temps réel y remédie : ajoutez le compte au groupe realtime</translation>
-    </message>
-    <message>
-        <source>. The hand's tremor (%1) is larger than the tolerance: much of it is kept</source>
+        <source>. Hand tremor (%1) is larger than the tolerance, so much of it remains</source>
         <translation>. Le tremblement de la main (%1) dépasse la tolérance : il en reste beaucoup</translation>
+    </message>
+    <message>
+        <source>. Make the window smaller</source>
+        <translation>. Réduisez la fenêtre</translation>
     </message>
     <message>
         <source>. The robot cannot reach all of it: up to %1 away</source>
         <translation>. Le robot ne peut pas tout atteindre : jusqu'à %1 d'écart</translation>
     </message>
     <message>
-        <source>. Their parts are kept without a shape; the rest is here. Show a folder that holds them.</source>
-        <translation>. Leurs pièces sont gardées sans forme ; le reste est là. Montrez un dossier qui les contient.</translation>
+        <source>. Their parts have no shape until you choose the folder that contains the files.</source>
+        <translation>. Leurs pièces restent sans forme tant que vous n'avez pas choisi le dossier des fichiers.</translation>
+    </message>
+    <message>
+        <source>. To fix it, give it real-time priority: add your account to the group realtime</source>
+        <translation>. Pour y remédier (priorité temps réel) : ajoutez votre compte au groupe realtime</translation>
     </message>
     <message>
         <source>/min</source>
@@ -967,16 +955,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>1 articulations</translation>
     </message>
     <message>
-        <source>3-D mouse</source>
+        <source>1 pair touches at rest: %1. Exclude it from the check?</source>
+        <translation>1 paire se touche au repos : %1. L'exclure de la vérification ?</translation>
+    </message>
+    <message>
+        <source>3D mouse</source>
         <translation>Souris 3D</translation>
     </message>
     <message>
-        <source>; it names none itself</source>
-        <translation> ; il n'en nomme aucune</translation>
+        <source>; of the limits: speed %1 %, acceleration %2 %</source>
+        <translation>; des limites : vitesse %1 %, accélération %2 %</translation>
     </message>
     <message>
-        <source>; limits used: speed %1 %, acceleration %2 %</source>
-        <translation> ; limites employées : vitesse %1 %, accélération %2 %</translation>
+        <source>; the file states none</source>
+        <translation> ; il n'en nomme aucune</translation>
     </message>
     <message>
         <source>&lt; P 1</source>
@@ -999,64 +991,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un alésage, un arbre, une arête droite ou ronde, ou la normale d'une face</translation>
     </message>
     <message>
-        <source>A built-in robot was left out</source>
-        <translation>Un robot fourni a été laissé de côté</translation>
-    </message>
-    <message>
         <source>A car door on its hinge</source>
         <translation>Une portière sur sa charnière</translation>
-    </message>
-    <message>
-        <source>A click of the left button still chooses; a box is drawn with Ctrl and the left button.</source>
-        <translation>Un clic gauche choisit toujours ; un cadre se trace avec Ctrl et le bouton gauche.</translation>
-    </message>
-    <message>
-        <source>A copy of the chosen one, or at the flange</source>
-        <translation>Une copie de celui choisi, ou à la bride</translation>
-    </message>
-    <message>
-        <source>A face, an edge or a corner: its origin and direction become the tool's</source>
-        <translation>Une face, une arête ou un coin : son origine et sa direction deviennent celles de l'outil</translation>
     </message>
     <message>
         <source>A file of this cell is missing</source>
         <translation>Un fichier de cette cellule manque</translation>
     </message>
     <message>
-        <source>A frame by</source>
-        <translation>Une image par</translation>
+        <source>A free hand with the fingers of the glove; the stylus moves it</source>
+        <translation>Une main seule, aux doigts du gant ; le stylet la déplace</translation>
     </message>
     <message>
-        <source>A frame by hand at the cursor, to be dragged in the scene</source>
-        <translation>Une image à la main au curseur, à tirer dans la scène</translation>
+        <source>A guide keeps what you move on a line, a plane, a hinge and so on. Select an entity, choose a type, then pick an edge or a face.</source>
+        <translation>Un guide maintient ce que vous déplacez sur une ligne, un plan, une charnière, etc. Choisissez une entité, un type, puis désignez une arête ou une face.</translation>
     </message>
     <message>
-        <source>A frame of this solid on picked geometry</source>
-        <translation>Un repère de ce solide sur la géométrie désignée</translation>
-    </message>
-    <message>
-        <source>A guide holds what you move on a line, a plane, a hinge … Select an entity, choose a kind, then pick an edge or a face.</source>
-        <translation>Un guide tient ce que vous déplacez sur une ligne, un plan, une charnière… Choisissez une entité, un genre, puis désignez une arête ou une face.</translation>
-    </message>
-    <message>
-        <source>A hand by itself, each finger as the glove has it; the stylus carries it</source>
-        <translation>Une main seule, chaque doigt comme dans le gant ; le stylet la porte</translation>
-    </message>
-    <message>
-        <source>A joint lets one part move on another. Begin with New joint, or take a sample below.</source>
+        <source>A joint lets one part move on another. Start with New joint, or use a sample below.</source>
         <translation>Une articulation laisse une pièce bouger sur une autre. Commencez par Nouvelle articulation, ou prenez un exemple ci-dessous.</translation>
     </message>
     <message>
-        <source>A joint limit is in the way</source>
-        <translation>Une butée d'articulation gêne</translation>
+        <source>A joint limit prevents this pose</source>
+        <translation>Une butée empêche cette pose</translation>
     </message>
     <message>
-        <source>A joint limit is in the way of this pose</source>
-        <translation>Une butée d'articulation gêne cette pose</translation>
+        <source>A left click still selects; Ctrl and a left drag draw a selection box.</source>
+        <translation>Un clic gauche choisit toujours ; Ctrl et un glissement gauche tracent un cadre.</translation>
     </message>
     <message>
-        <source>A method's limit is where its next class begins; moments hold the arms' own weight.</source>
-        <translation>La limite d'une méthode est là où commence sa classe suivante ; les moments comprennent le poids des bras.</translation>
+        <source>A library robot was not loaded</source>
+        <translation>Un robot de la bibliothèque n'a pas été chargé</translation>
+    </message>
+    <message>
+        <source>A measure of the person replaces the most likely value of the survey (ANSUR II)</source>
+        <translation>Une mesure de la personne remplace la valeur la plus probable de l'enquête (ANSUR II)</translation>
     </message>
     <message>
         <source>A new workcell</source>
@@ -1067,40 +1035,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une personne à un établi</translation>
     </message>
     <message>
-        <source>A person's own measure goes before the most likely one of the survey (ANSUR II)</source>
-        <translation>Une mesure propre passe avant la plus probable de l'enquête (ANSUR II)</translation>
-    </message>
-    <message>
-        <source>A picture at the head of every report; none is chosen</source>
+        <source>A picture at the top of every report; none is chosen</source>
         <translation>Une image en tête de chaque rapport ; aucune n'est choisie</translation>
     </message>
     <message>
-        <source>A point of the entity by which the hand holds it</source>
-        <translation>Un point de l'entité par lequel la main la tient</translation>
-    </message>
-    <message>
-        <source>A process point: the motion rests here so long</source>
-        <translation>Un point de travail : le mouvement y reste ce temps</translation>
-    </message>
-    <message>
-        <source>A robot near a singular position</source>
-        <translation>Un robot près d'une singularité</translation>
-    </message>
-    <message>
-        <source>A straight way after it</source>
-        <translation>Une voie droite après</translation>
-    </message>
-    <message>
-        <source>A straight way before it</source>
-        <translation>Une voie droite avant</translation>
-    </message>
-    <message>
-        <source>A table of the forces that a hand may exert, of your own source; none are shipped</source>
-        <translation>Une table des efforts qu'une main peut exercer, de votre propre source ; aucune n'est fournie</translation>
-    </message>
-    <message>
-        <source>A trajectory is not on disk</source>
-        <translation>Une trajectoire n'est pas sur le disque</translation>
+        <source>A trajectory is not saved</source>
+        <translation>Une trajectoire n'est pas enregistrée</translation>
     </message>
     <message>
         <source>A trajectory of the cell cannot be read</source>
@@ -1111,16 +1051,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une valeur est nécessaire</translation>
     </message>
     <message>
-        <source>A workcell that somebody sent may name any file of this computer. Look whether all of these belong to it.</source>
-        <translation>Une cellule reçue de quelqu'un peut nommer n'importe quel fichier de cet ordinateur. Vérifiez que tous ceux-ci lui appartiennent.</translation>
+        <source>A workcell from someone else can name any file on this computer. Check that all of these belong to it.</source>
+        <translation>Une cellule reçue d'autrui peut nommer n'importe quel fichier de cet ordinateur. Vérifiez que tous ceux-ci lui appartiennent.</translation>
     </message>
     <message>
         <source>ABB RAPID (.mod)</source>
         <translation>ABB RAPID (.mod)</translation>
-    </message>
-    <message>
-        <source>About</source>
-        <translation>Autour de</translation>
     </message>
     <message>
         <source>About HaptiCell</source>
@@ -1135,10 +1071,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Accélération</translation>
     </message>
     <message>
-        <source>Across %1</source>
-        <translation>À travers %1</translation>
-    </message>
-    <message>
         <source>Add</source>
         <translation>Ajouter</translation>
     </message>
@@ -1147,24 +1079,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ajouter une image</translation>
     </message>
     <message>
+        <source>Add a frame at the cursor, then drag it in the scene</source>
+        <translation>Ajouter une image au curseur, puis la tirer dans la scène</translation>
+    </message>
+    <message>
+        <source>Add a frame to this solid on picked geometry</source>
+        <translation>Ajouter à ce solide un repère sur la géométrie désignée</translation>
+    </message>
+    <message>
         <source>Add a free hand</source>
         <translation>Ajouter une main libre</translation>
     </message>
     <message>
-        <source>Add a person of any size with Ctrl+Shift+M: it stands on the floor, and its hands follow the stylus or the mouse.</source>
-        <translation>Ajoutez une personne de toute taille par Ctrl+Maj+M : elle se tient sur le sol, et ses mains suivent le stylet ou la souris.</translation>
+        <source>Add a mannequin of any size with Ctrl+Shift+M. It stands on the floor, and its hands follow the stylus or the mouse.</source>
+        <translation>Ajoutez un mannequin de toute taille par Ctrl+Maj+M. Il se tient sur le sol, et ses mains suivent le stylet ou la souris.</translation>
     </message>
     <message>
         <source>Add a robot</source>
         <translation>Ajouter un robot</translation>
     </message>
     <message>
-        <source>Add mannequin</source>
-        <translation>Ajouter un mannequin</translation>
+        <source>Add a straight move from the last frame</source>
+        <translation>Ajouter un trajet droit depuis la dernière image</translation>
     </message>
     <message>
-        <source>Add of a size</source>
-        <translation>Ajouter d'une taille</translation>
+        <source>Add a straight move to the first frame</source>
+        <translation>Ajouter un trajet droit vers la première image</translation>
+    </message>
+    <message>
+        <source>Add mannequin</source>
+        <translation>Ajouter un mannequin</translation>
     </message>
     <message>
         <source>Add robot</source>
@@ -1187,6 +1131,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ajouter la sélection</translation>
     </message>
     <message>
+        <source>Add with size</source>
+        <translation>Ajouter avec taille</translation>
+    </message>
+    <message>
         <source>Address</source>
         <translation>Adresse</translation>
     </message>
@@ -1199,28 +1147,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Établi réglable</translation>
     </message>
     <message>
-        <source>Again and again</source>
-        <translation>En boucle</translation>
-    </message>
-    <message>
         <source>Against</source>
         <translation>Contre</translation>
-    </message>
-    <message>
-        <source>Against %1</source>
-        <translation>Contre %1</translation>
-    </message>
-    <message>
-        <source>Against another workcell…</source>
-        <translation>Par rapport à une autre cellule…</translation>
-    </message>
-    <message>
-        <source>Against the imported files…</source>
-        <translation>Par rapport aux fichiers importés…</translation>
-    </message>
-    <message>
-        <source>Against the saved cell…</source>
-        <translation>Par rapport à la cellule enregistrée…</translation>
     </message>
     <message>
         <source>All</source>
@@ -1235,32 +1163,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>Toutes 000</translation>
     </message>
     <message>
-        <source>All as shipped</source>
-        <translation>Toutes comme à la livraison</translation>
+        <source>All active sets (%1)</source>
+        <translation>Tous les jeux actifs (%1)</translation>
     </message>
     <message>
-        <source>All faces look outwards already.</source>
-        <translation>Toutes les faces regardent déjà vers l'extérieur.</translation>
+        <source>All edits of a motion</source>
+        <translation>Toutes les modifications d'un mouvement</translation>
+    </message>
+    <message>
+        <source>All faces already point outwards.</source>
+        <translation>Toutes les faces sont déjà orientées vers l'extérieur.</translation>
     </message>
     <message>
         <source>All four</source>
         <translation>Les quatre</translation>
     </message>
     <message>
-        <source>All makers</source>
+        <source>All manufacturers</source>
         <translation>Tous les constructeurs</translation>
     </message>
     <message>
-        <source>All sets that are on (%1)</source>
-        <translation>Tous les ensembles en service (%1)</translation>
+        <source>All supported files (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;All files (*)</source>
+        <translation>Tous les fichiers pris en charge (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAO (*.step *.stp *.p21 *.stpz *.iges *.igs);;Maillages (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots et cellules (*.urdf *.xacro *.sdf *.world *.toml);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>All that can be done with a motion</source>
-        <translation>Tout ce qu'on peut faire d'un mouvement</translation>
+        <source>Allow motion along %1 (%1: only this axis)</source>
+        <translation>Autoriser le mouvement le long de %1 (%1 : cet axe seul)</translation>
     </message>
     <message>
-        <source>All that can be read (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;All files (*)</source>
-        <translation>Tout ce qui se lit (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAO (*.step *.stp *.p21 *.stpz *.iges *.igs);;Maillages (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots et cellules (*.urdf *.xacro *.sdf *.world *.toml);;Tous les fichiers (*)</translation>
+        <source>Allow rotation about %1 (%1 twice: only this axis)</source>
+        <translation>Autoriser la rotation autour de %1 (%1 deux fois : cet axe seul)</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -1271,20 +1203,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aluminium</translation>
     </message>
     <message>
-        <source>An exercise of this cell and an expert's motion in it</source>
-        <translation>Un exercice fait de cette cellule et du mouvement d'un expert</translation>
+        <source>An exercise with this name exists. Choose another name.</source>
+        <translation>Un exercice porte déjà ce nom : choisissez-en un autre.</translation>
     </message>
     <message>
-        <source>An expert's recording leads the stylus along its way; the guide waits for the trainee.</source>
-        <translation>L'enregistrement d'un expert mène le stylet sur son chemin ; le guide attend l'élève.</translation>
+        <source>An expert's recording guides the stylus along its path and waits for the trainee.</source>
+        <translation>L'enregistrement d'un expert guide le stylet sur son chemin et attend l'apprenant.</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>Angle</translation>
     </message>
     <message>
-        <source>Angles in</source>
-        <translation>Angles en</translation>
+        <source>Angle step</source>
+        <translation>Pas d'angle</translation>
+    </message>
+    <message>
+        <source>Angle unit</source>
+        <translation>Unité d'angle</translation>
+    </message>
+    <message>
+        <source>Animate view changes</source>
+        <translation>Animer les changements de vue</translation>
     </message>
     <message>
         <source>Another</source>
@@ -1299,20 +1239,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un autre programme (%1) commande le stylet. Fermez-le, ou connectez-vous en observateur.</translation>
     </message>
     <message>
-        <source>Another program has had it open.</source>
+        <source>Another program changed this file after it was opened here. If you save, those changes are lost.</source>
+        <translation>Un autre programme a modifié ce fichier depuis son ouverture ici. Si vous enregistrez, ces modifications sont perdues.</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file since; the copy does not have those changes.</source>
+        <translation>Un autre programme a depuis modifié le fichier ; la copie n’a pas ces changements.</translation>
+    </message>
+    <message>
+        <source>Another program has it open.</source>
         <translation>Un autre programme l’a ouvert.</translation>
     </message>
     <message>
-        <source>Another program has written the file since it was opened here. Saving it undoes what that program wrote.</source>
-        <translation>Un autre programme a écrit le fichier depuis qu’il est ouvert ici. L’enregistrer défait ce que ce programme a écrit.</translation>
+        <source>Another program started the server at %1. Choose the device there.</source>
+        <translation>Un autre programme a lancé le serveur à %1. Choisissez-y le périphérique.</translation>
     </message>
     <message>
-        <source>Another program started the server at %1; the device is chosen there.</source>
-        <translation>Un autre programme a lancé le serveur à %1 ; le périphérique s'y choisit.</translation>
-    </message>
-    <message>
-        <source>Another window has the stylus; this one watches</source>
-        <translation>Une autre fenêtre a le stylet ; celle-ci observe</translation>
+        <source>Another window controls the stylus; this one observes</source>
+        <translation>Une autre fenêtre commande le stylet ; celle-ci observe</translation>
     </message>
     <message>
         <source>Any</source>
@@ -1329,6 +1273,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Applications</source>
         <translation>Applications</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Apply this posture</source>
+        <translation>Appliquer cette posture</translation>
     </message>
     <message>
         <source>Approach</source>
@@ -1351,40 +1303,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>Bras écartés</translation>
     </message>
     <message>
-        <source>As</source>
-        <translation>Comme</translation>
+        <source>As for the entity</source>
+        <translation>Comme l'entité</translation>
     </message>
     <message>
-        <source>As a partner on the other side would do it</source>
-        <translation>Comme le ferait un partenaire de l'autre côté</translation>
+        <source>As ghosts at the same task; click a column to show only that mannequin</source>
+        <translation>En fantômes à la même tâche ; cliquez une colonne pour ne montrer que ce mannequin</translation>
     </message>
     <message>
-        <source>As ghosts at the same task; a column shows its body alone</source>
-        <translation>En fantômes à la même tâche ; une colonne montre son corps seul</translation>
-    </message>
-    <message>
-        <source>As in</source>
-        <translation>Comme dans</translation>
-    </message>
-    <message>
-        <source>As large as it is…</source>
-        <translation>À sa taille…</translation>
+        <source>As in the set</source>
+        <translation>Comme le jeu</translation>
     </message>
     <message>
         <source>As recorded</source>
         <translation>Comme enregistré</translation>
     </message>
     <message>
-        <source>As shipped</source>
-        <translation>Comme à la livraison</translation>
+        <source>Assign</source>
+        <translation>Attribuer</translation>
     </message>
     <message>
-        <source>As the entity</source>
-        <translation>Comme l'entité</translation>
+        <source>Assumptions for %1</source>
+        <translation>Hypothèses pour %1</translation>
     </message>
     <message>
-        <source>As the set</source>
-        <translation>Comme l'ensemble</translation>
+        <source>Asymmetry</source>
+        <translation>Asymétrie</translation>
     </message>
     <message>
         <source>At X</source>
@@ -1403,8 +1347,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>À bout de bras, le tronc bloqué. Débloquez le tronc, ou approchez de %1.</translation>
     </message>
     <message>
-        <source>At full reach. Move it %1 closer, or let the feet step.</source>
-        <translation>À bout de bras. Approchez de %1, ou laissez les pieds avancer.</translation>
+        <source>At full reach. Move it %1 closer, or unlock the feet.</source>
+        <translation>À bout de bras. Approchez de %1, ou débloquez les pieds.</translation>
+    </message>
+    <message>
+        <source>At its current placement</source>
+        <translation>À sa place actuelle</translation>
     </message>
     <message>
         <source>At least %1. You typed %2.</source>
@@ -1443,6 +1391,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Attaché à %1 de %2</translation>
     </message>
     <message>
+        <source>Avoid collisions</source>
+        <translation>Éviter les collisions</translation>
+    </message>
+    <message>
         <source>Axes</source>
         <translation>Axes</translation>
     </message>
@@ -1453,10 +1405,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Axes at %1</source>
         <translation>Axes en %1</translation>
-    </message>
-    <message>
-        <source>Axes of</source>
-        <translation>Axes de</translation>
     </message>
     <message>
         <source>Axis</source>
@@ -1479,16 +1427,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Arrière</translation>
     </message>
     <message>
-        <source>Backwards in time</source>
-        <translation>À rebours</translation>
-    </message>
-    <message>
         <source>Balance: %1 inside the soles</source>
         <translation>Équilibre : %1 à l'intérieur des semelles</translation>
     </message>
     <message>
-        <source>Bars: points of each run, hatched where it was not passed; without guidance apart. Line: help.</source>
-        <translation>Barres : points de chaque essai, hachurées s'il n'est pas réussi ; sans guidage, à part. Ligne : aide.</translation>
+        <source>Bars: points of each run, hatched if not passed; runs without guidance apart. Line: guidance.</source>
+        <translation>Barres : points de chaque essai, hachurées si non réussi ; sans assistance, à part. Ligne : assistance.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -1503,36 +1447,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Base dans le monde</translation>
     </message>
     <message>
-        <source>Base, TCP stays</source>
-        <translation>Base, le TCP reste</translation>
+        <source>Base placement</source>
+        <translation>Placement de la base</translation>
     </message>
     <message>
-        <source>Begin again</source>
-        <translation>Recommencer</translation>
-    </message>
-    <message>
-        <source>Begin from</source>
-        <translation>Partir de</translation>
-    </message>
-    <message>
-        <source>Begin with a sample, or with your own cell</source>
-        <translation>Commencez par un exemple ou par votre propre cellule</translation>
-    </message>
-    <message>
-        <source>Begin with an empty cell</source>
-        <translation>Commencer par une cellule vide</translation>
+        <source>Base, TCP fixed</source>
+        <translation>Base, TCP fixe</translation>
     </message>
     <message>
         <source>Belly depth, sitting</source>
         <translation>Profondeur du ventre, assis</translation>
     </message>
     <message>
-        <source>Beside the middle</source>
-        <translation>À côté du milieu</translation>
-    </message>
-    <message>
-        <source>Better posture of %1</source>
-        <translation>Meilleure posture de %1</translation>
+        <source>Below this distance: shown and heard, not felt</source>
+        <translation>Sous cette distance : montré et entendu, pas senti</translation>
     </message>
     <message>
         <source>Between centres or axes</source>
@@ -1543,12 +1471,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Entre les endroits désignés</translation>
     </message>
     <message>
-        <source>Beyond limits of the figure, not clamped; longest: %1.</source>
-        <translation>Au-delà de limites de la silhouette, non ramené ; le plus long : %1.</translation>
+        <source>Beyond the range of motion, not clamped. Longest: %1.</source>
+        <translation>Au-delà de l'amplitude articulaire, non ramené. Le plus long : %1.</translation>
     </message>
     <message>
         <source>Bl&amp;ue:</source>
         <translation>Ble&amp;u :</translation>
+    </message>
+    <message>
+        <source>Blend over</source>
+        <translation>Lisser sur</translation>
+    </message>
+    <message>
+        <source>Blend radius between moves</source>
+        <translation>Rayon d'arrondi entre les déplacements</translation>
     </message>
     <message>
         <source>Bore</source>
@@ -1579,8 +1515,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les deux mains à cette pièce</translation>
     </message>
     <message>
-        <source>Both styluses are in somebody's hands. Choose the 3-D mouse as the second stylus to move entities by it.</source>
-        <translation>Les deux stylets sont tenus. Choisissez la souris 3D comme second stylet pour déplacer des entités avec elle.</translation>
+        <source>Both styluses are in use. To move entities with the 3D mouse, choose it as the second stylus.</source>
+        <translation>Les deux stylets sont utilisés. Pour déplacer des entités avec la souris 3D, choisissez-la comme second stylet.</translation>
     </message>
     <message>
         <source>Bottom</source>
@@ -1591,20 +1527,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Boîte</translation>
     </message>
     <message>
-        <source>Brackets in the time bar: what Trim keeps and Delete takes out</source>
-        <translation>Crochets dans la barre de temps : ce que Rogner garde et Supprimer retire</translation>
+        <source>Brackets in the time bar: the range that Trim keeps and Delete removes</source>
+        <translation>Crochets dans la barre de temps : la plage que Rogner garde et que Supprimer retire</translation>
     </message>
     <message>
         <source>Breadth of the pelvis</source>
         <translation>Largeur du bassin</translation>
-    </message>
-    <message>
-        <source>Bring in as</source>
-        <translation>Importer comme</translation>
-    </message>
-    <message>
-        <source>Bring the mannequin or the part nearer, or unlock the feet so that it may step.</source>
-        <translation>Rapprochez le mannequin ou la pièce, ou libérez les pieds pour qu'il puisse faire un pas.</translation>
     </message>
     <message>
         <source>Bringing the work %1 nearer</source>
@@ -1612,27 +1540,19 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Built-in parts</source>
-        <translation>Pièces intégrées</translation>
-    </message>
-    <message>
-        <source>Built-in robots</source>
-        <translation>Robots fournis</translation>
+        <translation>Pièces paramétriques</translation>
     </message>
     <message>
         <source>Buttons</source>
         <translation>Boutons</translation>
     </message>
     <message>
-        <source>By</source>
-        <translation>De</translation>
-    </message>
-    <message>
         <source>By hand</source>
         <translation>À la main</translation>
     </message>
     <message>
-        <source>By numbers</source>
-        <translation>Par des nombres</translation>
+        <source>By values</source>
+        <translation>Par valeurs</translation>
     </message>
     <message>
         <source>Cabinet</source>
@@ -1667,6 +1587,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Annuler</translation>
     </message>
     <message>
+        <source>Cancel: the change is not felt until the next change</source>
+        <translation>Annuler : le changement n'est pas senti avant le prochain</translation>
+    </message>
+    <message>
         <source>Cancelled: the map is not complete. </source>
         <translation>Interrompu : la carte n'est pas complète. </translation>
     </message>
@@ -1679,16 +1603,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pièces portées</translation>
     </message>
     <message>
-        <source>Carried: goes with the link and collides with it</source>
-        <translation>Portée : suit le corps et entre en collision avec lui</translation>
+        <source>Carried: moves with the link and is checked with it</source>
+        <translation>Portée : suit le segment et est vérifiée avec lui</translation>
     </message>
     <message>
         <source>Cartesian</source>
         <translation>Cartésien</translation>
     </message>
     <message>
-        <source>Casts rays from its eyes to the part that was chosen last</source>
-        <translation>Lance des rayons de ses yeux vers la pièce choisie en dernier</translation>
+        <source>Cause: %1</source>
+        <translation>Cause : %1</translation>
     </message>
     <message>
         <source>Cell</source>
@@ -1708,19 +1632,19 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Change</source>
-        <translation>Changer</translation>
+        <translation>Modifier</translation>
     </message>
     <message>
         <source>Change the mechanism</source>
-        <translation>Changer le mécanisme</translation>
+        <translation>Modifier le mécanisme</translation>
     </message>
     <message>
         <source>Changed</source>
         <translation>Modifié</translation>
     </message>
     <message>
-        <source>Changes are not saved</source>
-        <translation>Changements non enregistrés</translation>
+        <source>Changes are felt immediately.</source>
+        <translation>Les modifications se sentent aussitôt.</translation>
     </message>
     <message>
         <source>Changes of %1</source>
@@ -1728,11 +1652,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Changes on this page take effect at the next start.</source>
-        <translation>Les changements de cette page valent au prochain démarrage.</translation>
+        <translation>Les changements de cette page prennent effet au prochain démarrage.</translation>
     </message>
     <message>
-        <source>Changes up to %1 were kept. What is open does not have them.</source>
-        <translation>Les modifications jusqu’au %1 ont été gardées. Ce qui est ouvert ne les contient pas.</translation>
+        <source>Changes up to %1 were kept. The open cell does not include them.</source>
+        <translation>Les modifications jusqu’au %1 ont été gardées. La cellule ouverte ne les contient pas.</translation>
     </message>
     <message>
         <source>Check</source>
@@ -1741,10 +1665,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Check %1 for collision</source>
         <translation>Vérifier les collisions de %1</translation>
-    </message>
-    <message>
-        <source>Check %1 – %2 again</source>
-        <translation>Vérifier de nouveau %1 – %2</translation>
     </message>
     <message>
         <source>Check device</source>
@@ -1759,24 +1679,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le vérifier</translation>
     </message>
     <message>
+        <source>Check results</source>
+        <translation>Résultats de la vérification</translation>
+    </message>
+    <message>
+        <source>Check robots for self-collision</source>
+        <translation>Vérifier les collisions internes des robots</translation>
+    </message>
+    <message>
         <source>Check the motion</source>
         <translation>Vérifier le mouvement</translation>
     </message>
     <message>
-        <source>Check the whole way</source>
+        <source>Check the whole path</source>
         <translation>Vérifier tout le chemin</translation>
-    </message>
-    <message>
-        <source>Check this pair again</source>
-        <translation>Vérifier de nouveau cette paire</translation>
     </message>
     <message>
         <source>Checked for collision</source>
         <translation>Vérifié pour les collisions</translation>
     </message>
     <message>
-        <source>Checked for contact by</source>
-        <translation>Forme de contact</translation>
+        <source>Checking the mesh</source>
+        <translation>Examen du maillage</translation>
+    </message>
+    <message>
+        <source>Checking the path…</source>
+        <translation>Vérification du chemin…</translation>
     </message>
     <message>
         <source>Chest depth</source>
@@ -1791,10 +1719,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez un fichier pour voir ce que c'est.</translation>
     </message>
     <message>
-        <source>Choose a kind below, then pick its geometry in the scene</source>
-        <translation>Choisissez un genre, puis désignez sa géométrie dans la scène</translation>
-    </message>
-    <message>
         <source>Choose a motion first.</source>
         <translation>Choisissez d'abord un mouvement.</translation>
     </message>
@@ -1803,24 +1727,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez un mouvement pour voir ses courbes.</translation>
     </message>
     <message>
-        <source>Choose a part first: its brackets stand in the time bar now.</source>
-        <translation>Choisissez d'abord une partie : ses crochets sont dans la barre de temps.</translation>
-    </message>
-    <message>
         <source>Choose a picture…</source>
         <translation>Choisir une image…</translation>
     </message>
     <message>
-        <source>Choose a place on a part, not on the mannequin itself.</source>
-        <translation>Choisissez un endroit sur une pièce, pas sur le mannequin lui-même.</translation>
-    </message>
-    <message>
-        <source>Choose a row to see it in the scene.</source>
-        <translation>Choisissez une ligne pour la voir dans la scène.</translation>
-    </message>
-    <message>
-        <source>Choose a row, then press its new key.</source>
-        <translation>Choisissez une ligne, puis pressez sa nouvelle touche.</translation>
+        <source>Choose a type below, then pick its geometry in the scene</source>
+        <translation>Choisissez un type ci-dessous, puis désignez sa géométrie dans la scène</translation>
     </message>
     <message>
         <source>Choose a typical task…</source>
@@ -1831,11 +1743,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez un exercice</translation>
     </message>
     <message>
+        <source>Choose folder…</source>
+        <translation>Choisir le dossier…</translation>
+    </message>
+    <message>
         <source>Choose it in the panel Virtual Desktop.</source>
         <translation>Choisissez-le dans le panneau Virtual Desktop.</translation>
     </message>
     <message>
-        <source>Choose the logo of the reports</source>
+        <source>Choose the report logo</source>
         <translation>Choisir le logo des rapports</translation>
     </message>
     <message>
@@ -1843,7 +1759,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez d'abord la taille</translation>
     </message>
     <message>
-        <source>Choose what may be moved, then search.</source>
+        <source>Choose what can be moved, then search.</source>
         <translation>Choisissez ce qui peut bouger, puis cherchez.</translation>
     </message>
     <message>
@@ -1863,27 +1779,47 @@ Voulez-vous le remplacer ?</translation>
         <translation>Effacer</translation>
     </message>
     <message>
+        <source>Clear the list</source>
+        <translation>Effacer la liste</translation>
+    </message>
+    <message>
+        <source>Clearance, nearest pair</source>
+        <translation>Distance minimale</translation>
+    </message>
+    <message>
+        <source>Click Pick to measure again.</source>
+        <translation>Cliquez Désigner pour mesurer de nouveau.</translation>
+    </message>
+    <message>
         <source>Click a bore, a shaft, an edge or a face: its axis becomes the joint's</source>
         <translation>Cliquez un alésage, un arbre, une arête ou une face : son axe devient celui de l'articulation</translation>
     </message>
     <message>
-        <source>Click a dot in the time bar to take hold of a frame; drag it in the scene.</source>
-        <translation>Cliquez un point de la barre de temps pour prendre une image ; tirez-la dans la scène.</translation>
+        <source>Click a corner, an edge, a face or the floor to place the frame; Esc: cancel</source>
+        <translation>Cliquez un coin, une arête, une face ou le sol pour poser le repère ; Échap : annuler</translation>
     </message>
     <message>
-        <source>Click a dot in the time bar, or choose a part.</source>
-        <translation>Cliquez un point de la barre de temps, ou choisissez une partie.</translation>
+        <source>Click a dot in the time bar to select a frame, then drag it in the scene.</source>
+        <translation>Cliquez un point de la barre de temps pour choisir une image, puis tirez-la dans la scène.</translation>
     </message>
     <message>
-        <source>Click a face, an edge or a corner: there the tool's point is</source>
-        <translation>Cliquez une face, une arête ou un coin : là est le point de l'outil</translation>
+        <source>Click a dot in the time bar, or set a range.</source>
+        <translation>Cliquez un point de la barre de temps, ou réglez une plage.</translation>
     </message>
     <message>
-        <source>Click a part first, then ask.</source>
-        <translation>Cliquez d'abord une pièce, puis demandez.</translation>
+        <source>Click a face, an edge or a corner for the tool centre point</source>
+        <translation>Cliquez une face, une arête ou un coin pour le centre outil</translation>
     </message>
     <message>
-        <source>Click a part, or draw a box about several.</source>
+        <source>Click a part first.</source>
+        <translation>Cliquez d'abord une pièce.</translation>
+    </message>
+    <message>
+        <source>Click a part, not the mannequin.</source>
+        <translation>Cliquez une pièce, pas le mannequin.</translation>
+    </message>
+    <message>
+        <source>Click a part, or draw a box around several.</source>
         <translation>Cliquez une pièce, ou tracez un cadre autour de plusieurs.</translation>
     </message>
     <message>
@@ -1891,20 +1827,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez un robot ou un mécanisme dans la scène ou dans l'arbre, ou ajoutez-en un par Ctrl+Maj+I.</translation>
     </message>
     <message>
-        <source>Click entities in the scene; Escape ends</source>
-        <translation>Cliquez des entités dans la scène ; Échap termine</translation>
+        <source>Click entities in the scene; Esc: end</source>
+        <translation>Cliquez des entités dans la scène ; Échap : terminer</translation>
     </message>
     <message>
         <source>Click one in the scene or in the tree.</source>
         <translation>Cliquez-en un dans la scène ou dans l'arbre.</translation>
     </message>
     <message>
-        <source>Click the part in the scene</source>
-        <translation>Cliquez la pièce dans la scène</translation>
+        <source>Click the part for both hands to hold</source>
+        <translation>Cliquez la pièce que les deux mains doivent tenir</translation>
     </message>
     <message>
-        <source>Click the part that both hands shall take</source>
-        <translation>Cliquez la pièce que les deux mains doivent prendre</translation>
+        <source>Click the part for the robot to carry</source>
+        <translation>Cliquez la pièce que le robot doit porter</translation>
+    </message>
+    <message>
+        <source>Click the part in the scene</source>
+        <translation>Cliquez la pièce dans la scène</translation>
     </message>
     <message>
         <source>Click the part that it moves on</source>
@@ -1915,36 +1855,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez la pièce qui bouge</translation>
     </message>
     <message>
-        <source>Click the part that the robot shall carry</source>
-        <translation>Cliquez la pièce que le robot portera</translation>
-    </message>
-    <message>
-        <source>Click to choose for this pair</source>
-        <translation>Cliquez pour choisir pour cette paire</translation>
+        <source>Click to place it; Esc: cancel</source>
+        <translation>Cliquez pour le poser ; Échap : annuler</translation>
     </message>
     <message>
         <source>Click to play it</source>
-        <translation>Cliquez pour le jouer</translation>
+        <translation>Cliquez pour le lire</translation>
     </message>
     <message>
-        <source>Click where it shall stand; Esc: not now</source>
-        <translation>Cliquez où le poser ; Échap : pas maintenant</translation>
+        <source>Click to set it for this pair</source>
+        <translation>Cliquez pour choisir pour cette paire</translation>
     </message>
     <message>
-        <source>Click where the base shall stand</source>
-        <translation>Cliquez où la base se posera</translation>
+        <source>Click where the centre of its underside goes</source>
+        <translation>Cliquez où poser le centre de sa face inférieure</translation>
     </message>
     <message>
-        <source>Click where the frame shall be: a corner, an edge, a face or the floor; Esc: not now</source>
-        <translation>Cliquez où poser le repère : un coin, une arête, une face ou le sol ; Échap : pas maintenant</translation>
+        <source>Click where to place the base</source>
+        <translation>Cliquez où poser la base</translation>
     </message>
     <message>
-        <source>Click where the hand shall be</source>
-        <translation>Cliquez là où la main doit être</translation>
-    </message>
-    <message>
-        <source>Click where the middle of its lower side shall stand</source>
-        <translation>Cliquez là où doit se poser le milieu de sa face inférieure</translation>
+        <source>Click where to put the hand</source>
+        <translation>Cliquez où placer la main</translation>
     </message>
     <message>
         <source>Close</source>
@@ -1953,10 +1885,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Close the panel; the Window menu opens it again</source>
         <translation>Fermer le panneau ; le menu Fenêtre le rouvre</translation>
-    </message>
-    <message>
-        <source>Close the section</source>
-        <translation>Fermer la coupe</translation>
     </message>
     <message>
         <source>Clutch</source>
@@ -1975,8 +1903,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Collision</translation>
     </message>
     <message>
-        <source>Collision loop, dashed</source>
-        <translation>Boucle de collision, en tirets</translation>
+        <source>Collision shape</source>
+        <translation>Forme de collision</translation>
     </message>
     <message>
         <source>Collisions</source>
@@ -1999,8 +1927,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Colonnes</translation>
     </message>
     <message>
-        <source>Comes with the first one</source>
-        <translation>Vient avec le premier</translation>
+        <source>Command</source>
+        <translation>Commande</translation>
     </message>
     <message>
         <source>Company name</source>
@@ -2009,6 +1937,22 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Compare with</source>
         <translation>Comparer avec</translation>
+    </message>
+    <message>
+        <source>Compared with %1</source>
+        <translation>Comparé à %1</translation>
+    </message>
+    <message>
+        <source>Compared with another workcell…</source>
+        <translation>Par rapport à une autre cellule…</translation>
+    </message>
+    <message>
+        <source>Compared with the imported files…</source>
+        <translation>Par rapport aux fichiers importés…</translation>
+    </message>
+    <message>
+        <source>Compared with the saved cell…</source>
+        <translation>Par rapport à la cellule enregistrée…</translation>
     </message>
     <message>
         <source>Computer</source>
@@ -2028,7 +1972,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Configurations and jogging</source>
-        <translation>Configurations et marche manuelle</translation>
+        <translation>Configurations et déplacement manuel</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -2039,12 +1983,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Connecté</translation>
     </message>
     <message>
-        <source>Connected, pen 2 in the scene; it holds the other hand, the trunk stands still</source>
-        <translation>Connecté, stylet 2 dans la scène ; il tient l'autre main, le tronc reste immobile</translation>
+        <source>Connected as stylus 2; holds the other hand, trunk fixed</source>
+        <translation>Connecté, stylet 2 ; tient l'autre main, tronc fixe</translation>
     </message>
     <message>
-        <source>Connected, pen 2 in the scene; it holds what its tip touches</source>
-        <translation>Connecté, stylet 2 dans la scène ; il prend ce que touche sa pointe</translation>
+        <source>Connected as stylus 2; holds the part that its tip touches</source>
+        <translation>Connecté, stylet 2 ; tient la pièce que touche sa pointe</translation>
     </message>
     <message>
         <source>Connected, simulated</source>
@@ -2061,6 +2005,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Connecting to the haptic server at %1.</source>
         <translation>Connexion au serveur haptique à %1.</translation>
+    </message>
+    <message>
+        <source>Connects with the first stylus</source>
+        <translation>Se connecte avec le premier</translation>
     </message>
     <message>
         <source>Constant</source>
@@ -2087,40 +2035,52 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérification des contacts, au plus</translation>
     </message>
     <message>
+        <source>Contact colour</source>
+        <translation>Couleur de contact</translation>
+    </message>
+    <message>
+        <source>Contact is felt at this distance</source>
+        <translation>Le contact se sent à cette distance</translation>
+    </message>
+    <message>
+        <source>Contact log</source>
+        <translation>Journal des contacts</translation>
+    </message>
+    <message>
+        <source>Contact mode is Pass: contacts are shown, not felt</source>
+        <translation>Mode de contact Traverser : contacts montrés, pas sentis</translation>
+    </message>
+    <message>
+        <source>Contact mode of %1 – %2</source>
+        <translation>Mode de contact de %1 – %2</translation>
+    </message>
+    <message>
         <source>Contacts</source>
         <translation>Contacts</translation>
     </message>
     <message>
-        <source>Contacts are only shown: it passes</source>
-        <translation>Les contacts sont seulement montrés : il traverse</translation>
+        <source>Contacts are displayed late</source>
+        <translation>Les contacts s'affichent en retard</translation>
     </message>
     <message>
-        <source>Contacts are prepared within</source>
-        <translation>Contacts préparés à moins de</translation>
+        <source>Contacts are displayed on time</source>
+        <translation>Les contacts s'affichent à temps</translation>
     </message>
     <message>
-        <source>Contacts are seen as they are felt</source>
-        <translation>Les contacts se voient dès qu'ils sont ressentis</translation>
+        <source>Contacts are sometimes late</source>
+        <translation>Les contacts sont parfois en retard</translation>
     </message>
     <message>
-        <source>Contacts are seen late</source>
-        <translation>Les contacts se voient tard</translation>
-    </message>
-    <message>
-        <source>Contacts come in time</source>
+        <source>Contacts arrive on time</source>
         <translation>Les contacts arrivent à temps</translation>
-    </message>
-    <message>
-        <source>Contacts come late at times</source>
-        <translation>Les contacts tardent parfois</translation>
     </message>
     <message>
         <source>Contents</source>
         <translation>Sommaire</translation>
     </message>
     <message>
-        <source>Controllers load so long a program slowly or not at all, and run short moves unevenly. Simplified, only the moves are written that are needed within %1 and %2; the motion itself stays as it is.</source>
-        <translation>Les contrôleurs chargent un programme aussi long lentement ou pas du tout, et exécutent irrégulièrement les déplacements courts. Simplifié, seuls sont écrits les déplacements nécessaires à %1 et %2 près ; le mouvement lui-même reste tel quel.</translation>
+        <source>Controllers load such a long program slowly or not at all, and run short moves unevenly. Simplify keeps only the moves needed within %1 and %2. The motion itself is unchanged.</source>
+        <translation>Les contrôleurs chargent un programme aussi long lentement ou pas du tout, et exécutent irrégulièrement les déplacements courts. Simplifier ne garde que les déplacements nécessaires à %1 et %2 près. Le mouvement lui-même est inchangé.</translation>
     </message>
     <message>
         <source>Convex hull</source>
@@ -2131,8 +2091,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Convoyeur</translation>
     </message>
     <message>
-        <source>Copies the command that mends it</source>
-        <translation>Copie la commande qui y remédie</translation>
+        <source>Copies the selected tool, or adds one at the flange</source>
+        <translation>Copie l'outil choisi, ou en ajoute un à la bride</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -2143,6 +2103,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Copier la commande pour %1</translation>
     </message>
     <message>
+        <source>Copy the command that fixes it</source>
+        <translation>Copier la commande qui y remédie</translation>
+    </message>
+    <message>
         <source>Corner</source>
         <translation>Coin</translation>
     </message>
@@ -2151,12 +2115,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prise</translation>
     </message>
     <message>
-        <source>Ctrl</source>
-        <translation>Ctrl</translation>
+        <source>Create the mechanism</source>
+        <translation>Créer le mécanisme</translation>
     </message>
     <message>
-        <source>Ctrl snaps to corners, edges, faces and frames · Esc takes it back</source>
-        <translation>Ctrl aimante aux coins, arêtes, faces et repères · Échap annule</translation>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
     </message>
     <message>
         <source>Ctrl+I imports a solid, Ctrl+Shift+I adds a robot, Ctrl+O opens a workcell.</source>
@@ -2167,12 +2131,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ctrl+Espace</translation>
     </message>
     <message>
-        <source>Ctrl+Space turns them on</source>
-        <translation>Ctrl+Espace les met en marche</translation>
+        <source>Ctrl: snap to corners, edges, faces and frames · Esc: cancel</source>
+        <translation>Ctrl : aimanter aux coins, arêtes, faces et repères · Échap : annuler</translation>
     </message>
     <message>
         <source>Curl fingers</source>
         <translation>Plier les doigts</translation>
+    </message>
+    <message>
+        <source>Current motion</source>
+        <translation>Mouvement actuel</translation>
+    </message>
+    <message>
+        <source>Current size…</source>
+        <translation>Taille actuelle…</translation>
     </message>
     <message>
         <source>Curved edge, </source>
@@ -2191,32 +2163,60 @@ Voulez-vous le remplacer ?</translation>
         <translation>Courbes du mouvement</translation>
     </message>
     <message>
+        <source>Custom</source>
+        <translation>Personnalisé</translation>
+    </message>
+    <message>
+        <source>Custom hand force limits</source>
+        <translation>Limites propres de force des mains</translation>
+    </message>
+    <message>
+        <source>Custom hand force limits…</source>
+        <translation>Limites propres des mains…</translation>
+    </message>
+    <message>
+        <source>Custom limit, left</source>
+        <translation>Limite propre, gauche</translation>
+    </message>
+    <message>
+        <source>Custom limit, right</source>
+        <translation>Limite propre, droite</translation>
+    </message>
+    <message>
+        <source>Custom limits</source>
+        <translation>Limites propres</translation>
+    </message>
+    <message>
+        <source>Custom limits: %1</source>
+        <translation>Limites propres : %1</translation>
+    </message>
+    <message>
         <source>Cylinder</source>
         <translation>Cylindre</translation>
     </message>
     <message>
-        <source>Damping (0: the stylus's own)</source>
-        <translation>Amortissement (0 : celui du stylet)</translation>
+        <source>Damping (0: as the device)</source>
+        <translation>Amortissement (0 : celui du périphérique)</translation>
     </message>
     <message>
         <source>Damping (2 is a loose grip)</source>
         <translation>Amortissement (2 : prise lâche)</translation>
     </message>
     <message>
-        <source>Damping of what is held (Dynamics)</source>
-        <translation>Amortissement de ce qui est tenu (Dynamique)</translation>
+        <source>Damping of the held part (Dynamics)</source>
+        <translation>Amortissement de la pièce tenue (Dynamique)</translation>
     </message>
     <message>
         <source>Dark</source>
         <translation>Sombre</translation>
     </message>
     <message>
-        <source>Dashed in the scene: the row chosen.</source>
-        <translation>En tirets dans la scène : la ligne choisie.</translation>
-    </message>
-    <message>
         <source>Decimals</source>
         <translation>Décimales</translation>
+    </message>
+    <message>
+        <source>Decrease %1 by one step</source>
+        <translation>Diminuer %1 d'un pas</translation>
     </message>
     <message>
         <source>Degrees</source>
@@ -2227,12 +2227,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Supprimer</translation>
     </message>
     <message>
+        <source>Delete the frame, or all frames between the brackets</source>
+        <translation>Supprimer l'image, ou toutes entre les crochets</translation>
+    </message>
+    <message>
         <source>Delete this frame</source>
         <translation>Supprimer cette image</translation>
     </message>
     <message>
         <source>Depth</source>
         <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Describe the task for the trainee.</source>
+        <translation>Décrivez la tâche de l'apprenant.</translation>
     </message>
     <message>
         <source>Detach</source>
@@ -2243,8 +2251,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Détacher %1</translation>
     </message>
     <message>
+        <source>Details</source>
+        <translation>Détails</translation>
+    </message>
+    <message>
         <source>Detents</source>
         <translation>Crans</translation>
+    </message>
+    <message>
+        <source>Dev. mm</source>
+        <translation>Écart mm</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Écart</translation>
     </message>
     <message>
         <source>Device</source>
@@ -2255,8 +2275,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérification du périphérique</translation>
     </message>
     <message>
+        <source>Devices and problems</source>
+        <translation>Périphériques et problèmes</translation>
+    </message>
+    <message>
         <source>Diameter</source>
         <translation>Diamètre</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Différence</translation>
+    </message>
+    <message>
+        <source>Disassemble</source>
+        <translation>Démonter</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -2279,44 +2311,48 @@ Voulez-vous le remplacer ?</translation>
         <translation>Distance</translation>
     </message>
     <message>
-        <source>Does</source>
-        <translation>Fait</translation>
+        <source>Distance of the shoulder joints</source>
+        <translation>Écart des épaules</translation>
+    </message>
+    <message>
+        <source>Do not check %1 for collision</source>
+        <translation>Ne pas vérifier les collisions de %1</translation>
     </message>
     <message>
         <source>Done</source>
         <translation>Fait</translation>
     </message>
     <message>
-        <source>Done as a copy: %1. The recording is as it was</source>
-        <translation>Fait en copie : %1. L'enregistrement est comme avant</translation>
-    </message>
-    <message>
         <source>Done: %1</source>
         <translation>Fait : %1</translation>
+    </message>
+    <message>
+        <source>Drag the %1 of %2</source>
+        <translation>Tirer %1 de %2</translation>
     </message>
     <message>
         <source>Drag the TCP of %1</source>
         <translation>Tirer le TCP de %1</translation>
     </message>
     <message>
-        <source>Drag the arrows at the hand, or take it with the stylus.</source>
-        <translation>Tirez les flèches à la main, ou prenez-la avec le stylet.</translation>
+        <source>Drag the arrows at the hand, or hold it with the stylus.</source>
+        <translation>Tirez les flèches à la main, ou tenez-la avec le stylet.</translation>
     </message>
     <message>
-        <source>Drag the stylus to move it · B %1 · H: follow the mouse</source>
-        <translation>Tirez le stylet pour le déplacer · B %1 · H : suivre la souris</translation>
+        <source>Drag the stylus to move it · B: %1 · H: follow the mouse</source>
+        <translation>Tirez le stylet pour le déplacer · B : %1 · H : suivre la souris</translation>
     </message>
     <message>
         <source>Drag to move</source>
         <translation>Tirez pour déplacer</translation>
     </message>
     <message>
-        <source>Drag to move in the plane of the screen</source>
-        <translation>Tirez pour déplacer dans le plan de l'écran</translation>
-    </message>
-    <message>
         <source>Drag to move it; the body follows</source>
         <translation>Tirez pour la déplacer ; le corps suit</translation>
+    </message>
+    <message>
+        <source>Drag to move parallel to the screen</source>
+        <translation>Tirez pour déplacer parallèlement à l'écran</translation>
     </message>
     <message>
         <source>Drag to move the frame</source>
@@ -2327,11 +2363,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tirez pour déplacer l'outil</translation>
     </message>
     <message>
-        <source>Drag to turn</source>
+        <source>Drag to rotate</source>
         <translation>Tirez pour tourner</translation>
     </message>
     <message>
-        <source>Drag to turn it; the body follows</source>
+        <source>Drag to rotate it; the body follows</source>
         <translation>Tirez pour la tourner ; le corps suit</translation>
     </message>
     <message>
@@ -2343,16 +2379,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tirez pour tourner l'outil</translation>
     </message>
     <message>
-        <source>Drag: move · wheel: depth · Ctrl: turn · right button or B %1</source>
-        <translation>Tirer : déplacer · molette : profondeur · Ctrl : tourner · bouton droit ou B %1</translation>
+        <source>Drag: move · wheel: depth · Ctrl: rotate · right button or B: %1</source>
+        <translation>Tirer : déplacer · molette : profondeur · Ctrl : tourner · bouton droit ou B : %1</translation>
     </message>
     <message>
-        <source>Draw the %1 of %2</source>
-        <translation>Tirer %1 de %2</translation>
-    </message>
-    <message>
-        <source>Drift at the edge of the stylus's reach (0: none)</source>
-        <translation>Dérive au bord de la portée du stylet (0 : aucune)</translation>
+        <source>Drift at the edge of the workspace (0: none)</source>
+        <translation>Dérive au bord de l'espace de travail (0 : aucune)</translation>
     </message>
     <message>
         <source>Driven by %1. </source>
@@ -2360,15 +2392,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Driver</source>
-        <translation>Cause</translation>
-    </message>
-    <message>
-        <source>Dropped: %1 triangles that were there twice.</source>
-        <translation>Écartés : %1 triangles présents deux fois.</translation>
-    </message>
-    <message>
-        <source>Dropped: %1 triangles without area.</source>
-        <translation>Écartés : %1 triangles sans surface.</translation>
+        <translation>Facteur</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -2377,6 +2401,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Duplicate %1</source>
         <translation>Dupliquer %1</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Dwell here</source>
+        <translation>Temporiser</translation>
     </message>
     <message>
         <source>Dynamics</source>
@@ -2393,10 +2425,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>EN, ISO</source>
         <translation>EN, ISO</translation>
-    </message>
-    <message>
-        <source>Each its own</source>
-        <translation>Chacune la sienne</translation>
     </message>
     <message>
         <source>Ear to top of head</source>
@@ -2427,20 +2455,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Modifier les articulations…</translation>
     </message>
     <message>
+        <source>Edit name, task and guidance; a shipped exercise is copied</source>
+        <translation>Modifier nom, tâche, assistance ; un exercice fourni est copié</translation>
+    </message>
+    <message>
         <source>Edit…</source>
         <translation>Modifier…</translation>
     </message>
     <message>
-        <source>Elsewhere letters and digits are text: lists and panels are searched by typing.</source>
+        <source>Elsewhere, letters and digits are text: type to search lists and panels.</source>
         <translation>Ailleurs lettres et chiffres sont du texte : taper cherche dans les listes et les panneaux.</translation>
-    </message>
-    <message>
-        <source>End stops, from where it stands now</source>
-        <translation>Butées, à partir d'où il est</translation>
-    </message>
-    <message>
-        <source>End the recording  (R)</source>
-        <translation>Finir l'enregistrement  (R)</translation>
     </message>
     <message>
         <source>End the run</source>
@@ -2449,6 +2473,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>English</source>
         <translation>Anglais</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Saisissez un nom.</translation>
+    </message>
+    <message>
+        <source>Enter the address of the other station: its network name, or four numbers such as 192.168.1.20.</source>
+        <translation>Saisissez l'adresse de l'autre poste : son nom sur le réseau, ou quatre nombres comme 192.168.1.20.</translation>
     </message>
     <message>
         <source>Enter the arguments that have no value</source>
@@ -2479,16 +2511,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Échap</translation>
     </message>
     <message>
-        <source>Esc closes it · F1 helps · ? shows the keys</source>
-        <translation>Échap la ferme · F1 aide · ? montre les touches</translation>
+        <source>Esc, Space and B are reserved: forces off, clutch, stylus button.</source>
+        <translation>Échap, Espace et B sont réservées : couper les efforts, débrayer, bouton du stylet.</translation>
     </message>
     <message>
-        <source>Esc takes the drag back</source>
-        <translation>Échap annule le glissement</translation>
+        <source>Esc: cancel the drag</source>
+        <translation>Échap : annuler le glissement</translation>
     </message>
     <message>
-        <source>Esc, Space and B keep their meaning: forces off, clutch, stylus button.</source>
-        <translation>Échap, Espace et B gardent leur sens : couper les efforts, débrayer, bouton du stylet.</translation>
+        <source>Esc: close · F1: help · ?: shortcuts</source>
+        <translation>Échap : fermer · F1 : aide · ? : raccourcis</translation>
     </message>
     <message>
         <source>Event</source>
@@ -2507,12 +2539,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tout contre tout</translation>
     </message>
     <message>
-        <source>Everything on this page is kept in %1; more materials and drivers' keys can be added there.</source>
-        <translation>Tout ce qui est sur cette page est gardé dans %1 ; on peut y ajouter des matériaux et les clés des pilotes.</translation>
+        <source>Everything. To narrow it down, drag entities here from the tree.</source>
+        <translation>Tout. Pour restreindre, tirez ici des entités de l'arbre.</translation>
     </message>
     <message>
-        <source>Everything. Drag entities here from the tree to narrow it.</source>
-        <translation>Tout. Tirez ici des entités de l'arbre pour le restreindre.</translation>
+        <source>Exclude</source>
+        <translation>Exclure</translation>
+    </message>
+    <message>
+        <source>Exclude %1 pairs that touch at rest</source>
+        <translation>Exclure %1 paires qui se touchent au repos</translation>
+    </message>
+    <message>
+        <source>Exclude %1 – %2</source>
+        <translation>Exclure %1 – %2</translation>
+    </message>
+    <message>
+        <source>Exclude a pair that touches at rest</source>
+        <translation>Exclure une paire qui se touche au repos</translation>
+    </message>
+    <message>
+        <source>Exclude this pair</source>
+        <translation>Exclure cette paire</translation>
     </message>
     <message>
         <source>Exercise</source>
@@ -2568,11 +2616,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>External axes follow the tool with the robot's own joints</source>
-        <translation>Les axes externes suivent l'outil avec les articulations du robot</translation>
-    </message>
-    <message>
-        <source>External axes go along</source>
-        <translation>Les axes externes suivent</translation>
+        <translation>Les axes externes suivent l'outil avec les axes du robot</translation>
     </message>
     <message>
         <source>Eye height, sitting</source>
@@ -2595,7 +2639,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Moyenne</translation>
     </message>
     <message>
-        <source>Fastest in the limits</source>
+        <source>Fastest within limits</source>
         <translation>Au plus vite dans les limites</translation>
     </message>
     <message>
@@ -2615,36 +2659,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pieds</translation>
     </message>
     <message>
+        <source>Feet can step</source>
+        <translation>Pieds libres</translation>
+    </message>
+    <message>
         <source>Feet locked</source>
         <translation>Pieds bloqués</translation>
     </message>
     <message>
-        <source>Feet may step</source>
-        <translation>Pieds libres</translation>
-    </message>
-    <message>
-        <source>Felt as the boundary</source>
-        <translation>Senti comme la frontière</translation>
-    </message>
-    <message>
-        <source>Felt at once while it is edited.</source>
-        <translation>Senti aussitôt pendant la modification.</translation>
-    </message>
-    <message>
-        <source>Felt in the class Dynamics; counts in the load of the robot that carries it</source>
-        <translation>Sentie dans la classe Dynamique ; compte dans la charge du robot qui la porte</translation>
+        <source>Felt with force class Dynamics; adds to the load of the robot that carries it</source>
+        <translation>Sentie avec le type Dynamique ; s'ajoute à la charge du robot qui la porte</translation>
     </message>
     <message>
         <source>Fence</source>
         <translation>Grillage</translation>
     </message>
     <message>
-        <source>Fields also take a number with its unit: 2 in, 0.5 m, 1.57 rad. Files stay as they are.</source>
-        <translation>Les champs acceptent aussi un nombre avec son unité : 2 in, 0.5 m, 1.57 rad. Les fichiers restent tels quels.</translation>
-    </message>
-    <message>
-        <source>Figure</source>
-        <translation>Figure</translation>
+        <source>Field of view</source>
+        <translation>Champ de vision</translation>
     </message>
     <message>
         <source>File</source>
@@ -2659,16 +2691,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fichiers</translation>
     </message>
     <message>
+        <source>Filter by command or key</source>
+        <translation>Filtrer par commande ou par touche</translation>
+    </message>
+    <message>
         <source>Filter by name</source>
         <translation>Filtrer par nom</translation>
     </message>
     <message>
         <source>Filter by name or state</source>
         <translation>Filtrer par nom ou état</translation>
-    </message>
-    <message>
-        <source>Filter by what it does or by key</source>
-        <translation>Filtrer par action ou par touche</translation>
     </message>
     <message>
         <source>Find a command</source>
@@ -2687,16 +2719,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pli des doigts</translation>
     </message>
     <message>
-        <source>First a face, edge or corner of what moves, then where it shall go</source>
-        <translation>D'abord une face, une arête ou un coin de ce qui bouge, puis où cela doit aller</translation>
-    </message>
-    <message>
         <source>First column</source>
         <translation>Première colonne</translation>
     </message>
     <message>
-        <source>First page</source>
-        <translation>Première page</translation>
+        <source>First pick a face, edge or corner of the moving part, then the target</source>
+        <translation>Désignez d'abord une face, une arête ou un coin de la pièce à déplacer, puis la cible</translation>
     </message>
     <message>
         <source>First steps</source>
@@ -2731,6 +2759,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>À plat</translation>
     </message>
     <message>
+        <source>Flip</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Flip side</source>
+        <translation>Autre côté</translation>
+    </message>
+    <message>
+        <source>Flip the axis or normal</source>
+        <translation>Inverser l'axe ou la normale</translation>
+    </message>
+    <message>
         <source>Foam</source>
         <translation>Mousse</translation>
     </message>
@@ -2743,16 +2783,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Dossier %1</translation>
     </message>
     <message>
-        <source>Folder above</source>
-        <translation>Dossier parent</translation>
-    </message>
-    <message>
-        <source>Folder after</source>
-        <translation>Dossier suivant</translation>
-    </message>
-    <message>
-        <source>Folder before</source>
-        <translation>Dossier précédent</translation>
+        <source>Folder of the missing files</source>
+        <translation>Dossier des fichiers manquants</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -2779,8 +2811,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pour impression, 6000 × 4000…</translation>
     </message>
     <message>
-        <source>For the mannequin's other hand, or whatever its tip touches</source>
-        <translation>Pour l'autre main du mannequin, ou ce que touche sa pointe</translation>
+        <source>For the mannequin's other hand, or the part that its tip touches</source>
+        <translation>Pour l'autre main du mannequin, ou la pièce que touche sa pointe</translation>
     </message>
     <message>
         <source>Force</source>
@@ -2791,11 +2823,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Effort N</translation>
     </message>
     <message>
-        <source>Force above the expert's that costs all its points</source>
-        <translation>Force au-dessus de celle de l'expert qui coûte tous ses points</translation>
+        <source>Force above the expert's that loses all points for it</source>
+        <translation>Effort au-dessus de celui de l'expert qui fait perdre tous ses points</translation>
     </message>
     <message>
-        <source>Force and gap over the last seconds</source>
+        <source>Force and clearance over the last seconds</source>
         <translation>Effort et distance sur les dernières secondes</translation>
     </message>
     <message>
@@ -2807,12 +2839,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Effort sur la main</translation>
     </message>
     <message>
+        <source>Force ramp-up time</source>
+        <translation>Durée de montée d'effort</translation>
+    </message>
+    <message>
         <source>Force test</source>
         <translation>Essai d'effort</translation>
     </message>
     <message>
-        <source>Force, unless the part says otherwise</source>
-        <translation>Effort, sauf avis contraire de la pièce</translation>
+        <source>Force, unless set for the part</source>
+        <translation>Effort, sauf réglage de la pièce</translation>
     </message>
     <message>
         <source>Forces</source>
@@ -2827,36 +2863,44 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les efforts sont coupés.</translation>
     </message>
     <message>
-        <source>Forces are off. Connect again to start it anew.</source>
-        <translation>Les efforts sont coupés. Connectez de nouveau pour repartir.</translation>
+        <source>Forces are off. Connect again to restart it.</source>
+        <translation>Efforts coupés. Connectez de nouveau pour le redémarrer.</translation>
     </message>
     <message>
-        <source>Forces are off. The server is started again; Ctrl+Space then turns them on.</source>
-        <translation>Les forces sont coupées. Le serveur est relancé ; Ctrl+Espace les remet ensuite.</translation>
+        <source>Forces are off. The server is restarting. Then press Ctrl+Space to turn them on.</source>
+        <translation>Efforts coupés. Le serveur redémarre. Ctrl+Espace les remet ensuite en marche.</translation>
     </message>
     <message>
-        <source>Forces are off. Without them the guide is not felt.</source>
-        <translation>Les forces sont coupées. Sans elles, le guide ne se sent pas.</translation>
+        <source>Forces are off. Without them you do not feel the guide.</source>
+        <translation>Les efforts sont coupés. Sans eux, le guide ne se sent pas.</translation>
     </message>
     <message>
-        <source>Forces are off: a second stylus has come</source>
-        <translation>Les forces sont coupées : un second stylet est arrivé</translation>
+        <source>Forces are off. You do not feel the guide.</source>
+        <translation>Les efforts sont coupés. Le guide ne se sent pas.</translation>
     </message>
     <message>
-        <source>Forces are off: the guide is not felt.</source>
-        <translation>Les forces sont coupées : le guide ne se sent pas.</translation>
+        <source>Forces are off: a second stylus was connected</source>
+        <translation>Efforts coupés : un second stylet s'est connecté</translation>
     </message>
     <message>
-        <source>Forces are on, %1 now.</source>
-        <translation>Les efforts sont en marche, %1 maintenant.</translation>
+        <source>Forces are off: another window took control of the stylus</source>
+        <translation>Efforts coupés : une autre fenêtre commande le stylet</translation>
+    </message>
+    <message>
+        <source>Forces are off: the haptic server stopped responding</source>
+        <translation>Efforts coupés : le serveur haptique ne répond plus</translation>
     </message>
     <message>
         <source>Forces are on.</source>
-        <translation>Les forces sont actives.</translation>
+        <translation>Les efforts sont en marche.</translation>
     </message>
     <message>
-        <source>Forces did not come on: the device is not ready.</source>
-        <translation>Les efforts ne sont pas venus : le périphérique n'est pas prêt.</translation>
+        <source>Forces are on: %1.</source>
+        <translation>Les efforts sont en marche : %1.</translation>
+    </message>
+    <message>
+        <source>Forces did not switch on. The device is not ready.</source>
+        <translation>Les efforts n'ont pas pu être mis en marche. Le périphérique n'est pas prêt.</translation>
     </message>
     <message>
         <source>Forces of the stylus</source>
@@ -2867,8 +2911,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Efforts coupés</translation>
     </message>
     <message>
-        <source>Forces off; else ends a pick or a tool</source>
-        <translation>Coupe les efforts ; sinon quitte pointage ou outil</translation>
+        <source>Forces off; otherwise end picking or the tool</source>
+        <translation>Coupe les efforts ; sinon termine la désignation ou l'outil</translation>
     </message>
     <message>
         <source>Forces on</source>
@@ -2880,11 +2924,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Forces on and start</source>
-        <translation>Activer les forces et commencer</translation>
+        <translation>Activer les efforts et commencer</translation>
     </message>
     <message>
-        <source>Forces wait</source>
+        <source>Forces pending</source>
         <translation>Efforts en attente</translation>
+    </message>
+    <message>
+        <source>Forces switched off</source>
+        <translation>Efforts coupés</translation>
     </message>
     <message>
         <source>Forces, N</source>
@@ -2895,16 +2943,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Avant-bras</translation>
     </message>
     <message>
-        <source>Forget</source>
-        <translation>Oublier</translation>
+        <source>Format</source>
+        <translation>Format</translation>
     </message>
     <message>
-        <source>Forget these</source>
-        <translation>Les oublier</translation>
-    </message>
-    <message>
-        <source>Four bodies at the same task</source>
-        <translation>Quatre corps à la même tâche</translation>
+        <source>Four mannequins at the same task</source>
+        <translation>Quatre mannequins à la même tâche</translation>
     </message>
     <message>
         <source>Frame</source>
@@ -2931,8 +2975,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Images enregistrées : %1</translation>
     </message>
     <message>
-        <source>Frames so near in time go along when a frame is moved</source>
-        <translation>Les images proches dans le temps suivent quand on en déplace une</translation>
+        <source>Frames within this time follow when you move a frame</source>
+        <translation>Les images proches de moins que ce temps suivent quand on en déplace une</translation>
     </message>
     <message>
         <source>Free</source>
@@ -2975,6 +3019,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>D'un enregistrement…</translation>
     </message>
     <message>
+        <source>From the material (hapticell.toml). The server limits it to what the device supports</source>
+        <translation>Celle du matériau (hapticell.toml). Le serveur la limite à ce que le périphérique supporte</translation>
+    </message>
+    <message>
         <source>From, to</source>
         <translation>De, à</translation>
     </message>
@@ -2983,16 +3031,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Face</translation>
     </message>
     <message>
-        <source>Full force after</source>
-        <translation>Effort entier après</translation>
-    </message>
-    <message>
         <source>Full screen</source>
         <translation>Plein écran</translation>
-    </message>
-    <message>
-        <source>Gap, nearest pair</source>
-        <translation>Distance minimale</translation>
     </message>
     <message>
         <source>Gaze of %1</source>
@@ -3007,18 +3047,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Géométrie</translation>
     </message>
     <message>
-        <source>Give it a name.</source>
-        <translation>Donnez-lui un nom.</translation>
-    </message>
-    <message>
-        <source>Give the other station's address: its name in the network, or four numbers like 192.168.1.20.</source>
-        <translation>Donnez l'adresse de l'autre poste : son nom sur le réseau, ou quatre nombres comme 192.168.1.20.</translation>
-    </message>
-    <message>
-        <source>Give up: what was changed is not felt until the next change</source>
-        <translation>Abandonner : ce qui a changé n'est pas senti avant le prochain changement</translation>
-    </message>
-    <message>
         <source>Glove</source>
         <translation>Gant</translation>
     </message>
@@ -3031,12 +3059,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Revenir de %1 s</translation>
     </message>
     <message>
-        <source>Go back ten seconds of motion</source>
-        <translation>Revenir de dix secondes de mouvement</translation>
+        <source>Go back 10 seconds of motion</source>
+        <translation>Revenir de 10 secondes de mouvement</translation>
     </message>
     <message>
         <source>Go home</source>
-        <translation>Aller à l'origine</translation>
+        <translation>Aller en position de repos</translation>
+    </message>
+    <message>
+        <source>Go to end</source>
+        <translation>Aller à la fin</translation>
+    </message>
+    <message>
+        <source>Go to start</source>
+        <translation>Aller au début</translation>
     </message>
     <message>
         <source>Good</source>
@@ -3044,11 +3080,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Grasp</source>
-        <translation>Prise</translation>
+        <translation>Prise en main</translation>
     </message>
     <message>
         <source>Grasp of %1</source>
         <translation>Prise de %1</translation>
+    </message>
+    <message>
+        <source>Gravity compensation of the held part</source>
+        <translation>Compensation du poids de la pièce tenue</translation>
     </message>
     <message>
         <source>Grid %1</source>
@@ -3060,15 +3100,23 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Grip</source>
-        <translation>Saisie</translation>
+        <translation>Prise</translation>
     </message>
     <message>
         <source>Gripper</source>
         <translation>Pince</translation>
     </message>
     <message>
+        <source>Guidance</source>
+        <translation>Assistance</translation>
+    </message>
+    <message>
         <source>Guidance and score</source>
-        <translation>Guidage et points</translation>
+        <translation>Assistance et points</translation>
+    </message>
+    <message>
+        <source>Guidance drops by a fifth with each success, down to 0 %. After two failures it rises again.</source>
+        <translation>L'assistance baisse d'un cinquième à chaque réussite, jusqu'à 0 %. Après deux échecs elle remonte.</translation>
     </message>
     <message>
         <source>Guides</source>
@@ -3095,16 +3143,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Main de %1 à %2</translation>
     </message>
     <message>
-        <source>Hand that holds a simulated stylus</source>
-        <translation>Main qui tient un stylet simulé</translation>
+        <source>Hand on the simulated stylus</source>
+        <translation>Main sur le stylet simulé</translation>
     </message>
     <message>
         <source>Handle at</source>
         <translation>Poignée à</translation>
-    </message>
-    <message>
-        <source>Hands away</source>
-        <translation>Mains éloignées</translation>
     </message>
     <message>
         <source>Hands, size and posture</source>
@@ -3119,8 +3163,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>HaptiCell %1, interface de pilotes %2, protocole %3, noyau %4</translation>
     </message>
     <message>
-        <source>HaptiCell crashed; nothing was unsaved</source>
-        <translation>HaptiCell a planté ; rien n’était à enregistrer</translation>
+        <source>HaptiCell crashed; no changes were lost</source>
+        <translation>HaptiCell a planté ; rien n’est perdu</translation>
     </message>
     <message>
         <source>HaptiCell trajectory (.htraj)</source>
@@ -3131,16 +3175,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>HaptiCell n’a pas été fermé correctement</translation>
     </message>
     <message>
-        <source>HaptiCell: the middle button turns</source>
+        <source>HaptiCell: middle button rotates</source>
         <translation>HaptiCell : le bouton du milieu tourne</translation>
     </message>
     <message>
         <source>Haptic</source>
         <translation>Haptique</translation>
-    </message>
-    <message>
-        <source>Haptic loop</source>
-        <translation>Boucle haptique</translation>
     </message>
     <message>
         <source>Haptics</source>
@@ -3175,10 +3215,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Hauteur de la cheville</translation>
     </message>
     <message>
-        <source>Height of the breastbone</source>
-        <translation>Hauteur du sternum</translation>
-    </message>
-    <message>
         <source>Height of the crotch</source>
         <translation>Hauteur de l'entrejambe</translation>
     </message>
@@ -3187,7 +3223,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Hauteur de la hanche</translation>
     </message>
     <message>
-        <source>Height of the hip's crest</source>
+        <source>Height of the iliac crest</source>
         <translation>Hauteur de la crête iliaque</translation>
     </message>
     <message>
@@ -3203,12 +3239,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Hauteur de l'épaule</translation>
     </message>
     <message>
-        <source>Height of the tenth rib</source>
-        <translation>Hauteur de la dixième côte</translation>
+        <source>Height of the sternum</source>
+        <translation>Hauteur du sternum</translation>
     </message>
     <message>
-        <source>Height of the work and RULA, four bodies</source>
-        <translation>Hauteur du travail et RULA, quatre corps</translation>
+        <source>Height of the tenth rib</source>
+        <translation>Hauteur de la dixième côte</translation>
     </message>
     <message>
         <source>Held</source>
@@ -3231,28 +3267,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tenu par le stylet : %1.</translation>
     </message>
     <message>
+        <source>Held entity</source>
+        <translation>Entité tenue</translation>
+    </message>
+    <message>
         <source>Held over 1 min</source>
         <translation>Tenue plus d'1 min</translation>
     </message>
     <message>
-        <source>Held: the hand moves without the entity (clutch)</source>
-        <translation>Tenu : la main bouge sans l'entité (débrayage)</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Aide</translation>
-    </message>
-    <message>
-        <source>Help fades by a fifth with each success, to nothing; after two failures it grows again.</source>
-        <translation>L'aide baisse d'un cinquième à chaque réussite, jusqu'à rien ; après deux échecs elle remonte.</translation>
-    </message>
-    <message>
         <source>Help on this panel</source>
         <translation>Aide sur ce panneau</translation>
-    </message>
-    <message>
-        <source>Here it is for reading: save it under another name, or when it is closed there.</source>
-        <translation>Ici il est en lecture : enregistrez-le sous un autre nom, ou quand il sera fermé là-bas.</translation>
     </message>
     <message>
         <source>Hide</source>
@@ -3275,16 +3299,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Historique</translation>
     </message>
     <message>
-        <source>Hit colour</source>
-        <translation>Couleur de contact</translation>
+        <source>Hold</source>
+        <translation>Tenir</translation>
     </message>
     <message>
         <source>Hold an entity with the stylus, move it and feel what it touches</source>
         <translation>Tenir une entité avec le stylet, la déplacer et sentir ce qu'elle touche</translation>
     </message>
     <message>
-        <source>Hold one thing</source>
-        <translation>Tenir une chose</translation>
+        <source>Hold one part</source>
+        <translation>Tenir une pièce</translation>
     </message>
     <message>
         <source>Hold the hand flat and lay the thumb across under the palm.</source>
@@ -3299,40 +3323,48 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tenez la main à plat, doigts droits et joints, le pouce contre la paume.</translation>
     </message>
     <message>
-        <source>Hold the stylus with the mouse</source>
-        <translation>Tenir le stylet avec la souris</translation>
+        <source>Hold the part with the stylus</source>
+        <translation>Tenir la pièce avec le stylet</translation>
+    </message>
+    <message>
+        <source>Hold: move the hand without the entity (clutch)</source>
+        <translation>Maintenue : la main bouge sans l'entité (débrayage)</translation>
     </message>
     <message>
         <source>Home</source>
-        <translation>Origine</translation>
+        <translation>Repos</translation>
     </message>
     <message>
-        <source>How %1 was read</source>
-        <translation>Comment %1 a été lu</translation>
+        <source>Horizontal distance</source>
+        <translation>Distance horiz.</translation>
     </message>
     <message>
-        <source>How far</source>
-        <translation>Distance</translation>
+        <source>How far ahead of the trainee the guidance pulls</source>
+        <translation>Distance devant l'apprenant à laquelle l'assistance tire</translation>
     </message>
     <message>
-        <source>How far ahead of the trainee the help pulls</source>
-        <translation>Distance devant l'élève à laquelle l'aide tire</translation>
-    </message>
-    <message>
-        <source>How far the arms of three people of its sex reach who stand as it does</source>
-        <translation>Jusqu'où atteignent les bras de trois personnes de son sexe qui se tiennent comme lui</translation>
+        <source>How much of the last selected part the mannequin sees</source>
+        <translation>Ce que le mannequin voit de la dernière pièce choisie</translation>
     </message>
     <message>
         <source>Hu&amp;e:</source>
         <translation>T&amp;einte :</translation>
     </message>
     <message>
-        <source>I hold it: next</source>
+        <source>I am holding it: next</source>
         <translation>Je le tiens : suite</translation>
     </message>
     <message>
-        <source>I hold it: push</source>
-        <translation>Je le tiens : pousser</translation>
+        <source>I am holding it: start</source>
+        <translation>Je le tiens : démarrer</translation>
+    </message>
+    <message>
+        <source>If you discard the copy, the unsaved changes of %1 are lost for good.</source>
+        <translation>Si vous supprimez la copie, les modifications non enregistrées de %1 sont perdues pour de bon.</translation>
+    </message>
+    <message>
+        <source>If you do not save them, they are lost.</source>
+        <translation>Si vous ne les enregistrez pas, ils sont perdus.</translation>
     </message>
     <message>
         <source>Import</source>
@@ -3355,6 +3387,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tout importer, %1</translation>
     </message>
     <message>
+        <source>Import as</source>
+        <translation>Importer comme</translation>
+    </message>
+    <message>
         <source>Import motions</source>
         <translation>Importer des mouvements</translation>
     </message>
@@ -3375,8 +3411,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Importer…</translation>
     </message>
     <message>
-        <source>In a shift</source>
-        <translation>Par poste</translation>
+        <source>Improve the posture of %1</source>
+        <translation>Améliorer la posture de %1</translation>
+    </message>
+    <message>
+        <source>In contact from the start: %1 and %2</source>
+        <translation>En contact dès le début : %1 et %2</translation>
     </message>
     <message>
         <source>In steps of</source>
@@ -3391,8 +3431,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Dans la main</translation>
     </message>
     <message>
-        <source>In two at the cursor</source>
-        <translation>En deux au curseur</translation>
+        <source>Include %1 – %2</source>
+        <translation>Inclure %1 – %2</translation>
+    </message>
+    <message>
+        <source>Include this pair</source>
+        <translation>Inclure cette paire</translation>
+    </message>
+    <message>
+        <source>Increase %1 by one step</source>
+        <translation>Augmenter %1 d'un pas</translation>
     </message>
     <message>
         <source>Inner radius</source>
@@ -3415,6 +3463,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Insérer une pièce</translation>
     </message>
     <message>
+        <source>Invert the wheel</source>
+        <translation>Inverser la molette</translation>
+    </message>
+    <message>
         <source>Iso</source>
         <translation>Iso</translation>
     </message>
@@ -3431,64 +3483,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>Isométrique</translation>
     </message>
     <message>
-        <source>It does not answer: its force is zero</source>
-        <translation>Il ne répond pas : sa force est nulle</translation>
+        <source>It has no frame yet. Add one in the Solid panel.</source>
+        <translation>Pas encore de repère. Ajoutez-en un dans le panneau Solide.</translation>
     </message>
     <message>
-        <source>It goes with the hand and is checked with it</source>
-        <translation>Elle suit la main et est vérifiée avec elle</translation>
-    </message>
-    <message>
-        <source>It has no frame yet: the panel Solid makes one</source>
-        <translation>Pas encore de repère : le panneau Solide en crée un</translation>
+        <source>It has no parent</source>
+        <translation>Il n'a pas de parent</translation>
     </message>
     <message>
         <source>It is locked in place. Unlock it in the tree first.</source>
         <translation>Verrouillé sur place. Déverrouillez-le d'abord dans l'arbre.</translation>
     </message>
     <message>
-        <source>It is out of reach</source>
-        <translation>C'est hors d'atteinte</translation>
+        <source>It is read-only here. Save it under another name, or close it there first.</source>
+        <translation>Il est ici en lecture seule. Enregistrez-le sous un autre nom, ou fermez-le d'abord là-bas.</translation>
     </message>
     <message>
-        <source>It moves</source>
-        <translation>Il bouge</translation>
+        <source>It moves with the hand and is checked with it</source>
+        <translation>Elle suit la main et est vérifiée avec elle</translation>
     </message>
     <message>
-        <source>It needs nothing of you.</source>
-        <translation>Il n'attend rien de vous.</translation>
-    </message>
-    <message>
-        <source>It stands below nothing</source>
-        <translation>Il n'est sous rien</translation>
-    </message>
-    <message>
-        <source>It stays in the cell until the program ends; export it to keep it.</source>
-        <translation>Il reste dans la cellule jusqu'à la fin du programme ; exportez-le pour le garder.</translation>
+        <source>It stays in the cell until you quit. Export it to keep it.</source>
+        <translation>Elle reste dans la cellule jusqu'à la fermeture. Exportez-la pour la garder.</translation>
     </message>
     <message>
         <source>It stays where it is</source>
         <translation>Il reste où il est</translation>
-    </message>
-    <message>
-        <source>Its pairs and sets</source>
-        <translation>Ses paires et ensembles</translation>
-    </message>
-    <message>
-        <source>Its picture is made when it is saved or left here.</source>
-        <translation>Son image est faite quand on l'enregistre ou la quitte ici.</translation>
-    </message>
-    <message>
-        <source>Its way is being checked.</source>
-        <translation>Sa voie est vérifiée.</translation>
-    </message>
-    <message>
-        <source>Its way is free.</source>
-        <translation>Sa voie est libre.</translation>
-    </message>
-    <message>
-        <source>Itself</source>
-        <translation>Lui-même</translation>
     </message>
     <message>
         <source>Jerk</source>
@@ -3496,14 +3516,14 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Jog %1 of %2</source>
-        <translation>Marche manuelle de %1 de %2</translation>
+        <translation>Déplacement manuel %1 de %2</translation>
     </message>
     <message>
         <source>Jog %1 of the TCP of %2</source>
-        <translation>Marche manuelle de %1 du TCP de %2</translation>
+        <translation>Déplacement manuel %1 du TCP de %2</translation>
     </message>
     <message>
-        <source>Join parts to a mechanism…</source>
+        <source>Join parts into a mechanism…</source>
         <translation>Relier des pièces en mécanisme…</translation>
     </message>
     <message>
@@ -3519,6 +3539,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Confort</translation>
     </message>
     <message>
+        <source>Joint limits, from the current position</source>
+        <translation>Butées, depuis la position actuelle</translation>
+    </message>
+    <message>
         <source>Joints</source>
         <translation>Articulations</translation>
     </message>
@@ -3531,16 +3555,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>KUKA KRL (.src, .dat)</translation>
     </message>
     <message>
-        <source>Keep checked</source>
-        <translation>Garder sous vérification</translation>
-    </message>
-    <message>
-        <source>Keep it free of collisions</source>
-        <translation>Éviter les collisions</translation>
+        <source>Keep checking</source>
+        <translation>Garder</translation>
     </message>
     <message>
         <source>Keep joint 4</source>
         <translation>Garder l'axe 4</translation>
+    </message>
+    <message>
+        <source>Keep only the frames needed</source>
+        <translation>Garder seulement les images nécessaires</translation>
     </message>
     <message>
         <source>Keep orientation</source>
@@ -3551,24 +3575,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Garder la position</translation>
     </message>
     <message>
-        <source>Keep the part between the brackets as a new motion</source>
-        <translation>Garder la partie entre crochets comme nouveau mouvement</translation>
+        <source>Keep position, %1 fixed</source>
+        <translation>Garder la position, %1 fixe</translation>
     </message>
     <message>
-        <source>Keep this pose</source>
-        <translation>Garder cette pose</translation>
+        <source>Keep position, wrist joint fixed</source>
+        <translation>Garder la position, axe du poignet fixe</translation>
     </message>
     <message>
-        <source>Keep this pose…</source>
-        <translation>Garder cette pose…</translation>
+        <source>Keep the range between the brackets</source>
+        <translation>Garder la plage entre les crochets</translation>
     </message>
     <message>
-        <source>Keep this view</source>
-        <translation>Garder cette vue</translation>
+        <source>Keep the range between the brackets as a new motion</source>
+        <translation>Garder la plage entre les crochets comme nouveau mouvement</translation>
     </message>
     <message>
-        <source>Keeps the part between the brackets</source>
-        <translation>Garde la partie entre crochets</translation>
+        <source>Keep the stylus button pressed to move</source>
+        <translation>Garder le bouton du stylet pressé pour déplacer</translation>
     </message>
     <message>
         <source>Key</source>
@@ -3583,20 +3607,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Touches</translation>
     </message>
     <message>
-        <source>Kind</source>
-        <translation>Genre</translation>
-    </message>
-    <message>
         <source>Kneeling</source>
         <translation>À genoux</translation>
     </message>
     <message>
         <source>Kneeling on one knee</source>
         <translation>Sur un genou</translation>
-    </message>
-    <message>
-        <source>Known; type another to change it</source>
-        <translation>Connu ; tapez-en un autre pour le changer</translation>
     </message>
     <message>
         <source>LEFT</source>
@@ -3611,16 +3627,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Langue du rapport</translation>
     </message>
     <message>
-        <source>Largest mass whose inertia is felt</source>
-        <translation>Plus grande masse dont l'inertie est sentie</translation>
+        <source>Largest mass with felt inertia</source>
+        <translation>Plus grande masse à inertie sentie</translation>
     </message>
     <message>
-        <source>Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %8, smoothness %6 (expert %7).</source>
-        <translation>Dernier essai : %1 points. %2 s (expert %3 s), %4 hors du chemin, au plus %5 N, contacts : %8, régularité %6 (expert %7).</translation>
-    </message>
-    <message>
-        <source>Lasted</source>
-        <translation>Durée</translation>
+        <source>Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %7, smoothness %6 % of the expert's.</source>
+        <translation>Dernier essai : %1 points. %2 s (expert %3 s), %4 hors du chemin, au plus %5 N, contacts : %7, régularité %6 % de celle de l'expert.</translation>
     </message>
     <message>
         <source>Later</source>
@@ -3629,34 +3641,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Layout</source>
         <translation>Disposition</translation>
-    </message>
-    <message>
-        <source>Layout as drawn</source>
-        <translation>Disposition d'origine</translation>
-    </message>
-    <message>
-        <source>Leave %1 unchecked</source>
-        <translation>Ne pas vérifier %1</translation>
-    </message>
-    <message>
-        <source>Leave out</source>
-        <translation>Écarter</translation>
-    </message>
-    <message>
-        <source>Leave out %1 pairs that touch at rest</source>
-        <translation>Écarter %1 paires qui se touchent au repos</translation>
-    </message>
-    <message>
-        <source>Leave out %1 – %2</source>
-        <translation>Écarter %1 – %2</translation>
-    </message>
-    <message>
-        <source>Leave out a pair that touches at rest</source>
-        <translation>Écarter une paire qui se touche au repos</translation>
-    </message>
-    <message>
-        <source>Leave this pair out</source>
-        <translation>Écarter cette paire</translation>
     </message>
     <message>
         <source>Left</source>
@@ -3696,23 +3680,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Length of the approach or retract, along the tool's axis</source>
-        <translation>Longueur de l'approche ou du retrait, le long de l'axe de l'outil</translation>
+        <translation>Longueur de l'approche ou du dégagement, le long de l'axe de l'outil</translation>
     </message>
     <message>
-        <source>Lengths in</source>
-        <translation>Longueurs en</translation>
+        <source>Length step</source>
+        <translation>Pas de longueur</translation>
     </message>
     <message>
-        <source>Let go</source>
-        <translation>Lâcher</translation>
-    </message>
-    <message>
-        <source>Let go of what is held first.</source>
-        <translation>Lâchez d'abord ce qui est tenu.</translation>
-    </message>
-    <message>
-        <source>Let go of what is held first; then start the run.</source>
-        <translation>Lâchez d'abord ce qui est tenu ; commencez ensuite l'essai.</translation>
+        <source>Length unit</source>
+        <translation>Unité de longueur</translation>
     </message>
     <message>
         <source>Libraries and their licences</source>
@@ -3747,20 +3723,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Limites et collisions sur tout le mouvement</translation>
     </message>
     <message>
-        <source>Limits, singular places, configurations and collisions, between the frames too</source>
-        <translation>Limites, places singulières, configurations et collisions, entre les images aussi</translation>
+        <source>Limits and feel</source>
+        <translation>Butées et toucher</translation>
+    </message>
+    <message>
+        <source>Limits, singularities, configurations and collisions, also between frames</source>
+        <translation>Limites, singularités, configurations et collisions, aussi entre les images</translation>
     </message>
     <message>
         <source>Line</source>
         <translation>Ligne</translation>
     </message>
     <message>
-        <source>Line: rate. Bars: late in 99 of 100 ticks, full height %1 ms</source>
+        <source>Line: rate. Bars: lateness (99th percentile), full height %1 ms</source>
         <translation>Ligne : fréquence. Barres : retard (99 %), au plus %1 ms</translation>
-    </message>
-    <message>
-        <source>Links of a robot are checked against each other</source>
-        <translation>Les segments d'un robot sont vérifiés entre eux</translation>
     </message>
     <message>
         <source>Load</source>
@@ -3771,8 +3747,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Charge %1 sur %2 admis</translation>
     </message>
     <message>
-        <source>Load %1; the payload is not known</source>
-        <translation>Charge %1 ; la charge admise n'est pas connue</translation>
+        <source>Load %1, payload unknown</source>
+        <translation>Charge %1, charge admissible inconnue</translation>
+    </message>
+    <message>
+        <source>Load your own table of hand force limits; none is included</source>
+        <translation>Charger votre propre table de limites d'effort des mains ; aucune n'est fournie</translation>
     </message>
     <message>
         <source>Load, left hand</source>
@@ -3784,11 +3764,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Load: none, payload %1</source>
-        <translation>Charge : aucune, charge admise %1</translation>
+        <translation>Charge : aucune, charge admissible %1</translation>
     </message>
     <message>
-        <source>Load: none, payload not known</source>
-        <translation>Charge : aucune. La charge admise n'est pas connue</translation>
+        <source>Load: none, payload unknown</source>
+        <translation>Charge : aucune, charge admissible inconnue</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>Local</translation>
     </message>
     <message>
         <source>Lock</source>
@@ -3811,32 +3795,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Journal</translation>
     </message>
     <message>
-        <source>Log of contacts</source>
-        <translation>Journal des contacts</translation>
-    </message>
-    <message>
         <source>Logo</source>
         <translation>Logo</translation>
     </message>
     <message>
-        <source>Look again</source>
-        <translation>Regarder de nouveau</translation>
+        <source>Look at part</source>
+        <translation>Regarder la pièce</translation>
     </message>
     <message>
-        <source>Look at it</source>
-        <translation>La regarder</translation>
-    </message>
-    <message>
-        <source>Looking at the mesh</source>
-        <translation>Examen du maillage</translation>
-    </message>
-    <message>
-        <source>Looking for it</source>
-        <translation>Recherche</translation>
-    </message>
-    <message>
-        <source>Looking…</source>
-        <translation>Recherche…</translation>
+        <source>Loop</source>
+        <translation>En boucle</translation>
     </message>
     <message>
         <source>Low back</source>
@@ -3863,12 +3831,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fermez le poing, chaque articulation des doigts pliée à angle droit.</translation>
     </message>
     <message>
-        <source>Make the mechanism</source>
-        <translation>Faire le mécanisme</translation>
-    </message>
-    <message>
-        <source>Maker</source>
-        <translation>Constructeur</translation>
+        <source>Make an exercise from this cell and an expert's motion</source>
+        <translation>Créer un exercice avec cette cellule et le mouvement d'un expert</translation>
     </message>
     <message>
         <source>Man</source>
@@ -3877,6 +3841,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Man, %1, %2 kg</source>
         <translation>Homme, %1, %2 kg</translation>
+    </message>
+    <message>
+        <source>Manipulation loop, dashed</source>
+        <translation>Boucle de manipulation, en tirets</translation>
     </message>
     <message>
         <source>Mannequin</source>
@@ -3891,6 +3859,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Manuel</translation>
     </message>
     <message>
+        <source>Manufacturer</source>
+        <translation>Constructeur</translation>
+    </message>
+    <message>
         <source>Markers (*.c3d);;All files (*)</source>
         <translation>Marqueurs (*.c3d);;Tous les fichiers (*)</translation>
     </message>
@@ -3899,15 +3871,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>Masse</translation>
     </message>
     <message>
-        <source>Mass not entered, 1 kg taken: %1</source>
-        <translation>Masse non saisie, 1 kg pris : %1</translation>
+        <source>Mass not entered, 1 kg assumed: %1</source>
+        <translation>Masse non saisie, 1 kg supposé : %1</translation>
     </message>
     <message>
         <source>Material</source>
         <translation>Matériau</translation>
     </message>
     <message>
-        <source>Materials: how a touched part feels</source>
+        <source>Materials: how a part feels in contact</source>
         <translation>Matériaux : le toucher d'une pièce</translation>
     </message>
     <message>
@@ -3915,12 +3887,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Max mm</translation>
     </message>
     <message>
-        <source>Mean deviation that costs all its points</source>
-        <translation>Écart moyen qui coûte tous ses points</translation>
+        <source>Mean deviation that loses all points for it</source>
+        <translation>Écart moyen qui fait perdre tous ses points</translation>
     </message>
     <message>
         <source>Measure</source>
         <translation>Mesurer</translation>
+    </message>
+    <message>
+        <source>Measured value</source>
+        <translation>Valeur mesurée</translation>
     </message>
     <message>
         <source>Measure…</source>
@@ -3975,20 +3951,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Mettre %1 en miroir</translation>
     </message>
     <message>
-        <source>Mirrored on the plane</source>
-        <translation>Symétrique par rapport au plan</translation>
+        <source>Mirror plane</source>
+        <translation>Plan de symétrie</translation>
     </message>
     <message>
-        <source>Missed: %1 is %2, asked %3 (%4). %5</source>
+        <source>Mirror the motion, as a partner on the other side would do it</source>
+        <translation>Symétrie du mouvement, comme le ferait un partenaire en face</translation>
+    </message>
+    <message>
+        <source>Missed: %1 is %2, requested %3 (%4). %5</source>
         <translation>Manqué : %1 vaut %2, demandé %3 (%4). %5</translation>
     </message>
     <message>
-        <source>Moment of the recording</source>
-        <translation>Instant de l'enregistrement</translation>
+        <source>Most important first: %1.</source>
+        <translation>Les plus importants d'abord : %1.</translation>
     </message>
     <message>
         <source>Motion</source>
         <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Motion scale, %1</source>
+        <translation>Échelle de mouvement, %1</translation>
     </message>
     <message>
         <source>Motions</source>
@@ -4022,6 +4006,18 @@ Voulez-vous le remplacer ?</translation>
         <source>Move %1</source>
         <translation>Déplacer %1</translation>
     </message>
+    <message>
+        <source>Move %1 below %2</source>
+        <translation>Mettre %1 sous %2</translation>
+    </message>
+    <message>
+        <source>Move %1 to %2</source>
+        <translation>Mener %1 à %2</translation>
+    </message>
+    <message>
+        <source>Move %1 to configuration %2</source>
+        <translation>Mener %1 à la configuration %2</translation>
+    </message>
     <message numerus="yes">
         <source>Move %n entities</source>
         <translation><numerusform>Déplacer %n entité</numerusform><numerusform>Déplacer %n entités</numerusform></translation>
@@ -4031,16 +4027,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacer de %1</translation>
     </message>
     <message>
-        <source>Move by numbers…</source>
-        <translation>Déplacer par des nombres…</translation>
-    </message>
-    <message>
-        <source>Move by this</source>
-        <translation>Déplacer de cela</translation>
+        <source>Move by values…</source>
+        <translation>Déplacer par valeurs…</translation>
     </message>
     <message>
         <source>Move down</source>
         <translation>Descendre</translation>
+    </message>
+    <message>
+        <source>Move external axes too</source>
+        <translation>Bouger aussi les axes externes</translation>
+    </message>
+    <message>
+        <source>Move it there</source>
+        <translation>Le mettre là</translation>
     </message>
     <message>
         <source>Move joints of %1</source>
@@ -4055,16 +4055,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacer le TCP de %1</translation>
     </message>
     <message>
+        <source>Move the mannequin or the part nearer, or unlock the feet so that it can step.</source>
+        <translation>Rapprochez le mannequin ou la pièce, ou débloquez les pieds pour qu'il puisse faire un pas.</translation>
+    </message>
+    <message>
+        <source>Move the stylus in all directions and press each button once.</source>
+        <translation>Menez le stylet dans toutes les directions et pressez chaque bouton une fois.</translation>
+    </message>
+    <message>
         <source>Move the stylus into free space</source>
         <translation>Menez le stylet en espace libre</translation>
     </message>
     <message>
-        <source>Move the stylus to all sides and press each button once.</source>
-        <translation>Menez le stylet de tous côtés et pressez chaque bouton une fois.</translation>
-    </message>
-    <message>
         <source>Move the workplace</source>
         <translation>Déplacer le poste de travail</translation>
+    </message>
+    <message>
+        <source>Move to a new folder</source>
+        <translation>Mettre dans un nouveau dossier</translation>
+    </message>
+    <message>
+        <source>Move to entity</source>
+        <translation>Mener à l'entité</translation>
     </message>
     <message>
         <source>Move up</source>
@@ -4087,20 +4099,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Bouge</translation>
     </message>
     <message>
-        <source>Moves the guide to where the entity is held, turned as it is</source>
-        <translation>Mène le guide où l'entité est tenue, tourné comme elle</translation>
+        <source>Moves the guide to the handle of the entity; its direction stays</source>
+        <translation>Mène le guide à la poignée de l'entité ; sa direction reste</translation>
     </message>
     <message>
-        <source>Moving the view</source>
-        <translation>Bouger la vue</translation>
-    </message>
-    <message>
-        <source>Moving the work %1 further away</source>
+        <source>Moving the work %1 farther away</source>
         <translation>En éloignant le travail de %1</translation>
     </message>
     <message>
         <source>Moving the work %1 to the side</source>
         <translation>En décalant le travail de %1 de côté</translation>
+    </message>
+    <message>
+        <source>Moving the work by up to %1 does not lower the action level for this mannequin.</source>
+        <translation>Déplacer le travail de %1 au plus n'abaisse pas le niveau d'action de ce mannequin.</translation>
+    </message>
+    <message>
+        <source>Multiple of the expert's time that loses all points for it</source>
+        <translation>Multiple du temps de l'expert qui fait perdre tous ses points</translation>
+    </message>
+    <message>
+        <source>Mute</source>
+        <translation>Couper le son</translation>
     </message>
     <message>
         <source>N</source>
@@ -4127,11 +4147,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>NIOSH ne s'applique pas : %1</translation>
     </message>
     <message>
-        <source>NIOSH does not apply: nothing is lifted. A lift and its load are entered in Task data.</source>
-        <translation>NIOSH ne s'applique pas : rien n'est levé. Levage et charge se saisissent dans Données de la tâche.</translation>
+        <source>NIOSH does not apply: nothing is lifted. Enter a lift and its load in Task data.</source>
+        <translation>NIOSH ne s'applique pas : rien n'est levé. Saisissez un levage et sa charge dans Données de la tâche.</translation>
     </message>
     <message>
-        <source>NIOSH does not apply: the load is held. Where it is lifted, tick so in Task data.</source>
+        <source>NIOSH does not apply: the load is held. If it is lifted, tick that in Task data.</source>
         <translation>NIOSH ne s'applique pas : la charge est tenue. Si elle est levée, cochez-le dans Données de la tâche.</translation>
     </message>
     <message>
@@ -4139,7 +4159,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>NIOSH : indice de levage %1, %2 (%3 kg pour une limite de %4 kg)</translation>
     </message>
     <message>
-        <source>NIOSH: limit 0 kg, no load is acceptable from this place</source>
+        <source>NIOSH: limit 0 kg, no load is acceptable at this place</source>
         <translation>NIOSH : limite 0 kg, aucune charge n'est acceptable à cet endroit</translation>
     </message>
     <message>
@@ -4155,56 +4175,56 @@ Voulez-vous le remplacer ?</translation>
         <translation>Nom de la pose (home remplace home)</translation>
     </message>
     <message>
-        <source>Name, maker, kind or payload</source>
-        <translation>Nom, constructeur, genre ou charge</translation>
+        <source>Name, manufacturer, type or payload</source>
+        <translation>Nom, constructeur, type ou charge</translation>
     </message>
     <message>
         <source>Name, or 192.168.1.20</source>
         <translation>Nom, ou 192.168.1.20</translation>
     </message>
     <message>
-        <source>Name, task, guidance; of a shipped exercise a copy</source>
-        <translation>Nom, tâche, guidage ; d'un exercice fourni, une copie</translation>
-    </message>
-    <message>
         <source>Named poses</source>
         <translation>Poses nommées</translation>
     </message>
     <message>
-        <source>Named poses: go to one, keep this one</source>
-        <translation>Poses nommées : aller à l'une, garder celle-ci</translation>
+        <source>Named poses: go to one, or save this one</source>
+        <translation>Poses nommées : aller à l'une, ou enregistrer celle-ci</translation>
     </message>
     <message>
         <source>Names only</source>
         <translation>Noms seuls</translation>
     </message>
     <message>
-        <source>Near a singular position: a direction is nearly lost</source>
-        <translation>Près d'une place singulière : une direction est presque perdue</translation>
-    </message>
-    <message>
-        <source>Near colour</source>
-        <translation>Couleur proche</translation>
+        <source>Near a singularity: one direction is nearly lost</source>
+        <translation>Près d'une singularité : une direction est presque perdue</translation>
     </message>
     <message>
         <source>Near miss</source>
-        <translation>Quasi-contact</translation>
+        <translation>Quasi-collision</translation>
     </message>
     <message>
         <source>Near miss %1</source>
-        <translation>Quasi-contact %1</translation>
+        <translation>Quasi-collision %1</translation>
     </message>
     <message>
         <source>Near miss 00</source>
-        <translation>Quasi-contact 00</translation>
+        <translation>Quasi-collision 00</translation>
     </message>
     <message>
-        <source>Near miss under %1</source>
-        <translation>Quasi-contact sous %1</translation>
+        <source>Near miss below %1</source>
+        <translation>Quasi-collision sous %1</translation>
     </message>
     <message>
-        <source>Near miss: shown and heard from</source>
-        <translation>Quasi-contact : montré et entendu dès</translation>
+        <source>Near-miss colour</source>
+        <translation>Coul. quasi-collision</translation>
+    </message>
+    <message>
+        <source>Near-miss distance: shown and heard below</source>
+        <translation>Quasi-collision : montrée et entendue sous</translation>
+    </message>
+    <message>
+        <source>Nearer/farther ±</source>
+        <translation>Près/loin ±</translation>
     </message>
     <message>
         <source>Nearest posture: %1. </source>
@@ -4215,8 +4235,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cou et tête</translation>
     </message>
     <message>
-        <source>Never in front of the scene. The newest also stands in the status bar for 8 seconds.</source>
-        <translation>Jamais devant la scène. Le plus récent reste aussi 8 secondes dans la ligne d'état.</translation>
+        <source>Needs six or more revolute joints, of which the last three form a wrist</source>
+        <translation>Il faut au moins six axes rotatifs dont les trois derniers forment un poignet</translation>
     </message>
     <message>
         <source>Never saved. Kept up to %1.</source>
@@ -4252,10 +4272,10 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>New pair set</source>
-        <translation>Nouvel ensemble de paires</translation>
+        <translation>Nouveau jeu de paires</translation>
     </message>
     <message>
-        <source>New times along the same path</source>
+        <source>New timing along the same path</source>
         <translation>Nouveaux temps sur le même chemin</translation>
     </message>
     <message>
@@ -4265,6 +4285,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>New…</source>
         <translation>Nouveau…</translation>
+    </message>
+    <message>
+        <source>Next contact mode</source>
+        <translation>Mode de contact suivant</translation>
+    </message>
+    <message>
+        <source>Next folder</source>
+        <translation>Dossier suivant</translation>
+    </message>
+    <message>
+        <source>Next frame (Right, in the time bar)</source>
+        <translation>Image suivante (Droite, dans la barre de temps)</translation>
     </message>
     <message>
         <source>Next page</source>
@@ -4279,12 +4311,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Non</translation>
     </message>
     <message>
-        <source>No application was found beside the program</source>
-        <translation>Aucune application n'a été trouvée près du programme</translation>
+        <source>No action needed.</source>
+        <translation>Rien à faire.</translation>
     </message>
     <message>
-        <source>No body of that size</source>
-        <translation>Aucun corps de cette taille</translation>
+        <source>No application was found in the program folder</source>
+        <translation>Aucune application n'a été trouvée dans le dossier du programme</translation>
+    </message>
+    <message>
+        <source>No change is needed.</source>
+        <translation>Aucun changement n'est nécessaire.</translation>
     </message>
     <message>
         <source>No contact on the screen yet</source>
@@ -4295,12 +4331,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas encore de contact</translation>
     </message>
     <message>
-        <source>No contacts sent lately</source>
-        <translation>Aucun contact envoyé récemment</translation>
-    </message>
-    <message>
-        <source>No copy against a crash could be written</source>
-        <translation>Aucune copie contre une panne n'a pu être écrite</translation>
+        <source>No data yet</source>
+        <translation>Pas encore de données</translation>
     </message>
     <message>
         <source>No device</source>
@@ -4311,12 +4343,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun exercice</translation>
     </message>
     <message>
-        <source>No figures yet</source>
-        <translation>Pas encore de chiffres</translation>
-    </message>
-    <message>
         <source>No forces</source>
         <translation>Pas d'efforts</translation>
+    </message>
+    <message>
+        <source>No forces felt</source>
+        <translation>Aucun effort senti</translation>
+    </message>
+    <message>
+        <source>No frame in this cell yet. Add one with Insert &gt; Frame.</source>
+        <translation>Pas encore de repère dans cette cellule. Ajoutez-en un : Insérer &gt; Repère.</translation>
     </message>
     <message>
         <source>No frames</source>
@@ -4331,24 +4367,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucune main n'a été ajoutée</translation>
     </message>
     <message>
-        <source>No haptic server answers at %1</source>
-        <translation>Aucun serveur haptique ne répond à %1</translation>
-    </message>
-    <message>
         <source>No haptic server answers at %1. Start hapticell-haptic-server.</source>
         <translation>Aucun serveur haptique ne répond à %1. Démarrez hapticell-haptic-server.</translation>
     </message>
     <message>
-        <source>No haptic server answers at %1:%2.</source>
+        <source>No haptic server is responding at %1</source>
+        <translation>Aucun serveur haptique ne répond à %1</translation>
+    </message>
+    <message>
+        <source>No haptic server is responding at %1:%2.</source>
         <translation>Aucun serveur haptique ne répond à %1:%2.</translation>
     </message>
     <message>
-        <source>No haptic server answers.</source>
+        <source>No haptic server is responding.</source>
         <translation>Aucun serveur haptique ne répond.</translation>
     </message>
     <message>
-        <source>No inverse model: jog the joints.</source>
-        <translation>Pas de modèle inverse : bougez les articulations.</translation>
+        <source>No inverse kinematics. Jog the joints instead.</source>
+        <translation>Pas de modèle inverse. Bougez plutôt les axes.</translation>
     </message>
     <message>
         <source>No key</source>
@@ -4363,8 +4399,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun mannequin dans la cellule</translation>
     </message>
     <message>
-        <source>No mannequin is in the cell, so there is nobody to score.</source>
-        <translation>Aucun mannequin dans la cellule : il n'y a personne à noter.</translation>
+        <source>No mannequin in the cell to score.</source>
+        <translation>Aucun mannequin à évaluer dans la cellule.</translation>
+    </message>
+    <message>
+        <source>No mannequin of that size</source>
+        <translation>Aucun mannequin de cette taille</translation>
+    </message>
+    <message>
+        <source>No mannequin to report on. Add one first.</source>
+        <translation>Aucun mannequin pour le rapport. Ajoutez-en un d'abord.</translation>
     </message>
     <message>
         <source>No mannequin was added</source>
@@ -4373,6 +4417,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No map yet</source>
         <translation>Pas encore de carte</translation>
+    </message>
+    <message>
+        <source>No matching robot</source>
+        <translation>Aucun robot ne correspond</translation>
+    </message>
+    <message>
+        <source>No measurements yet. Connect a stylus and hold an entity.</source>
+        <translation>Pas encore de mesures. Connectez un stylet et tenez une entité.</translation>
     </message>
     <message>
         <source>No messages yet.</source>
@@ -4395,36 +4447,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas d'autre articulation</translation>
     </message>
     <message>
-        <source>No placement suits all four bodies.</source>
-        <translation>Aucune place ne convient aux quatre corps.</translation>
+        <source>No placement suits all four mannequins.</source>
+        <translation>Aucune place ne convient aux quatre mannequins.</translation>
     </message>
     <message>
         <source>No program on this computer opened %1. Open it in a text editor.</source>
         <translation>Aucun programme n'a ouvert %1. Ouvrez-le dans un éditeur de texte.</translation>
     </message>
     <message>
-        <source>No real device could be held while this was written: the drivers are tested against models and recorded layouts.</source>
-        <translation>Aucun vrai périphérique n'a pu être tenu pendant l'écriture : les pilotes sont essayés sur des modèles et des formats enregistrés.</translation>
+        <source>No recent contacts</source>
+        <translation>Aucun contact récent</translation>
     </message>
     <message>
-        <source>No robot is chosen</source>
+        <source>No recent files</source>
+        <translation>Aucun fichier récent</translation>
+    </message>
+    <message>
+        <source>No recent files. You can also drop files here.</source>
+        <translation>Aucun fichier récent. On peut aussi déposer des fichiers ici.</translation>
+    </message>
+    <message>
+        <source>No robot is selected</source>
         <translation>Aucun robot n'est choisi</translation>
     </message>
     <message>
-        <source>No robot of that name</source>
-        <translation>Aucun robot de ce nom</translation>
+        <source>No rotation about %1</source>
+        <translation>Pas de rotation autour de %1</translation>
     </message>
     <message>
         <source>No run without guidance yet.</source>
-        <translation>Pas encore d'essai sans guidage.</translation>
+        <translation>Pas encore d'essai sans assistance.</translation>
     </message>
     <message>
         <source>No run yet</source>
         <translation>Pas encore d'essai</translation>
-    </message>
-    <message>
-        <source>No shift of the work by up to %1 lowers the level for this body.</source>
-        <translation>Aucun déplacement du travail jusqu'à %1 n'abaisse le niveau pour ce corps.</translation>
     </message>
     <message>
         <source>No solid is selected</source>
@@ -4439,36 +4495,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas de sortie son</translation>
     </message>
     <message>
+        <source>No strength table is included; you can load your own.</source>
+        <translation>Aucune table de force n'est fournie ; vous pouvez charger la vôtre.</translation>
+    </message>
+    <message>
         <source>No stylus is connected</source>
         <translation>Aucun stylet n'est connecté</translation>
     </message>
     <message>
-        <source>No stylus is connected: the guide is seen, not felt.</source>
-        <translation>Aucun stylet n'est connecté : le guide se voit, sans se sentir.</translation>
-    </message>
-    <message>
-        <source>No table of strength is shipped; yours can be read in.</source>
-        <translation>Aucune table de force n'est fournie ; la vôtre peut être lue.</translation>
-    </message>
-    <message>
-        <source>No turning about %1</source>
-        <translation>Pas de rotation autour de %1</translation>
-    </message>
-    <message>
-        <source>Nobody to report on: add a mannequin.</source>
-        <translation>Personne pour le rapport : ajoutez un mannequin.</translation>
+        <source>No stylus is connected. You see the guide but do not feel it.</source>
+        <translation>Aucun stylet n'est connecté. Le guide se voit, sans se sentir.</translation>
     </message>
     <message>
         <source>None</source>
         <translation>Aucun</translation>
     </message>
     <message>
-        <source>None yet: Keep this view adds one</source>
-        <translation>Aucune encore : Garder cette vue en ajoute une</translation>
+        <source>None yet. Save this view adds one.</source>
+        <translation>Aucune. Enregistrer cette vue en ajoute une.</translation>
     </message>
     <message>
-        <source>Not calibrated: it exerts no force until it is.</source>
-        <translation>Non étalonné : il n'exerce aucune force d'ici là.</translation>
+        <source>Not calibrated. Forces stay off until it is.</source>
+        <translation>Non étalonné. Les efforts restent coupés d'ici là.</translation>
     </message>
     <message>
         <source>Not checked yet</source>
@@ -4483,6 +4531,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas connecté</translation>
     </message>
     <message>
+        <source>Not enough memory</source>
+        <translation>Mémoire insuffisante</translation>
+    </message>
+    <message>
         <source>Not entered</source>
         <translation>Non saisi</translation>
     </message>
@@ -4491,12 +4543,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas encore ressenti : préparation des contacts %1 %</translation>
     </message>
     <message>
-        <source>Not known yet</source>
-        <translation>Pas encore connue</translation>
+        <source>Not responding: its force is zero</source>
+        <translation>Ne répond pas : son effort est nul</translation>
     </message>
     <message>
-        <source>Not tried yet: the server has to answer first</source>
-        <translation>Pas encore essayé : le serveur doit d'abord répondre</translation>
+        <source>Not tested yet. The server must respond first</source>
+        <translation>Pas encore testé. Le serveur doit d'abord répondre</translation>
     </message>
     <message>
         <source>Note</source>
@@ -4507,32 +4559,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien</translation>
     </message>
     <message>
-        <source>Nothing but the simulated stylus, and nothing is in the way.</source>
-        <translation>Rien que le stylet simulé, et rien ne gêne.</translation>
+        <source>Nothing (free-standing)</source>
+        <translation>Rien (libre)</translation>
     </message>
     <message>
-        <source>Nothing has moved since.</source>
-        <translation>Rien n'a bougé depuis.</translation>
-    </message>
-    <message>
-        <source>Nothing is checked against this entity. Choose sets at the left.</source>
-        <translation>Rien n'est vérifié contre cette entité. Choisissez des ensembles à gauche.</translation>
-    </message>
-    <message>
-        <source>Nothing is felt</source>
-        <translation>On ne sent rien</translation>
+        <source>Nothing has been practised yet. Practise first.</source>
+        <translation>Rien n'a encore été pratiqué. Entraînez-vous d'abord.</translation>
     </message>
     <message>
         <source>Nothing is held.</source>
         <translation>Rien n'est tenu.</translation>
     </message>
     <message>
-        <source>Nothing is held: the stylus button takes it</source>
-        <translation>Rien n'est tenu : le bouton du stylet le prend</translation>
-    </message>
-    <message>
-        <source>Nothing is measured yet. Connect a stylus and hold an entity.</source>
-        <translation>Rien n'est encore mesuré. Connectez un stylet et tenez une entité.</translation>
+        <source>Nothing is held. Press the stylus button to hold it</source>
+        <translation>Rien n'est tenu. Pressez le bouton du stylet</translation>
     </message>
     <message>
         <source>Nothing is picked yet. The middle button and the wheel still move the view.</source>
@@ -4547,32 +4587,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
     </message>
     <message>
-        <source>Nothing is ticked: tick the bench, a shelf, a fixture.</source>
-        <translation>Rien n'est coché : cochez l'établi, une étagère, un posage.</translation>
+        <source>Nothing moved, so nothing was recorded.</source>
+        <translation>Rien n'a bougé : rien n'a été enregistré.</translation>
     </message>
     <message>
-        <source>Nothing moved: there is nothing to keep.</source>
-        <translation>Rien n'a bougé : il n'y a rien à garder.</translation>
-    </message>
-    <message>
-        <source>Nothing moves before you have agreed.</source>
+        <source>Nothing moves until you confirm.</source>
         <translation>Rien ne bouge avant votre accord.</translation>
-    </message>
-    <message>
-        <source>Nothing needs to change.</source>
-        <translation>Rien n'est à changer.</translation>
-    </message>
-    <message>
-        <source>Nothing was opened yet</source>
-        <translation>Rien n'a encore été ouvert</translation>
-    </message>
-    <message>
-        <source>Nothing yet. Files can also be dropped here.</source>
-        <translation>Rien encore. On peut aussi déposer des fichiers ici.</translation>
-    </message>
-    <message>
-        <source>Nothing: it stands free</source>
-        <translation>Rien : elle se pose librement</translation>
     </message>
     <message>
         <source>OBJ (*.obj)</source>
@@ -4587,28 +4607,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>OWAS</translation>
     </message>
     <message>
-        <source>Of the pull at full help</source>
-        <translation>De la traction avec toute l'aide</translation>
+        <source>Observing: another window controls the stylus</source>
+        <translation>Observe : une autre fenêtre commande le stylet</translation>
+    </message>
+    <message>
+        <source>Of the pull at full guidance</source>
+        <translation>De la traction à pleine assistance</translation>
     </message>
     <message>
         <source>Off</source>
         <translation>Arrêt</translation>
     </message>
     <message>
-        <source>Off by at most</source>
-        <translation>Écart d'au plus</translation>
-    </message>
-    <message>
-        <source>Off mm</source>
-        <translation>Écart mm</translation>
-    </message>
-    <message>
-        <source>Off the path</source>
-        <translation>Écart</translation>
-    </message>
-    <message>
-        <source>Off: the figure may step to where the hand is reached</source>
-        <translation>Arrêt : le corps peut avancer jusqu'où la main atteint</translation>
+        <source>Off: the mannequin can step so that the hand reaches</source>
+        <translation>Arrêt : le mannequin peut avancer pour que la main atteigne</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -4623,36 +4635,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Au contact</translation>
     </message>
     <message>
-        <source>On contact of %1 – %2</source>
-        <translation>Au contact de %1 – %2</translation>
-    </message>
-    <message>
-        <source>On contact, unless the part says otherwise</source>
-        <translation>Au contact, sauf avis contraire de la pièce</translation>
+        <source>On contact, unless set for the part</source>
+        <translation>Au contact, sauf réglage de la pièce</translation>
     </message>
     <message>
         <source>On link</source>
-        <translation>Sur le corps</translation>
+        <translation>Sur le segment</translation>
     </message>
     <message>
-        <source>On the other station, once: hapticell-haptic-server --pair shows the code; then hapticell-haptic-server --listen and that station's address.</source>
-        <translation>Sur l'autre poste, une fois : hapticell-haptic-server --pair montre le code ; puis hapticell-haptic-server --listen et l'adresse de ce poste.</translation>
+        <source>On the other station, run hapticell-haptic-server --pair once to see the code, then hapticell-haptic-server --listen with its address.</source>
+        <translation>Sur l'autre poste, lancez une fois hapticell-haptic-server --pair pour voir le code, puis hapticell-haptic-server --listen avec son adresse.</translation>
     </message>
     <message>
-        <source>One frame back (Left, in the time bar)</source>
-        <translation>Une image en arrière (Gauche, dans la barre de temps)</translation>
-    </message>
-    <message>
-        <source>One frame on (Right, in the time bar)</source>
-        <translation>Une image en avant (Droite, dans la barre de temps)</translation>
-    </message>
-    <message>
-        <source>One is attached to the other: they cannot move against each other</source>
-        <translation>L'une est attachée à l'autre : elles ne peuvent pas bouger l'une par rapport à l'autre</translation>
-    </message>
-    <message>
-        <source>One pair touches as the cell stands: %1. Leave it out of the check?</source>
-        <translation>Une paire se touche dans la cellule au repos : %1. L'écarter de la vérification ?</translation>
+        <source>One is attached to the other, so they move together</source>
+        <translation>L'une est attachée à l'autre : elles bougent ensemble</translation>
     </message>
     <message>
         <source>One solid</source>
@@ -4663,12 +4659,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une étape d'annulation</translation>
     </message>
     <message>
-        <source>Only the frames that are needed</source>
-        <translation>Seulement les images nécessaires</translation>
-    </message>
-    <message>
-        <source>Only where the arm's last three of six or more turning joints are a wrist</source>
-        <translation>Seulement où les trois dernières de six articulations tournantes ou plus forment un poignet</translation>
+        <source>Only the simulated stylus. No problems found.</source>
+        <translation>Seulement le stylet simulé. Aucun problème trouvé.</translation>
     </message>
     <message>
         <source>Only while the robot is held by its tool</source>
@@ -4696,7 +4688,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Open a recording (BVH, AMC, C3D) to score each of its frames.</source>
-        <translation>Ouvrez un enregistrement (BVH, AMC, C3D) pour noter chacune de ses images.</translation>
+        <translation>Ouvrez un enregistrement (BVH, AMC, C3D) pour évaluer chacune de ses images.</translation>
     </message>
     <message>
         <source>Open a recording of markers (C3D) to see them in the scene.</source>
@@ -4715,8 +4707,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir un exercice</translation>
     </message>
     <message>
-        <source>Open it by the handle: a guide leads, stops and a detent are felt.</source>
-        <translation>Ouvrez-la par la poignée : un guide mène, on sent les butées et un cran.</translation>
+        <source>Open it by the handle: feel the guide, its stops and a detent.</source>
+        <translation>Ouvrez-la par la poignée : sentez le guide, ses butées et un cran.</translation>
     </message>
     <message>
         <source>Open markers…</source>
@@ -4743,10 +4735,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir — %1</translation>
     </message>
     <message>
-        <source>Opened last</source>
-        <translation>Ouverts en dernier</translation>
-    </message>
-    <message>
         <source>Opening</source>
         <translation>Ouverture</translation>
     </message>
@@ -4755,8 +4743,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir…</translation>
     </message>
     <message>
-        <source>Orientation kept</source>
-        <translation>Orientation gardée</translation>
+        <source>Orient faces outwards</source>
+        <translation>Orienter les faces vers l'extérieur</translation>
     </message>
     <message>
         <source>Origin</source>
@@ -4779,14 +4767,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Orthographique</translation>
     </message>
     <message>
-        <source>Other side</source>
-        <translation>Autre côté</translation>
-    </message>
-    <message>
-        <source>Other way</source>
-        <translation>Autre sens</translation>
-    </message>
-    <message>
         <source>Out of balance by %1</source>
         <translation>Hors d'équilibre de %1</translation>
     </message>
@@ -4799,48 +4779,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Au-dessus de la tête</translation>
     </message>
     <message>
-        <source>Own</source>
-        <translation>Propre</translation>
-    </message>
-    <message>
         <source>Own frame %1</source>
         <translation>Repère propre %1</translation>
     </message>
     <message>
-        <source>Own limit, left</source>
-        <translation>Limite propre, gauche</translation>
-    </message>
-    <message>
-        <source>Own limit, right</source>
-        <translation>Limite propre, droite</translation>
-    </message>
-    <message>
-        <source>Own limits</source>
-        <translation>Limites propres</translation>
-    </message>
-    <message>
-        <source>Own limits of the hands' force</source>
-        <translation>Limites propres de l'effort aux mains</translation>
-    </message>
-    <message>
-        <source>Own limits of the hands…</source>
-        <translation>Limites propres des mains…</translation>
-    </message>
-    <message>
-        <source>Own limits: %1</source>
-        <translation>Limites propres : %1</translation>
-    </message>
-    <message>
-        <source>Own measure</source>
-        <translation>Mesure propre</translation>
+        <source>Own mesh</source>
+        <translation>Maillage</translation>
     </message>
     <message>
         <source>Own origin</source>
         <translation>Origine propre</translation>
     </message>
     <message>
-        <source>Own origin, as the file has it</source>
-        <translation>Origine propre, comme dans le fichier</translation>
+        <source>Own origin, from the file</source>
+        <translation>Origine propre, celle du fichier</translation>
     </message>
     <message>
         <source>Own postures</source>
@@ -4908,7 +4860,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Pack the workcell with its files</source>
-        <translation>Empaqueter la cellule avec ses fichiers</translation>
+        <translation>Archiver la cellule avec ses fichiers</translation>
     </message>
     <message>
         <source>Pack them too</source>
@@ -4916,19 +4868,19 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Pack with all files…</source>
-        <translation>Empaqueter avec tous les fichiers…</translation>
+        <translation>Archiver avec tous les fichiers…</translation>
     </message>
     <message>
         <source>Page %1 of %2</source>
         <translation>Page %1 sur %2</translation>
     </message>
     <message>
-        <source>Page after</source>
-        <translation>Page suivante</translation>
+        <source>Page size</source>
+        <translation>Taille de la page</translation>
     </message>
     <message>
-        <source>Page before</source>
-        <translation>Page précédente</translation>
+        <source>Page size. You can also use Ctrl and the wheel.</source>
+        <translation>Taille de la page. Ctrl et la molette la changent aussi.</translation>
     </message>
     <message>
         <source>Pages of the settings</source>
@@ -4940,11 +4892,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Pair sets</source>
-        <translation>Ensembles de paires</translation>
+        <translation>Jeux de paires</translation>
     </message>
     <message>
         <source>Pairs</source>
         <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Pairs and sets</source>
+        <translation>Paires et jeux</translation>
     </message>
     <message>
         <source>Pairs, sets and log</source>
@@ -4959,16 +4915,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Longueur de la paume</translation>
     </message>
     <message>
+        <source>Pan</source>
+        <translation>Décaler</translation>
+    </message>
+    <message>
         <source>Panel</source>
         <translation>Panneau</translation>
     </message>
     <message>
-        <source>Panel before</source>
-        <translation>Panneau précédent</translation>
-    </message>
-    <message>
         <source>Parent</source>
         <translation>Parent</translation>
+    </message>
+    <message>
+        <source>Parent folder</source>
+        <translation>Dossier parent</translation>
     </message>
     <message>
         <source>Part</source>
@@ -4983,19 +4943,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pièce à attacher</translation>
     </message>
     <message>
-        <source>Parts</source>
-        <translation>Pièces</translation>
+        <source>Partial scores: %1 not entered. Complete them in Task data…</source>
+        <translation>Scores incomplets ; à saisir dans Données de la tâche… : %1.</translation>
     </message>
     <message>
-        <source>Parts in their full colours</source>
-        <translation>Pièces en pleines couleurs</translation>
+        <source>Parts</source>
+        <translation>Pièces</translation>
     </message>
     <message>
         <source>Parts of a mechanism are solids of the cell.</source>
         <translation>Les pièces d'un mécanisme sont des solides de la cellule.</translation>
     </message>
     <message>
-        <source>Parts that may move</source>
+        <source>Parts that can move</source>
         <translation>Pièces qui peuvent bouger</translation>
     </message>
     <message>
@@ -5007,12 +4967,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Traverser</translation>
     </message>
     <message>
-        <source>Passed</source>
-        <translation>Réussi</translation>
+        <source>Pass mark</source>
+        <translation>Seuil</translation>
     </message>
     <message>
-        <source>Passed from</source>
-        <translation>Réussi dès</translation>
+        <source>Passed</source>
+        <translation>Réussi</translation>
     </message>
     <message>
         <source>Passed with %1 points</source>
@@ -5048,11 +5008,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Payload</source>
-        <translation>Charge</translation>
+        <translation>Charge admissible</translation>
     </message>
     <message>
         <source>Pelvis</source>
         <translation>Bassin</translation>
+    </message>
+    <message>
+        <source>Per shift</source>
+        <translation>Par poste</translation>
     </message>
     <message>
         <source>Percentile</source>
@@ -5063,6 +5027,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Percentile de stature</translation>
     </message>
     <message>
+        <source>Perpendicular to %1</source>
+        <translation>Perpendiculaire à %1</translation>
+    </message>
+    <message>
         <source>Perspective</source>
         <translation>Perspective</translation>
     </message>
@@ -5071,8 +5039,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Désigner</translation>
     </message>
     <message>
-        <source>Pick a face, edge or corner of what moves · Esc: end</source>
-        <translation>Désignez une face, une arête ou un coin de ce qui bouge · Échap : terminer</translation>
+        <source>Pick a face, an edge or a corner for the tool's origin and direction</source>
+        <translation>Désignez une face, une arête ou un coin : origine et direction de l'outil</translation>
+    </message>
+    <message>
+        <source>Pick a face, edge or corner of the moving part · Esc: end</source>
+        <translation>Désignez une face, une arête ou un coin de la pièce à déplacer · Échap : terminer</translation>
     </message>
     <message>
         <source>Pick a part to measure from</source>
@@ -5091,16 +5063,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Désignez des entités pour la seconde colonne · Échap : terminer</translation>
     </message>
     <message>
-        <source>Pick from and to</source>
-        <translation>Désigner départ et arrivée</translation>
-    </message>
-    <message>
         <source>Pick in the scene</source>
         <translation>Désigner dans la scène</translation>
     </message>
     <message>
-        <source>Pick measures again.</source>
-        <translation>Désigner mesure de nouveau.</translation>
+        <source>Pick start and target</source>
+        <translation>Désigner départ et cible</translation>
     </message>
     <message>
         <source>Pick the axes: a face, an edge or a corner</source>
@@ -5123,6 +5091,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Désignez le chemin : une arête</translation>
     </message>
     <message>
+        <source>Pick the place for the frame · Esc: end</source>
+        <translation>Désignez la place du repère · Échap : terminer</translation>
+    </message>
+    <message>
         <source>Pick the plane: a flat face or a round edge</source>
         <translation>Désignez le plan : une face plane ou une arête ronde</translation>
     </message>
@@ -5139,20 +5111,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Désignez la surface à suivre</translation>
     </message>
     <message>
+        <source>Pick the target · Esc: end</source>
+        <translation>Désignez la cible · Échap : terminer</translation>
+    </message>
+    <message>
         <source>Pick what to measure</source>
         <translation>Désignez ce qu'il faut mesurer</translation>
     </message>
     <message>
         <source>Pick what to measure to</source>
         <translation>Désignez jusqu'où mesurer</translation>
-    </message>
-    <message>
-        <source>Pick where it shall go · Esc: end</source>
-        <translation>Désignez où cela doit aller · Échap : terminer</translation>
-    </message>
-    <message>
-        <source>Pick where the frame shall be · Esc: end</source>
-        <translation>Désignez où sera le repère · Échap : terminer</translation>
     </message>
     <message>
         <source>Picked: %1. %2.</source>
@@ -5187,8 +5155,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pas</translation>
     </message>
     <message>
+        <source>Pivot</source>
+        <translation>Pivot</translation>
+    </message>
+    <message>
+        <source>Place %1 on %2</source>
+        <translation>Poser %1 sur %2</translation>
+    </message>
+    <message>
         <source>Place in</source>
         <translation>Place dans</translation>
+    </message>
+    <message>
+        <source>Place on</source>
+        <translation>Poser sur</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Placement</translation>
+    </message>
+    <message>
+        <source>Placement in frame</source>
+        <translation>Placement dans le repère</translation>
+    </message>
+    <message>
+        <source>Placement in world</source>
+        <translation>Placement dans le monde</translation>
     </message>
     <message>
         <source>Plane</source>
@@ -5204,27 +5196,31 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation>Jouer</translation>
+        <translation>Lire</translation>
     </message>
     <message>
         <source>Play or pause</source>
-        <translation>Jouer ou suspendre</translation>
+        <translation>Lire ou suspendre</translation>
     </message>
     <message>
-        <source>Played; click to leave it out</source>
-        <translation>Joué ; un clic le met de côté</translation>
+        <source>Play the motion backwards</source>
+        <translation>Mouvement à rebours</translation>
     </message>
     <message>
-        <source>Plays slower than recorded: fewer than 10 pictures a second can be drawn</source>
-        <translation>Lecture ralentie : moins de 10 images par seconde peuvent être dessinées</translation>
+        <source>Playback speed</source>
+        <translation>Vitesse de lecture</translation>
+    </message>
+    <message>
+        <source>Played; click to exclude it</source>
+        <translation>Lu ; cliquez pour l'exclure</translation>
+    </message>
+    <message>
+        <source>Plays slower than recorded: the view is below 10 Hz</source>
+        <translation>Lecture ralentie : la vue est sous 10 Hz</translation>
     </message>
     <message>
         <source>Plugged in at</source>
         <translation>Branché sur</translation>
-    </message>
-    <message>
-        <source>Plugged in, and what is in the way</source>
-        <translation>Branchés, et ce qui gêne</translation>
     </message>
     <message>
         <source>Point</source>
@@ -5235,16 +5231,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Point %1</translation>
     </message>
     <message>
+        <source>Point at which the hand holds the entity</source>
+        <translation>Point par lequel la main tient l'entité</translation>
+    </message>
+    <message>
         <source>Points</source>
         <translation>Points</translation>
     </message>
     <message>
-        <source>Points and help by run</source>
-        <translation>Points et aide par essai</translation>
+        <source>Points and guidance by run</source>
+        <translation>Points et assistance par essai</translation>
     </message>
     <message>
-        <source>Points from which a run is passed</source>
-        <translation>Points à partir desquels un essai est réussi</translation>
+        <source>Points needed to pass a run</source>
+        <translation>Points nécessaires pour réussir un essai</translation>
     </message>
     <message>
         <source>Poor</source>
@@ -5255,32 +5255,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Port</translation>
     </message>
     <message>
-        <source>Port; 4747 unless the server was started with another</source>
-        <translation>Port ; 4747, sauf si le serveur a été lancé avec un autre</translation>
+        <source>Port of the server. Default: 4747</source>
+        <translation>Port du serveur. Par défaut : 4747</translation>
     </message>
     <message>
         <source>Pose %1 of %2: %3</source>
         <translation>Pose %1 sur %2 : %3</translation>
     </message>
     <message>
-        <source>Pose the mannequin, look at its reach and its posture.</source>
-        <translation>Posez le mannequin, regardez son atteinte et sa posture.</translation>
+        <source>Pose the mannequin and check its reach and posture.</source>
+        <translation>Posez le mannequin, vérifiez son atteinte et sa posture.</translation>
     </message>
     <message>
         <source>Position</source>
         <translation>Position</translation>
-    </message>
-    <message>
-        <source>Position kept</source>
-        <translation>Position gardée</translation>
-    </message>
-    <message>
-        <source>Position kept, %1 at rest</source>
-        <translation>Position gardée, %1 au repos</translation>
-    </message>
-    <message>
-        <source>Position kept, wrist joint at rest</source>
-        <translation>Position gardée, articulation du poignet au repos</translation>
     </message>
     <message>
         <source>Posture</source>
@@ -5319,6 +5307,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Entraînement</translation>
     </message>
     <message>
+        <source>Prepare contacts within</source>
+        <translation>Préparer les contacts à moins de</translation>
+    </message>
+    <message>
         <source>Preparing contacts</source>
         <translation>Préparation des contacts</translation>
     </message>
@@ -5327,12 +5319,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>La préparation des contacts a été abandonnée : ce qui a changé ne se sent pas encore</translation>
     </message>
     <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Space to turn them on</source>
+        <translation>Ctrl+Espace les met en marche</translation>
+    </message>
+    <message>
         <source>Press the buttons here, with Ctrl, Alt, Shift</source>
         <translation>Pressez les boutons ici, avec Ctrl, Alt, Maj</translation>
     </message>
     <message>
+        <source>Previous folder</source>
+        <translation>Dossier précédent</translation>
+    </message>
+    <message>
+        <source>Previous frame (Left, in the time bar)</source>
+        <translation>Image précédente (Gauche, dans la barre de temps)</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>Page précédente</translation>
+    </message>
+    <message>
+        <source>Previous panel</source>
+        <translation>Panneau précédent</translation>
+    </message>
+    <message>
         <source>Problem</source>
         <translation>Problème</translation>
+    </message>
+    <message>
+        <source>Process point: the motion pauses here for this time</source>
+        <translation>Point de travail : le mouvement s'arrête ici ce temps</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -5351,26 +5371,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Poussée vers le bas, %1 %</translation>
     </message>
     <message>
-        <source>Put %1 below %2</source>
-        <translation>Mettre %1 sous %2</translation>
-    </message>
-    <message>
-        <source>Put %1 onto %2</source>
-        <translation>Poser %1 sur %2</translation>
-    </message>
-    <message>
-        <source>Put into a new folder</source>
-        <translation>Mettre dans un nouveau dossier</translation>
-    </message>
-    <message>
-        <source>Put it there</source>
-        <translation>Le mettre là</translation>
-    </message>
-    <message>
-        <source>Put onto</source>
-        <translation>Poser sur</translation>
-    </message>
-    <message>
         <source>Quantity of the curves</source>
         <translation>Grandeur des courbes</translation>
     </message>
@@ -5383,7 +5383,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>R</translation>
     </message>
     <message>
-        <source>R records, Shift+R adds a frame. Recording begins with the first motion.</source>
+        <source>R records, Shift+R adds a frame. Recording starts with the first motion.</source>
         <translation>R enregistre, Maj+R ajoute une image. L'enregistrement commence au premier mouvement.</translation>
     </message>
     <message>
@@ -5403,12 +5403,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>RULA</translation>
     </message>
     <message>
-        <source>RULA along the motion, four bodies</source>
-        <translation>RULA le long du mouvement, quatre corps</translation>
+        <source>RULA along the motion, four mannequins</source>
+        <translation>RULA le long du mouvement, quatre mannequins</translation>
     </message>
     <message>
-        <source>RULA by the height of the work</source>
-        <translation>RULA selon la hauteur du travail</translation>
+        <source>RULA by working height</source>
+        <translation>RULA selon la hauteur de travail</translation>
+    </message>
+    <message>
+        <source>RULA by working height, four mannequins</source>
+        <translation>RULA selon la hauteur de travail, quatre mannequins</translation>
+    </message>
+    <message>
+        <source>RULA left %1, right %2 · EAWS outline %3 points</source>
+        <translation>RULA gauche %1, droite %2 · EAWS (esquisse) %3 points</translation>
     </message>
     <message>
         <source>Radians</source>
@@ -5419,7 +5427,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rayon</translation>
     </message>
     <message>
-        <source>Radius about the expert's path</source>
+        <source>Radius around the expert's path</source>
         <translation>Rayon autour du chemin de l'expert</translation>
     </message>
     <message>
@@ -5437,6 +5445,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Ramp done, 1 N/ms limit</source>
         <translation>Rampe finie, limite 1 N/ms</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
     </message>
     <message>
         <source>Range of motion</source>
@@ -5467,16 +5479,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>Re-time</source>
-        <translation>Nouveaux temps</translation>
-    </message>
-    <message>
         <source>Reach</source>
         <translation>Atteinte</translation>
     </message>
     <message>
         <source>Reach of P5, P50 and P95</source>
         <translation>Atteinte des P5, P50 et P95</translation>
+    </message>
+    <message>
+        <source>Reach of people of the same sex in the same stance</source>
+        <translation>Atteinte de personnes du même sexe, dans la même station</translation>
     </message>
     <message>
         <source>Reach of the arms</source>
@@ -5495,22 +5507,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>En atteignant</translation>
     </message>
     <message>
-        <source>Read %1 again</source>
-        <translation>Relire %1</translation>
-    </message>
-    <message>
-        <source>Read %1 files again</source>
-        <translation>Relire %1 fichiers</translation>
-    </message>
-    <message>
-        <source>Read again</source>
-        <translation>Relire</translation>
-    </message>
-    <message>
-        <source>Read again from disk</source>
-        <translation>Relire depuis le disque</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>Lecture</translation>
     </message>
@@ -5527,12 +5523,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prêt</translation>
     </message>
     <message>
-        <source>Ready. One step of undo.</source>
+        <source>Ready. One undo step.</source>
         <translation>Prêt. Une étape d'annulation.</translation>
     </message>
     <message>
         <source>Rec %1:%2</source>
         <translation>Enr. %1:%2</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Fichiers récents</translation>
     </message>
     <message>
         <source>Record</source>
@@ -5541,6 +5541,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Record %1</source>
         <translation>Capturer %1</translation>
+    </message>
+    <message>
+        <source>Record by</source>
+        <translation>Capturer par</translation>
     </message>
     <message>
         <source>Record the expert's motion first (R), then choose it here.</source>
@@ -5571,8 +5575,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rétablir</translation>
     </message>
     <message>
+        <source>Relative to</source>
+        <translation>Par rapport à</translation>
+    </message>
+    <message>
         <source>Release</source>
-        <translation>Lâcher</translation>
+        <translation>Relâcher</translation>
+    </message>
+    <message>
+        <source>Release what is held first, then start the run.</source>
+        <translation>Relâchez d'abord ce qui est tenu, puis commencez l'essai.</translation>
+    </message>
+    <message>
+        <source>Release what is held first.</source>
+        <translation>Relâchez d'abord ce qui est tenu.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recharger</translation>
+    </message>
+    <message>
+        <source>Reload %1</source>
+        <translation>Recharger %1</translation>
+    </message>
+    <message>
+        <source>Reload %1 files</source>
+        <translation>Recharger %1 fichiers</translation>
+    </message>
+    <message>
+        <source>Reload from disk</source>
+        <translation>Recharger depuis le disque</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -5587,12 +5619,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>Retirer de la cellule</translation>
     </message>
     <message>
+        <source>Remove hand tremor, keep the path</source>
+        <translation>Ôter le tremblement de la main, garder le chemin</translation>
+    </message>
+    <message>
         <source>Remove the pair set</source>
-        <translation>Retirer l'ensemble de paires</translation>
+        <translation>Retirer le jeu de paires</translation>
+    </message>
+    <message>
+        <source>Remove the section</source>
+        <translation>Retirer la coupe</translation>
     </message>
     <message>
         <source>Remove this frame</source>
         <translation>Retirer ce repère</translation>
+    </message>
+    <message>
+        <source>Removed: %1 duplicate triangles.</source>
+        <translation>Retirés : %1 triangles en double.</translation>
+    </message>
+    <message>
+        <source>Removed: %1 zero-area triangles.</source>
+        <translation>Retirés : %1 triangles de surface nulle.</translation>
+    </message>
+    <message>
+        <source>Removes it from the cell; its file stays</source>
+        <translation>Le retire de la cellule ; son fichier reste</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -5601,10 +5653,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Rename %1</source>
         <translation>Renommer %1</translation>
-    </message>
-    <message>
-        <source>Repaired: %1 corners of neighbouring triangles were made one.</source>
-        <translation>Réparés : %1 coins de triangles voisins ont été réunis.</translation>
     </message>
     <message>
         <source>Repetition</source>
@@ -5623,16 +5671,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rapport des changements</translation>
     </message>
     <message>
-        <source>Report what was changed</source>
-        <translation>Rapporter ce qui a changé</translation>
-    </message>
-    <message>
         <source>Report…</source>
         <translation>Rapport…</translation>
     </message>
     <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Tout réinitialiser</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation>Réinitialiser la disposition</translation>
+    </message>
+    <message>
+        <source>Resize %1</source>
+        <translation>Redimensionner %1</translation>
+    </message>
+    <message>
         <source>Rest</source>
         <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Recommencer</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -5655,8 +5719,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rétention : %1 points.</translation>
     </message>
     <message>
+        <source>Retime</source>
+        <translation>Recalculer</translation>
+    </message>
+    <message>
         <source>Retract</source>
-        <translation>Retrait</translation>
+        <translation>Dégagement</translation>
     </message>
     <message>
         <source>Reverse</source>
@@ -5703,6 +5771,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Robot</translation>
     </message>
     <message>
+        <source>Robot library</source>
+        <translation>Bibliothèque de robots</translation>
+    </message>
+    <message>
+        <source>Robot near a singularity</source>
+        <translation>Robot près d'une singularité</translation>
+    </message>
+    <message>
         <source>Robot over a fixture</source>
         <translation>Robot au-dessus d'un montage</translation>
     </message>
@@ -5719,16 +5795,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tourner</translation>
     </message>
     <message>
+        <source>Rotate %1</source>
+        <translation>Tourner %1</translation>
+    </message>
+    <message>
+        <source>Rotate %1 of %2</source>
+        <translation>Tourner %1 de %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rotate %n entities</source>
+        <translation><numerusform>Tourner %n entité</numerusform><numerusform>Tourner %n entités</numerusform></translation>
+    </message>
+    <message>
+        <source>Rotate the view; with Shift, pan</source>
+        <translation>Tourne la vue ; avec Maj, la décale</translation>
+    </message>
+    <message>
+        <source>Rotate too: axes aligned, faces flush</source>
+        <translation>Tourner aussi : axes alignés, faces à plat</translation>
+    </message>
+    <message>
         <source>Rotation</source>
         <translation>Rotation</translation>
     </message>
     <message>
         <source>Rough</source>
-        <translation>Gros</translation>
-    </message>
-    <message>
-        <source>Rounding between lines</source>
-        <translation>Arrondi entre lignes</translation>
+        <translation>Grosse</translation>
     </message>
     <message>
         <source>Run</source>
@@ -5751,16 +5843,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>STL (*.stl)</translation>
     </message>
     <message>
-        <source>Safety</source>
-        <translation>Sécurité</translation>
+        <source>Safety distance</source>
+        <translation>Dist. de sécurité</translation>
     </message>
     <message>
-        <source>Safety distance: felt from</source>
-        <translation>Distance de sécurité : sentie dès</translation>
+        <source>Safety distance: contact felt at</source>
+        <translation>Distance de sécurité : contact senti à</translation>
     </message>
     <message>
-        <source>Same task, four bodies</source>
-        <translation>Même tâche, quatre corps</translation>
+        <source>Same task, four mannequins</source>
+        <translation>Même tâche, quatre mannequins</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -5783,6 +5875,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer sous…</translation>
     </message>
     <message>
+        <source>Save it as a file or a robot program</source>
+        <translation>L'enregistrer comme fichier ou programme de robot</translation>
+    </message>
+    <message>
         <source>Save log</source>
         <translation>Enregistrer le journal</translation>
     </message>
@@ -5791,8 +5887,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer le journal…</translation>
     </message>
     <message>
-        <source>Save the cell first (Ctrl+S): the exercise opens its file.</source>
-        <translation>Enregistrez d'abord la cellule (Ctrl+S) : l'exercice ouvre son fichier.</translation>
+        <source>Save the cell first (Ctrl+S). The exercise needs its file.</source>
+        <translation>Enregistrez d'abord la cellule (Ctrl+S). L'exercice a besoin de son fichier.</translation>
+    </message>
+    <message>
+        <source>Save the change report</source>
+        <translation>Enregistrer le rapport des changements</translation>
     </message>
     <message>
         <source>Save the exercise</source>
@@ -5803,12 +5903,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer le mouvement</translation>
     </message>
     <message>
+        <source>Save the motion as fitted to this mannequin</source>
+        <translation>Enregistrer le mouvement adapté à ce mannequin</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
         <source>Save the workcell</source>
         <translation>Enregistrer la cellule</translation>
     </message>
     <message>
-        <source>Save this cell first; then choose the exercise again.</source>
+        <source>Save this cell first, then choose the exercise again.</source>
         <translation>Enregistrez d'abord cette cellule ; puis choisissez de nouveau l'exercice.</translation>
+    </message>
+    <message>
+        <source>Save this pose</source>
+        <translation>Enregistrer cette pose</translation>
+    </message>
+    <message>
+        <source>Save this pose…</source>
+        <translation>Enregistrer cette pose…</translation>
     </message>
     <message>
         <source>Save this posture</source>
@@ -5823,32 +5939,48 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer cette posture…</translation>
     </message>
     <message>
-        <source>Saved views</source>
-        <translation>Vues gardées</translation>
+        <source>Save this view</source>
+        <translation>Enregistrer cette vue</translation>
     </message>
     <message>
-        <source>Say what the trainee is to do.</source>
-        <translation>Dites ce que l'élève doit faire.</translation>
+        <source>Saved as a copy: %1. The recording is unchanged</source>
+        <translation>Enregistré en copie : %1. L'enregistrement d'origine est inchangé</translation>
+    </message>
+    <message>
+        <source>Saved views</source>
+        <translation>Vues enregistrées</translation>
+    </message>
+    <message>
+        <source>Saved. Type another to replace it</source>
+        <translation>Enregistré. Tapez-en un autre pour le remplacer</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Enregistré : %1</translation>
+    </message>
+    <message>
+        <source>Saved: %1; frames: %2. Tool, base and safety settings are those of the controller. Check them there</source>
+        <translation>Enregistré : %1 ; images : %2. Outil, base et sécurité sont ceux de la commande. Vérifiez-les là</translation>
     </message>
     <message>
         <source>Scale</source>
         <translation>Échelle</translation>
     </message>
     <message>
-        <source>Scale %1</source>
-        <translation>Échelle %1</translation>
-    </message>
-    <message>
-        <source>Scale: way of the part for the same way of the hand</source>
-        <translation>Échelle : chemin de la pièce pour le même chemin de la main</translation>
+        <source>Scale: part motion for the same hand motion</source>
+        <translation>Échelle : mouvement de la pièce pour celui de la main</translation>
     </message>
     <message>
         <source>Scene</source>
         <translation>Scène</translation>
     </message>
     <message>
+        <source>Scene description</source>
+        <translation>Description de la scène</translation>
+    </message>
+    <message>
         <source>Scoring the motion…</source>
-        <translation>Notation du mouvement…</translation>
+        <translation>Évaluation du mouvement…</translation>
     </message>
     <message>
         <source>Screen</source>
@@ -5867,6 +5999,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Chercher</translation>
     </message>
     <message>
+        <source>Search again</source>
+        <translation>Chercher de nouveau</translation>
+    </message>
+    <message>
         <source>Search the library</source>
         <translation>Chercher dans la bibliothèque</translation>
     </message>
@@ -5875,8 +6011,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Chercher dans le manuel</translation>
     </message>
     <message>
-        <source>Search the workplace…</source>
-        <translation>Chercher le poste de travail…</translation>
+        <source>Searching</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Recherche…</translation>
     </message>
     <message>
         <source>Seat height</source>
@@ -5919,44 +6059,56 @@ Voulez-vous le remplacer ?</translation>
         <translation>Plan de coupe</translation>
     </message>
     <message>
-        <source>Seen from</source>
-        <translation>Vu depuis</translation>
-    </message>
-    <message>
         <source>Select</source>
         <translation>Choisir</translation>
+    </message>
+    <message>
+        <source>Select a row to see it in the scene.</source>
+        <translation>Choisissez une ligne pour la voir dans la scène.</translation>
+    </message>
+    <message>
+        <source>Select a row, then press its new key.</source>
+        <translation>Choisissez une ligne, puis pressez sa nouvelle touche.</translation>
     </message>
     <message>
         <source>Select all</source>
         <translation>Tout choisir</translation>
     </message>
     <message>
-        <source>Select or hold an entity: what it is checked against stands here.</source>
-        <translation>Choisissez ou tenez une entité : ce contre quoi elle est vérifiée se trouve ici.</translation>
+        <source>Select or hold an entity to see what it is checked against.</source>
+        <translation>Choisissez ou tenez une entité pour voir contre quoi elle est vérifiée.</translation>
     </message>
     <message>
         <source>Selected: %1, at X %2, Y %3, Z %4.</source>
         <translation>Choisi : %1, en X %2, Y %3, Z %4.</translation>
     </message>
     <message>
-        <source>Sensor %1 hardly moved between the poses. The calibration is as it was.</source>
-        <translation>Le capteur %1 a à peine bougé entre les poses. L'étalonnage est comme avant.</translation>
+        <source>Sensor %1 hardly moved between the poses. The calibration is unchanged.</source>
+        <translation>Le capteur %1 a à peine bougé entre les poses. L'étalonnage est inchangé.</translation>
     </message>
     <message>
-        <source>Set</source>
-        <translation>Fixer</translation>
+        <source>Separate</source>
+        <translation>Séparées</translation>
     </message>
     <message>
         <source>Set %1</source>
-        <translation>Ensemble %1</translation>
+        <translation>Jeu %1</translation>
+    </message>
+    <message>
+        <source>Set for this pair; click to change it</source>
+        <translation>Choisi pour cette paire ; cliquez pour changer</translation>
+    </message>
+    <message>
+        <source>Set the range first, with the brackets that are now in the time bar.</source>
+        <translation>Réglez d'abord la plage, par les crochets affichés dans la barre de temps.</translation>
     </message>
     <message>
         <source>Set: %1</source>
-        <translation>Ensemble : %1</translation>
+        <translation>Jeu : %1</translation>
     </message>
     <message>
         <source>Sets</source>
-        <translation>Ensembles</translation>
+        <translation>Jeux</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -5995,10 +6147,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Largeur des épaules</translation>
     </message>
     <message>
-        <source>Shoulder joints apart</source>
-        <translation>Écart des épaules</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Montrer</translation>
     </message>
@@ -6019,31 +6167,31 @@ Voulez-vous le remplacer ?</translation>
         <translation>Montrer le dossier</translation>
     </message>
     <message>
-        <source>Show folder…</source>
-        <translation>Montrer un dossier…</translation>
+        <source>Show keyboard shortcuts</source>
+        <translation>Afficher les raccourcis clavier</translation>
     </message>
     <message>
         <source>Show me</source>
         <translation>Montrer</translation>
     </message>
     <message>
-        <source>Show the first page at start</source>
-        <translation>Montrer la première page au démarrage</translation>
+        <source>Show parts in full colour</source>
+        <translation>Pièces en pleines couleurs</translation>
     </message>
     <message>
-        <source>Show the keys</source>
-        <translation>Montrer les touches</translation>
+        <source>Show the motion in the scene; off: show the cell</source>
+        <translation>Montrer le mouvement dans la scène ; arrêt : la cellule</translation>
     </message>
     <message>
-        <source>Show the motion in the scene; off: the cell as it stands</source>
-        <translation>Montrer le mouvement dans la scène ; arrêt : la cellule telle qu'elle est</translation>
+        <source>Show the start page at start-up</source>
+        <translation>Montrer la page d'accueil au démarrage</translation>
     </message>
     <message>
-        <source>Show the room that the motion needs: all its places at once</source>
-        <translation>Montrer la place que demande le mouvement : toutes ses positions à la fois</translation>
+        <source>Show the swept volume of the motion</source>
+        <translation>Montrer le volume balayé par le mouvement</translation>
     </message>
     <message>
-        <source>Show this page at start</source>
+        <source>Show this page at start-up</source>
         <translation>Montrer cette page au démarrage</translation>
     </message>
     <message>
@@ -6051,16 +6199,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Montrer cette posture</translation>
     </message>
     <message>
-        <source>Shown</source>
-        <translation>Montré</translation>
-    </message>
-    <message>
-        <source>Shown and heard from here on, not felt</source>
-        <translation>Montré et entendu à partir d'ici, pas senti</translation>
-    </message>
-    <message>
         <source>Shown in the scene</source>
         <translation>Montré dans la scène</translation>
+    </message>
+    <message>
+        <source>Shown when the mannequin stops moving</source>
+        <translation>Affiché quand le mannequin ne bouge plus</translation>
     </message>
     <message>
         <source>Side panels</source>
@@ -6075,12 +6219,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Simplifier d'abord</translation>
     </message>
     <message>
-        <source>Single keys act while the pointer is over the scene; elsewhere they are text.</source>
-        <translation>Les touches seules agissent tant que le pointeur est sur la scène ; ailleurs c'est du texte.</translation>
-    </message>
-    <message>
-        <source>Single keys without Ctrl are on</source>
-        <translation>Les touches seules, sans Ctrl, sont en service</translation>
+        <source>Single keys work while the pointer is over the scene; elsewhere they type text.</source>
+        <translation>Les touches seules agissent quand le pointeur est sur la scène ; ailleurs elles saisissent du texte.</translation>
     </message>
     <message>
         <source>Singularity</source>
@@ -6101,18 +6241,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Size %1</source>
         <translation>Taille %1</translation>
-    </message>
-    <message>
-        <source>Size of %1</source>
-        <translation>Taille de %1</translation>
-    </message>
-    <message>
-        <source>Size of the page</source>
-        <translation>Taille de la page</translation>
-    </message>
-    <message>
-        <source>Size of the page; Ctrl and the wheel change it as well</source>
-        <translation>Taille de la page ; Ctrl et la molette la changent aussi</translation>
     </message>
     <message>
         <source>Size, ANSUR II</source>
@@ -6143,16 +6271,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aimanter</translation>
     </message>
     <message>
+        <source>Snap positions, separated by spaces</source>
+        <translation>Positions d'enclenchement, séparées par des espaces</translation>
+    </message>
+    <message>
         <source>Snap to corner, edge, face, frame</source>
         <translation>Aimanter aux coins, arêtes, faces, repères</translation>
     </message>
     <message>
-        <source>Snaps to corners, edges, faces and frames · Ctrl: free · Esc takes it back</source>
-        <translation>Aimante aux coins, arêtes, faces et repères · Ctrl : libre · Échap annule</translation>
-    </message>
-    <message>
-        <source>So contacts stay easy to see. Settings, Appearance, &quot;Parts in their full colours&quot; changes it.</source>
-        <translation>Ainsi les contacts restent bien visibles. Réglages, Apparence, « Pièces en pleines couleurs » le change.</translation>
+        <source>Snapping to corners, edges, faces and frames · Ctrl: free · Esc: cancel</source>
+        <translation>Aimante aux coins, arêtes, faces et repères · Ctrl : libre · Échap : annuler</translation>
     </message>
     <message>
         <source>Solid</source>
@@ -6175,10 +6303,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Son en marche</translation>
     </message>
     <message>
-        <source>Sound on or off</source>
-        <translation>Son en marche ou coupé</translation>
-    </message>
-    <message>
         <source>Source</source>
         <translation>Source</translation>
     </message>
@@ -6187,12 +6311,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vitesse</translation>
     </message>
     <message>
-        <source>Speed of the play</source>
-        <translation>Vitesse de lecture</translation>
-    </message>
-    <message>
-        <source>Speed, drag</source>
-        <translation>Vitesse, frein</translation>
+        <source>Speed, friction</source>
+        <translation>Vitesse, frott.</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -6203,6 +6323,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Couper</translation>
     </message>
     <message>
+        <source>Split at the cursor</source>
+        <translation>Couper au curseur</translation>
+    </message>
+    <message>
         <source>Squatting</source>
         <translation>Accroupi</translation>
     </message>
@@ -6211,16 +6335,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Debout</translation>
     </message>
     <message>
-        <source>Stands in frame</source>
-        <translation>Place dans le repère</translation>
-    </message>
-    <message>
-        <source>Stands in world</source>
-        <translation>Place dans le monde</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Début</translation>
+    </message>
+    <message>
+        <source>Start from</source>
+        <translation>Partir de</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>Page d'accueil</translation>
     </message>
     <message>
         <source>Start the run</source>
@@ -6231,8 +6355,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Lancer le serveur</translation>
     </message>
     <message>
+        <source>Start with a sample or your own cell</source>
+        <translation>Commencez par un exemple ou par votre propre cellule</translation>
+    </message>
+    <message>
+        <source>Start with an empty cell</source>
+        <translation>Commencer par une cellule vide</translation>
+    </message>
+    <message>
         <source>Start without forces</source>
-        <translation>Commencer sans forces</translation>
+        <translation>Commencer sans efforts</translation>
     </message>
     <message>
         <source>State</source>
@@ -6259,28 +6391,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Étape %1 sur %2 : %3</translation>
     </message>
     <message>
-        <source>Step of angle</source>
-        <translation>Pas d'angle</translation>
-    </message>
-    <message>
-        <source>Step of length</source>
-        <translation>Pas de longueur</translation>
-    </message>
-    <message>
-        <source>Steps of angle</source>
-        <translation>Pas d'angle</translation>
-    </message>
-    <message>
-        <source>Steps of length</source>
-        <translation>Pas de longueur</translation>
-    </message>
-    <message>
         <source>Stiffness</source>
         <translation>Raideur</translation>
     </message>
     <message>
-        <source>Stiffness (0: the stylus's own)</source>
-        <translation>Raideur (0 : celle du stylet)</translation>
+        <source>Stiffness (0: as the device)</source>
+        <translation>Raideur (0 : celle du périphérique)</translation>
     </message>
     <message>
         <source>Stool</source>
@@ -6292,7 +6408,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation>Arrêter</translation>
+        <translation>Bloquer</translation>
     </message>
     <message>
         <source>Stop before it</source>
@@ -6303,12 +6419,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Arrêter l'enregistrement</translation>
     </message>
     <message>
-        <source>Stop the video, %1 % done</source>
-        <translation>Arrêter la vidéo, %1 % faits</translation>
+        <source>Stop recording  (R)</source>
+        <translation>Arrêter l'enregistrement  (R)</translation>
     </message>
     <message>
-        <source>Stop, slide, pass in turn</source>
-        <translation>Arrêter, glisser, traverser tour à tour</translation>
+        <source>Stop the video, %1 % done</source>
+        <translation>Arrêter la vidéo, %1 % faits</translation>
     </message>
     <message>
         <source>Stopped</source>
@@ -6319,16 +6435,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Butées</translation>
     </message>
     <message>
-        <source>Stops and feel</source>
-        <translation>Butées et toucher</translation>
-    </message>
-    <message>
         <source>Stylus</source>
         <translation>Stylet</translation>
     </message>
     <message>
         <source>Stylus at start</source>
         <translation>Stylet au démarrage</translation>
+    </message>
+    <message>
+        <source>Stylus button: hold and release</source>
+        <translation>Bouton du stylet : tenir et relâcher</translation>
+    </message>
+    <message>
+        <source>Stylus follows the mouse</source>
+        <translation>Le stylet suit la souris</translation>
     </message>
     <message>
         <source>Stylus in the device's workspace</source>
@@ -6340,11 +6460,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Sub-scores of the worse side</source>
-        <translation>Notes partielles du côté le plus défavorable</translation>
+        <translation>Scores partiels du côté le plus défavorable</translation>
     </message>
     <message>
         <source>Sudden loads</source>
         <translation>À-coups</translation>
+    </message>
+    <message>
+        <source>Suggestions appear when the mannequin stops moving.</source>
+        <translation>Les suggestions apparaissent quand le mannequin ne bouge plus.</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -6363,8 +6487,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Échanger les mains de %1</translation>
     </message>
     <message>
-        <source>Switch the forces off first: no panel moves while the hand works.</source>
-        <translation>Coupez d'abord les efforts : aucun panneau ne déplace pendant que la main travaille.</translation>
+        <source>Switch the forces off first. Panels stay in place while the stylus is in use.</source>
+        <translation>Coupez d'abord les efforts. Les panneaux ne bougent pas tant que le stylet sert.</translation>
     </message>
     <message>
         <source>TCP</source>
@@ -6399,56 +6523,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tables (*.csv);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Take</source>
-        <translation>Prendre</translation>
-    </message>
-    <message>
         <source>Take %1</source>
         <translation>Prise %1</translation>
     </message>
     <message>
-        <source>Take apart</source>
-        <translation>Démonter</translation>
-    </message>
-    <message>
-        <source>Take out</source>
-        <translation>Sortir</translation>
-    </message>
-    <message>
-        <source>Take the hand's tremor, keep the path</source>
-        <translation>Ôter le tremblement de la main, garder le chemin</translation>
-    </message>
-    <message>
-        <source>Take the part with the stylus</source>
-        <translation>Prendre la pièce avec le stylet</translation>
-    </message>
-    <message>
-        <source>Take the stylus</source>
-        <translation>Prendre le stylet</translation>
-    </message>
-    <message>
-        <source>Take the stylus in the panel Virtual Desktop takes it back.</source>
-        <translation>« Prendre le stylet » dans le panneau Virtual Desktop le reprend.</translation>
-    </message>
-    <message>
-        <source>Take this one</source>
-        <translation>Prendre celle-ci</translation>
-    </message>
-    <message>
-        <source>Take this posture</source>
-        <translation>Prendre cette posture</translation>
-    </message>
-    <message>
-        <source>Takes along</source>
-        <translation>Emmène</translation>
-    </message>
-    <message>
-        <source>Takes it out of the cell; its file stays</source>
-        <translation>Le retire de la cellule ; son fichier reste</translation>
-    </message>
-    <message>
-        <source>Takes the hand's tremor, keeps the path</source>
-        <translation>Ôte le tremblement de la main, garde le chemin</translation>
+        <source>Take control</source>
+        <translation>Prendre le contrôle</translation>
     </message>
     <message>
         <source>Task</source>
@@ -6461,6 +6541,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Task data…</source>
         <translation>Données de la tâche…</translation>
+    </message>
+    <message>
+        <source>Task for the trainee</source>
+        <translation>Tâche de l'apprenant</translation>
     </message>
     <message>
         <source>Task of %1</source>
@@ -6483,11 +6567,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>C'est la même pièce. Désignez-en une autre jusqu'où mesurer.</translation>
     </message>
     <message>
-        <source>That key does &quot;%1&quot; now; it would lose it.</source>
-        <translation>Cette touche fait « %1 » ; elle le perdrait.</translation>
-    </message>
-    <message>
-        <source>The 3-D mouse moves the view</source>
+        <source>The 3D mouse moves the view</source>
         <translation>La souris 3D déplace la vue</translation>
     </message>
     <message>
@@ -6511,20 +6591,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le bras est près d'une singularité</translation>
     </message>
     <message>
-        <source>The axis or normal points the other way</source>
-        <translation>L'axe ou la normale va dans l'autre sens</translation>
-    </message>
-    <message>
-        <source>The base follows the hand; the joints keep the tool where it is in the cell</source>
-        <translation>La base suit la main ; les articulations gardent l'outil où il est dans la cellule</translation>
-    </message>
-    <message>
-        <source>The bodies that bound most users: P5 and P50 woman, P50 and P95 man</source>
-        <translation>Les corps qui encadrent la plupart des utilisateurs : femmes P5 et P50, hommes P50 et P95</translation>
-    </message>
-    <message>
-        <source>The cell is as it was.</source>
-        <translation>La cellule est comme avant.</translation>
+        <source>The base follows the hand; the joints keep the tool in place</source>
+        <translation>La base suit la main ; les axes gardent l'outil en place</translation>
     </message>
     <message>
         <source>The cell is empty</source>
@@ -6535,44 +6603,44 @@ Voulez-vous le remplacer ?</translation>
         <translation>La cellule est vide.</translation>
     </message>
     <message>
-        <source>The cell shows what it held before. Placements, names and colours stay when it is read again.</source>
-        <translation>La cellule montre ce qu'elle contenait. Places, noms et couleurs restent à la relecture.</translation>
+        <source>The cell is unchanged.</source>
+        <translation>La cellule est inchangée.</translation>
     </message>
     <message>
-        <source>The cell stays usable meanwhile.</source>
-        <translation>La cellule reste utilisable pendant ce temps.</translation>
+        <source>The cell still shows the old version. Reloading keeps placements, names and colours.</source>
+        <translation>La cellule montre encore l'ancienne version. Places, noms et couleurs restent au rechargement.</translation>
     </message>
     <message>
-        <source>The cell was changed or saved, so the run was given up. The part stands where it stood before.</source>
-        <translation>La cellule a été modifiée ou enregistrée : l'essai est abandonné. La pièce est revenue à sa place.</translation>
+        <source>The cell was changed or saved, so the run was cancelled. The part is back in its place.</source>
+        <translation>La cellule a été modifiée ou enregistrée : l'essai est annulé. La pièce est revenue à sa place.</translation>
     </message>
     <message>
-        <source>The cell was never saved. Compare it with the import instead.</source>
-        <translation>La cellule n'a jamais été enregistrée. Comparez-la plutôt à l'importation.</translation>
+        <source>The device is at the edge of its workspace. Hold Space and move the hand back</source>
+        <translation>Le périphérique est au bord de son espace. Tenez Espace et ramenez la main</translation>
     </message>
     <message>
-        <source>The chosen motion becomes the expert's, in the cell as it is</source>
-        <translation>Le mouvement choisi devient celui de l'expert, dans la cellule telle qu'elle est</translation>
+        <source>The device is not responding.</source>
+        <translation>Le périphérique ne répond pas.</translation>
     </message>
     <message>
-        <source>The device does not answer.</source>
-        <translation>L'appareil ne répond pas.</translation>
+        <source>The device is not responding. Check its cable and power</source>
+        <translation>Le périphérique ne répond pas. Vérifiez son câble et son alimentation</translation>
     </message>
     <message>
-        <source>The device does not answer: check its cable and power</source>
-        <translation>Le périphérique ne répond pas : vérifiez son câble et son alimentation</translation>
-    </message>
-    <message>
-        <source>The device is at its end: hold Space and bring the hand back</source>
-        <translation>L'appareil est en bout de course : tenez Espace et ramenez la main</translation>
-    </message>
-    <message>
-        <source>The device reports a fault: no force was exerted.</source>
-        <translation>Le périphérique signale une panne : aucun effort n'a été exercé.</translation>
+        <source>The device reports a fault. No force was applied.</source>
+        <translation>Le périphérique signale une panne. Aucun effort n'a été appliqué.</translation>
     </message>
     <message>
         <source>The devices could not be listed: %1</source>
         <translation>Les périphériques n'ont pas pu être listés : %1</translation>
+    </message>
+    <message>
+        <source>The displayed mesh.</source>
+        <translation>Le maillage affiché.</translation>
+    </message>
+    <message>
+        <source>The drivers are tested against models and recorded data formats, not on real devices.</source>
+        <translation>Les pilotes sont testés sur des modèles et des formats enregistrés, pas sur de vrais périphériques.</translation>
     </message>
     <message>
         <source>The exercise cannot be opened</source>
@@ -6591,15 +6659,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les pieds de %1 n'atteignent pas le sol</translation>
     </message>
     <message>
-        <source>The figure in its posture</source>
-        <translation>Le corps dans sa posture</translation>
-    </message>
-    <message>
-        <source>The file holds one part.</source>
+        <source>The file contains one part.</source>
         <translation>Le fichier contient une pièce.</translation>
     </message>
     <message>
-        <source>The file holds triangles.</source>
+        <source>The file contains triangles.</source>
         <translation>Le fichier contient des triangles.</translation>
     </message>
     <message>
@@ -6607,88 +6671,68 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le fichier est en lecture</translation>
     </message>
     <message>
-        <source>The file names no unit. Is this size right?</source>
+        <source>The file of %1 has no home pose, and its zero pose is singular, so it could hardly be dragged. It starts with %2 bent. To set a home pose, use the Robot panel.</source>
+        <translation>Le fichier de %1 n'indique pas de position de repos, et sa pose zéro est singulière : on pourrait à peine le tirer. Il démarre avec %2 plié. Fixez sa position de repos dans le panneau Robot.</translation>
+    </message>
+    <message>
+        <source>The file states no unit. Is this size right?</source>
         <translation>Le fichier n'indique pas d'unité. Cette taille est-elle la bonne ?</translation>
     </message>
     <message>
-        <source>The file names no unit. Which size is right?</source>
+        <source>The file states no unit. Which size is right?</source>
         <translation>Le fichier n'indique pas d'unité. Quelle taille est la bonne ?</translation>
     </message>
     <message>
-        <source>The file of %1 names no home, and at zero it is singular: it could hardly be dragged. It starts with %2 bent. Keep a home of your own in the Robot dock.</source>
-        <translation>Le fichier de %1 n'indique pas de position d'origine, et à zéro il est singulier : on pourrait à peine le tirer. Il démarre avec %2 plié. Gardez votre propre origine dans le volet Robot.</translation>
-    </message>
-    <message>
-        <source>The file was written since by another program; the copy does not have that.</source>
-        <translation>Le fichier a été écrit depuis par un autre programme ; la copie n’a pas ces changements.</translation>
-    </message>
-    <message>
-        <source>The force loop is late at times</source>
-        <translation>La boucle d'effort est parfois en retard</translation>
-    </message>
-    <message>
-        <source>The force loop keeps its time</source>
+        <source>The force loop is on time</source>
         <translation>La boucle d'effort tient son rythme</translation>
     </message>
     <message>
-        <source>The forces went off</source>
-        <translation>Les efforts se sont coupés</translation>
+        <source>The force loop is sometimes late</source>
+        <translation>La boucle d'effort est parfois en retard</translation>
     </message>
     <message>
-        <source>The forces went off: another window took the stylus</source>
-        <translation>Les forces sont coupées : une autre fenêtre a pris le stylet</translation>
+        <source>The frame keeps its current placement and moves with it</source>
+        <translation>Le repère garde sa place actuelle et se déplace avec</translation>
     </message>
     <message>
-        <source>The forces went off: the haptic server is gone</source>
-        <translation>Les forces sont coupées : le serveur haptique a disparu</translation>
-    </message>
-    <message>
-        <source>The frame goes with it, and keeps its place now</source>
-        <translation>Le repère le suit, et garde sa place pour l'instant</translation>
-    </message>
-    <message>
-        <source>The frame, or all between the brackets</source>
-        <translation>L'image, ou tout entre les crochets</translation>
-    </message>
-    <message>
-        <source>The glove does not answer: nothing was taken.</source>
-        <translation>Le gant ne répond pas : rien n'a été pris.</translation>
-    </message>
-    <message>
-        <source>The hand moves it along %1 (%1: only that)</source>
-        <translation>La main le mène le long de %1 (%1 : cela seulement)</translation>
-    </message>
-    <message>
-        <source>The hand turns it about %1 (%1 twice: only that)</source>
-        <translation>La main le tourne autour de %1 (%1 deux fois : cela seulement)</translation>
+        <source>The glove is not responding. Nothing was recorded.</source>
+        <translation>Le gant ne répond pas. Rien n'a été enregistré.</translation>
     </message>
     <message>
         <source>The hands were not moved</source>
         <translation>Les mains n'ont pas bougé</translation>
     </message>
     <message>
-        <source>The haptic server answers</source>
-        <translation>Le serveur haptique répond</translation>
-    </message>
-    <message>
         <source>The haptic server at %1 does not answer any more.</source>
         <translation>Le serveur haptique à %1 ne répond plus.</translation>
     </message>
     <message>
-        <source>The haptic server could not be started: %1 is not there or may not be run.</source>
-        <translation>Le serveur haptique n'a pas pu être lancé : %1 n'est pas là ou ne peut pas être lancé.</translation>
+        <source>The haptic server could not be started: %1 was not found or cannot be run.</source>
+        <translation>Le serveur haptique n'a pas pu être lancé : %1 est introuvable ou ne peut pas être lancé.</translation>
     </message>
     <message>
-        <source>The haptic server ended, and the forces with it. Ctrl+Space turns them on again</source>
-        <translation>Le serveur haptique s’est arrêté, et les forces avec lui. Ctrl+Espace les remet</translation>
+        <source>The haptic server has stopped. %1</source>
+        <translation>Le serveur haptique s'est arrêté. %1</translation>
     </message>
     <message>
-        <source>The haptic server has ended. %1</source>
-        <translation>Le serveur haptique s'est terminé. %1</translation>
+        <source>The haptic server is responding</source>
+        <translation>Le serveur haptique répond</translation>
+    </message>
+    <message>
+        <source>The haptic server stopped, so forces are off. Press Ctrl+Space to turn them on again</source>
+        <translation>Le serveur haptique s’est arrêté : efforts coupés. Ctrl+Espace les remet en marche</translation>
     </message>
     <message>
         <source>The head goes no further: neck and trunk are at their limits</source>
         <translation>La tête ne va pas plus loin : la nuque et le tronc sont à leurs butées</translation>
+    </message>
+    <message>
+        <source>The held entity is not checked for collision</source>
+        <translation>L'entité tenue n'est pas vérifiée pour les collisions</translation>
+    </message>
+    <message>
+        <source>The held entity stays in place. When a server responds again, press Ctrl+Space to turn the forces on.</source>
+        <translation>L'entité tenue reste en place. Dès qu’un serveur répond, Ctrl+Espace remet les efforts en marche.</translation>
     </message>
     <message>
         <source>The inner radius must be smaller than the outer one</source>
@@ -6703,7 +6747,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le bras gauche est appuyé</translation>
     </message>
     <message>
-        <source>The left button is free: a click chooses, a drag draws a box.</source>
+        <source>The left button is free: click to select, drag to draw a selection box.</source>
         <translation>Le bouton gauche est libre : un clic choisit, un glissement trace un cadre.</translation>
     </message>
     <message>
@@ -6715,12 +6759,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il manque %1 à la main gauche.</translation>
     </message>
     <message>
-        <source>The lifting equation and what the hands bear; the colours stay those of RULA</source>
-        <translation>L'équation de levage et ce que portent les mains ; les couleurs restent celles de RULA</translation>
+        <source>The lifting equation and the forces on the hands; colours stay those of RULA</source>
+        <translation>L'équation de levage et les forces sur les mains ; les couleurs restent celles de RULA</translation>
     </message>
     <message>
-        <source>The lifting equation does not take this lift.</source>
+        <source>The lifting equation does not cover this lift.</source>
         <translation>L'équation de levage ne s'applique pas à ce levage.</translation>
+    </message>
+    <message>
+        <source>The limit of a method is the start of its next class. Moments include the weight of the arms.</source>
+        <translation>La limite d'une méthode est le début de sa classe suivante. Les moments comprennent le poids des bras.</translation>
     </message>
     <message>
         <source>The limits were not read</source>
@@ -6743,83 +6791,79 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le logo n'a pas été lu</translation>
     </message>
     <message>
-        <source>The mannequin cannot be drawn so</source>
-        <translation>Le mannequin ne peut pas être dessiné ainsi</translation>
+        <source>The mannequin cannot be dragged there</source>
+        <translation>Le mannequin ne peut pas être tiré là</translation>
     </message>
     <message>
-        <source>The markers are shown; they are of no set that a figure can be fitted to: %1</source>
-        <translation>Les marqueurs sont affichés ; ils ne forment aucun jeu sur lequel un mannequin puisse être ajusté : %1</translation>
+        <source>The mannequin in its posture</source>
+        <translation>Le mannequin dans sa posture</translation>
+    </message>
+    <message>
+        <source>The markers are shown, but no mannequin can be fitted to this marker set: %1</source>
+        <translation>Les marqueurs sont affichés, mais aucun mannequin ne peut être ajusté à ce jeu : %1</translation>
     </message>
     <message>
         <source>The markers cannot be shown</source>
         <translation>Les marqueurs ne peuvent pas être montrés</translation>
     </message>
     <message>
-        <source>The material's, from hapticell.toml; the server lowers it to what the device bears</source>
-        <translation>Celle du matériau, de hapticell.toml ; le serveur l'abaisse à ce que le périphérique supporte</translation>
-    </message>
-    <message>
-        <source>The mesh as it is drawn.</source>
-        <translation>Le maillage tel qu'il est dessiné.</translation>
-    </message>
-    <message>
-        <source>The module %1 was left out. %2</source>
-        <translation>Le module %1 a été laissé de côté. %2</translation>
-    </message>
-    <message>
-        <source>The motion as it is on this mannequin</source>
-        <translation>Le mouvement tel qu'il est sur ce mannequin</translation>
+        <source>The module %1 was not loaded. %2</source>
+        <translation>Le module %1 n'a pas été chargé. %2</translation>
     </message>
     <message>
         <source>The motion cannot be shown</source>
         <translation>Le mouvement ne peut pas être montré</translation>
     </message>
     <message>
-        <source>The motion is not exported</source>
-        <translation>Le mouvement n'est pas exporté</translation>
-    </message>
-    <message>
-        <source>The motion is not imported</source>
-        <translation>Le mouvement n'est pas importé</translation>
-    </message>
-    <message>
         <source>The motion is saved</source>
         <translation>Le mouvement est enregistré</translation>
+    </message>
+    <message>
+        <source>The motion was not exported</source>
+        <translation>Le mouvement n'a pas été exporté</translation>
+    </message>
+    <message>
+        <source>The motion was not imported</source>
+        <translation>Le mouvement n'a pas été importé</translation>
     </message>
     <message>
         <source>The motion was not saved</source>
         <translation>Le mouvement n'a pas été enregistré</translation>
     </message>
     <message>
-        <source>The one it has</source>
-        <translation>Celui qu'il a</translation>
+        <source>The newest message also appears in the status bar for 8 seconds.</source>
+        <translation>Le plus récent apparaît aussi 8 secondes dans la ligne d'état.</translation>
     </message>
     <message>
-        <source>The part goes the expert's way; the cell stays as it is</source>
-        <translation>La pièce suit le chemin de l'expert ; la cellule reste comme elle est</translation>
+        <source>The part follows the expert's path; the cell is unchanged</source>
+        <translation>La pièce suit le chemin de l'expert ; la cellule est inchangée</translation>
     </message>
     <message>
-        <source>The part goes the way of the run, a ghost the expert's, both at once</source>
-        <translation>La pièce suit le chemin de l'essai, un fantôme celui de l'expert, en même temps</translation>
+        <source>The part follows the run and a ghost follows the expert, both at once</source>
+        <translation>La pièce suit l'essai et un fantôme suit l'expert, en même temps</translation>
     </message>
     <message>
         <source>The part is shown in a quieter colour than %1</source>
         <translation>La pièce est montrée dans une couleur plus sobre que %1</translation>
     </message>
     <message>
-        <source>The parts are moved; undo it, or search again in the cell as it is now.</source>
-        <translation>Les pièces sont déplacées : annulez, ou relancez la recherche dans la cellule telle qu’elle est.</translation>
+        <source>The parts become solids again, at their current placement</source>
+        <translation>Les pièces redeviennent des solides, à leur place actuelle</translation>
     </message>
     <message>
-        <source>The parts become solids again, where they stand now</source>
-        <translation>Les pièces redeviennent des solides, où elles sont maintenant</translation>
+        <source>The parts were moved. Undo, or search again in the cell as it is now.</source>
+        <translation>Les pièces ont été déplacées. Annulez, ou relancez la recherche dans la cellule telle qu’elle est.</translation>
     </message>
     <message>
-        <source>The path of a recorded motion, thinned</source>
-        <translation>Le chemin d'un mouvement enregistré, éclairci</translation>
+        <source>The path is free.</source>
+        <translation>Le chemin est libre.</translation>
     </message>
     <message>
-        <source>The pelvis stays on the seat, which bears the body</source>
+        <source>The path of a recorded motion, simplified</source>
+        <translation>Le chemin d'un mouvement enregistré, simplifié</translation>
+    </message>
+    <message>
+        <source>The pelvis stays on the seat, which carries the body</source>
         <translation>Le bassin reste sur le siège, qui porte le corps</translation>
     </message>
     <message>
@@ -6827,15 +6871,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>La posture est enregistrée</translation>
     </message>
     <message>
+        <source>The posture was not loaded</source>
+        <translation>La posture n'a pas été chargée</translation>
+    </message>
+    <message>
         <source>The posture was not saved</source>
         <translation>La posture n'a pas été enregistrée</translation>
     </message>
     <message>
-        <source>The posture was not taken</source>
-        <translation>La posture n'a pas été prise</translation>
+        <source>The preview is made when the file is saved or closed here.</source>
+        <translation>L'aperçu est créé quand le fichier est enregistré ou fermé ici.</translation>
     </message>
     <message>
-        <source>The program was ended from outside, or the power failed.</source>
+        <source>The program was terminated, or the power failed.</source>
         <translation>Le programme a été arrêté de l’extérieur, ou le courant a manqué.</translation>
     </message>
     <message>
@@ -6847,16 +6895,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'enregistrement n'a pas été lu</translation>
     </message>
     <message>
-        <source>The report is written</source>
-        <translation>Le rapport est écrit</translation>
+        <source>The recovery copy could not be saved</source>
+        <translation>La copie de récupération n'a pas pu être enregistrée</translation>
     </message>
     <message>
-        <source>The report was not written</source>
-        <translation>Le rapport n'a pas été écrit</translation>
+        <source>The report is saved</source>
+        <translation>Le rapport est enregistré</translation>
     </message>
     <message>
-        <source>The result is not kept</source>
-        <translation>Le résultat n'est pas gardé</translation>
+        <source>The report was not saved</source>
+        <translation>Le rapport n'a pas été enregistré</translation>
+    </message>
+    <message>
+        <source>The result was not saved</source>
+        <translation>Le résultat n'a pas été enregistré</translation>
     </message>
     <message>
         <source>The right arm is supported</source>
@@ -6871,12 +6923,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il manque %1 à la main droite.</translation>
     </message>
     <message>
-        <source>The robot cannot reach the frame: it stays up to %1 or %2 beside it</source>
-        <translation>Le robot n’atteint pas l’image : il reste jusqu’à %1 ou %2 à côté</translation>
-    </message>
-    <message>
-        <source>The robot stands so now.</source>
-        <translation>Le robot se tient ainsi maintenant.</translation>
+        <source>The robot cannot reach the frame: it stays up to %1 or %2 away</source>
+        <translation>Le robot n’atteint pas l’image : il en reste jusqu’à %1 ou %2</translation>
     </message>
     <message>
         <source>The robot was not added</source>
@@ -6891,8 +6939,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'essai ne pourra pas être rejoué</translation>
     </message>
     <message>
-        <source>The run has no frames: take the part with the stylus and move it.</source>
-        <translation>L'essai n'a pas d'images : prenez la pièce avec le stylet et déplacez-la.</translation>
+        <source>The run has no frames. Hold the part with the stylus and move it.</source>
+        <translation>L'essai n'a pas d'images. Tenez la pièce avec le stylet et déplacez-la.</translation>
     </message>
     <message>
         <source>The sample was not added</source>
@@ -6903,60 +6951,52 @@ Voulez-vous le remplacer ?</translation>
         <translation>La scène</translation>
     </message>
     <message>
-        <source>The scene in words</source>
-        <translation>La scène en mots</translation>
+        <source>The second stylus was disconnected. Choose it again to start it.</source>
+        <translation>Le second stylet s'est déconnecté. Choisissez-le de nouveau pour le démarrer.</translation>
     </message>
     <message>
-        <source>The scene's loop stands still: forces return once it answers</source>
-        <translation>La boucle de la scène est arrêtée : les forces reviennent dès qu'elle répond</translation>
+        <source>The selected row is dashed in the scene.</source>
+        <translation>La ligne choisie est en tirets dans la scène.</translation>
     </message>
     <message>
-        <source>The scores are partial: %1 not entered. Task data… completes them.</source>
-        <translation>Les notes sont partielles ; à saisir dans Données de la tâche… : %1.</translation>
+        <source>The server switched them off. Move the stylus to free space, or press Esc, then Ctrl+Space</source>
+        <translation>Le serveur les a coupés. Menez le stylet en espace libre, ou pressez Échap, puis Ctrl+Espace</translation>
     </message>
     <message>
-        <source>The second stylus is gone. Choose it again to start it.</source>
-        <translation>Le second stylet n'est plus là. Choisissez-le de nouveau pour le démarrer.</translation>
+        <source>The simulated stylus needs no calibration.</source>
+        <translation>Le stylet simulé n'a pas besoin d'étalonnage.</translation>
     </message>
     <message>
-        <source>The server took them away: let the stylus go free, or turn them off (Esc) and on again (Ctrl+Space)</source>
-        <translation>Le serveur les a coupés : libérez le stylet, ou désactivez-les (Échap) puis réactivez-les (Ctrl+Espace)</translation>
-    </message>
-    <message>
-        <source>The simulated stylus needs none.</source>
-        <translation>Le stylet simulé n'en a pas besoin.</translation>
+        <source>The simulation is not responding. Forces return when it responds again</source>
+        <translation>La simulation ne répond pas. Les efforts reviennent dès qu'elle répond</translation>
     </message>
     <message>
         <source>The size was not changed</source>
-        <translation>La dimension n'a pas été changée</translation>
+        <translation>La taille n'a pas été changée</translation>
     </message>
     <message>
-        <source>The stylus button must stay pressed to move</source>
-        <translation>Le bouton du stylet doit rester appuyé pour déplacer</translation>
+        <source>The sizes that cover most users: P5 and P50 woman, P50 and P95 man</source>
+        <translation>Les tailles qui couvrent la plupart des utilisateurs : femmes P5 et P50, hommes P50 et P95</translation>
     </message>
     <message>
-        <source>The stylus button: grabs and releases</source>
-        <translation>Le bouton du stylet : saisit et lâche</translation>
-    </message>
-    <message>
-        <source>The stylus follows the mouse · wheel: depth · Ctrl: turn · left button %1 · H: end</source>
-        <translation>Le stylet suit la souris · molette : profondeur · Ctrl : tourner · bouton gauche %1 · H : terminer</translation>
-    </message>
-    <message>
-        <source>The stylus is as it was</source>
-        <translation>Le stylet est comme avant</translation>
+        <source>The stylus follows the mouse · wheel: depth · Ctrl: rotate · left button: %1 · H: end</source>
+        <translation>Le stylet suit la souris · molette : profondeur · Ctrl : tourner · bouton gauche : %1 · H : terminer</translation>
     </message>
     <message>
         <source>The stylus is in its inkwell.</source>
         <translation>Le stylet est dans son encrier.</translation>
     </message>
     <message>
-        <source>The stylus will be pulled down, slowly up to %1 N, for four seconds. Hold it loosely in the middle of its workspace. What you hold in the cell is let go first.</source>
-        <translation>Le stylet sera tiré vers le bas, lentement jusqu'à %1 N, pendant quatre secondes. Tenez-le sans serrer au milieu de son espace. Ce que vous tenez dans la cellule est lâché avant.</translation>
+        <source>The stylus was not changed</source>
+        <translation>Le stylet n'a pas été changé</translation>
     </message>
     <message>
-        <source>The task is no lift; the forces stand below.</source>
-        <translation>La tâche n'est pas un levage ; les efforts sont ci-dessous.</translation>
+        <source>The stylus will be pulled down, slowly up to %1 N, for 4 seconds. Hold it loosely in the middle of its workspace. What you hold in the cell is released first.</source>
+        <translation>Le stylet sera tiré vers le bas, lentement jusqu'à %1 N, pendant 4 secondes. Tenez-le sans serrer au milieu de son espace. Ce que vous tenez dans la cellule est d'abord relâché.</translation>
+    </message>
+    <message>
+        <source>The task is not a lift. The forces are below.</source>
+        <translation>La tâche n'est pas un levage. Les forces sont ci-dessous.</translation>
     </message>
     <message>
         <source>The test was stopped.</source>
@@ -6975,84 +7015,80 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le tronc est appuyé (dossier)</translation>
     </message>
     <message>
-        <source>The unsaved changes of %1 are lost for good if its copy is discarded.</source>
-        <translation>Les modifications non enregistrées de %1 sont perdues pour de bon si sa copie est supprimée.</translation>
-    </message>
-    <message>
         <source>The workcell was not saved</source>
         <translation>La cellule n'a pas été enregistrée</translation>
     </message>
     <message>
-        <source>The workplace was not searched</source>
-        <translation>Le poste de travail n'a pas été cherché</translation>
+        <source>The workplace search failed</source>
+        <translation>La recherche d'implantation a échoué</translation>
     </message>
     <message>
         <source>Theme</source>
         <translation>Thème</translation>
     </message>
     <message>
-        <source>There is an exercise of this name: choose another.</source>
-        <translation>Un exercice porte déjà ce nom : choisissez-en un autre.</translation>
-    </message>
-    <message>
-        <source>There is no %1 in this cell.</source>
-        <translation>Il n'y a pas de %1 dans cette cellule.</translation>
-    </message>
-    <message>
         <source>There is no motion below this one.</source>
         <translation>Il n'y a pas de mouvement sous celui-ci.</translation>
     </message>
     <message>
-        <source>There is no practice yet that could be retained: practise first.</source>
-        <translation>Il n'y a pas encore d'entraînement à retenir : entraînez-vous d'abord.</translation>
+        <source>There is no motion to go back over.</source>
+        <translation>Il n'y a pas de mouvement à remonter.</translation>
     </message>
     <message>
-        <source>There was not enough memory</source>
-        <translation>La mémoire n'a pas suffi</translation>
+        <source>These are the markers of %1. To put the recording on the mannequin: Mannequin &gt; Open a recorded motion.</source>
+        <translation>Ce sont les marqueurs de %1. Pour les poser sur le mannequin : Mannequin &gt; Ouvrir un mouvement enregistré.</translation>
     </message>
     <message>
-        <source>These are the markers of %1. Mannequin, Open a recorded motion, puts the recording on the figure.</source>
-        <translation>Ce sont les marqueurs de %1. Mannequin, Ouvrir un mouvement enregistré, les pose sur le mannequin.</translation>
-    </message>
-    <message>
-        <source>These parts may move, with the hands' targets</source>
+        <source>These parts can move, with the targets of the hands</source>
         <translation>Ces pièces peuvent bouger, avec les cibles des mains</translation>
     </message>
     <message>
-        <source>They are lost if they are not saved.</source>
-        <translation>Ils sont perdus s'ils ne sont pas enregistrés.</translation>
+        <source>These settings are stored in %1. You can add materials and driver keys there.</source>
+        <translation>Ces réglages sont dans %1. Vous pouvez y ajouter des matériaux et des clés de pilotes.</translation>
     </message>
     <message>
-        <source>They hang %1 above it: lower the seat or put a rest under them.</source>
-        <translation>Ils pendent à %1 au-dessus : abaissez le siège ou mettez un repose-pieds.</translation>
+        <source>They are %1 above it. Lower the seat or add a footrest.</source>
+        <translation>Ils sont à %1 au-dessus. Abaissez le siège ou ajoutez un repose-pieds.</translation>
     </message>
     <message>
-        <source>They move together, about the one chosen last.</source>
-        <translation>Elles bougent ensemble, autour de celle choisie en dernier.</translation>
+        <source>They move together. The last one selected is the pivot.</source>
+        <translation>Elles bougent ensemble. La dernière choisie sert de pivot.</translation>
     </message>
     <message>
         <source>Thigh clearance</source>
         <translation>Épaisseur de la cuisse</translation>
     </message>
     <message>
-        <source>This cell has no frame yet: Insert, Frame makes one</source>
-        <translation>Cette cellule n'a pas encore de repère : Insérer, Repère en pose un</translation>
+        <source>This cell has never been saved. Compare it with the imported files instead.</source>
+        <translation>Cette cellule n'a jamais été enregistrée. Comparez-la plutôt aux fichiers importés.</translation>
     </message>
     <message>
-        <source>This device exerts no force.</source>
-        <translation>Ce périphérique n'exerce pas d'effort.</translation>
+        <source>This device has no force feedback</source>
+        <translation>Ce périphérique n'a pas de retour d'effort</translation>
     </message>
     <message>
-        <source>This device moves things, but exerts no force</source>
-        <translation>Ce périphérique déplace, mais n'exerce pas d'effort</translation>
+        <source>This device has no force feedback.</source>
+        <translation>Ce périphérique n'a pas de retour d'effort.</translation>
     </message>
     <message>
         <source>This entity has no frames</source>
         <translation>Cette entité n'a pas de repère</translation>
     </message>
     <message>
-        <source>This exercise was practised: transfer is shown at another one, here choose Retention.</source>
-        <translation>Cet exercice a été pratiqué : le transfert se montre sur un autre ; ici, choisissez Rétention.</translation>
+        <source>This entity is not checked against anything. Choose pair sets on the left.</source>
+        <translation>Cette entité n'est vérifiée contre rien. Choisissez des jeux de paires à gauche.</translation>
+    </message>
+    <message>
+        <source>This exercise was practised. Choose Retention here, or test transfer on another exercise.</source>
+        <translation>Cet exercice a été pratiqué. Choisissez ici Rétention, ou testez le transfert sur un autre.</translation>
+    </message>
+    <message>
+        <source>This is the current configuration.</source>
+        <translation>C'est la configuration actuelle.</translation>
+    </message>
+    <message>
+        <source>This keeps contacts easy to see. To change it: Settings &gt; Appearance &gt; Show parts in full colour.</source>
+        <translation>Les contacts restent ainsi bien visibles. Pour changer : Réglages &gt; Apparence &gt; Pièces en pleines couleurs.</translation>
     </message>
     <message>
         <source>This motion and the one below it, one after the other</source>
@@ -7063,36 +7099,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce mouvement n'a pas d'articulations.</translation>
     </message>
     <message>
-        <source>This motion has no way: choose another.</source>
+        <source>This motion has no path. Choose another.</source>
         <translation>Ce mouvement n'a pas de chemin : choisissez-en un autre.</translation>
     </message>
     <message>
-        <source>This pair's own choice; click to change it</source>
-        <translation>Le choix propre à cette paire ; un clic le change</translation>
-    </message>
-    <message>
-        <source>This picture stands at the head of every report</source>
+        <source>This picture is at the top of every report</source>
         <translation>Cette image figure en tête de chaque rapport</translation>
     </message>
     <message>
-        <source>This place does not keep what the search found</source>
-        <translation>Cet emplacement ne tient pas ce que la recherche avait trouvé</translation>
+        <source>This placement does not give the score that was found</source>
+        <translation>Cette place ne donne pas le score trouvé</translation>
     </message>
     <message>
         <source>This pose is out of reach</source>
         <translation>Cette pose est hors d'atteinte</translation>
     </message>
     <message>
-        <source>This solid has no frame yet: make one below</source>
-        <translation>Ce solide n'a pas encore de repère : créez-en un ci-dessous</translation>
+        <source>This solid has no frame yet. Add one below.</source>
+        <translation>Ce solide n'a pas encore de repère. Ajoutez-en un ci-dessous.</translation>
     </message>
     <message>
         <source>This station</source>
         <translation>Ce poste</translation>
-    </message>
-    <message>
-        <source>Through entity</source>
-        <translation>Par l'entité</translation>
     </message>
     <message>
         <source>Through its eyes</source>
@@ -7103,6 +7131,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Par les yeux du mannequin</translation>
     </message>
     <message>
+        <source>Tick at least one part: a bench, a shelf, a fixture.</source>
+        <translation>Cochez au moins une pièce : un établi, une étagère, un posage.</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>Temps</translation>
     </message>
@@ -7111,20 +7143,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Barre de temps</translation>
     </message>
     <message>
-        <source>Time in which the greatest acceleration is reached</source>
-        <translation>Temps en lequel la plus grande accélération est atteinte</translation>
+        <source>Time in the recording</source>
+        <translation>Instant de l'enregistrement</translation>
     </message>
     <message>
         <source>Time s</source>
         <translation>Temps s</translation>
     </message>
     <message>
-        <source>Times</source>
-        <translation>Temps</translation>
+        <source>Time to reach the greatest acceleration</source>
+        <translation>Temps pour atteindre la plus grande accélération</translation>
     </message>
     <message>
-        <source>Times the expert's time that cost all its points</source>
-        <translation>Multiple du temps de l'expert qui coûte tous ses points</translation>
+        <source>Times</source>
+        <translation>Temps</translation>
     </message>
     <message>
         <source>Timing</source>
@@ -7135,20 +7167,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>À</translation>
     </message>
     <message>
-        <source>To the beginning</source>
-        <translation>Au début</translation>
+        <source>To go back to it: View &gt; Saved views.</source>
+        <translation>Pour y revenir : Vue &gt; Vues enregistrées.</translation>
     </message>
     <message>
-        <source>To the end</source>
-        <translation>À la fin</translation>
+        <source>To lower it: %1.</source>
+        <translation>Pour l'abaisser : %1.</translation>
     </message>
     <message>
-        <source>To, fro ±</source>
-        <translation>Vers, depuis ±</translation>
+        <source>To take it back, use Take control in the Virtual Desktop panel.</source>
+        <translation>Pour le reprendre, utilisez « Prendre le contrôle » dans le panneau Virtual Desktop.</translation>
     </message>
     <message>
-        <source>Told once the figure rests</source>
-        <translation>Dit dès que le corps est au repos</translation>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
     </message>
     <message>
         <source>Too heavy: %1 of %2 allowed</source>
@@ -7167,7 +7199,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Centres outil</translation>
     </message>
     <message>
-        <source>Tool, base and safety stay the controller's own</source>
+        <source>Tool, base and safety settings stay those of the controller</source>
         <translation>Outil, base et sécurité restent ceux de la commande</translation>
     </message>
     <message>
@@ -7183,24 +7215,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Dessus</translation>
     </message>
     <message>
-        <source>Touch something with forces on: how long after it is felt it is seen is told here</source>
-        <translation>Touchez quelque chose avec les forces : ici est dit combien de temps après le ressenti le contact se voit</translation>
-    </message>
-    <message>
-        <source>Touches from the beginning: %1 and %2</source>
-        <translation>Se touchent dès le début : %1 et %2</translation>
+        <source>Touch something with forces on to measure the delay from felt to displayed</source>
+        <translation>Touchez quelque chose, efforts en marche, pour mesurer le délai entre ressenti et affichage</translation>
     </message>
     <message>
         <source>Touchpad</source>
         <translation>Pavé tactile</translation>
     </message>
     <message>
-        <source>Train along a motion…</source>
-        <translation>S'exercer le long d'un mouvement…</translation>
+        <source>Train on a motion…</source>
+        <translation>S'exercer sur un mouvement…</translation>
     </message>
     <message>
         <source>Trainee</source>
-        <translation>Élève</translation>
+        <translation>Apprenant</translation>
     </message>
     <message>
         <source>Training</source>
@@ -7231,6 +7259,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Transfert : %1 points.</translation>
     </message>
     <message>
+        <source>Travel</source>
+        <translation>Course</translation>
+    </message>
+    <message>
+        <source>Travel distance</source>
+        <translation>Course du levage</translation>
+    </message>
+    <message>
         <source>Tree</source>
         <translation>Arbre</translation>
     </message>
@@ -7251,64 +7287,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>Essayer aussi assis</translation>
     </message>
     <message>
-        <source>Trying every placement with four bodies…</source>
-        <translation>Essai de chaque place avec quatre corps…</translation>
+        <source>Trying every placement with four mannequins…</source>
+        <translation>Essai de chaque place avec quatre mannequins…</translation>
     </message>
     <message>
         <source>Tube</source>
         <translation>Tube</translation>
     </message>
     <message>
-        <source>Turn</source>
-        <translation>Tourner</translation>
+        <source>Turns the eyes towards the last selected part, as far as they go</source>
+        <translation>Tourne les yeux vers la dernière pièce choisie, autant qu'ils le peuvent</translation>
     </message>
     <message>
-        <source>Turn %1</source>
-        <translation>Tourner %1</translation>
+        <source>Turntable video</source>
+        <translation>Vidéo d'un tour</translation>
     </message>
     <message>
-        <source>Turn %1 of %2</source>
-        <translation>Tourner %1 de %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>Turn %n entities</source>
-        <translation><numerusform>Tourner %n entité</numerusform><numerusform>Tourner %n entités</numerusform></translation>
+        <source>Turntable video…</source>
+        <translation>Vidéo d'un tour…</translation>
     </message>
     <message>
-        <source>Turn faces outwards</source>
-        <translation>Tourner les faces vers l'extérieur</translation>
-    </message>
-    <message>
-        <source>Turn it too: axes along, faces flat</source>
-        <translation>Tourner aussi : axes alignés, faces à plat</translation>
-    </message>
-    <message>
-        <source>Turn round</source>
-        <translation>Retourner</translation>
-    </message>
-    <message>
-        <source>Turned</source>
-        <translation>Rotation</translation>
-    </message>
-    <message>
-        <source>Turns about</source>
-        <translation>Pivot</translation>
-    </message>
-    <message>
-        <source>Turns its eyes, as far as they go, to the part that was chosen last</source>
-        <translation>Tourne ses yeux, autant qu'ils le peuvent, vers la dernière pièce choisie</translation>
-    </message>
-    <message>
-        <source>Turns the view; with Shift it shifts it</source>
-        <translation>Tourne la vue ; avec Maj la décale</translation>
-    </message>
-    <message>
-        <source>Two fingers turn; with Shift they shift, with Ctrl they zoom</source>
+        <source>Two fingers rotate; with Shift they pan, with Ctrl they zoom</source>
         <translation>Deux doigts tournent ; avec Maj ils décalent, avec Ctrl ils zooment</translation>
     </message>
     <message>
         <source>Two hands</source>
         <translation>Deux mains</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
     </message>
     <message>
         <source>Typing</source>
@@ -7319,8 +7327,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>URDF (*.urdf)</translation>
     </message>
     <message>
-        <source>URDF of the one robot (*.urdf)</source>
-        <translation>URDF du seul robot (*.urdf)</translation>
+        <source>URDF of the robot (*.urdf)</source>
+        <translation>URDF du robot (*.urdf)</translation>
     </message>
     <message>
         <source>URDF, xacro, SDF or robot.toml</source>
@@ -7355,12 +7363,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Script Universal Robots (.script)</translation>
     </message>
     <message>
+        <source>Unknown</source>
+        <translation>Inconnue</translation>
+    </message>
+    <message>
         <source>Unlock</source>
         <translation>Déverrouiller</translation>
     </message>
     <message>
         <source>Unlock %1</source>
         <translation>Déverrouiller %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Changements non enregistrés</translation>
     </message>
     <message>
         <source>Unsaved changes, kept up to %1.</source>
@@ -7371,8 +7387,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Axe vers le haut</translation>
     </message>
     <message>
-        <source>Up, down ±</source>
-        <translation>Haut, bas ±</translation>
+        <source>Up/down ±</source>
+        <translation>Haut/bas ±</translation>
     </message>
     <message>
         <source>Upper arm</source>
@@ -7383,16 +7399,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Butée haute</translation>
     </message>
     <message>
+        <source>Use single keys without Ctrl</source>
+        <translation>Utiliser les touches seules, sans Ctrl</translation>
+    </message>
+    <message>
+        <source>Use the selected motion as the expert's, in the current cell</source>
+        <translation>Prendre le mouvement choisi comme celui de l'expert, dans la cellule actuelle</translation>
+    </message>
+    <message>
         <source>Use this one</source>
         <translation>Utiliser celui-ci</translation>
-    </message>
-    <message>
-        <source>Video of a turn round it</source>
-        <translation>Vidéo d'un tour</translation>
-    </message>
-    <message>
-        <source>Video of a turn round it…</source>
-        <translation>Vidéo d'un tour…</translation>
     </message>
     <message>
         <source>Video of the motion</source>
@@ -7415,28 +7431,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vue %1</translation>
     </message>
     <message>
-        <source>View, Saved views goes back to it.</source>
-        <translation>Vue, Vues gardées y revient.</translation>
-    </message>
-    <message>
-        <source>Views turn smoothly</source>
-        <translation>Les vues tournent en douceur</translation>
-    </message>
-    <message>
         <source>Virtual Desktop</source>
         <translation>Virtual Desktop</translation>
     </message>
     <message>
-        <source>Wait here</source>
-        <translation>Attendre ici</translation>
+        <source>Visible</source>
+        <translation>Visible</translation>
+    </message>
+    <message>
+        <source>Visible share</source>
+        <translation>Part visible</translation>
     </message>
     <message>
         <source>Waiting for the haptic server</source>
         <translation>En attente du serveur haptique</translation>
     </message>
     <message>
-        <source>Waits for the file before it</source>
-        <translation>Attend le fichier précédent</translation>
+        <source>Waiting for the previous file</source>
+        <translation>En attente du fichier précédent</translation>
     </message>
     <message>
         <source>Walking</source>
@@ -7447,92 +7459,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Avertissement</translation>
     </message>
     <message>
-        <source>Watching: another window has the stylus</source>
-        <translation>Observe : une autre fenêtre a le stylet</translation>
-    </message>
-    <message>
-        <source>Way</source>
-        <translation>Chemin</translation>
-    </message>
-    <message>
-        <source>Way of the lift</source>
-        <translation>Course du levage</translation>
-    </message>
-    <message>
-        <source>Way there</source>
-        <translation>Chemin</translation>
-    </message>
-    <message>
-        <source>Weight of a held part that is not felt</source>
-        <translation>Poids d'une pièce tenue qui n'est pas senti</translation>
+        <source>Weight limit</source>
+        <translation>Poids limite</translation>
     </message>
     <message>
         <source>Weight, or a force divided by 9.81</source>
         <translation>Poids, ou une force divisée par 9,81</translation>
     </message>
     <message>
-        <source>What brings it down is told once the figure rests.</source>
-        <translation>Ce qui l'abaisse est dit dès que le corps est au repos.</translation>
-    </message>
-    <message>
-        <source>What brings it down: %1.</source>
-        <translation>Ce qui l'abaisse : %1.</translation>
-    </message>
-    <message>
-        <source>What broke: %1</source>
-        <translation>Ce qui a cassé : %1</translation>
-    </message>
-    <message>
-        <source>What costs most first: %1.</source>
-        <translation>Les plus coûteux d'abord : %1.</translation>
-    </message>
-    <message>
-        <source>What is held</source>
-        <translation>Ce qui est tenu</translation>
-    </message>
-    <message>
-        <source>What is held is not checked for collision</source>
-        <translation>Ce qui est tenu n'est pas vérifié pour les collisions</translation>
-    </message>
-    <message>
-        <source>What is held stays where it is. Once a server answers again, Ctrl+Space turns the forces on.</source>
-        <translation>Ce qui est tenu reste où il est. Dès qu’un serveur répond, Ctrl+Espace remet les forces.</translation>
-    </message>
-    <message>
-        <source>What is kept where a wrist would have to swing round faster than it can</source>
-        <translation>Ce qui est gardé où un poignet devrait tourner plus vite qu'il ne peut</translation>
-    </message>
-    <message>
-        <source>What is picked</source>
-        <translation>Ce qui est désigné</translation>
-    </message>
-    <message>
-        <source>What it sees</source>
-        <translation>Ce qu'il voit</translation>
-    </message>
-    <message>
-        <source>What it sees of it</source>
-        <translation>Ce qu'il en voit</translation>
-    </message>
-    <message>
-        <source>What the 3-D mouse moves; its second button changes it</source>
+        <source>What the 3D mouse moves; its second button changes it</source>
         <translation>Ce que la souris 3D déplace ; son second bouton le change</translation>
-    </message>
-    <message>
-        <source>What the check found</source>
-        <translation>Ce que la vérification a trouvé</translation>
     </message>
     <message>
         <source>What the tip touches</source>
         <translation>Ce que touche la pointe</translation>
     </message>
     <message>
-        <source>What the trainee is to do</source>
-        <translation>Ce que l'élève doit faire</translation>
+        <source>What to keep where the wrist would have to turn faster than it can</source>
+        <translation>Que garder là où le poignet devrait tourner plus vite qu'il ne peut</translation>
     </message>
     <message>
-        <source>What you asked for last was not done, and the workcell is as it was before. Save it, then close other programs, or remove parts that are not needed.</source>
-        <translation>Ce que vous avez demandé en dernier n'a pas été fait, et la cellule est comme avant. Enregistrez-la, puis fermez d'autres programmes ou retirez les pièces inutiles.</translation>
+        <source>What to pick</source>
+        <translation>Quoi désigner</translation>
     </message>
     <message>
         <source>Wheel</source>
@@ -7543,32 +7491,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Molette et pavé tactile</translation>
     </message>
     <message>
-        <source>Wheel the other way round</source>
-        <translation>Molette dans l'autre sens</translation>
-    </message>
-    <message>
         <source>When</source>
         <translation>Quand</translation>
-    </message>
-    <message>
-        <source>Where it snaps in, several with spaces between</source>
-        <translation>Où il s'enclenche, plusieurs séparés par des espaces</translation>
-    </message>
-    <message>
-        <source>Where it stands</source>
-        <translation>Où elle se pose</translation>
-    </message>
-    <message>
-        <source>Where it stands now</source>
-        <translation>Où il est maintenant</translation>
-    </message>
-    <message>
-        <source>Where its base stands</source>
-        <translation>Où se tient sa base</translation>
-    </message>
-    <message>
-        <source>Where the missing files are</source>
-        <translation>Où sont les fichiers manquants</translation>
     </message>
     <message>
         <source>Where the stylus is plugged in and its haptic server runs</source>
@@ -7583,8 +7507,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Entier</translation>
     </message>
     <message>
-        <source>Whole figure</source>
-        <translation>Corps entier</translation>
+        <source>Whole mannequin</source>
+        <translation>Mannequin entier</translation>
     </message>
     <message>
         <source>Width</source>
@@ -7595,24 +7519,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fenêtre</translation>
     </message>
     <message>
-        <source>With size and time</source>
-        <translation>Avec taille et date</translation>
-    </message>
-    <message>
-        <source>Within</source>
-        <translation>Dans</translation>
-    </message>
-    <message>
         <source>Without guidance, a day and a week after practice.</source>
-        <translation>Sans guidage, un jour et une semaine après l'entraînement.</translation>
+        <translation>Sans assistance, un jour et une semaine après l'entraînement.</translation>
     </message>
     <message>
         <source>Without guidance, a day and a week after practice. Last practice: %1 ago.</source>
-        <translation>Sans guidage, un jour et une semaine après l'entraînement. Dernier : il y a %1.</translation>
+        <translation>Sans assistance, un jour et une semaine après l'entraînement. Dernier : il y a %1.</translation>
     </message>
     <message>
-        <source>Without guidance, at an exercise that was not practised.</source>
-        <translation>Sans guidage, sur un exercice qui n'a pas été pratiqué.</translation>
+        <source>Without guidance, on an exercise that was not practised.</source>
+        <translation>Sans assistance, sur un exercice qui n'a pas été pratiqué.</translation>
     </message>
     <message>
         <source>Woman</source>
@@ -7644,7 +7560,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Workplace search</source>
-        <translation>Chercher le poste</translation>
+        <translation>Recherche d'implantation</translation>
+    </message>
+    <message>
+        <source>Workplace search…</source>
+        <translation>Recherche d'implantation…</translation>
     </message>
     <message>
         <source>World</source>
@@ -7655,36 +7575,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pire RULA selon hauteur et distance</translation>
     </message>
     <message>
-        <source>Worst RULA of four bodies</source>
-        <translation>Pire RULA de quatre corps</translation>
+        <source>Worst RULA of four mannequins</source>
+        <translation>Pire RULA de quatre mannequins</translation>
     </message>
     <message>
         <source>Worst phase</source>
-        <translation>Pire phase</translation>
+        <translation>Phase critique</translation>
     </message>
     <message>
         <source>Write all moves</source>
         <translation>Écrire tous les déplacements</translation>
     </message>
     <message>
-        <source>Write it as a file or a robot's program</source>
-        <translation>L'écrire comme fichier ou programme de robot</translation>
-    </message>
-    <message>
-        <source>Write the report</source>
-        <translation>Écrire le rapport</translation>
-    </message>
-    <message>
         <source>Writing %1</source>
         <translation>Écriture de %1</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Écrit : %1</translation>
-    </message>
-    <message>
-        <source>Written: %1; frames: %2. Tool, base and safety are the controller's own: check them there</source>
-        <translation>Écrit : %1 ; images : %2. Outil, base et sécurité sont ceux de la commande : vérifiez-les là</translation>
     </message>
     <message>
         <source>X</source>
@@ -7719,8 +7623,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Oui</translation>
     </message>
     <message>
-        <source>Your own</source>
-        <translation>À vous</translation>
+        <source>You can also type a number with its unit: 2 in, 0.5 m, 1.57 rad. Files are not affected.</source>
+        <translation>Vous pouvez aussi saisir un nombre avec son unité : 2 in, 0.5 m, 1.57 rad. Les fichiers ne changent pas.</translation>
+    </message>
+    <message>
+        <source>You can keep working in the cell.</source>
+        <translation>Vous pouvez continuer à travailler.</translation>
+    </message>
+    <message>
+        <source>Your last action was not carried out, and the workcell is unchanged. Save it, then close other programs or remove parts you do not need.</source>
+        <translation>Votre dernière action n'a pas été exécutée, et la cellule est inchangée. Enregistrez-la, puis fermez d'autres programmes ou retirez les pièces inutiles.</translation>
     </message>
     <message>
         <source>Z</source>
@@ -7743,20 +7655,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Zoomer vers le pointeur</translation>
     </message>
     <message>
-        <source>Zooms to the pointer</source>
-        <translation>Zoome vers le pointeur</translation>
-    </message>
-    <message>
         <source>a high risk</source>
         <translation>un risque élevé</translation>
     </message>
     <message>
-        <source>a raised risk for some</source>
-        <translation>un risque accru pour certains</translation>
-    </message>
-    <message>
         <source>about </source>
         <translation>environ </translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>autour de %1</translation>
     </message>
     <message>
         <source>acceptable for nearly all</source>
@@ -7767,8 +7675,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>contre</translation>
     </message>
     <message>
+        <source>age: median %1 ms, 99th percentile %2 ms; %3</source>
+        <translation>âge : médiane %1 ms, 99e centile %2 ms ; %3</translation>
+    </message>
+    <message>
         <source>along %1</source>
         <translation>le long de %1</translation>
+    </message>
+    <message>
+        <source>an increased risk for some</source>
+        <translation>un risque accru pour certains</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -7779,8 +7695,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>un autre cliqué</translation>
     </message>
     <message>
-        <source>as it is held</source>
-        <translation>comme il est tenu</translation>
+        <source>as in the controller</source>
+        <translation>celui de la commande</translation>
     </message>
     <message>
         <source>at work</source>
@@ -7791,20 +7707,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>derrière</translation>
     </message>
     <message>
-        <source>being read</source>
-        <translation>en lecture</translation>
-    </message>
-    <message>
         <source>best %1</source>
         <translation>meilleur %1</translation>
     </message>
     <message>
-        <source>borne by the seat</source>
-        <translation>porté par le siège</translation>
-    </message>
-    <message>
         <source>by %1</source>
         <translation>de %1</translation>
+    </message>
+    <message>
+        <source>carried by the seat</source>
+        <translation>porté par le siège</translation>
     </message>
     <message>
         <source>centimetre</source>
@@ -7831,6 +7743,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>vérifié</translation>
     </message>
     <message>
+        <source>clearance</source>
+        <translation>distance</translation>
+    </message>
+    <message>
         <source>closed</source>
         <translation>fermé</translation>
     </message>
@@ -7839,12 +7755,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>contact</translation>
     </message>
     <message>
+        <source>contact mode</source>
+        <translation>mode de contact</translation>
+    </message>
+    <message>
         <source>contacts felt: %1</source>
         <translation>contacts sentis : %1</translation>
     </message>
     <message>
         <source>contacts: %1</source>
         <translation>contacts : %1</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>actuelle</translation>
     </message>
     <message>
         <source>d MMM yyyy, HH:mm</source>
@@ -7857,6 +7781,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>d MMMM, HH:mm</source>
         <translation>d MMMM, HH:mm</translation>
+    </message>
+    <message>
+        <source>delay: median %1 ms, maximum %2 ms, contacts: %3; up to %4 ms is not noticeable</source>
+        <translation>délai : médiane %1 ms, maximum %2 ms, contacts : %3 ; jusqu'à %4 ms, imperceptible</translation>
     </message>
     <message>
         <source>down</source>
@@ -7879,12 +7807,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>saisissez la répétition dans Données de la tâche.</translation>
     </message>
     <message>
+        <source>excluded</source>
+        <translation>exclu</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>loin</translation>
+    </message>
+    <message>
+        <source>farther away</source>
+        <translation>plus loin</translation>
+    </message>
+    <message>
         <source>file missing</source>
         <translation>fichier manquant</translation>
     </message>
     <message>
-        <source>final %1. Bound rule: an inner boundary belongs to the lower class.</source>
-        <translation>finale %1. Règle des bornes : une borne intérieure appartient à la classe inférieure.</translation>
+        <source>final %1. A value on a class boundary belongs to the lower class.</source>
+        <translation>final %1. Une valeur à la limite de deux classes appartient à la classe inférieure.</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>fine</translation>
     </message>
     <message>
         <source>flip</source>
@@ -7915,24 +7859,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>images : %1</translation>
     </message>
     <message>
-        <source>free gap</source>
-        <translation>espace libre</translation>
-    </message>
-    <message>
-        <source>free of contact</source>
-        <translation>sans contact</translation>
-    </message>
-    <message>
         <source>free to move</source>
         <translation>libre</translation>
     </message>
     <message>
         <source>front</source>
         <translation>devant</translation>
-    </message>
-    <message>
-        <source>further away</source>
-        <translation>plus loin</translation>
     </message>
     <message>
         <source>gaze down</source>
@@ -7947,10 +7879,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>glTF (*.glb)</translation>
     </message>
     <message>
-        <source>grabs</source>
-        <translation>saisit</translation>
-    </message>
-    <message>
         <source>h</source>
         <translation>h</translation>
     </message>
@@ -7959,12 +7887,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>tenu</translation>
     </message>
     <message>
-        <source>held now</source>
-        <translation>tenu maintenant</translation>
-    </message>
-    <message>
         <source>hidden</source>
         <translation>caché</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>tenir</translation>
     </message>
     <message>
         <source>hold: clutch</source>
@@ -7987,7 +7915,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>inverse : %1</translation>
     </message>
     <message>
-        <source>it needs a grip that is good, fair or poor.</source>
+        <source>it needs a good, fair or poor grip.</source>
         <translation>il lui faut une prise bonne, moyenne ou mauvaise.</translation>
     </message>
     <message>
@@ -8011,28 +7939,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>retard %1 ms</translation>
     </message>
     <message>
-        <source>least gap %1 at %2 s</source>
-        <translation>distance minimale %1 à %2 s</translation>
-    </message>
-    <message>
-        <source>left out</source>
-        <translation>écarté</translation>
-    </message>
-    <message>
-        <source>lets go</source>
-        <translation>lâche</translation>
+        <source>left %1</source>
+        <translation>%1 gauche</translation>
     </message>
     <message>
         <source>limit</source>
         <translation>butée</translation>
     </message>
     <message>
-        <source>limits passed: %1</source>
+        <source>limits exceeded: %1</source>
         <translation>limites dépassées : %1</translation>
     </message>
     <message>
-        <source>live, both sides, %1 µs a posture · left RULA %2, right %3 · EAWS outline %4 points</source>
-        <translation>en direct, deux côtés, %1 µs par posture · RULA gauche %2, droite %3 · EAWS en aperçu %4 points</translation>
+        <source>loading…</source>
+        <translation>chargement…</translation>
     </message>
     <message>
         <source>locked</source>
@@ -8043,12 +7963,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>verrouillé sur place</translation>
     </message>
     <message>
+        <source>medium</source>
+        <translation>moyenne</translation>
+    </message>
+    <message>
         <source>metre</source>
         <translation>mètre</translation>
     </message>
     <message>
         <source>millimetre</source>
         <translation>millimètre</translation>
+    </message>
+    <message>
+        <source>minimum clearance %1 at %2 s</source>
+        <translation>distance minimale %1 à %2 s</translation>
     </message>
     <message>
         <source>mirrored</source>
@@ -8059,16 +7987,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>mm</translation>
     </message>
     <message>
-        <source>mm a turn</source>
-        <translation>mm par tour</translation>
-    </message>
-    <message>
         <source>mm wide</source>
         <translation>mm de large</translation>
     </message>
     <message>
         <source>mm/s</source>
         <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>mm/turn</source>
+        <translation>mm/tour</translation>
     </message>
     <message>
         <source>ms</source>
@@ -8080,15 +8008,19 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>near miss</source>
-        <translation>quasi-contact</translation>
-    </message>
-    <message>
-        <source>needs none</source>
-        <translation>n'en demande pas</translation>
+        <translation>quasi-collision</translation>
     </message>
     <message>
         <source>no</source>
         <translation>non</translation>
+    </message>
+    <message>
+        <source>no clearance</source>
+        <translation>pas de distance</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translation>sans contact</translation>
     </message>
     <message>
         <source>no device</source>
@@ -8097,10 +8029,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no flip</source>
         <translation>non ret.</translation>
-    </message>
-    <message>
-        <source>no gap</source>
-        <translation>pas de distance</translation>
     </message>
     <message>
         <source>no load is acceptable</source>
@@ -8119,8 +8047,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun dans la tâche</translation>
     </message>
     <message>
-        <source>none near</source>
-        <translation>rien de proche</translation>
+        <source>none nearby</source>
+        <translation>rien à proximité</translation>
     </message>
     <message>
         <source>none; e.g. %1</source>
@@ -8131,8 +8059,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>non vérifié</translation>
     </message>
     <message>
-        <source>not near</source>
-        <translation>pas proche</translation>
+        <source>not needed</source>
+        <translation>inutile</translation>
     </message>
     <message>
         <source>not picked</source>
@@ -8179,8 +8107,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>au contact</translation>
     </message>
     <message>
-        <source>only one hand bears the load; it judges lifts with both hands. Use RULA or REBA.</source>
-        <translation>une seule main porte la charge ; elle juge les levages à deux mains. Utilisez RULA ou REBA.</translation>
+        <source>only one hand carries the load; it covers lifts with both hands. Use RULA or REBA.</source>
+        <translation>une seule main porte la charge ; elle vaut pour les levages à deux mains. Utilisez RULA ou REBA.</translation>
     </message>
     <message>
         <source>origin</source>
@@ -8211,12 +8139,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>points réordonnés</translation>
     </message>
     <message>
-        <source>re-timed</source>
-        <translation>nouveaux temps</translation>
-    </message>
-    <message>
         <source>recording</source>
         <translation>enregistrement</translation>
+    </message>
+    <message>
+        <source>release</source>
+        <translation>relâcher</translation>
     </message>
     <message>
         <source>resampled</source>
@@ -8227,8 +8155,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>resultats.pdf</translation>
     </message>
     <message>
+        <source>retimed</source>
+        <translation>temps recalculés</translation>
+    </message>
+    <message>
         <source>reversed</source>
         <translation>inversé</translation>
+    </message>
+    <message>
+        <source>right %1</source>
+        <translation>%1 droite</translation>
+    </message>
+    <message>
+        <source>rough</source>
+        <translation>grosse</translation>
     </message>
     <message>
         <source>s</source>
@@ -8243,6 +8183,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>échelle</translation>
     </message>
     <message>
+        <source>screen</source>
+        <translation>écran</translation>
+    </message>
+    <message>
         <source>share of the limit</source>
         <translation>part de la limite</translation>
     </message>
@@ -8251,8 +8195,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>simplifié</translation>
     </message>
     <message>
-        <source>singular places, changes of configuration: %1</source>
-        <translation>places singulières, changements de configuration : %1</translation>
+        <source>singularities, configuration changes: %1</source>
+        <translation>singularités, changements de configuration : %1</translation>
     </message>
     <message>
         <source>sitting</source>
@@ -8275,36 +8219,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas %1 ms</translation>
     </message>
     <message>
-        <source>stop, slide, pass</source>
-        <translation>arrêter, glisser, traverser</translation>
-    </message>
-    <message>
         <source>stylus button</source>
         <translation>bouton du stylet</translation>
-    </message>
-    <message>
-        <source>the controller's</source>
-        <translation>ceux de la commande</translation>
     </message>
     <message>
         <source>the equation covers shifts of up to 8 h.</source>
         <translation>l'équation vaut pour des postes de 8 h au plus.</translation>
     </message>
     <message>
-        <source>the figure sits or kneels; it judges lifts while standing. Use RULA or REBA.</source>
-        <translation>la personne est assise ou à genoux ; elle juge les levages debout. Utilisez RULA ou REBA.</translation>
-    </message>
-    <message>
         <source>the lift and the forces</source>
         <translation>le levage et les efforts</translation>
+    </message>
+    <message>
+        <source>the mannequin sits or kneels; it covers lifts while standing. Use RULA or REBA.</source>
+        <translation>le mannequin est assis ou à genoux ; elle vaut pour les levages debout. Utilisez RULA ou REBA.</translation>
     </message>
     <message>
         <source>the placements of the imported files</source>
         <translation>les places des fichiers importés</translation>
     </message>
     <message>
-        <source>the top</source>
-        <translation>le haut</translation>
+        <source>the top level</source>
+        <translation>le premier niveau</translation>
     </message>
     <message>
         <source>times</source>
@@ -8320,7 +8256,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>trainee</source>
-        <translation>élève</translation>
+        <translation>apprenant</translation>
     </message>
     <message>
         <source>trimmed</source>
@@ -8339,10 +8275,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>mettre en marche</translation>
     </message>
     <message>
-        <source>turns about %1</source>
-        <translation>tourne autour de %1</translation>
-    </message>
-    <message>
         <source>under 1 s</source>
         <translation>moins de 1 s</translation>
     </message>
@@ -8359,12 +8291,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>ce que le mouvement déplace</translation>
     </message>
     <message>
-        <source>with a frame</source>
-        <translation>avec une image</translation>
+        <source>where it is held</source>
+        <translation>là où elle est tenue</translation>
     </message>
     <message>
-        <source>with a wait</source>
-        <translation>avec une attente</translation>
+        <source>with a dwell</source>
+        <translation>avec temporisation</translation>
+    </message>
+    <message>
+        <source>with a frame</source>
+        <translation>avec une image</translation>
     </message>
     <message>
         <source>with approach</source>
@@ -8372,15 +8308,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>with retract</source>
-        <translation>avec retrait</translation>
+        <translation>avec dégagement</translation>
     </message>
     <message>
         <source>without a frame</source>
         <translation>sans une image</translation>
     </message>
     <message>
-        <source>without a part</source>
-        <translation>sans une partie</translation>
+        <source>without a range</source>
+        <translation>sans une plage</translation>
     </message>
     <message>
         <source>worst RULA %1 (P5 woman %2, P50 woman %3, P50 man %4, P95 man %5).</source>

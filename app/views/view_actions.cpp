@@ -37,13 +37,13 @@ class ViewActions : public QObject {
                                : window.windowState() & ~Qt::WindowFullScreen);
     });
     QAction* keep =
-        add(view, {"actionKeepView", tr("Keep this view"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V), {}});
+        add(view, {"actionKeepView", tr("Save this view"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V), {}});
     connect(keep, &QAction::triggered, this, [this] {
       setCell();
       const QString name = views_.freeName();
       views_.keep(name, host_.viewport().camera());
-      host_.messages().tell(Severity::kInformation, tr("%1 is kept").arg(name),
-                            tr("View, Saved views goes back to it."));
+      host_.messages().tell(Severity::kInformation, tr("%1 is saved").arg(name),
+                            tr("To go back to it: View > Saved views."));
     });
     addPictures(host_, view, this);
     connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
@@ -105,7 +105,7 @@ class ViewActions : public QObject {
       saved_->addAction(name, this, [this, name] {
         if (const auto camera = views_.find(name)) host_.viewport().setCamera(*camera);
       });
-    if (names.isEmpty()) saved_->addAction(tr("None yet: Keep this view adds one"))->setEnabled(false);
+    if (names.isEmpty()) saved_->addAction(tr("None yet. Save this view adds one."))->setEnabled(false);
     if (names.isEmpty()) return;
     saved_->addSeparator();
     QMenu* remove = saved_->addMenu(tr("Remove"));

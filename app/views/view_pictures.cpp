@@ -28,9 +28,9 @@ struct PictureMenu {
 void tell(Host& host, const QString& file, const Expected<void>& done) {
   const QString name = QFileInfo(file).fileName();
   if (done)
-    host.messages().tell(Severity::kInformation, PictureMenu::tr("%1 is written").arg(name));
+    host.messages().tell(Severity::kInformation, PictureMenu::tr("%1 is saved").arg(name));
   else
-    host.messages().tell(Severity::kProblem, PictureMenu::tr("%1 was not written").arg(name),
+    host.messages().tell(Severity::kProblem, PictureMenu::tr("%1 was not saved").arg(name),
                          QString::fromStdString(done.error().message()));
 }
 
@@ -97,17 +97,16 @@ void addPictures(Host& host, QMenu& menu, QObject* owner) {
     });
   };
   const QString images = PictureMenu::tr("Pictures (*.png *.jpg *.tiff)");
-  add("actionPictureAsIs", PictureMenu::tr("As large as it is…"), {}, images);
+  add("actionPictureAsIs", PictureMenu::tr("Current size…"), {}, images);
   add("actionPictureHd", QStringLiteral("1920 × 1080…"), {1920, 1080}, images);
   add("actionPicture4k", QStringLiteral("3840 × 2160…"), {3840, 2160}, images);
   add("actionPicturePrint", PictureMenu::tr("For print, 6000 × 4000…"), {6000, 4000}, images);
-  QAction* video =
-      makeAction(&host.window(), {"actionVideo", PictureMenu::tr("Video of a turn round it…"), {}, {}, {}});
+  QAction* video = makeAction(&host.window(), {"actionVideo", PictureMenu::tr("Turntable video…"), {}, {}, {}});
   pictures->addAction(video);
   auto* work = new VideoWork(host, *video, owner);
   QObject::connect(video, &QAction::triggered, work, [&host, work] {
     if (work->isBusy()) return work->stop();
-    const QString file = askToSave(&host.window(), PictureMenu::tr("Video of a turn round it"), {},
+    const QString file = askToSave(&host.window(), PictureMenu::tr("Turntable video"), {},
                                    PictureMenu::tr("Videos, by ffmpeg (*.mp4 *.webm *.mkv *.gif)"));
     if (!file.isEmpty()) work->start(file, {1280, 720});
   });

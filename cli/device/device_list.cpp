@@ -175,7 +175,7 @@ DriverEntries entriesAskedApart(const LoadedDriver& loaded) {
   const ordered_json told = ordered_json::parse(text, nullptr, false);
   if (told.is_object()) return {told["driver"], told["devices"]};
   driver::Problem problem;
-  driver::refuse(problem, driver::Status::kFault, "it ended its process while it looked for its devices",
+  driver::refuse(problem, driver::Status::kFault, "it crashed while it searched for devices",
                  "Update the driver or the vendor's library, or remove " + loaded.file.string() + ".");
   DriverEntries entries{driverJson(loaded), ordered_json::array()};
   addProblem(entries.driver, problem);

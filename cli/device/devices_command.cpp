@@ -82,13 +82,11 @@ ExitStatus run(const DeviceWords& words, const ResultWriter& writer) {
 }  // namespace
 
 void addDevicesCommand(Subcommand app, Action& chosen) {
-  Subcommand command =
-      app.add("devices", "Styluses, gloves and 3-D mice: drivers, what is plugged in, permissions and what mends them");
+  Subcommand command = app.add(
+      "devices", "List styluses, gloves and 3D mice: drivers, connected devices, permissions, and how to fix problems");
   const auto words = std::make_shared<DeviceWords>();
-  command.option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
-  command.flag("--watch", words->watch,
-               "Goes on, and writes the listing as a line whenever a device has come or gone; a line of input "
-               "looks again, its end ends it");
+  command.option("--config", words->configuration, "hapticell.toml whose values override the shipped ones");
+  command.flag("--watch", words->watch, "Keep running; print a line on each change. Enter rescans, Ctrl+D quits");
   command.onChosen([words, &chosen] { chosen = [words](ResultWriter& writer) { return run(*words, writer); }; });
 }
 

@@ -40,7 +40,7 @@ Expected<std::string> tryKey(const ServerAddress& server, const haptic::PairingK
   if (const auto device = link.device()) return device->name;
   return makeError({.file = server.host + ":" + std::to_string(server.port),
                     .found = link.problem(),
-                    .fix = "Nothing was kept; --unchecked keeps the code without a connection."});
+                    .fix = "Nothing was saved. Use --unchecked to save the code without a connection."});
 }
 
 ExitStatus pairingFailed(const Error& error) {
@@ -53,10 +53,10 @@ ExitStatus run(const PairWords& words, const ResultWriter& writer) {
   if (!server) return pairingFailed(server.error());
   if (!words.code.empty() && words.code != "-")
     warn(
-        "A code on the command line is seen by every user of this machine while the command runs. Leave it out to type "
+        "Every user of this machine can see a code on the command line while the command runs. Leave it out to type "
         "it.");
   const auto code = words.code.empty() || words.code == "-"
-                        ? readTypedCode("Pairing code of " + plainText(words.server) + " (it is not shown): ")
+                        ? readTypedCode("Pairing code of " + plainText(words.server) + " (not shown as you type): ")
                         : Expected<std::string>(words.code);
   if (!code) return pairingFailed(code.error());
   const auto key = haptic::PairingKey::parse(*code);
@@ -77,13 +77,13 @@ ExitStatus run(const PairWords& words, const ResultWriter& writer) {
 }  // namespace
 
 void addPairCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("pair", "Keep the key of a haptic server on another station");
+  Subcommand command = app.add("pair", "Save the pairing key of a haptic server on another station");
   const auto words = std::make_shared<PairWords>();
   command.option("server", words->server, "HOST or HOST:PORT of the haptic server").required();
   command.option("code", words->code,
-                 "What hapticell-haptic-server --pair showed there; left out, or '-': "
-                 "it is typed, or read from standard input");
-  command.flag("--unchecked", words->unchecked, "Keep it without connecting");
+                 "Code shown by hapticell-haptic-server --pair there. If left out or '-', it is typed or read from "
+                 "standard input");
+  command.flag("--unchecked", words->unchecked, "Save it without connecting");
   command.onChosen([&chosen, words] { chosen = [words](ResultWriter& writer) { return run(*words, writer); }; });
 }
 

@@ -55,7 +55,8 @@ Expected<std::string> readLine() {
     if (sign == '\n' || sign == '\r') return line;
     line += sign;
     if (line.size() > kLongestLine)
-      return makeError({.place = "standard input", .found = "a line of over 200 signs", .expected = "a pairing code"});
+      return makeError(
+          {.place = "standard input", .found = "a line of over 200 characters", .expected = "a pairing code"});
   }
   if (!line.empty() && sign != kInterrupt) return line;
   return makeError({.place = "standard input",

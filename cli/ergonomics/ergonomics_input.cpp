@@ -44,7 +44,7 @@ Expected<void> checkNames(const json& object, const std::string& where, const st
   if (!object.is_object()) return refused(where, shortText(object), "an object with fields");
   for (const auto& [name, value] : object.items()) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      return refused(name, "there is no field of this name", "one of " + listed(known));
+      return refused(name, "no field has this name", "one of " + listed(known));
     }
   }
   return {};

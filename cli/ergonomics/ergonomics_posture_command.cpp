@@ -81,7 +81,7 @@ Expected<Subject> subjectOfCell(const PostureOptions& options) {
   subject.input.posture = mannequin::toPosture(*found->figure, {found->X_WE, found->joints});
   if (const WorkTask* task = state.workTaskOf(found->name)) subject.input.task = *task;
   subject.input.subtitle = options.cell + ", " + found->name;
-  subject.input.source = "As it stands in the cell.";
+  subject.input.source = "The posture in the cell.";
   return subject;
 }
 
@@ -243,7 +243,7 @@ ExitStatus runWorkplace(const PostureOptions& options, const ResultWriter& write
 }
 
 void addSubject(Subcommand app, PostureOptions& options) {
-  app.option("--cell", options.cell, "A workcell: its mannequin, as it stands, with its task data");
+  app.option("--cell", options.cell, "Workcell: its mannequin in its posture, with its task data");
   app.option("--mannequin", options.mannequin, "Name of the mannequin of the cell (default: the first)");
   app.option("--sex", options.sex, "male or female, without a cell");
   app.option("--percentile", options.percentile, "Percentile of stature, without a cell");
@@ -259,16 +259,15 @@ void addErgonomicsPostureCommands(Subcommand ergonomics, Action& chosen) {
   const auto options = std::make_shared<PostureOptions>();
   Subcommand posture = ergonomics.add("posture", "Score a mannequin's posture by all methods, with a report");
   addSubject(posture, *options);
-  posture.option("--report", options->reports, "Writes a report: .pdf, .html, .csv or .json; several may be given");
+  posture.option("--report", options->reports, "Write a report: .pdf, .html, .csv or .json; can be repeated");
   posture.option("--task-report", options->task_reports, "The task's page, in the same formats");
-  posture.option("--picture", options->picture, "A PNG for the report: the figure in its cell (hapticell --render)");
-  posture.option("--company", options->company, "A company's name for the report");
-  posture.option("--logo", options->logo, "The company's logo for the report, a PNG");
-  posture.option("--force-limits", options->force_limits,
-                 "Own limits of the hands' force, a table (docs/user/formats.md)");
-  posture.option("--language", options->language, "en or fr, of the report").among({"en", "fr"});
-  posture.option("--date", options->date, "As printed in the report (default: today)");
-  posture.option("--fail-over", options->fail_over, "Exit with 1 where RULA is over this");
+  posture.option("--picture", options->picture, "PNG for the report: the mannequin in its cell (hapticell --render)");
+  posture.option("--company", options->company, "Company name for the report");
+  posture.option("--logo", options->logo, "Company logo for the report, a PNG");
+  posture.option("--force-limits", options->force_limits, "Table of custom hand force limits (docs/user/formats.md)");
+  posture.option("--language", options->language, "Language of the report: en or fr").among({"en", "fr"});
+  posture.option("--date", options->date, "Date printed in the report (default: today)");
+  posture.option("--fail-over", options->fail_over, "Exit 1 if RULA is above this");
   posture.onChosen(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runPosture(*options, writer); }; });
   for (const auto& [name, description] :
@@ -277,20 +276,22 @@ void addErgonomicsPostureCommands(Subcommand ergonomics, Action& chosen) {
         std::pair{"eaws", "Points of the EAWS posture section (an outline), from shares of the cycle"}}) {
     Subcommand zones = ergonomics.add(name, description);
     zones.option("--input", options->input, "JSON: a file, the text itself, or - for standard input").required();
-    zones.option("--fail-over", options->fail_over, "Exit with 1 where the level is over this");
+    zones.option("--fail-over", options->fail_over, "Exit 1 if the level is above this");
     zones.onChosen([options, &chosen, method = std::string(name)] {
       chosen = [options, method](ResultWriter& writer) { return runZones(method, *options, writer); };
     });
   }
-  Subcommand workplace = ergonomics.add("workplace", "Where a table should stand for four bodies");
+  Subcommand workplace = ergonomics.add("workplace", "Find the best placement of a table for four mannequins");
   addSubject(workplace, *options);
-  workplace.option("--station", options->station, "Entities that move with the targets, with commas between")
+  workplace.option("--station", options->station, "Entities that move with the targets, separated by commas")
       .separatedByCommas()
       .required();
-  workplace.option("--rise", options->rise, "From,to,step upwards, m").separatedByCommas().values(3);
-  workplace.option("--away", options->away, "From,to,step away from the mannequin, m").separatedByCommas().values(3);
+  workplace.option("--rise", options->rise, "Height range: from,to,step, m").separatedByCommas().values(3);
+  workplace.option("--away", options->away, "Range away from the mannequin: from,to,step, m")
+      .separatedByCommas()
+      .values(3);
   workplace.flag("--sit", options->sit, "Try sitting as well");
-  workplace.option("--fail-over", options->fail_over, "Exit with 1 where no placement is this good");
+  workplace.option("--fail-over", options->fail_over, "Exit 1 if no placement is this good");
   addAllowMiss(workplace, options->allow_miss);
   workplace.onChosen(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runWorkplace(*options, writer); }; });

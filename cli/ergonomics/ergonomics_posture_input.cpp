@@ -79,7 +79,7 @@ class Fields {
       if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) {
         std::string listed;
         for (const auto& one : asked_) listed += (listed.empty() ? "one of " : ", ") + one;
-        fail(name, "there is no field of this name", listed);
+        fail(name, "no field has this name", listed);
       }
     }
     return error_;

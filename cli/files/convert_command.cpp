@@ -242,21 +242,20 @@ ExitStatus runConvert(const ConvertOptions& options, const ResultWriter& writer)
 }  // namespace
 
 void addConvertCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("convert", "From any readable format to any writable one, by the extension");
+  Subcommand command = app.add("convert", "Convert between formats, by file extension");
   const auto options = std::make_shared<ConvertOptions>();
-  command.option("file", options->file, "A mesh, CAD, robot or workcell file").required();
+  command.option("file", options->file, "Mesh, CAD, robot or workcell file").required();
   command.option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot").required();
-  command.option("--unit", options->unit,
-                 "What one unit of the read file is: m, mm or in; as it says, or guessed, when not given");
-  command.option("--output-unit", options->output_unit,
-                 "What one unit of a written STL, OBJ, PLY or OFF shall be: m, mm or in (m, or that of a read mesh "
-                 "file that names none)");
+  command.option("--unit", options->unit, "Unit of the input file: m, mm or in (default: from the file, else guessed)");
+  command.option(
+      "--output-unit", options->output_unit,
+      "Unit of the written STL, OBJ, PLY or OFF: m, mm or in (default: m, or that of an input mesh without a unit)");
   const Option simplify =
-      command.option("--simplify", options->simplify, "Fewer triangles, off the surface by at most so many metres")
+      command.option("--simplify", options->simplify, "Reduce triangles, within this distance of the surface, m")
           .within(1e-9, 1e3);
   addAllowMiss(command, options->allow_miss);
-  command.flag("--hull", options->hull, "The convex hull of each part").excludes(simplify);
-  command.option("--up", options->up, "The axis of the read file that points up: x, y or z");
+  command.flag("--hull", options->hull, "Write the convex hull of each part").excludes(simplify);
+  command.option("--up", options->up, "Up axis of the input file: x, y or z");
   addTessellationOptions(command, options->tessellation);
   command.onChosen(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runConvert(*options, writer); }; });

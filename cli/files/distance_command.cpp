@@ -145,17 +145,17 @@ ExitStatus runDistance(const DistanceOptions& options, const ResultWriter& write
 
 void addDistanceCommand(Subcommand app, Action& chosen) {
   Subcommand command =
-      app.add("distance", "Distance and nearest points of a moved mesh to standing ones, pose by pose");
+      app.add("distance", "Compute distance and nearest points of a moving mesh and fixed ones, pose by pose");
   const auto options = std::make_shared<DistanceOptions>();
-  command.option("--moving", options->moving, "The moved mesh: STL, OBJ, PLY or OFF").required();
-  command.option("--environment", options->environment, "The standing meshes, at identity").required().values(1, -1);
-  command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the moved mesh in the world")
+  command.option("--moving", options->moving, "Moving mesh: STL, OBJ, PLY or OFF").required();
+  command.option("--environment", options->environment, "Fixed meshes, at identity").required().values(1, -1);
+  command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the moving mesh in the world")
       .required();
-  command.option("--safety-zone", options->safety_zone,
-                 "Metres: what is farther is reported as null with distance_at_least; contacts inside are counted");
-  command.option("--unit", options->unit,
-                 "What one unit of the files is: m, mm or in; as they say, or m, when not given");
-  command.flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 when any pose collides");
+  command.option(
+      "--safety-zone", options->safety_zone,
+      "Largest distance to compute, m; beyond it null and distance_at_least are reported. Counts contacts within it");
+  command.option("--unit", options->unit, "Unit of the files: m, mm or in (default: from the files, else m)");
+  command.flag("--fail-on-contact", options->fail_on_contact, "Exit 1 if any pose collides");
   command.onChosen(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runDistance(*options, writer); }; });
 }

@@ -4,11 +4,10 @@
 namespace hapticell::cli {
 
 void addTessellationOptions(Subcommand command, workcell::Tessellation& tessellation) {
+  command.option("--chord", tessellation.chord, "STEP and IGES: chord error, m (0.0001)").within(1e-9, 1e3);
   command
-      .option("--chord", tessellation.chord,
-              "STEP and IGES: farthest distance of a triangle from the true face, metres (0.0001)")
-      .within(1e-9, 1e3);
-  command.option("--angle", tessellation.angle, "STEP and IGES: largest turn along an edge, radians (0.3)")
+      .option("--angle", tessellation.angle,
+              "STEP and IGES: largest angle between neighbouring triangles along an edge, rad (0.3)")
       .within(1e-3, 3.0);
 }
 

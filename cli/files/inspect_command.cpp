@@ -165,7 +165,7 @@ Expected<ordered_json> inspectRobot(const InspectOptions& options, Diagnostics& 
     return makeError({.file = options.file,
                       .place = "--unit",
                       .found = "'" + options.unit + "'",
-                      .expected = "none: robot files are in metres"});
+                      .expected = "no unit: robot files are in metres"});
   }
   const auto arguments = parseXacroArguments(options.arguments);
   HAPTICELL_TRY(arguments);
@@ -237,8 +237,8 @@ Expected<ordered_json> inspectDocument(const InspectOptions& options, Diagnostic
 ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer) {
   Diagnostics notes;
   if (!options.arguments.empty() && workcell::robotFormatOf(options.file) != workcell::RobotFormat::kXacro) {
-    report({options.file, "", "'" + options.arguments.front() + "' behind a file that is no xacro", "no further words",
-            ""});
+    report({options.file, "", "'" + options.arguments.front() + "' after a file that is not xacro",
+            "no further arguments", ""});
     return ExitStatus::kBadInput;
   }
   const auto result = looksLikeDocument(options.file)      ? inspectDocument(options, notes)
@@ -254,17 +254,15 @@ ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer)
 }  // namespace
 
 void addInspectCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("inspect", "What is in a file: entities, sizes, joints, and what is wrong with it");
+  Subcommand command = app.add("inspect", "Show what a file contains: entities, sizes, joints, and its problems");
   const auto options = std::make_shared<InspectOptions>();
   command
       .option("file", options->file,
-              "A mesh (STL, OBJ, PLY, OFF), a CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), a robot (URDF, "
-              "xacro, SDF, "
-              "robot.toml, library:NAME) or a workcell (.hcell)")
+              "Mesh (STL, OBJ, PLY, OFF), CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), robot (URDF, xacro, "
+              "SDF, robot.toml, library:NAME) or workcell (.hcell)")
       .required();
-  command.option("arguments", options->arguments, "Of a xacro: NAME:=VALUE, as many as there are");
-  command.option("--unit", options->unit,
-                 "What one unit of a mesh file is: m, mm or in; as the file says, or guessed, when not given");
+  command.option("arguments", options->arguments, "Xacro arguments, NAME:=VALUE; can be repeated");
+  command.option("--unit", options->unit, "Unit of a mesh file: m, mm or in (default: from the file, else guessed)");
   addTessellationOptions(command, options->tessellation);
   command.onChosen(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runInspect(*options, writer); }; });

@@ -38,7 +38,8 @@ Expected<void> writeKept(const std::string& path, const std::string& content, co
 }
 
 void addAllowMiss(Subcommand command, bool& allow_miss) {
-  command.flag("--allow-miss", allow_miss, "Write the result also where it misses what was asked, and say so in it");
+  command.flag("--allow-miss", allow_miss,
+               "Write the result even if it misses the request; the output says so in `missed`");
 }
 
 }  // namespace hapticell::cli

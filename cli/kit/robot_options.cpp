@@ -37,7 +37,7 @@ Expected<kinematics::RobotModel> readModel(const std::string& text, workcell::Ro
   const auto entity = loader.loadSource(source, diagnostics);
   HAPTICELL_TRY(entity);
   if (!entity->robot)
-    return makeError({.file = file, .found = "it is no robot", .expected = "a robot file, or library:NAME"});
+    return makeError({.file = file, .found = "it is not a robot", .expected = "a robot file, or library:NAME"});
   return *entity->robot;
 }
 
@@ -56,7 +56,7 @@ Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::stri
     for (const kinematics::Link& link : robot.model.links) links += (links.empty() ? "" : ", ") + link.name;
     return makeError({.file = file,
                       .place = "--tip",
-                      .found = "there is no link '" + tip_name + "'",
+                      .found = "no link is named '" + tip_name + "'",
                       .expected = "one of " + links});
   }
   robot.variables = kinematics::variablesOfChain(robot.model, robot.tip);

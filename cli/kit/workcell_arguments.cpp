@@ -170,7 +170,7 @@ Expected<Addition> parseAddition(const std::string& text) {
   if (addition.what.empty()) return makeError(wrong("--add", text, "a file, or library:NAME, first"));
   if (const std::string unknown = unknownKey(addition.what); !unknown.empty()) {
     return makeError({.place = "--add " + text,
-                      .found = "there is no option '" + unknown + "'",
+                      .found = "no option is named '" + unknown + "'",
                       .expected = "one of " + listed(kKeys)});
   }
   if (const std::string twice = saidTwice(arguments); !twice.empty()) {

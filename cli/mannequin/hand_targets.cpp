@@ -48,7 +48,7 @@ class TargetReader {
       HAPTICELL_TRY(done);
     }
     if (header_.empty()) return fail("", "an empty file", "a header line hand,x,y,z,qw,qx,qy,qz");
-    if (targets_.empty()) return fail("", "no row behind the header", "at least one target");
+    if (targets_.empty()) return fail("", "no row after the header", "at least one target");
     return std::move(targets_);
   }
 

@@ -309,23 +309,23 @@ ExitStatus run(const MannequinOptions& options, const ResultWriter& writer) {
 }  // namespace
 
 void addMannequinCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("mannequin", "A figure of some size: its measures, postures and reach");
+  Subcommand command = app.add("mannequin", "Compute a mannequin of a given size: measures, postures and reach");
   const auto options = std::make_shared<MannequinOptions>();
   command.option("--sex", options->sex, "male or female").required();
-  command.option("--percentile", options->percentile, "Of the stature among that sex, 0.1 to 99.9");
+  command.option("--percentile", options->percentile, "Percentile of stature for that sex, 0.1 to 99.9");
   command.option("--stature", options->stature, "Metres, 1.2 to 2.3");
-  command.option("--mass", options->mass, "Kilograms; the likely one where not given");
-  command.option("--posture", options->posture, "A posture file, or one of the library: standing, seated, ...");
-  command.flag("--measure", options->measure, "Also all body dimensions and where each segment is");
-  command.option("--targets", options->targets, "CSV hand,x,y,z,qw,qx,qy,qz[,step]: where hands are wanted");
-  command.option("--hands", options->hands, "left, right or both: which of the targets' hands count");
-  command.option("--lock", options->lock, "trunk, feet, pelvis: what does not move").separatedByCommas();
+  command.option("--mass", options->mass, "Kilograms (default: the most likely mass)");
+  command.option("--posture", options->posture, "Posture file, or a library posture: standing, seated, ...");
+  command.flag("--measure", options->measure, "Also list all body dimensions and segment poses");
+  command.option("--targets", options->targets, "CSV hand,x,y,z,qw,qx,qy,qz[,step]: targets of the hands");
+  command.option("--hands", options->hands, "Hands of the targets to use: left, right or both");
+  command.option("--lock", options->lock, "Body parts to lock: trunk, feet, pelvis").separatedByCommas();
   command.option("--motion", options->motion,
-                 "A recorded motion for the figure: .bvh, .amc beside its .asf, or .c3d (markers)");
+                 "Recorded motion for the mannequin: .bvh, .amc beside its .asf, or .c3d (markers)");
   addMotionReading(command, options->up, options->markers);
-  command.flag("--fail-on-limit", options->fail_on_limit, "Exit 1 when a limit is exceeded or a target not met");
+  command.flag("--fail-on-limit", options->fail_on_limit, "Exit 1 if a limit is exceeded or a target is not met");
   command.option("-o,--output", options->output,
-                 "Write the posture to this file (.json); .obj: the body in it, .x3d: H-Anim, .bvh: the motion");
+                 "Write the posture to this file: .json, .obj (body mesh), .x3d (H-Anim) or .bvh (motion)");
   command.onChosen([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
 }
 

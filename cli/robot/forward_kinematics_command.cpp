@@ -46,16 +46,17 @@ Expected<ordered_json> solve(const ForwardOptions& options) {
 }  // namespace
 
 void addForwardKinematicsCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("fk", "Poses of a robot's tip in its root link, for joint positions");
+  Subcommand command = app.add("fk", "Compute poses of a robot's tip in its root link from joint positions");
   const auto options = std::make_shared<ForwardOptions>();
-  command.option("--robot", options->robot, "The robot: a file, or library:NAME").required();
-  command.option("--joints", options->joints, "CSV: one column a joint, by name, for all joints that move the tip")
+  command.option("--robot", options->robot, "Robot: a file, or library:NAME").required();
+  command
+      .option("--joints", options->joints, "CSV with one column per joint, by name, for all joints that move the tip")
       .required();
-  command.option("--tip", options->tip, "The link asked for; the tool or the end of the arm where not given");
+  command.option("--tip", options->tip, "Link of the tip (default: the tool or the end of the arm)");
   command.option("--on", options->axes.on,
-                 "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where");
+                 "External axes that carry the robot: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz]");
   command.option("--part-on", options->axes.part_on,
-                 "The same for what carries the part: poses are then in that link, the pose is the positioner's");
+                 "The same for the positioner that carries the part: poses are then in its link, and pose is its own");
   command.onChosen([options, &chosen] {
     chosen = [options](ResultWriter& writer) {
       const auto result = solve(*options);

@@ -40,7 +40,7 @@ Expected<std::vector<double>> readStart(const InverseOptions& options, const Rob
     const auto number = trajectory::parseNumber(std::string_view(options.start).substr(begin, end - begin));
     if (!number)
       return makeError(
-          {.place = "--start", .found = "'" + options.start + "'", .expected = "finite numbers between commas"});
+          {.place = "--start", .found = "'" + options.start + "'", .expected = "finite numbers separated by commas"});
     numbers.push_back(*number);
     begin = end + 1;
   }
@@ -166,20 +166,21 @@ ExitStatus run(const InverseOptions& options, const ResultWriter& writer) {
 }  // namespace
 
 void addInverseKinematicsCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("ik", "Joint positions that bring a robot's tip to poses, each nearest to the last");
+  Subcommand command =
+      app.add("ik", "Compute joint positions that bring a robot's tip to poses, each closest to the one before");
   const auto options = std::make_shared<InverseOptions>();
-  command.option("--robot", options->robot, "The robot: a file, or library:NAME").required();
+  command.option("--robot", options->robot, "Robot: a file, or library:NAME").required();
   command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link").required();
-  command.option("--tip", options->tip, "The link meant; the tool or the end of the arm where not given");
+  command.option("--tip", options->tip, "Link of the tip (default: the tool or the end of the arm)");
   command.option("--on", options->axes.on,
-                 "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where");
+                 "External axes that carry the robot: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz]");
   command.option("--part-on", options->axes.part_on,
-                 "The same for what carries the part: poses are then in that link, the pose is the positioner's");
+                 "The same for the positioner that carries the part: poses are then in its link, and pose is its own");
   command.option("--start", options->start,
-                 "Joint positions before the first pose: numbers between commas, base first; zeros where not given");
-  command.flag("--all", options->all, "List all solutions of each pose; within limits also those turned by full turns");
-  command.flag("--turns-once", options->turns_once, "With --all: each solution only with its nearest turns");
-  command.flag("--fail-on-limit", options->fail_on_limit, "Exit status 1 when a pose is not solved");
+                 "Joint positions before the first pose, separated by commas, base first (default: zeros)");
+  command.flag("--all", options->all, "List all solutions of each pose, including full turns within the limits");
+  command.flag("--turns-once", options->turns_once, "With --all: list each solution only with its closest turns");
+  command.flag("--fail-on-limit", options->fail_on_limit, "Exit 1 if a pose is not solved");
   command.onChosen([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
 }
 

@@ -31,7 +31,7 @@ ExitStatus run(const ResultWriter& writer) {
 }  // namespace
 
 void addLibraryCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("library", "The built-in robots that library:NAME loads");
+  Subcommand command = app.add("library", "List the library robots that library:NAME loads");
   command.onChosen([&chosen] { chosen = [](ResultWriter& writer) { return run(writer); }; });
 }
 

@@ -77,12 +77,12 @@ ExitStatus runFeel(feel::BenchmarkOptions options, const std::vector<std::string
 
 void addFeelCommand(Subcommand app, Action& chosen) {
   auto options = std::make_shared<feel::BenchmarkOptions>();
-  Subcommand command = app.add("feel", "Measure the feel in virtual time, beside the classic way");
-  command.option("--only", options->only, "One figure (M4) or part of a scene's name");
-  command.flag("--full", options->full, "The full counts (minutes)");
-  command.flag("--timing", options->timing, "Also M7 and M11, by the clock on the wall");
+  Subcommand command = app.add("feel", "Measure the feel in virtual time, compared with the classic method");
+  command.option("--only", options->only, "One measurement (M4) or part of a scene name");
+  command.flag("--full", options->full, "Run the full counts (takes minutes)");
+  command.flag("--timing", options->timing, "Also measure M7 and M11, in real time");
   auto parts = std::make_shared<std::vector<std::string>>();
-  command.option("--part", *parts, "A mesh (STL, OBJ, PLY; millimetres) to be felt with a ball besides (M13)");
+  command.option("--part", *parts, "Mesh (STL, OBJ, PLY; millimetres) to feel with a ball as well (M13)");
   command.onChosen([options, parts, &chosen] {
     chosen = [options, parts](ResultWriter& writer) { return runFeel(*options, *parts, writer); };
   });

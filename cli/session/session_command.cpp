@@ -64,7 +64,7 @@ Expected<void> readDevice(const std::string& name, SessionOptions& options) {
   const auto file = config::findShippedFile("devices/" + name + ".toml");
   if (!file) {
     return makeError({.place = "--device",
-                      .found = "there is no simulated device '" + name + "'",
+                      .found = "no simulated device is named '" + name + "'",
                       .expected = "phantom_desktop, touch, touch_x, premium or premium_6dof"});
   }
   const auto profile = config::readDeviceProfile(*file);
@@ -106,7 +106,7 @@ Expected<void> readRecording(const SessionWords& words, SessionOptions& options)
 
 Expected<void> saveRecording(const SessionWords& words, const SessionReport& session) {
   if (words.record.empty()) return {};
-  if (session.recording.empty()) warn("Nothing was held and moved: the recording has no frames.");
+  if (session.recording.empty()) warn("Nothing was held and moved, so the recording has no frames.");
   const bool is_csv = words.record.ends_with(".csv");
   // What moved beside it, on the same clock, stands beside its file.
   const std::filesystem::path place(words.record);
@@ -321,29 +321,28 @@ ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writ
 
 void addSessionCommand(Subcommand app, Action& chosen) {
   Subcommand command = app.add(
-      "session", "Moves an entity of a workcell with a scripted hand on a simulated stylus, and measures the feel");
+      "session", "Move an entity of a workcell with a scripted hand on a simulated stylus, and measure the feel");
   const auto words = std::make_shared<SessionWords>();
-  command.option("--workcell", words->workcell, "The workcell document, *.hcell").required();
-  command.option("--entity", words->entity, "The entity that the stylus's button takes").required();
+  command.option("--workcell", words->workcell, "Workcell document, *.hcell").required();
+  command.option("--entity", words->entity, "Entity that the stylus button holds").required();
   command.option("--hand", words->hand, "CSV with t,x,y,z,qw,qx,qy,qz,button in the device frame").required();
-  command.option("--rate-manipulation", words->rate_manipulation, "Hz of the manipulation loop, 10 to 1000");
-  command.option("--rate-gui", words->rate_gui, "Hz of the pictures");
-  command.option("--latency", words->latency_ms, "ms, one way, of the imagined network (virtual time only)");
+  command.option("--rate-manipulation", words->rate_manipulation, "Rate of the manipulation loop, Hz, 10 to 1000");
+  command.option("--rate-gui", words->rate_gui, "Rate of the pictures, Hz");
+  command.option("--latency", words->latency_ms, "One-way latency of the simulated network, ms (virtual time only)");
   command.option("--device", words->device, "phantom_desktop, touch, touch_x, premium or premium_6dof");
-  command.option("--set", words->set, "KEY=VALUE; may be repeated").oneAtATime();
-  command.flag("--realtime", words->realtime,
-               "In real time, over TCP: with a server of its own, or the one of --server");
-  command.option("--server", words->server, "HOST:PORT of a haptic server that runs already, with a simulated device");
-  command.option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
-  command.option("--trace,-o,--output", words->trace, "CSV to write with a row a tick");
-  command.option("--record", words->record, "Trajectory to write of what is held: .htraj or .csv");
-  command.option("--record-interval", words->record_interval, "s between its frames (0.01)");
-  command.flag("--record-all", words->record_all, "Every step of the manipulation loop");
+  command.option("--set", words->set, "KEY=VALUE; can be repeated").oneAtATime();
+  command.flag("--realtime", words->realtime, "Run in real time over TCP, with an own server or that of --server");
+  command.option("--server", words->server, "HOST:PORT of a running haptic server with a simulated device");
+  command.option("--config", words->configuration, "hapticell.toml whose values override the shipped ones");
+  command.option("--trace,-o,--output", words->trace, "CSV to write, one row per tick");
+  command.option("--record", words->record, "Trajectory of the held entity to write: .htraj or .csv");
+  command.option("--record-interval", words->record_interval, "Time between its frames, s (0.01)");
+  command.flag("--record-all", words->record_all, "Record every step of the manipulation loop");
   command.flag("--record-by-button", words->record_by_button,
-               "Only frames that the stylus's second button adds (it is no clutch then)");
-  command.flag("--fail-on-contact", words->fail_on_contact, "Exit status 1 when anything was touched");
-  command.flag("--fail-on-limit", words->fail_on_limit, "Exit status 1 when a limit held it");
-  command.option("--record-distance", words->record_distance, "m between its frames, instead of a time");
+               "Record only frames added by the second stylus button (which is then not the clutch)");
+  command.flag("--fail-on-contact", words->fail_on_contact, "Exit 1 if anything was touched");
+  command.flag("--fail-on-limit", words->fail_on_limit, "Exit 1 if a limit stopped the motion");
+  command.option("--record-distance", words->record_distance, "Distance between its frames, m, instead of a time");
   command.onChosen(
       [words, &chosen] { chosen = [words](ResultWriter& writer) { return runSessionCommand(*words, writer); }; });
 }

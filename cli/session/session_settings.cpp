@@ -82,7 +82,7 @@ Expected<void> applySessionSetting(const std::string& setting, SessionOptions& o
   }
   if (!isConfigurationKey(key, options)) {
     return makeError(
-        {.place = "--set", .found = "there is no key '" + key + "'", .expected = "one of " + knownKeys(options)});
+        {.place = "--set", .found = "no key is named '" + key + "'", .expected = "one of " + knownKeys(options)});
   }
   return config::setValue(options.configuration, key, value);
 }

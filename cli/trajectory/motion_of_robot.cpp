@@ -37,16 +37,16 @@ Expected<MotionOfRobot> withRobot(const Trajectory& given, const TrajectoryOptio
   HAPTICELL_TRY(tool);
   if (!given.has_poses) {
     result.motion = tool->posesOf(given);
-    assumptions.push_back("The file has no poses; they are those of the robot's tip in its root link.");
+    assumptions.push_back("The file has no poses. They were computed for the robot's tip in its root link.");
   } else if (!tool->match()) {
     assumptions.push_back(
-        "The file's poses are not those of its joints by this robot, whatever base or tool it stands on; poses between "
-        "given frames are marked (pose_apart).");
+        "The file's poses do not match its joints for this robot with any base or tool. Poses between given frames are "
+        "marked (pose_apart).");
     return result;
   } else if (const std::size_t apart = posesApart(given); apart > 0) {
     result.motion = tool->posesOf(given);
     assumptions.push_back("In " + std::to_string(apart) +
-                          " given frames poses and joints were made each by itself (pose_apart); the joints count.");
+                          " given frames poses and joints do not agree (pose_apart); the joints are used.");
   }
   result.tool = std::move(*tool);
   return result;

@@ -152,14 +152,15 @@ Expected<KeptFreeResult> retimeFree(const trajectory::Trajectory& given, const t
 }
 
 void addCheckOptions(Subcommand command, TrajectoryCheckOptions& options) {
-  command.option("--workcell", options.workcell, "The cell to move through (.hcell)").required();
-  command.option("--entity", options.entity, "What moves (as the trajectory says)");
-  command.option("--moved-by", options.moved_by, "tcp, base, self_origin, ... (as the trajectory says)");
-  command.option("--together", options.together,
-                 "Motions on the same clock, of the axes that the robot stands on (those that the cell has of the same "
-                 "take count anyway)");
-  command.flag("--fail-on-contact", options.fail_on_contact, "Exit with 1 where a collision is found");
-  command.flag("--fail-on-limit", options.fail_on_limit, "Exit with 1 where a limit is passed");
+  command.option("--workcell", options.workcell, "Cell to move through (.hcell)").required();
+  command.option("--entity", options.entity, "Entity that moves (default: from the trajectory)");
+  command.option("--moved-by", options.moved_by,
+                 "How it is moved: tcp, base, self_origin, ... (default: from the trajectory)");
+  command.option(
+      "--together", options.together,
+      "Motions of the axes that carry the robot, on the same clock (those of the same take in the cell are included)");
+  command.flag("--fail-on-contact", options.fail_on_contact, "Exit 1 if a collision is found");
+  command.flag("--fail-on-limit", options.fail_on_limit, "Exit 1 if a limit is exceeded");
 }
 
 Expected<ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,

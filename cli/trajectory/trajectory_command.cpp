@@ -39,22 +39,22 @@ void addTolerance(Subcommand command, TrajectoryOptions& options) {
 }
 
 void addLimits(Subcommand command, RobotLimitOptions& limits) {
-  command.option("--robot", limits.robot, "Robot whose limits hold: a file or library:NAME");
+  command.option("--robot", limits.robot, "Robot whose limits apply: a file or library:NAME");
   command.option("--velocity", limits.velocity, "Joint speeds (rad/s, m/s), or one for all").separatedByCommas();
   command.option("--acceleration", limits.acceleration, "Joint accelerations, or one for all").separatedByCommas();
-  command.option("--jerk", limits.jerk, "Joint jerks, or one for all; without it jerk is free").separatedByCommas();
+  command.option("--jerk", limits.jerk, "Joint jerks, or one for all (default: no jerk limit)").separatedByCommas();
 }
 
 }  // namespace
 
 void addTrajectoryCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("trajectory", "Look at, clean, time, check and export a recorded motion");
+  Subcommand command = app.add("trajectory", "Analyse, clean, retime, check and export a recorded motion");
   command.mustGoOn();
   const auto options = std::make_shared<TrajectoryOptions>();
   const auto add = [&](const char* name, const char* description, Handler handler) {
     Subcommand sub = command.add(name, description);
     sub.option("file", options->file,
-               "A trajectory: .htraj, .csv, .json, .yaml (ROS), or a program: .src, .mod, .ls, .script, .jbi")
+               "Trajectory: .htraj, .csv, .json, .yaml (ROS), or program: .src, .mod, .ls, .script, .jbi")
         .required();
     sub.onChosen([options, &chosen, handler] {
       chosen = [options, handler](ResultWriter& writer) {
@@ -67,27 +67,27 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
     });
     return sub;
   };
-  Subcommand info_command = add("info", "What the motion is like", trajectoryInfo);
-  Subcommand simplify_command = add("simplify", "Fewer frames within a tolerance", simplifyTrajectory);
-  Subcommand smooth_command = add("smooth", "Take a hand's tremor, keep the path", smoothTrajectory);
-  Subcommand retime_command = add("retime", "New times along the same path", retimeTrajectory);
-  Subcommand check_command = add("check", "Limits and collisions along the whole motion", check);
+  Subcommand info_command = add("info", "Describe the motion", trajectoryInfo);
+  Subcommand simplify_command = add("simplify", "Reduce frames within a tolerance", simplifyTrajectory);
+  Subcommand smooth_command = add("smooth", "Remove hand tremor, keep the path", smoothTrajectory);
+  Subcommand retime_command = add("retime", "Compute new times along the same path", retimeTrajectory);
+  Subcommand check_command = add("check", "Check limits and collisions along the whole motion", check);
   Subcommand export_command = add("export", "Write it in another format or as a robot's program", exportTrajectory);
 
   addTrajectoryEdits(command, chosen);
   addTrajectoryTraining(command, chosen);
 
   for (Subcommand sub : {simplify_command, smooth_command, retime_command}) {
-    sub.option("-o,--output", options->output, "The result: .htraj, .json or .csv");
+    sub.option("-o,--output", options->output, "Result: .htraj, .json or .csv");
     addAllowMiss(sub, options->allow_miss);
   }
   addAllowMiss(export_command, options->allow_miss);
   for (Subcommand sub : {info_command, smooth_command}) {
-    sub.option("--robot", options->limits.robot,
-               "Robot whose joints they are, for poses by its forward kinematics: a file or library:NAME");
+    sub.option("--robot", options->limits.robot, "Robot of the joints, to compute the poses: a file or library:NAME");
   }
-  retime_command.option("--tolerance", options->passing, "How near each given frame is passed, m (0.00005)");
-  retime_command.option("--angle-tolerance", options->angle_passing, "Likewise its turn, or each joint, rad (0.0002)");
+  retime_command.option("--tolerance", options->passing, "Largest distance from each given frame, m (0.00005)");
+  retime_command.option("--angle-tolerance", options->angle_passing,
+                        "Largest rotation from it, or of each joint, rad (0.0002)");
   addTolerance(simplify_command, *options);
   addTolerance(smooth_command, *options);
   retime_command.option("--mode", options->mode, "time-optimal (default) or constant-speed");
@@ -97,23 +97,22 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
   addCheckOptions(check_command, options->check);
   for (Subcommand sub : {smooth_command, retime_command}) {
     sub.option("--workcell", options->check.workcell,
-               "The cell to move through: nearer to the recording where it would collide");
-    sub.option("--entity", options->check.entity, "What moves (as the trajectory says)");
+               "Cell to move through; stay closer to the recording to avoid collisions");
+    sub.option("--entity", options->check.entity, "Entity that moves (default: from the trajectory)");
   }
 
   export_command.option("--to", options->to, "csv, json, ros, krl, rapid, fanuc, urscript, val3 or inform").required();
-  export_command.option("-o,--output", options->output, "The file; a folder for val3").required();
-  export_command.option("--name", options->program.name, "The program's name (of the file)");
+  export_command.option("-o,--output", options->output, "Output file; a folder for val3").required();
+  export_command.option("--name", options->program.name, "Program name (default: the file's)");
   export_command.option("--tool", options->program.tool,
-                        "The controller's tool: its name; a number for fanuc and inform");
-  export_command.option("--base", options->program.base, "The controller's base, work object or user frame, likewise");
-  export_command.option("--speed", options->program.speed, "m/s along lines (0.25)");
-  export_command.option("--acceleration", options->program.acceleration, "m/s2 along lines (1.2)");
-  export_command.option("--joint-speed", options->program.joint_speed, "Share of the first move's speed (0.2)");
+                        "Tool in the controller: its name; a number for fanuc and inform");
+  export_command.option("--base", options->program.base, "Base, work object or user frame in the controller, likewise");
+  export_command.option("--speed", options->program.speed, "Speed along lines, m/s (0.25)");
+  export_command.option("--acceleration", options->program.acceleration, "Acceleration along lines, m/s2 (1.2)");
+  export_command.option("--joint-speed", options->program.joint_speed, "Speed of the first move, as a share (0.2)");
   export_command.option("--blend", options->program.blend, "m (0.002)");
-  export_command.option(
-      "--robot", options->limits.robot,
-      "Robot for configuration data, joints, and poses where the file has none: a file or library:NAME");
+  export_command.option("--robot", options->limits.robot,
+                        "Robot for configuration data, joints, and poses that the file lacks: a file or library:NAME");
 }
 
 }  // namespace hapticell::cli

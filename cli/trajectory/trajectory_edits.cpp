@@ -53,7 +53,7 @@ Expected<Pose> poseOf(const std::vector<double>& v) {
   const dquat q = v.size() == 7 ? dquat(v[3], v[4], v[5], v[6]) : dquat(0.0, 0.0, 0.0, 0.0);
   if (v.size() != 7 || !(std::abs(glm::length(q) - 1.0) < 1e-3)) {
     return makeError(
-        {"", "--pose", std::to_string(v.size()) + " numbers, or no unit quaternion", "x,y,z,qw,qx,qy,qz", ""});
+        {"", "--pose", std::to_string(v.size()) + " numbers, or not a unit quaternion", "x,y,z,qw,qx,qy,qz", ""});
   }
   return Pose{{v[0], v[1], v[2]}, glm::normalize(q)};
 }
@@ -130,7 +130,8 @@ Made resample(const Trajectory& given, const EditOptions& o) {
 Expected<void> findJoints(const Trajectory& given, const EditOptions& options, Trajectory& made, ordered_json& result) {
   if (!given.hasJoints() || made.hasJoints()) return {};
   if (options.files.workcell.empty()) {
-    result["notes"].push_back("The joints belong to the old poses and are left out; --workcell finds them again.");
+    result["notes"].push_back(
+        "The joints belong to the old poses and are dropped. Use --workcell to compute them again.");
     return {};
   }
   Diagnostics notes;
@@ -166,8 +167,8 @@ Expected<void> poseByJoints(const Trajectory& given, const EditOptions& options,
       return {};
     }
   }
-  result["notes"].push_back("Poses and joints were made each by itself in " + std::to_string(apart) +
-                            " frames, which are marked (pose_apart); resample --robot makes them agree.");
+  result["notes"].push_back("Poses and joints do not agree in " + std::to_string(apart) +
+                            " frames (marked pose_apart). To make them agree, use resample --robot.");
   return {};
 }
 
@@ -239,57 +240,57 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   const auto options = std::make_shared<EditOptions>();
   const auto add = [&](const char* name, const char* description, Edit edit) {
     Subcommand sub = command.add(name, description);
-    sub.option("file", options->files.file, "A trajectory: .htraj, .csv, .json, .yaml (ROS)").required();
-    sub.option("-o,--output", options->files.output, "The copy: .htraj, .json or .csv");
-    sub.option("--workcell", options->files.workcell, "The cell in which a robot's joints are found again");
+    sub.option("file", options->files.file, "Trajectory: .htraj, .csv, .json, .yaml (ROS)").required();
+    sub.option("-o,--output", options->files.output, "Copy to write: .htraj, .json or .csv");
+    sub.option("--workcell", options->files.workcell, "Cell in which a robot's joints are computed again");
     sub.onChosen([options, &chosen, edit] {
       options->is_resampled = edit == static_cast<Edit>(resample);
       chosen = [options, edit](ResultWriter& writer) { return finishTrajectory(writer, run(*options, edit)); };
     });
     return sub;
   };
-  Subcommand sub = add("trim", "Keep a part", trim);
+  Subcommand sub = add("trim", "Keep a range", trim);
   sub.option("--from", options->from, "s");
   sub.option("--to", options->to, "s");
-  sub = add("split", "In two at a time", split);
+  sub = add("split", "Split at a time", split);
   sub.option("--at", options->at, "s").required();
-  sub.option("--rest", options->files.rest, "The file for what comes after");
-  sub = add("join", "One after the other", join);
-  sub.option("--with", options->files.with, "The motions that follow").required();
-  sub.option("--speed", options->speed, "m/s from the end of one to the next (0.1)");
-  add("reverse", "Backwards in time", reverse);
-  sub = add("mirror", "On a plane", mirror);
-  sub.option("--plane", options->plane, "Its normal: x, y (default) or z");
-  sub.option("--offset", options->offset, "m, of the plane along its normal");
-  sub = add("insert", "A frame by hand", insert);
+  sub.option("--rest", options->files.rest, "File for the part after it");
+  sub = add("join", "Join motions end to end", join);
+  sub.option("--with", options->files.with, "Motions that follow").required();
+  sub.option("--speed", options->speed, "Speed from the end of one to the next, m/s (0.1)");
+  add("reverse", "Reverse in time", reverse);
+  sub = add("mirror", "Mirror at a plane", mirror);
+  sub.option("--plane", options->plane, "Normal of the plane: x, y (default) or z");
+  sub.option("--offset", options->offset, "Offset of the plane along its normal, m");
+  sub = add("insert", "Insert a frame", insert);
   sub.option("--at", options->at, "s").required();
-  sub.option("--pose", options->pose, "x,y,z,qw,qx,qy,qz (where the motion is then)").separatedByCommas();
-  sub = add("move", "A frame elsewhere, its neighbours along", move);
-  sub.option("--frame", options->frame, "Its number, from 0").required();
+  sub.option("--pose", options->pose, "x,y,z,qw,qx,qy,qz (default: the pose at that time)").separatedByCommas();
+  sub = add("move", "Move a frame and blend its neighbours", move);
+  sub.option("--frame", options->frame, "Number of the frame, from 0").required();
   sub.option("--pose", options->pose, "x,y,z,qw,qx,qy,qz").separatedByCommas().required();
-  sub.option("--reach", options->reach, "s within which frames go along (0.5)");
-  sub = add("delete", "Frames out", remove);
+  sub.option("--reach", options->reach, "Time within which frames follow, s (0.5)");
+  sub = add("delete", "Delete frames", remove);
   sub.option("--first", options->first, "From 0").required();
   sub.option("--last", options->last, "From 0").required();
-  sub = add("dwell", "Wait at a frame", dwell);
-  sub.option("--frame", options->frame, "Its number, from 0").required();
-  sub.option("--seconds", options->seconds, "0: goes through").required();
-  sub = add("name", "Call a point by a name", namePoint);
-  sub.option("--frame", options->frame, "Its number, from 0").required();
-  sub.option("--name", options->name, "Unique in the motion; left out: none");
+  sub = add("dwell", "Dwell at a frame", dwell);
+  sub.option("--frame", options->frame, "Number of the frame, from 0").required();
+  sub.option("--seconds", options->seconds, "Dwell time, s; 0 passes through").required();
+  sub = add("name", "Name a point", namePoint);
+  sub.option("--frame", options->frame, "Number of the frame, from 0").required();
+  sub.option("--name", options->name, "Name, unique in the motion (default: none)");
   sub = add("reorder", "Move a point to another place in the order", reorderPoints);
-  sub.option("--frame", options->frame, "Its number, from 0").required();
-  sub.option("--to", options->place, "The number that it gets, from 0").required();
+  sub.option("--frame", options->frame, "Number of the frame, from 0").required();
+  sub.option("--to", options->place, "New number, from 0").required();
   for (const auto& [way, edit] :
        {std::pair<const char*, Edit>("approach", approach), std::pair<const char*, Edit>("retract", retract)}) {
-    sub = add(way, "A straight way before or after it", edit);
+    sub = add(way, "Add a straight move before or after it", edit);
     sub.option("--length", options->length, "m (0.05)");
     sub.option("--direction", options->direction, "x,y,z in the moved frame (0,0,-1)").separatedByCommas();
     sub.option("--speed", options->speed, "m/s (0.1)");
   }
-  sub = add("resample", "Frames in even steps, times as recorded", resample);
+  sub = add("resample", "Resample in even steps, times as recorded", resample);
   sub.option("--step", options->step, "s (0.01)");
-  sub.option("--robot", options->files.robot, "Robot whose joints they are: poses by its forward kinematics");
+  sub.option("--robot", options->files.robot, "Robot of the joints, to compute the poses");
   addAllowMiss(sub, options->allow_miss);
 }
 

@@ -41,7 +41,7 @@ void noteFileName(const std::string& name, const std::string& file, trajectory::
   const bool is_found_by_name = format != ProgramFormat::kUrScript && format != ProgramFormat::kRapid;
   const auto isSame = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
   if (is_found_by_name && !std::equal(name.begin(), name.end(), file.begin(), file.end(), isSame))
-    notes.push_back("On the controller the file must be called '" + name + "', as its program.");
+    notes.push_back("On the controller the file must be named '" + name + "', as its program.");
 }
 
 /// What stands in the program's files on the disk, written aside, of which nothing is left.
@@ -52,7 +52,7 @@ Expected<std::vector<trajectory::ProgramFile>> readBack(const std::vector<trajec
   fs::create_directories(beside, problem);
   if (problem)
     return makeError({.file = beside.string(),
-                      .found = "the folder cannot be made",
+                      .found = "the folder cannot be created",
                       .expected = problem.message(),
                       .fix = "Write it somewhere else."});
   const auto folder = ScratchFolder::make(beside);
@@ -79,8 +79,9 @@ Expected<std::vector<std::string>> saveProgram(const std::vector<trajectory::Pro
     std::error_code problem;
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), problem);
     if (problem)
-      return makeError(
-          {.file = path.parent_path().string(), .found = "the folder cannot be made", .expected = problem.message()});
+      return makeError({.file = path.parent_path().string(),
+                        .found = "the folder cannot be created",
+                        .expected = problem.message()});
     contents.push_back({path, file.content});
     names.push_back(path.string());
   }

@@ -50,8 +50,8 @@ std::size_t posesApart(const Trajectory& trajectory) {
 
 void noteApart(const Trajectory& trajectory, ordered_json& notes) {
   if (const std::size_t apart = posesApart(trajectory); apart > 0) {
-    notes.push_back("Poses and joints were made each by itself in " + std::to_string(apart) +
-                    " frames, which are marked (pose_apart); --robot makes them agree.");
+    notes.push_back("Poses and joints do not agree in " + std::to_string(apart) +
+                    " frames (marked pose_apart). To make them agree, use --robot.");
   }
 }
 

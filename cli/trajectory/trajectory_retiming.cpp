@@ -83,11 +83,12 @@ Expected<ordered_json> retimeTrajectory(const Trajectory& file, const Trajectory
   }
   const bool drawn = !kept.is_null() && !kept["nearer"].empty();
   if (made.report.corners > 0) {
-    assumptions.push_back("The motion rests at " + std::to_string(made.report.corners) +
-                          " corners, which nothing that goes on passes within the tolerance.");
+    assumptions.push_back("The motion stops at " + std::to_string(made.report.corners) +
+                          " corners, because no continuous motion passes them within the tolerance.");
   }
   if (made.report.sample_s < 0.9 * options.sample)
-    assumptions.push_back("Frames are closer together than --sample, so that the ways between them stay by the path.");
+    assumptions.push_back(
+        "Frames are closer together than --sample, so that the motion between them stays on the path.");
   ordered_json json = retimingJson(made);
   json["assumptions"] = assumptions;
   noteApart(made.trajectory, json["assumptions"]);

@@ -43,7 +43,7 @@ Expected<std::vector<double>> speedsOf(const RobotWithTip& robot, const Trajecto
     const double speed = robot.model.joints[static_cast<std::size_t>(index)].velocity;
     if (!(speed > 0.0)) {
       return makeError(
-          {.place = "joint '" + name + "'", .found = "the robot's file gives no speed", .expected = "--velocity"});
+          {.place = "joint '" + name + "'", .found = "the robot file gives no speed", .expected = "--velocity"});
     }
     speeds.push_back(speed);
   }
@@ -55,7 +55,7 @@ Expected<std::vector<double>> velocitiesFor(const Trajectory& trajectory, const 
   const std::size_t count = trajectory.hasJoints() ? trajectory.joint_names.size() : 6;
   if (!options.velocity.empty()) return spread(options.velocity, count, "--velocity");
   if (!trajectory.hasJoints()) {
-    assumptions.push_back("Speeds of 0.5 m/s and 2 rad/s about each axis, as none were given.");
+    assumptions.push_back("No speeds were given; 0.5 m/s and 2 rad/s about each axis are used.");
     const auto [linear, angular] = kSolidSpeed;
     return std::vector<double>{linear, linear, linear, angular, angular, angular};
   }
@@ -77,7 +77,7 @@ Expected<trajectory::MotionLimits> limitsFor(const Trajectory& trajectory, const
   limits.velocity = std::move(*velocity);
   if (options.acceleration.empty()) {
     for (const double speed : limits.velocity) limits.acceleration.push_back(speed / kTimeToSpeed);
-    assumptions.push_back("Each axis reaches its speed in 0.25 s, as no accelerations were given.");
+    assumptions.push_back("No accelerations were given; each axis reaches its speed in 0.25 s.");
   } else {
     auto acceleration = spread(options.acceleration, limits.velocity.size(), "--acceleration");
     HAPTICELL_TRY(acceleration);

@@ -98,12 +98,11 @@ Expected<ordered_json> smoothTrajectory(const Trajectory& file, const Trajectory
   json["assumptions"] = assumptions;
   json["warnings"] = ordered_json::array();
   if (report.tremor_exceeds_tolerance) {
-    json["warnings"].push_back("The hand's tremor is larger than the tolerance: much of it is kept.");
+    json["warnings"].push_back("Hand tremor is larger than the tolerance, so much of it remains.");
   }
   if (report.frames_drawn_back > 0) {
     json["warnings"].push_back(std::to_string(report.frames_drawn_back) +
-                               " frames are at the edge of the tolerance, where no spline comes nearer: the motion is "
-                               "not smooth there.");
+                               " frames are at the edge of the tolerance. The motion is not smooth there.");
   }
   noteApart(result.trajectory, json["warnings"]);
   const auto measure = [&](const fs::path& written) {

@@ -201,26 +201,26 @@ void addTrajectoryTraining(Subcommand command, Action& chosen) {
     });
     return sub;
   };
-  Subcommand sub = add("curves", "Speed, acceleration and jerk over time", curves);
+  Subcommand sub = add("curves", "List speed, acceleration and jerk over time", curves);
   sub.option("file", options->file, "A trajectory").required();
   sub.option("--samples", options->samples, "At most (2000)");
   sub.option("-o,--output", options->output, "A CSV file with all curves");
-  sub = add("score", "A trainee's run against the expert's", score);
-  sub.option("file", options->file, "The expert's trajectory").required();
-  sub.option("--run", options->run, "The trainee's").required();
-  sub = add("train", "One run of an exercise with a simulated hand", train);
-  sub.option("file", options->file, "The exercise (.hexercise)").required();
-  sub.option("--hand", options->hand, "The trainee's hand (CSV)").required();
-  sub.option("--help-share", options->help, "0 to 1 (what the results ask for)");
-  sub.option("--kind", options->kind, "practice (led), or without guidance: retention, transfer");
-  sub.option("--scale", options->scale, "Metres of the cell a metre of hand (1)");
-  sub.option("--trainee", options->trainee, "Name, for new results");
-  sub.option("--results", options->results, "The trainee's file (.htrain), read and written");
-  sub.option("--csv", options->csv, "All runs as a table");
-  sub.option("--date", options->date, "ISO 8601, for the results");
-  sub.option("-o,--output", options->output, "The recording of the run");
-  sub = add("exercises", "The exercises of a folder", exercises);
-  sub.option("folder", options->folder, "Where *.hexercise files are").required();
+  sub = add("score", "Score a trainee's run against the expert's", score);
+  sub.option("file", options->file, "Trajectory of the expert").required();
+  sub.option("--run", options->run, "Trajectory of the trainee").required();
+  sub = add("train", "Simulate one run of an exercise", train);
+  sub.option("file", options->file, "Exercise (.hexercise)").required();
+  sub.option("--hand", options->hand, "Hand path of the trainee (CSV)").required();
+  sub.option("--help-share", options->help, "Guidance, 0 to 1 (default: from the results)");
+  sub.option("--kind", options->kind, "practice (guided), or without guidance: retention, transfer");
+  sub.option("--scale", options->scale, "Motion in the cell divided by motion of the hand (1)");
+  sub.option("--trainee", options->trainee, "Trainee name, for new results");
+  sub.option("--results", options->results, "Results file of the trainee (.htrain), read and written");
+  sub.option("--csv", options->csv, "Write all runs as a table");
+  sub.option("--date", options->date, "Date for the results, ISO 8601");
+  sub.option("-o,--output", options->output, "Recording of the run to write");
+  sub = add("exercises", "List the exercises of a folder", exercises);
+  sub.option("folder", options->folder, "Folder with *.hexercise files").required();
 }
 
 }  // namespace hapticell::cli

@@ -51,7 +51,7 @@ Expected<void> hang(workcell::EntityId id, const Addition& addition, workcell::D
   if (carrier == nullptr) {
     return makeError({.file = "--add " + addition.what,
                       .place = "on",
-                      .found = "there is no entity '" + addition.on + "'",
+                      .found = "no entity is named '" + addition.on + "'",
                       .expected = "NAME or NAME:LINK of an entity that was added before"});
   }
   const std::string link = whole ? "" : addition.on.substr(colon + 1);
@@ -70,7 +70,7 @@ Expected<void> addEntity(const std::string& text, workcell::EntityLoader& loader
     if (document.findByName(addition->name)) {
       return makeError({.file = "--add " + text,
                         .found = "the name '" + addition->name + "' is taken",
-                        .expected = "a name of its own"});
+                        .expected = "a unique name"});
     }
     nameImported(addition->name, imported->entities);
   }
@@ -88,7 +88,7 @@ Expected<void> addCheck(const std::string& text, workcell::Document& document) {
       std::string known;
       for (const auto& entity : document.state().entities) known += (known.empty() ? "" : ", ") + entity->name;
       return makeError(
-          {.place = "--check " + text, .found = "there is no entity '" + name + "'", .expected = "one of " + known});
+          {.place = "--check " + text, .found = "no entity is named '" + name + "'", .expected = "one of " + known});
     }
   }
   set->name = "Set " + std::to_string(document.state().pair_sets.size() + 1);
@@ -140,11 +140,11 @@ ExitStatus runNew(const NewOptions& options, const ResultWriter& writer) {
 }  // namespace
 
 void addWorkcellCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("workcell", "Make workcell documents");
+  Subcommand command = app.add("workcell", "Create workcell documents");
   command.mustGoOn();
-  Subcommand make = command.add("new", "A document of the entities and checks that are named");
+  Subcommand make = command.add("new", "Create a document from the given entities and checks");
   const auto options = std::make_shared<NewOptions>();
-  make.option("file", options->file, "The document to write (.hcell)").required();
+  make.option("file", options->file, "Document to write (.hcell)").required();
   make.option(
           "--add", options->additions,
           "WHAT[,name=N][,unit=m|mm|in][,up=x|y|z][,tree=keep|merge][,chord=M][,angle=RAD][,on=NAME[:LINK]][,"

@@ -63,12 +63,11 @@ Expected<ordered_json> pack(const PackOptions& options, Diagnostics& notes) {
   for (const fs::path& file : packed->outside) outside.push_back(file.string());
   if (!packed->isWritten()) {
     for (const fs::path& file : packed->outside) notes.warn("outside: " + file.string());
-    return makeError(
-        {.file = options.file,
-         .found = std::to_string(packed->outside.size()) + " files lie outside of its folder",
-         .expected = "files in " + scope.folder.string(),
-         .fix = "Nothing was written. A workcell of others may name any file of this machine: look at the list, "
-                "then pack with --allow-outside, or bring the files below the folder."});
+    return makeError({.file = options.file,
+                      .found = std::to_string(packed->outside.size()) + " files are outside its folder",
+                      .expected = "files in " + scope.folder.string(),
+                      .fix = "Nothing was written. A workcell from someone else can name any file of this machine. "
+                             "Check the list, then pack with --allow-outside, or move the files into the folder."});
   }
   return ordered_json{{"workcell", packed->document.string()},
                       {"files", packed->copied},
@@ -104,13 +103,12 @@ Expected<ordered_json> changes(const ChangesOptions& options, Diagnostics& notes
 }  // namespace
 
 void addWorkcellExchangeCommands(Subcommand workcell, Action& chosen) {
-  Subcommand packing = workcell.add("pack", "A document with all the files it names in one folder or archive");
+  Subcommand packing = workcell.add("pack", "Pack a document with all its files into one folder or archive");
   const auto pack_options = std::make_shared<PackOptions>();
-  packing.option("file", pack_options->file, "The document (.hcell)").required();
+  packing.option("file", pack_options->file, "Document (.hcell)").required();
   packing.option("-o,--output", pack_options->folder, "A new or empty folder, or an archive: .zip, .tar.gz").required();
-  packing.flag(
-      "--allow-outside", pack_options->allow_outside,
-      "Pack files too that lie outside of the document's folder; without, they are listed and nothing is written");
+  packing.flag("--allow-outside", pack_options->allow_outside,
+               "Also pack files outside the document's folder (default: list them and write nothing)");
   packing.onChosen([pack_options, &chosen] {
     chosen = [pack_options](ResultWriter& writer) {
       Diagnostics notes;
@@ -119,14 +117,14 @@ void addWorkcellExchangeCommands(Subcommand workcell, Action& chosen) {
     };
   });
   Subcommand changing =
-      workcell.add("changes", "What was moved, added and removed between two documents, or since the import");
+      workcell.add("changes", "List what was moved, added and removed between two documents, or since the import");
   const auto options = std::make_shared<ChangesOptions>();
-  changing.option("before", options->before, "The earlier document (.hcell)").required();
-  changing.option("after", options->after, "The later document (.hcell)");
+  changing.option("before", options->before, "Earlier document (.hcell)").required();
+  changing.option("after", options->after, "Later document (.hcell)");
   changing.flag("--since-import", options->since_import,
-                "Compare the one document with the files that its entities came from");
-  changing.option("-o,--output", options->output, "Write a table as well (CSV)");
-  changing.flag("--all", options->all, "List what did not change too");
+                "Compare the document with the files that its entities came from");
+  changing.option("-o,--output", options->output, "Also write a table (CSV)");
+  changing.flag("--all", options->all, "Also list what did not change");
   changing.onChosen([options, &chosen] {
     chosen = [options](ResultWriter& writer) {
       Diagnostics notes;

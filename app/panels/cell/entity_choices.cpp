@@ -44,7 +44,7 @@ EntityChoices::EntityChoices(Host& host, QVBoxLayout& all, QObject* parent) : QO
   addRow(column, tr("Material"), material_, kChoiceLabel);
   mass_ = new ValueField({tr("kg"), 2, 0.01, 10000.0, 0.1});
   mass_->setObjectName("fieldEntityMass");
-  mass_->setToolTip(tr("Felt in the class Dynamics; counts in the load of the robot that carries it"));
+  mass_->setToolTip(tr("Felt with force class Dynamics; adds to the load of the robot that carries it"));
   addRow(column, tr("Mass"), mass_, kChoiceLabel);
   swatches_ = new SwatchRow(quietColors());
   swatches_->offerOther();

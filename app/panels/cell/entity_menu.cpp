@@ -120,7 +120,7 @@ class EntityMenu {
       const auto copies = duplicateEntities(host.documentModel(), ids);
       if (!copies.empty()) host.selection().set(copies.front());
     });
-    add("treeGroup", QObject::tr("Put into a new folder"), "folder",
+    add("treeGroup", QObject::tr("Move to a new folder"), "folder",
         [&document = document_, ids = ids_] { moveBelow(document, ids, freeFolderName(document)); });
     add("treeRemove", QObject::tr("Remove from the cell"), "delete",
         [&document = document_, ids = ids_] { removeEntities(document, ids); });
@@ -134,7 +134,7 @@ class EntityMenu {
       dock->raise();
     });
     if (first_ && (first_->mesh || first_->robot))
-      add("treePairs", QObject::tr("Its pairs and sets"), "contact", [&host = host_, id = first_->id] {
+      add("treePairs", QObject::tr("Pairs and sets"), "contact", [&host = host_, id = first_->id] {
         auto* dock = host.window().findChild<QDockWidget*>("dockCollisions");
         if (!dock) return;
         host.selection().set(id);

@@ -158,7 +158,7 @@ void MessagesPanel::add(const Message& message) {
     oldest->widget()->deleteLater();
     delete oldest;
   }
-  foot_->setText(tr("Never in front of the scene. The newest also stands in the status bar for 8 seconds."));
+  foot_->setText(tr("The newest message also appears in the status bar for 8 seconds."));
 }
 
 }  // namespace hapticell::app

@@ -47,7 +47,7 @@ PropertiesPanel::PropertiesPanel(Host& host, QWidget* parent) : QWidget(parent),
   inside->setSpacing(6);
   reference_ = new ReferenceChoice(host_, {tr("World")});
   reference_->setObjectName("comboReference");
-  reference_row_ = addRow(*inside, tr("Seen from"), reference_, kNarrowLabel);
+  reference_row_ = addRow(*inside, tr("Relative to"), reference_, kNarrowLabel);
   tool_ = addPose(*inside, "tool");
   joints_holder_ = new QWidget;
   joints_column_ = new QVBoxLayout(joints_holder_);
@@ -154,7 +154,7 @@ void PropertiesPanel::showReference() {
   const bool in_world = reference_->fixedEntry() >= 0;
   tool_.heading->setText(in_world ? tr("TCP in world") : tr("TCP in frame"));
   const bool place_in_world = in_world || reference_->goesWith(now->id);
-  place_.heading->setText(now->figure  ? (place_in_world ? tr("Stands in world") : tr("Stands in frame"))
+  place_.heading->setText(now->figure  ? (place_in_world ? tr("Placement in world") : tr("Placement in frame"))
                           : now->robot ? (place_in_world ? tr("Base in world") : tr("Base in frame"))
                                        : (place_in_world ? tr("Origin in world") : tr("Origin in frame")));
 }
@@ -204,7 +204,7 @@ void PropertiesPanel::rebuildJoints() {
     row->setObjectName(QStringLiteral("joint%1").arg(i + 1));
     connect(row, &JointRow::began, this, [this, row] {
       host_.documentModel().beginStep(
-          tr("Turn %1 of %2")
+          tr("Rotate %1 of %2")
               .arg(row->accessibleName(), entity() ? QString::fromStdString(entity()->name) : QString()));
     });
     connect(row, &JointRow::moved, this, [this, i](double value) { moveJoint(i, value); });
@@ -281,10 +281,10 @@ void PropertiesPanel::placeTool(const Pose& X_WT) {
   if (solution.status == kinematics::InverseStatus::kSolved) {
     host_.documentModel().execute(workcell::SetJoints{now->id, solution.q});
   } else {
-    const QString why = solution.status == kinematics::InverseStatus::kLimit ? tr("A joint limit is in the way")
-                                                                             : tr("It is out of reach");
+    const QString why = solution.status == kinematics::InverseStatus::kLimit ? tr("A joint limit prevents this pose")
+                                                                             : tr("This pose is out of reach");
     host_.messages().tell(Severity::kWarning, tr("The TCP stays where it is"),
-                          tr("%1: the nearest that %2 comes to is %3 away.")
+                          tr("%1: the closest %2 gets is %3 away.")
                               .arg(why, QString::fromStdString(now->name), lengthText(solution.position_error)));
   }
   showNow();

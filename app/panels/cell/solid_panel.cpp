@@ -88,13 +88,13 @@ void SolidPanel::addTurn(QVBoxLayout& column) {
   section->addWidget(title_);
   turns_ = new Segmented({tr("Own origin"), tr("Centre"), tr("Frame")});
   turns_->setObjectName("segmentsTurns");
-  addRow(*section, tr("Turns about"), turns_);
+  addRow(*section, tr("Pivot"), turns_);
   frame_ = new QComboBox;
   frame_->setObjectName("comboOwnFrame");
   frame_row_ = addRow(*section, tr("Frame"), frame_);
   new_frame_ = new QPushButton(tr("New frame…"));
   new_frame_->setObjectName("buttonNewFrame");
-  new_frame_->setToolTip(tr("A frame of this solid on picked geometry"));
+  new_frame_->setToolTip(tr("Add a frame to this solid on picked geometry"));
   addRow(*section, {}, new_frame_);
   turn_note_ = makeLive(2, TextRole::kSecond, true);
   turn_note_->setObjectName("labelTurns");
@@ -124,7 +124,7 @@ void SolidPanel::addFeel(QVBoxLayout& column) {
   addRow(*section, tr("Material"), material_);
   mass_ = new ValueField({tr("kg"), 2, 0.01, 10000.0, 0.1});
   mass_->setObjectName("fieldSolidMass");
-  mass_->setToolTip(tr("Felt in the class Dynamics; counts in the load of the robot that carries it"));
+  mass_->setToolTip(tr("Felt with force class Dynamics; adds to the load of the robot that carries it"));
   addRow(*section, tr("Mass"), mass_);
   on_contact_ = new Segmented({tr("Stop"), tr("Slide"), tr("Pass")});
   on_contact_->setObjectName("segmentsSolidOnContact");
@@ -142,7 +142,7 @@ void SolidPanel::addFlags(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, {});
   checked_ = new QCheckBox(tr("Checked for collision"));
   locked_ = new QCheckBox(tr("Locked in place"));
-  visible_ = new QCheckBox(tr("Shown"));
+  visible_ = new QCheckBox(tr("Visible"));
   checked_->setObjectName("switchChecked");
   locked_->setObjectName("switchLocked");
   visible_->setObjectName("switchShown");
@@ -201,7 +201,7 @@ void SolidPanel::showTurn(const workcell::Entity& solid) {
   for (const workcell::Frame& frame : solid.frames) frame_->addItem(QString::fromStdString(frame.name));
   const HoldChoice& hold = host_.holdChoice();
   const int index = hold.is<by::Center>() ? 1 : hold.is<by::Frame>() ? 2 : 0;
-  turns_->setChoiceEnabled(2, !solid.frames.empty(), tr("This solid has no frame yet: make one below"));
+  turns_->setChoiceEnabled(2, !solid.frames.empty(), tr("This solid has no frame yet. Add one below."));
   turns_->setCurrent(index);
   frame_row_->setVisible(index == 2);
   if (index == 2) frame_->setCurrentText(QString::fromStdString(hold.frame()));
@@ -209,7 +209,7 @@ void SolidPanel::showTurn(const workcell::Entity& solid) {
   const QString middle = tr("Geometric centre, %1 from own origin").arg(lengthText(glm::length(c)));
   turn_note_->setText(index == 1   ? middle
                       : index == 2 ? tr("Own frame %1").arg(frame_->currentText())
-                                   : tr("Own origin, as the file has it"));
+                                   : tr("Own origin, from the file"));
 }
 
 void SolidPanel::showFeel(const workcell::Entity& solid) {
@@ -260,7 +260,7 @@ void SolidPanel::pickFrame() {
   if (!now) return;
   host_.viewport().startPick(
       {{true, true, true},
-       tr("Pick where the frame shall be · Esc: end"),
+       tr("Pick the place for the frame · Esc: end"),
        [self = QPointer(this), id = now->id](const std::optional<PickedFeature>& feature) {
          const workcell::Entity* entity = self && feature ? self->host_.documentModel().document().find(id) : nullptr;
          if (!entity) return;

@@ -60,13 +60,12 @@ void SolidPlace::showAgain() {
 }
 
 void SolidPlace::showChoices(const workcell::Entity& solid) {
-  in_->setChoiceEnabled(kInParent, !solid.attachment.to.empty() || !solid.parent.empty(),
-                        tr("It stands below nothing"));
+  in_->setChoiceEnabled(kInParent, !solid.attachment.to.empty() || !solid.parent.empty(), tr("It has no parent"));
   for (ValueField* field : fields_) field->setEnabled(!solid.locked);
   frame_->leaveOut(solid.id);
   const bool frames = frame_->hasFrames();
   if (!frames && in_->current() == kInFrame) in_->setCurrent(0);
-  in_->setChoiceEnabled(kInFrame, frames, tr("This cell has no frame yet: Insert, Frame makes one"));
+  in_->setChoiceEnabled(kInFrame, frames, tr("No frame in this cell yet. Add one with Insert > Frame."));
   frame_row_->setVisible(frames);
   frame_->setEnabled(in_->current() == kInFrame);
 }

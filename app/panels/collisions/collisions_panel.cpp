@@ -231,8 +231,8 @@ void CollisionsPanel::showSnapshot(const std::optional<manipulation::SceneSnapsh
   name(2, tr("Near miss %1").arg(model_.count(Show::kNearMiss)));
   empty_->setVisible(model_.rows().empty());
   table_->setVisible(!model_.rows().empty());
-  empty_->setText(moved == 0 ? tr("Select or hold an entity: what it is checked against stands here.")
-                             : tr("Nothing is checked against this entity. Choose sets at the left."));
+  empty_->setText(moved == 0 ? tr("Select or hold an entity to see what it is checked against.")
+                             : tr("This entity is not checked against anything. Choose pair sets on the left."));
   std::map<QString, int> by_set;
   for (const PairRow& row : model_.rows())
     if (row.checked && row.mark != Mark::kNone) ++by_set[row.set];
@@ -281,7 +281,7 @@ workcell::PairRule CollisionsPanel::ruleOf(const PairRow& row) const {
 void CollisionsPanel::switchPair(const PairRow& row) {
   workcell::PairRule rule = ruleOf(row);
   rule.checked = !row.checked;
-  const QString text = row.checked ? tr("Leave out %1 – %2") : tr("Check %1 – %2 again");
+  const QString text = row.checked ? tr("Exclude %1 – %2") : tr("Include %1 – %2");
   host_.documentModel().execute(workcell::SetPairRules{{rule}, text.arg(row.moved_name, row.other_name).toStdString()});
 }
 
@@ -290,7 +290,7 @@ void CollisionsPanel::chooseOnContact(const PairRow& row, const QPoint& place) {
   menu->setObjectName("menuOnContact");
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (int choice = -1; choice < 3; ++choice) {
-    const QString name = choice < 0 ? tr("As the set") : onContactName(static_cast<workcell::OnContact>(choice));
+    const QString name = choice < 0 ? tr("As in the set") : onContactName(static_cast<workcell::OnContact>(choice));
     QAction* action = menu->addAction(name);
     action->setCheckable(true);
     action->setChecked(row.own_on_contact ? choice == static_cast<int>(row.on_contact) : choice < 0);
@@ -298,7 +298,7 @@ void CollisionsPanel::chooseOnContact(const PairRow& row, const QPoint& place) {
       workcell::PairRule rule = ruleOf(row);
       rule.on_contact = choice < 0 ? std::nullopt : std::optional(static_cast<workcell::OnContact>(choice));
       host_.documentModel().execute(workcell::SetPairRules{
-          {rule}, tr("On contact of %1 – %2").arg(row.moved_name, row.other_name).toStdString()});
+          {rule}, tr("Contact mode of %1 – %2").arg(row.moved_name, row.other_name).toStdString()});
     });
   }
   menu->popup(place);

@@ -78,8 +78,8 @@ QVariant ContactLogModel::headerData(int section, Qt::Orientation orientation, i
   if (role == Qt::TextAlignmentRole)
     return static_cast<int>((isNumber(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  const QString names[kColumns]{tr("Time"),     tr("Event"), tr("Moved"), tr("Against"),
-                                tr("Distance"), tr("Force"), tr("Lasted")};
+  const QString names[kColumns]{tr("Time"),     tr("Event"), tr("Moved"),   tr("Against"),
+                                tr("Distance"), tr("Force"), tr("Duration")};
   return names[section];
 }
 

@@ -40,7 +40,7 @@ ContactLogPage::ContactLogPage(Host& host, QWidget* parent) : QWidget(parent), h
   column->setContentsMargins(0, 0, 0, 8);
   auto* table = new QTableView;
   table->setObjectName("tableLog");
-  table->setAccessibleName(tr("Log of contacts"));
+  table->setAccessibleName(tr("Contact log"));
   setUpPairTable(*table, model_);
   QHeaderView* header = table->horizontalHeader();
   header->ensurePolished();  // Its font decides how wide a heading is.

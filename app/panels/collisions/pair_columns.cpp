@@ -65,7 +65,7 @@ void NameList::paintEvent(QPaintEvent* event) {
   QPainter painter(viewport());
   painter.setPen(themeOf(palette()).text2);
   painter.drawText(viewport()->rect().adjusted(12, 10, -12, -10), Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap,
-                   tr("Everything. Drag entities here from the tree to narrow it."));
+                   tr("Everything. To narrow it down, drag entities here from the tree."));
 }
 
 PairColumns::PairColumns(Host& host, QWidget* parent) : QWidget(parent), host_(host) {
@@ -97,8 +97,8 @@ QWidget* PairColumns::makeColumn(int side) {
   adds_[index]->setObjectName(side == 0 ? "buttonAddFirst" : "buttonAddSecond");
   picks_[index] = new QPushButton(tr("Pick"));
   picks_[index]->setObjectName(side == 0 ? "buttonPickFirst" : "buttonPickSecond");
-  picks_[index]->setToolTip(tr("Click entities in the scene; Escape ends"));
-  removes_[index] = new QPushButton(tr("Take out"));
+  picks_[index]->setToolTip(tr("Click entities in the scene; Esc: end"));
+  removes_[index] = new QPushButton(tr("Remove"));
   removes_[index]->setObjectName(side == 0 ? "buttonRemoveFirst" : "buttonRemoveSecond");
   for (QPushButton* button : {adds_[index], picks_[index], removes_[index]}) buttons->addWidget(button, 1);
   column->addLayout(buttons);

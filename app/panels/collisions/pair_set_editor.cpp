@@ -105,13 +105,13 @@ void PairSetEditor::addFields(QVBoxLayout& column) {
   fields->addWidget(heading_);
   near_miss_ = new ValueField({tr("mm"), 1, 0.0, 1000.0, 1.0});
   near_miss_->setObjectName("fieldNearMiss");
-  near_miss_->setToolTip(tr("Shown and heard from here on, not felt"));
+  near_miss_->setToolTip(tr("Below this distance: shown and heard, not felt"));
   safety_ = new ValueField({tr("mm"), 2, 0.0, 1000.0, 0.1});
   safety_->setObjectName("fieldSafety");
-  safety_->setToolTip(tr("Felt as the boundary"));
+  safety_->setToolTip(tr("Contact is felt at this distance"));
   on_contact_ = new QComboBox;
   on_contact_->setObjectName("comboSetOnContact");
-  on_contact_->addItems({tr("As the entity"), tr("Stop"), tr("Slide"), tr("Pass")});
+  on_contact_->addItems({tr("As for the entity"), tr("Stop"), tr("Slide"), tr("Pass")});
   near_miss_color_ = new SwatchRow(nearMissColors());
   near_miss_color_->setObjectName("swatchNearMiss");
   contact_color_ = new SwatchRow(contactColors());
@@ -119,10 +119,10 @@ void PairSetEditor::addFields(QVBoxLayout& column) {
   name_ = new QLineEdit;
   name_->setObjectName("fieldSetName");
   addRow(*fields, tr("Near miss"), near_miss_, kSetLabels);
-  addRow(*fields, tr("Safety"), safety_, kSetLabels);
+  addRow(*fields, tr("Safety distance"), safety_, kSetLabels);
   addRow(*fields, tr("On contact"), on_contact_, kSetLabels);
-  addRow(*fields, tr("Near colour"), near_miss_color_, kSetLabels);
-  addRow(*fields, tr("Hit colour"), contact_color_, kSetLabels);
+  addRow(*fields, tr("Near-miss colour"), near_miss_color_, kSetLabels);
+  addRow(*fields, tr("Contact colour"), contact_color_, kSetLabels);
   addRow(*fields, tr("Name"), name_, kSetLabels);
   column.addWidget(fields_);
   connect(near_miss_, &ValueField::edited, this,

@@ -219,7 +219,7 @@ QVariant PairTableModel::words(const PairRow& at, int column) const {
       return at.other_name;
     case kDistance:
       if (!at.checked) return tr("not checked");
-      return at.distance ? QString::fromStdString(millimetres(*at.distance)) : tr("not near");
+      return at.distance ? QString::fromStdString(millimetres(*at.distance)) : tr("far");
     case kNearMissWithin:
       return at.checked ? QString::fromStdString(millimetres(at.near_miss)) : QStringLiteral("—");
     case kOnContact:
@@ -251,13 +251,12 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
           Qt::AlignVCenter);
     case Qt::ToolTipRole:
       if (index.column() == kOnContact && at.checked)
-        return at.own_on_contact ? tr("This pair's own choice; click to change it")
-                                 : tr("Click to choose for this pair");
-      if (at.one_body) return tr("One is attached to the other: they cannot move against each other");
-      if (index.column() == kCheck) return at.checked ? tr("Leave this pair out") : tr("Check this pair again");
+        return at.own_on_contact ? tr("Set for this pair; click to change it") : tr("Click to set it for this pair");
+      if (at.one_body) return tr("One is attached to the other, so they move together");
+      if (index.column() == kCheck) return at.checked ? tr("Exclude this pair") : tr("Include this pair");
       return at.set.isEmpty() ? tr("Everything against everything") : tr("Set: %1").arg(at.set);
     case Qt::AccessibleTextRole:
-      if (index.column() == kCheck) return at.checked ? tr("checked") : tr("left out");
+      if (index.column() == kCheck) return at.checked ? tr("checked") : tr("excluded");
       return words(at, index.column());
     case Qt::DisplayRole:
       return words(at, index.column());

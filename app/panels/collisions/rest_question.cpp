@@ -22,10 +22,10 @@ RestQuestion::RestQuestion(Host& host, QWidget* parent) : QFrame(parent), host_(
   mark->setPixmap(icon("info").pixmap(16, 16));
   text_ = makeLabel({}, TextRole::kText);
   text_->setWordWrap(true);
-  auto* leave_out = new QPushButton(tr("Leave out"));
+  auto* leave_out = new QPushButton(tr("Exclude"));
   leave_out->setObjectName("buttonLeaveOut");
   leave_out->setProperty("main", true);
-  auto* keep = new QPushButton(tr("Keep checked"));
+  auto* keep = new QPushButton(tr("Keep checking"));
   keep->setObjectName("buttonKeepChecked");
   row->addWidget(mark);
   row->addWidget(text_, 1);
@@ -52,16 +52,15 @@ void RestQuestion::ask(std::vector<workcell::PairRule> touching) {
   text_->setToolTip(names.join('\n'));
   QString list = QStringList(names.mid(0, 2)).join(QStringLiteral(", "));
   if (count > 2) list += tr(" and %1 more").arg(count - 2);
-  text_->setText(count == 1
-                     ? tr("One pair touches as the cell stands: %1. Leave it out of the check?").arg(list)
-                     : tr("%1 pairs touch as the cell stands: %2. Leave them out of the check?").arg(count).arg(list));
+  text_->setText(count == 1 ? tr("1 pair touches at rest: %1. Exclude it from the check?").arg(list)
+                            : tr("%1 pairs touch at rest: %2. Exclude them from the check?").arg(count).arg(list));
 }
 
 void RestQuestion::leaveOut() {
   hide();
   const int count = static_cast<int>(touching_.size());
   const QString text =
-      count == 1 ? tr("Leave out a pair that touches at rest") : tr("Leave out %1 pairs that touch at rest").arg(count);
+      count == 1 ? tr("Exclude a pair that touches at rest") : tr("Exclude %1 pairs that touch at rest").arg(count);
   host_.documentModel().execute(workcell::SetPairRules{std::move(touching_), text.toStdString()});
   touching_.clear();
 }

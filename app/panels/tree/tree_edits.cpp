@@ -116,7 +116,8 @@ bool lockEntities(DocumentModel& document, const Entities& ids, bool locked) {
 bool checkEntities(DocumentModel& document, const Entities& ids, bool checked) {
   SetProperties change;
   change.checked = checked;
-  return setAll(document, checked ? QObject::tr("Check %1 for collision") : QObject::tr("Leave %1 unchecked"), ids,
+  return setAll(document,
+                checked ? QObject::tr("Check %1 for collision") : QObject::tr("Do not check %1 for collision"), ids,
                 change);
 }
 
@@ -221,8 +222,8 @@ bool moveBelow(DocumentModel& document, const Entities& ids, const QString& pare
     commands.emplace_back(change);
   }
   if (commands.empty()) return false;
-  const QString where = parent.isEmpty() ? QObject::tr("the top") : parent;
-  return document.executeAll(QObject::tr("Put %1 below %2").arg(nameOf(state, ids), where), commands);
+  const QString where = parent.isEmpty() ? QObject::tr("the top level") : parent;
+  return document.executeAll(QObject::tr("Move %1 below %2").arg(nameOf(state, ids), where), commands);
 }
 
 }  // namespace hapticell::app

@@ -13,8 +13,8 @@ namespace hapticell::app {
 CleanFields::CleanFields(QVBoxLayout& section, QObject* parent) : QObject(parent) {
   tolerance_ = namedField("fieldTolerance", {tr("mm"), 2, 0.01, 1000, 0.5}, 1.0);
   turn_tolerance_ = namedField("fieldTurnTolerance", {QStringLiteral("°"), 2, 0.01, 90, 0.5}, 1.0);
-  first_row_ = addRow(section, tr("Within"), sideBySide({tolerance_, turn_tolerance_}));
-  keep_free_ = new QCheckBox(tr("Keep it free of collisions"));
+  first_row_ = addRow(section, tr("Tolerance"), sideBySide({tolerance_, turn_tolerance_}));
+  keep_free_ = new QCheckBox(tr("Avoid collisions"));
   keep_free_->setObjectName("checkKeepFree");
   keep_free_->setChecked(true);
   section.addWidget(keep_free_);

@@ -89,7 +89,7 @@ bool FrameGizmo::cancel() {
 }
 
 QString FrameGizmo::hint() const {
-  if (drag_) return tr("Esc takes the drag back");
+  if (drag_) return tr("Esc: cancel the drag");
   if (!over_) return {};
   return over_->turns ? tr("Drag to turn the frame") : tr("Drag to move the frame");
 }

@@ -63,7 +63,7 @@ void MotionFacts::show() {
   name_->setEnabled(motion != nullptr);
   if (!name_->hasFocus()) name_->setText(motion ? QString::fromStdString(motion->name) : QString());
   if (!motion || !motion->trajectory) {
-    facts_->setText(motion ? (motion->problem.isEmpty() ? tr("being read") : motion->problem)
+    facts_->setText(motion ? (motion->problem.isEmpty() ? tr("loading…") : motion->problem)
                            : tr("No motion yet. Record one, or import a file."));
   } else {
     const auto& trajectory = *motion->trajectory;

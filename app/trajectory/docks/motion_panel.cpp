@@ -75,7 +75,7 @@ QPushButton* MotionPanel::action(const char* name, const QString& text, const QS
 void MotionPanel::addRecording(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Recording"));
   recording_ = new RecordingFields(*section, this);
-  auto* words = makeLabel(tr("R records, Shift+R adds a frame. Recording begins with the first motion."),
+  auto* words = makeLabel(tr("R records, Shift+R adds a frame. Recording starts with the first motion."),
                           TextRole::kSecond, true);
   words->setWordWrap(true);
   section->addWidget(words);
@@ -88,7 +88,7 @@ void MotionPanel::addMotion(QVBoxLayout& column) {
   import->setObjectName("buttonImportMotion");
   connect(import, &QPushButton::clicked, this, [this] { files_.askImport(); });
   section->addWidget(sideBySide(
-      {import, action("buttonRemoveMotion", tr("Remove"), tr("Takes it out of the cell; its file stays"), [this] {
+      {import, action("buttonRemoveMotion", tr("Remove"), tr("Removes it from the cell; its file stays"), [this] {
          if (const Motion* motion = list_.current()) list_.remove(motion->name);
        })}));
   facts_->addResult(*section);
@@ -99,25 +99,25 @@ void MotionPanel::addClean(QVBoxLayout& column) {
   clean_ = new CleanFields(*section, this);
   sections_.emplace_back(tr("Clean"), clean_->firstRow());
   section->addWidget(sideBySide(
-      {action("buttonSmoothMotion", tr("Smooth"), tr("Takes the hand's tremor, keeps the path"), [this] { smooth(); }),
-       action("buttonSimplify", tr("Simplify"), tr("Only the frames that are needed"),
+      {action("buttonSmoothMotion", tr("Smooth"), tr("Remove hand tremor, keep the path"), [this] { smooth(); }),
+       action("buttonSimplify", tr("Simplify"), tr("Keep only the frames needed"),
               [this] { work_.simplify(clean_->tolerance()); })}));
 }
 
 void MotionPanel::addTiming(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Timing"));
   timing_ = new TimingFields(*section, this);
-  section->addWidget(action("buttonRetime", tr("Re-time"), tr("New times along the same path"), [this] { retime(); }));
+  section->addWidget(action("buttonRetime", tr("Retime"), tr("New timing along the same path"), [this] { retime(); }));
 }
 
 void MotionPanel::addCheck(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Check"));
-  section->addWidget(action("buttonCheckMotion", tr("Check the whole way"),
-                            tr("Limits, singular places, configurations and collisions, between the frames too"),
+  section->addWidget(action("buttonCheckMotion", tr("Check the whole path"),
+                            tr("Limits, singularities, configurations and collisions, also between frames"),
                             [this] { work_.check(); }));
   findings_ = new QListWidget;
   findings_->setObjectName("listFindings");
-  findings_->setAccessibleName(tr("What the check found"));
+  findings_->setAccessibleName(tr("Check results"));
   findings_->setFrameShape(QFrame::NoFrame);
   findings_->setFixedHeight(108);
   findings_->setWordWrap(true);
@@ -132,7 +132,7 @@ void MotionPanel::addExport(QVBoxLayout& column) {
   program_ = new ProgramFields(*section, this);
   sections_.emplace_back(tr("Export"), program_->firstRow());
   section->addWidget(
-      action("buttonExport", tr("Export…"), tr("Tool, base and safety stay the controller's own"),
+      action("buttonExport", tr("Export…"), tr("Tool, base and safety settings stay those of the controller"),
              [this] { files_.askExport(program_->format(), program_->options(), clean_->tolerance()); }));
 }
 
@@ -142,15 +142,16 @@ void MotionPanel::addShape(QVBoxLayout& column) {
     return std::vector<trajectory::Trajectory>{std::forward<decltype(made)>(made)};
   };
   section->addWidget(sideBySide(
-      {action("buttonMarkPart", tr("Part"), tr("Brackets in the time bar: what Trim keeps and Delete takes out"),
+      {action("buttonMarkPart", tr("Range"),
+              tr("Brackets in the time bar: the range that Trim keeps and Delete removes"),
               [this] {
                 if (bar_.part()) return bar_.setPart({});
                 const auto& playback = player_.playback();
                 const double length = playback.end() - playback.begin();
                 bar_.setPart(TimeBar::Part{playback.begin() + 0.25 * length, playback.begin() + 0.75 * length});
               }),
-       action("buttonTrimMotion", tr("Trim"), tr("Keeps the part between the brackets"), [this] { trim(); }),
-       action("buttonSplit", tr("Split"), tr("In two at the cursor"), [this] {
+       action("buttonTrimMotion", tr("Trim"), tr("Keep the range between the brackets"), [this] { trim(); }),
+       action("buttonSplit", tr("Split"), tr("Split at the cursor"), [this] {
          const double t = player_.playback().time();
          work_.edit(tr("split"), [t](const auto& given) -> Expected<std::vector<trajectory::Trajectory>> {
            auto parts = trajectory::splitAt(given, t);
@@ -160,15 +161,15 @@ void MotionPanel::addShape(QVBoxLayout& column) {
        })}));
   mirror_ = new QComboBox;
   mirror_->setObjectName("comboMirror");
-  mirror_->setAccessibleName(tr("Mirrored on the plane"));
+  mirror_->setAccessibleName(tr("Mirror plane"));
   mirror_->addItems({tr("on X = 0"), tr("on Y = 0"), tr("on Z = 0")});
   mirror_->setCurrentIndex(1);
   section->addWidget(sideBySide(
-      {action("buttonReverseMotion", tr("Reverse"), tr("Backwards in time"),
+      {action("buttonReverseMotion", tr("Reverse"), tr("Play the motion backwards"),
               [this, one] {
                 work_.edit(tr("reversed"), [one](const auto& given) { return one(trajectory::reversed(given)); });
               }),
-       action("buttonMirrorMotion", tr("Mirror"), tr("As a partner on the other side would do it"),
+       action("buttonMirrorMotion", tr("Mirror"), tr("Mirror the motion, as a partner on the other side would do it"),
               [this, one] {
                 dvec3 normal(0.0);
                 normal[mirror_->currentIndex()] = 1.0;
@@ -180,8 +181,9 @@ void MotionPanel::addShape(QVBoxLayout& column) {
   way_ = namedField("fieldWay", {tr("mm"), 0, 1, 2000, 10}, 50);
   way_->setToolTip(tr("Length of the approach or retract, along the tool's axis"));
   section->addWidget(sideBySide(
-      {action("buttonApproach", tr("Approach"), tr("A straight way before it"), [this] { addWay(true); }),
-       action("buttonRetract", tr("Retract"), tr("A straight way after it"), [this] { addWay(false); }), way_}));
+      {action("buttonApproach", tr("Approach"), tr("Add a straight move to the first frame"), [this] { addWay(true); }),
+       action("buttonRetract", tr("Retract"), tr("Add a straight move from the last frame"), [this] { addWay(false); }),
+       way_}));
   section->addWidget(action("buttonJoin", tr("Join with the next"),
                             tr("This motion and the one below it, one after the other"), [this] {
                               const auto& all = list_.motions();
@@ -197,23 +199,25 @@ void MotionPanel::addFrames(QVBoxLayout& column) {
   frame_label_ = said("labelFrame", 2);
   section->addWidget(frame_label_);
   reach_ = namedField("fieldReach", {tr("s"), 2, 0, 60, 0.1}, 0.5);
-  reach_->setToolTip(tr("Frames so near in time go along when a frame is moved"));
-  addRow(*section, tr("Takes along"), reach_);
+  reach_->setToolTip(tr("Frames within this time follow when you move a frame"));
+  addRow(*section, tr("Blend over"), reach_);
   dwell_ = namedField("fieldDwell", {tr("s"), 2, 0, 3600, 0.5}, 0.0);
-  auto* dwell = action("buttonDwell", tr("Wait here"), tr("A process point: the motion rests here so long"), [this] {
-    if (!frame_) return;
-    work_.edit(tr("with a wait"),
-               [i = *frame_, s = dwell_->value()](const auto& given) -> Expected<std::vector<trajectory::Trajectory>> {
-                 auto made = trajectory::withDwell(given, i, s);
-                 HAPTICELL_TRY(made);
-                 return std::vector<trajectory::Trajectory>{std::move(*made)};
-               });
-  });
+  auto* dwell =
+      action("buttonDwell", tr("Dwell here"), tr("Process point: the motion pauses here for this time"), [this] {
+        if (!frame_) return;
+        work_.edit(
+            tr("with a dwell"),
+            [i = *frame_, s = dwell_->value()](const auto& given) -> Expected<std::vector<trajectory::Trajectory>> {
+              auto made = trajectory::withDwell(given, i, s);
+              HAPTICELL_TRY(made);
+              return std::vector<trajectory::Trajectory>{std::move(*made)};
+            });
+      });
   section->addWidget(sideBySide({dwell, dwell_}));
-  auto* insert = action("buttonInsertFrame", tr("Insert"),
-                        tr("A frame by hand at the cursor, to be dragged in the scene"), [this] { insertFrame(); });
-  auto* remove =
-      action("buttonDeleteFrame", tr("Delete"), tr("The frame, or all between the brackets"), [this] { deletePart(); });
+  auto* insert = action("buttonInsertFrame", tr("Insert"), tr("Add a frame at the cursor, then drag it in the scene"),
+                        [this] { insertFrame(); });
+  auto* remove = action("buttonDeleteFrame", tr("Delete"), tr("Delete the frame, or all frames between the brackets"),
+                        [this] { deletePart(); });
   section->addWidget(sideBySide({insert, remove}));
   need_frame_ = {dwell};
 }

@@ -89,7 +89,7 @@ void MotionPanel::showCheck() {
   }
   if (motion->check->findings.empty()) findings_->addItem(checkLine(*motion->check));
   for (const auto& touch : motion->check->touching_at_start)
-    findings_->addItem(tr("Touches from the beginning: %1 and %2")
+    findings_->addItem(tr("In contact from the start: %1 and %2")
                            .arg(QString::fromStdString(touch.first), QString::fromStdString(touch.second)));
 }
 
@@ -99,7 +99,7 @@ void MotionPanel::showFrame() {
   const bool chosen = any && frame_ && *frame_ < motion->trajectory->size();
   for (QPushButton* button : need_frame_) button->setEnabled(chosen);
   if (!chosen) {
-    frame_label_->setText(any ? tr("Click a dot in the time bar to take hold of a frame; drag it in the scene.")
+    frame_label_->setText(any ? tr("Click a dot in the time bar to select a frame, then drag it in the scene.")
                               : tr("No frames"));
     return;
   }
@@ -108,7 +108,7 @@ void MotionPanel::showFrame() {
       tr("Frame %1 of %2 at %3 s: %4, %5, %6").arg(*frame_ + 1).arg(motion->trajectory->size()).arg(frame.t, 0, 'f', 3);
   text = text.arg(lengthText(frame.X_WT.p.x), lengthText(frame.X_WT.p.y), lengthText(frame.X_WT.p.z));
   if (frame.by_hand) text += tr(", by hand");
-  if (frame.dwell > 0.0) text += tr(", waits %1 s").arg(frame.dwell, 0, 'f', 2);
+  if (frame.dwell > 0.0) text += tr(", dwell %1 s").arg(frame.dwell, 0, 'f', 2);
   frame_label_->setText(text);
 }
 
@@ -120,7 +120,7 @@ void MotionPanel::smooth() {
 void MotionPanel::trim() {
   const auto chosen = part();
   if (!chosen) {
-    showLine(tr("Choose a part first: its brackets stand in the time bar now."), true);
+    showLine(tr("Set the range first, with the brackets that are now in the time bar."), true);
     const auto& playback = player_.playback();
     const double length = playback.end() - playback.begin();
     bar_.setPart(TimeBar::Part{playback.begin() + 0.25 * length, playback.begin() + 0.75 * length});
@@ -151,7 +151,7 @@ void MotionPanel::deletePart() {
   const Motion* motion = list_.current();
   if (!motion || !motion->trajectory) return;
   if (const auto chosen = part(); chosen && !frame_) {
-    return work_.edit(tr("without a part"), [p = *chosen](const auto& given) -> Made {
+    return work_.edit(tr("without a range"), [p = *chosen](const auto& given) -> Made {
       std::size_t first = given.size(), last = 0;
       for (std::size_t i = 0; i < given.size(); ++i) {
         if (given[i].t < p.from || given[i].t > p.to) continue;
@@ -161,7 +161,7 @@ void MotionPanel::deletePart() {
       return oneOf(trajectory::withoutFrames(given, first, last));
     });
   }
-  if (!frame_) return showLine(tr("Click a dot in the time bar, or choose a part."), true);
+  if (!frame_) return showLine(tr("Click a dot in the time bar, or set a range."), true);
   work_.edit(tr("without a frame"),
              [i = *frame_](const auto& given) { return oneOf(trajectory::withoutFrames(given, i, i)); });
 }

@@ -131,7 +131,7 @@ void MotionTree::movePoint(const QString& name, qulonglong frame, qulonglong to)
   const Motion* motion = list_.find(name.toStdString());
   if (!motion || !motion->trajectory || to >= motion->trajectory->size()) return;
   if (!showsAllPoints(*motion))
-    return emit told(tr("%1 has more frames than rows here: simplify it, then reorder its points.").arg(name), true);
+    return emit told(tr("%1 has too many frames to reorder here. Simplify it first.").arg(name), true);
   const bool in_place = motion->trajectory->isTaught();
   list_.setCurrent(motion->name);
   work_.editPoints(tr("points reordered"), [frame, to](const trajectory::Trajectory& given) {

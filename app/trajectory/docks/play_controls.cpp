@@ -32,18 +32,18 @@ QToolButton* transportButton(const char* name, const QString& picture, const QSt
 }
 
 PlayControls::PlayControls(MotionPlayer& player, QObject* parent) : QObject(parent), player_(player) {
-  first_ = transportButton("buttonFirst", "first", tr("To the beginning"));
-  back_ = transportButton("buttonStepBack", "step_back", tr("One frame back (Left, in the time bar)"));
+  first_ = transportButton("buttonFirst", "first", tr("Go to start"));
+  back_ = transportButton("buttonStepBack", "step_back", tr("Previous frame (Left, in the time bar)"));
   play_ = transportButton("buttonPlay", "play", tr("Play"));
-  next_ = transportButton("buttonStepNext", "step_next", tr("One frame on (Right, in the time bar)"));
-  last_ = transportButton("buttonLast", "last", tr("To the end"));
-  loop_ = transportButton("buttonLoop", "loop", tr("Again and again"));
-  shown_ = transportButton("buttonShown", "eye", tr("Show the motion in the scene; off: the cell as it stands"));
-  swept_ = transportButton("buttonSwept", "apps", tr("Show the room that the motion needs: all its places at once"));
+  next_ = transportButton("buttonStepNext", "step_next", tr("Next frame (Right, in the time bar)"));
+  last_ = transportButton("buttonLast", "last", tr("Go to end"));
+  loop_ = transportButton("buttonLoop", "loop", tr("Loop"));
+  shown_ = transportButton("buttonShown", "eye", tr("Show the motion in the scene; off: show the cell"));
+  swept_ = transportButton("buttonSwept", "apps", tr("Show the swept volume of the motion"));
   for (QToolButton* checkable : {loop_, shown_, swept_}) checkable->setCheckable(true);
   speed_ = new QComboBox;
   speed_->setObjectName("comboSpeed");
-  speed_->setAccessibleName(tr("Speed of the play"));
+  speed_->setAccessibleName(tr("Playback speed"));
   for (const double speed : kSpeeds) speed_->addItem(tr("%1 ×").arg(speed, 0, 'g', 3), speed);
   speed_->setCurrentIndex(kNormalSpeed);
   connect(first_, &QToolButton::clicked, this, [this] { player_.seek(player_.playback().begin()); });

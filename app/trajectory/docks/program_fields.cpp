@@ -15,18 +15,18 @@ ProgramFields::ProgramFields(QVBoxLayout& section, QObject* parent) : QObject(pa
   format_ = new QComboBox;
   format_->setObjectName("comboMotionFormat");
   for (const MotionFormat& format : motionFormats()) format_->addItem(format.name, format.word);
-  first_row_ = addRow(section, tr("As"), format_);
+  first_row_ = addRow(section, tr("Format"), format_);
   speed_ = namedField("fieldProgramSpeed", {tr("mm/s"), 0, 1, 5000, 10}, 250);
   blend_ = namedField("fieldBlend", {tr("mm"), 1, 0, 200, 1}, 2.0);
-  blend_->setToolTip(tr("Rounding between lines"));
+  blend_->setToolTip(tr("Blend radius between moves"));
   addRow(section, tr("Speed"), sideBySide({speed_, blend_}));
   tool_ = new QLineEdit;
   tool_->setObjectName("editProgramTool");
-  tool_->setPlaceholderText(tr("the controller's"));
+  tool_->setPlaceholderText(tr("as in the controller"));
   addRow(section, tr("Tool"), tool_);
   base_ = new QLineEdit;
   base_->setObjectName("editProgramBase");
-  base_->setPlaceholderText(tr("the controller's"));
+  base_->setPlaceholderText(tr("as in the controller"));
   addRow(section, tr("Base"), base_);
 }
 

@@ -16,7 +16,7 @@ RecordingFields::RecordingFields(QVBoxLayout& section, QObject* parent) : QObjec
   mode_ = new Segmented({tr("Time"), tr("Distance"), tr("By hand"), tr("All")});
   mode_->setObjectName("segmentedRecording");
   mode_->setCurrent(0);
-  addRow(section, tr("A frame by"), mode_);
+  addRow(section, tr("Record by"), mode_);
   interval_ = namedField("fieldInterval", {tr("ms"), 0, 1, 60000, 10}, 10);
   interval_row_ = addRow(section, tr("Every"), interval_);
   spacing_ = namedField("fieldSpacing", {tr("mm"), 1, 0.01, 10000, 1}, 5.0);

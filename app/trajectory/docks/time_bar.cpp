@@ -215,7 +215,7 @@ QString TimeBar::toolTipAt(const QPoint& place) const {
   const int row = rowAt(place.y());
   if (row < 0) return {};
   const TrackRow& shown = rows_[static_cast<std::size_t>(row)];
-  if (place.x() < 30) return shown.played ? tr("Played; click to leave it out") : tr("Click to play it");
+  if (place.x() < 30) return shown.played ? tr("Played; click to exclude it") : tr("Click to play it");
   if (place.x() < kNames) return QString::fromStdString(shown.name);
   const double t = axis().t(place.x());
   const double reach = 4.0 / axis().pixelsPerSecond();

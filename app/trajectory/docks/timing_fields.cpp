@@ -13,14 +13,14 @@ TimingFields::TimingFields(QVBoxLayout& section, QObject* parent) : QObject(pare
   timing_ = new QComboBox;
   timing_->setObjectName("comboTiming");
   timing_->addItems(
-      {tr("As recorded"), tr("Constant speed"), tr("Fastest in the limits"), tr("Fastest, limited jerk")});
+      {tr("As recorded"), tr("Constant speed"), tr("Fastest within limits"), tr("Fastest, limited jerk")});
   timing_->setCurrentIndex(2);
   addRow(section, tr("Times"), timing_);
   speed_ = namedField("fieldSpeed", {tr("mm/s"), 0, 1, 5000, 10}, 100);
   speed_row_ = addRow(section, tr("Speed"), speed_);
   jerk_time_ = namedField("fieldJerkTime", {tr("ms"), 0, 5, 2000, 10}, 100);
   jerk_row_ = addRow(section, tr("Ramp"), jerk_time_);
-  jerk_time_->setToolTip(tr("Time in which the greatest acceleration is reached"));
+  jerk_time_->setToolTip(tr("Time to reach the greatest acceleration"));
   connect(timing_, &QComboBox::currentIndexChanged, this, &TimingFields::show);
   show();
 }

@@ -195,13 +195,13 @@ class TrajectoryDocks : public QObject {
           [this] { player_.playback().isPlaying() ? player_.pause() : player_.play(); });
     entry({"actionCheckMotion", tr("Check the motion"), "check", {}, {}}, [this] { work_.check(); });
     entry({"actionMotionPanel", tr("Edit and export motions…"), "trajectory", {}, {}}, [this] { openMotion({}); });
-    entry({"actionTraining", tr("Train along a motion…"), "hand", {}, {}}, [this] { training_.open(); });
+    entry({"actionTraining", tr("Train on a motion…"), "hand", {}, {}}, [this] { training_.open(); });
     film_ = entry({"actionMotionVideo", tr("Video of the motion…"), {}, {}, {}}, [this] { makeVideo(); });
     connect(&video_, &PlayVideo::stepped, this,
             [this] { film_->setText(tr("Stop the video, %1 % done").arg(static_cast<int>(100.0 * video_.share()))); });
     connect(&video_, &PlayVideo::ended, this, [this](const QString& file, const QString& problem) {
       film_->setText(tr("Video of the motion…"));
-      panel_->showLine(problem.isEmpty() ? tr("%1 is written").arg(QFileInfo(file).fileName()) : problem,
+      panel_->showLine(problem.isEmpty() ? tr("%1 is saved").arg(QFileInfo(file).fileName()) : problem,
                        !problem.isEmpty());
     });
     entry({"actionImportMotion", tr("Import motions…"), "import", {}, {}}, [this] { files_.askImport(); });
@@ -238,7 +238,7 @@ class TrajectoryDocks : public QObject {
 
   void openMotion(const QString& section) {
     if (handWorks()) {
-      panel_->showLine(tr("Switch the forces off first: no panel moves while the hand works."), true);
+      panel_->showLine(tr("Switch the forces off first. Panels stay in place while the stylus is in use."), true);
       return;
     }
     motion_dock_->show();
@@ -273,7 +273,7 @@ class TrajectoryDocks : public QObject {
   void takeRecorded(const std::vector<trajectory::Trajectory>& trajectories) {
     if (training_.panel().takeRecorded(trajectories)) return showRecording();
     if (trajectories.empty()) {
-      panel_->showLine(tr("Nothing moved: there is nothing to keep."), true);
+      panel_->showLine(tr("Nothing moved, so nothing was recorded."), true);
       return showRecording();
     }
     std::vector<std::pair<std::string, trajectory::Trajectory>> named;

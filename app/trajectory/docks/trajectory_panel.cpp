@@ -76,18 +76,17 @@ QWidget* TrajectoryPanel::makeTransport() {
   group_ = new QComboBox;
   group_->setObjectName("comboCurveGroup");
   group_->setAccessibleName(tr("Curves of"));
-  group_->addItems({tr("Path"), tr("x, y, z"), tr("Turn"), tr("Joints")});
+  group_->addItems({tr("Path"), tr("x, y, z"), tr("Rotation"), tr("Joints")});
   order_ = new QComboBox;
   order_->setObjectName("comboCurveOrder");
   order_->setAccessibleName(tr("Quantity of the curves"));
   order_->addItems({tr("Position"), tr("Speed"), tr("Accel."), tr("Jerk"), tr("All four")});
   order_->setCurrentIndex(1);
-  trim_ = transportButton("buttonTrim", "trim", tr("Keep the part between the brackets as a new motion"), tr("Trim"));
-  smooth_ = transportButton("buttonSmooth", "smooth", tr("Take the hand's tremor, keep the path"), tr("Smooth…"));
+  trim_ = transportButton("buttonTrim", "trim", tr("Keep the range between the brackets as a new motion"), tr("Trim"));
+  smooth_ = transportButton("buttonSmooth", "smooth", tr("Remove hand tremor, keep the path"), tr("Smooth…"));
   check_ = transportButton("buttonCheck", "check", tr("Limits and collisions along the whole motion"), tr("Check"));
-  export_ =
-      transportButton("buttonExportMotion", "export", tr("Write it as a file or a robot's program"), tr("Export…"));
-  edit_ = transportButton("buttonEditMotion", "trajectory", tr("All that can be done with a motion"), tr("Edit…"));
+  export_ = transportButton("buttonExportMotion", "export", tr("Save it as a file or a robot program"), tr("Export…"));
+  edit_ = transportButton("buttonEditMotion", "trajectory", tr("All edits of a motion"), tr("Edit…"));
   for (QWidget* widget : play_->widgets()) row->addWidget(widget);
   row->addWidget(record_);
   row->addSpacing(6);
@@ -161,8 +160,7 @@ void TrajectoryPanel::showTime() {
   bar_->setTime(playback.time());
   chart_->setTime(playback.time());
   play_->show();
-  if (player_.isSlow() && !slow_told_)
-    showLine(tr("Plays slower than recorded: fewer than 10 pictures a second can be drawn"), true);
+  if (player_.isSlow() && !slow_told_) showLine(tr("Plays slower than recorded: the view is below 10 Hz"), true);
   slow_told_ = player_.isSlow() || (slow_told_ && playback.isPlaying());
 }
 
@@ -171,7 +169,7 @@ void TrajectoryPanel::showRecording(const std::optional<Recording>& recording) {
   if (on != recording_) {
     recording_ = on;
     record_->setText(on ? tr("Stop recording") : tr("Record"));
-    record_->setToolTip(on ? tr("End the recording  (R)") : tr("Record what moves  (R)"));
+    record_->setToolTip(on ? tr("Stop recording  (R)") : tr("Record what moves  (R)"));
     record_->setProperty("recording", on);
     if (!on) info_->clear();
   }

@@ -119,8 +119,8 @@ MotionExport::Moves MotionExport::askMoves(std::size_t moves, const trajectory::
                        QMessageBox::NoButton, &host_.window());
   question.setObjectName("askSimplify");
   question.setInformativeText(
-      tr("Controllers load so long a program slowly or not at all, and run short moves unevenly. Simplified, only the "
-         "moves are written that are needed within %1 and %2; the motion itself stays as it is.")
+      tr("Controllers load such a long program slowly or not at all, and run short moves unevenly. Simplify keeps only "
+         "the moves needed within %1 and %2. The motion itself is unchanged.")
           .arg(lengthText(tolerance.position), angleText(tolerance.angle)));
   QPushButton* simplify = question.addButton(tr("Simplify first"), QMessageBox::AcceptRole);
   QPushButton* all = question.addButton(tr("Write all moves"), QMessageBox::DestructiveRole);
@@ -180,7 +180,7 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
           for (const std::string& note : notes)
             host_.messages().tell(Severity::kInformation, tr("Exported program"), QString::fromStdString(note));
           const QString line =
-              tr("Written: %1; frames: %2. Tool, base and safety are the controller's own: check them there")
+              tr("Saved: %1; frames: %2. Tool, base and safety settings are those of the controller. Check them there")
                   .arg(names.join(QStringLiteral(", ")))
                   .arg(frames);
           host_.messages().tell(Severity::kInformation, line, QFileInfo(path).absolutePath());
@@ -189,7 +189,7 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
         });
       },
       [this, path](const Error& error) {
-        host_.messages().tell(Severity::kWarning, tr("The motion is not exported"),
+        host_.messages().tell(Severity::kWarning, tr("The motion was not exported"),
                               QString::fromStdString(error.message()));
         emit told(QString::fromStdString(error.message()), true);
         emit finished(path, false);
@@ -249,7 +249,7 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
         });
       },
       [this, paths](const Error& error) {
-        host_.messages().tell(Severity::kWarning, tr("The motion is not imported"),
+        host_.messages().tell(Severity::kWarning, tr("The motion was not imported"),
                               QString::fromStdString(error.message()));
         emit told(QString::fromStdString(error.message()), true);
         emit finished(paths.front(), false);

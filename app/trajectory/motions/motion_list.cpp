@@ -154,9 +154,9 @@ void MotionList::write(const std::string& path, std::shared_ptr<const Trajectory
         return BackgroundWork::Then([] {});
       },
       [this](const Error& error) {
-        host_.messages().tell(Severity::kWarning, tr("A trajectory is not on disk"),
+        host_.messages().tell(Severity::kWarning, tr("A trajectory is not saved"),
                               QString::fromStdString(error.message()) + ' ' +
-                                  tr("It stays in the cell until the program ends; export it to keep it."));
+                                  tr("It stays in the cell until you quit. Export it to keep it."));
       });
 }
 

@@ -55,7 +55,7 @@ QString retimingLine(const trajectory::RetimingReport& report, trajectory::Timin
                      .arg(report.duration_after, 0, 'f', 2)
                      .arg(distanceText(report.max_deviation));
   if (mode == trajectory::TimingMode::kTimeOptimal)
-    line += MotionWork::tr("; limits used: speed %1 %, acceleration %2 %")
+    line += MotionWork::tr("; of the limits: speed %1 %, acceleration %2 %")
                 .arg(100.0 * report.use.velocity, 0, 'f', 0)
                 .arg(100.0 * report.use.acceleration, 0, 'f', 0);
   return line;
@@ -123,11 +123,12 @@ void MotionWork::run(const QString& word, Work work, bool in_place) {
           if (in_place && done->motions.size() == 1) {
             const Motion* now = list_.find(name);
             if (!now || now->trajectory != given)
-              return tell(tr("%1 was changed meanwhile: nothing was done").arg(QString::fromStdString(name)), true);
+              return tell(tr("%1 was changed in the meantime, so nothing was done").arg(QString::fromStdString(name)),
+                          true);
             if (!list_.replace(step, name, std::move(done->motions.front()), false)) return;
           } else if (!done->motions.empty()) {
             std::vector<std::pair<std::string, Trajectory>> named;
-            const QString marked = done->missed ? tr("%1, off what was asked").arg(word) : word;
+            const QString marked = done->missed ? tr("%1, target missed").arg(word) : word;
             for (Trajectory& made : done->motions)
               named.emplace_back(name + ", " + marked.toStdString(), std::move(made));
             if (!list_.add(step, std::move(named))) return;
@@ -148,7 +149,7 @@ void MotionWork::measure(Result& result, const MeasureMotion& measure) {
   const auto missed = missedPromise(result.motions.back(), measure);
   if (!missed) return;
   result.missed = result.careful = true;
-  result.line = tr("Missed: %1 is %2, asked %3 (%4). %5")
+  result.line = tr("Missed: %1 is %2, requested %3 (%4). %5")
                     .arg(QString::fromStdString(missed->name))
                     .arg(missed->measured, 0, 'g', 4)
                     .arg(missed->asked, 0, 'g', 4)
@@ -158,8 +159,9 @@ void MotionWork::measure(Result& result, const MeasureMotion& measure) {
 
 void MotionWork::takeKept(manipulation::KeptFree kept, Result& result) {
   for (const auto& nearer : kept.nearer)
-    result.line +=
-        tr(". Kept nearer to the recording from %1 to %2 s").arg(nearer.t_in, 0, 'f', 2).arg(nearer.t_out, 0, 'f', 2);
+    result.line += tr(". Closer to the recording from %1 to %2 s, to avoid collisions")
+                       .arg(nearer.t_in, 0, 'f', 2)
+                       .arg(nearer.t_out, 0, 'f', 2);
   result.check = std::move(kept.check);
   result.motions.push_back(std::move(kept.trajectory));
 }
@@ -201,7 +203,7 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
                           .arg(report.rms_jerk_after, 0, 'f', 1);
         if (report.tremor_exceeds_tolerance) {
           result.careful = true;
-          result.line += tr(". The hand's tremor (%1) is larger than the tolerance: much of it is kept")
+          result.line += tr(". Hand tremor (%1) is larger than the tolerance, so much of it remains")
                              .arg(lengthText(report.tremor.position, 2));
         }
         if (entity != cell.entities.end()) {
@@ -230,7 +232,7 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
 }
 
 void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
-  run(tr("re-timed"),
+  run(tr("retimed"),
       [options, keep_free](const auto& given, const Cell& cell,
                            workcell::ImportMonitor& monitor) mutable -> Expected<Result> {
         const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
@@ -288,7 +290,7 @@ void MotionWork::check() {
 }
 
 void MotionWork::edit(const QString& word, Edit edit) {
-  run(word, workOf(tr("Done as a copy: %1. The recording is as it was").arg(word), std::move(edit)));
+  run(word, workOf(tr("Saved as a copy: %1. The recording is unchanged").arg(word), std::move(edit)));
 }
 
 void MotionWork::editPoints(const QString& word, Edit edit) {

@@ -97,15 +97,15 @@ QString findingText(const manipulation::PathFinding& finding) {
   const QString first = QString::fromStdString(finding.first), second = QString::fromStdString(finding.second);
   switch (finding.kind) {
     case Kind::kCollision:
-      return QObject::tr("%1 meets %2").arg(first, second);
+      return QObject::tr("%1 touches %2").arg(first, second);
     case Kind::kJointLimit:
-      return QObject::tr("%1 is %2 beyond its end").arg(first, degrees(finding.worst));
+      return QObject::tr("%1 is %2 beyond its limit").arg(first, degrees(finding.worst));
     case Kind::kJointSpeed:
-      return QObject::tr("%1 would have to go %2/s faster than it can").arg(first, degrees(finding.worst));
+      return QObject::tr("%1 would exceed its speed limit by %2/s").arg(first, degrees(finding.worst));
     case Kind::kSingularity:
-      return QObject::tr("Near a singular position: a direction is nearly lost");
+      return QObject::tr("Near a singularity: one direction is nearly lost");
     case Kind::kOffPose:
-      return QObject::tr("The robot cannot reach the frame: it stays up to %1 or %2 beside it")
+      return QObject::tr("The robot cannot reach the frame: it stays up to %1 or %2 away")
           .arg(lengthText(finding.worst), angleText(finding.worst));
     case Kind::kConfiguration:
       return QObject::tr("The arm changes its configuration: %1").arg(first);
@@ -146,11 +146,13 @@ QString checkLine(const manipulation::PathCheckResult& check) {
   }
   QStringList words;
   if (collisions > 0) words << QObject::tr("contacts: %1").arg(collisions);
-  if (limits > 0) words << QObject::tr("limits passed: %1").arg(limits);
-  if (careful > 0) words << QObject::tr("singular places, changes of configuration: %1").arg(careful);
-  if (words.isEmpty()) words << QObject::tr("free of contact");
+  if (limits > 0) words << QObject::tr("limits exceeded: %1").arg(limits);
+  if (careful > 0) words << QObject::tr("singularities, configuration changes: %1").arg(careful);
+  if (words.isEmpty()) words << QObject::tr("no contact");
   if (std::isfinite(check.least_clearance) && collisions == 0)
-    words << QObject::tr("least gap %1 at %2 s").arg(lengthText(check.least_clearance)).arg(check.t_nearest, 0, 'f', 1);
+    words << QObject::tr("minimum clearance %1 at %2 s")
+                 .arg(lengthText(check.least_clearance))
+                 .arg(check.t_nearest, 0, 'f', 1);
   return words.join(QStringLiteral(", "));
 }
 
@@ -172,7 +174,7 @@ std::vector<TrackRow> trackRows(const MotionList& list, std::size_t most) {
         for (const auto& finding : motion.check->findings)
           row.spans.push_back({finding.t_in, finding.t_out, markOf(finding), findingText(finding)});
     } else if (!motion.trajectory && motion.problem.isEmpty()) {
-      row.note = QObject::tr("being read");
+      row.note = QObject::tr("loading…");
     }
     rows.push_back(std::move(row));
   }

@@ -102,7 +102,7 @@ void ExerciseEditor::addWords(QVBoxLayout& column) {
   text_->setObjectName("editExerciseText");
   text_->setTabChangesFocus(true);
   text_->setFixedHeight(kTaskHeight);
-  text_->setPlaceholderText(tr("What the trainee is to do"));
+  text_->setPlaceholderText(tr("Task for the trainee"));
   addRow(*section, tr("Task"), text_, kEditorLabels);
   text_problem_ = problemLine(*section, "problemText");
 }
@@ -130,24 +130,24 @@ void ExerciseEditor::addNumbers(QVBoxLayout& column) {
     ValueField::Format format;
   };
   const Row rows[] = {
-      {"fieldExerciseTube", tr("Tube"), tr("Radius about the expert's path"), {tr("mm"), 1, 0.1, 10000, 1}},
+      {"fieldExerciseTube", tr("Tube"), tr("Radius around the expert's path"), {tr("mm"), 1, 0.1, 10000, 1}},
       {"fieldExerciseLead",
        tr("Pull ahead"),
-       tr("How far ahead of the trainee the help pulls"),
+       tr("How far ahead of the trainee the guidance pulls"),
        {tr("mm"), 1, 0, 1000, 1}},
-      {"fieldExerciseStiffness", tr("Stiffness"), tr("Of the pull at full help"), {tr("N/m"), 0, 0, 500, 10}},
-      {"fieldExercisePass", tr("Passed from"), tr("Points from which a run is passed"), {tr("points"), 0, 0, 100, 5}},
+      {"fieldExerciseStiffness", tr("Stiffness"), tr("Of the pull at full guidance"), {tr("N/m"), 0, 0, 500, 10}},
+      {"fieldExercisePass", tr("Pass mark"), tr("Points needed to pass a run"), {tr("points"), 0, 0, 100, 5}},
       {"fieldExerciseDeviation",
-       tr("Off the path"),
-       tr("Mean deviation that costs all its points"),
+       tr("Deviation"),
+       tr("Mean deviation that loses all points for it"),
        {tr("mm"), 1, 0.1, 10000, 1}},
       {"fieldExerciseForce",
        tr("Force"),
-       tr("Force above the expert's that costs all its points"),
+       tr("Force above the expert's that loses all points for it"),
        {tr("N"), 1, 0.1, 1000, 1}},
       {"fieldExerciseSlowness",
        tr("Slowness"),
-       tr("Times the expert's time that cost all its points"),
+       tr("Multiple of the expert's time that loses all points for it"),
        {tr("times"), 1, 1, 1000, 0.5}}};
   const auto values = exerciseNumbers(exercise_);
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
@@ -182,7 +182,7 @@ void ExerciseEditor::takeMotions() {
   const QVariant chosen = motion_->currentData();
   const QSignalBlocker quiet(motion_);
   motion_->clear();
-  if (!expert_.empty()) motion_->addItem(tr("The one it has"), QString());
+  if (!expert_.empty()) motion_->addItem(tr("Current motion"), QString());
   for (const Motion& motion : list_.motions())
     motion_->addItem(QString::fromStdString(motion.name), QString::fromStdString(motion.name));
   const int index = motion_->findData(chosen);
@@ -204,11 +204,11 @@ bool ExerciseEditor::usesOpenCell() const {
 
 QString ExerciseEditor::nameProblem() const {
   const QString name = name_->text().trimmed();
-  if (name.isEmpty()) return tr("Give it a name.");
+  if (name.isEmpty()) return tr("Enter a name.");
   for (const auto& file : exercisesWith(folder_)) {
     const auto other = manipulation::readExercise(file);
     if (other && QString::fromStdString(file.string()) != file_ && QString::fromStdString(other->name) == name)
-      return tr("There is an exercise of this name: choose another.");
+      return tr("An exercise with this name exists. Choose another name.");
   }
   return {};
 }
@@ -216,22 +216,22 @@ QString ExerciseEditor::nameProblem() const {
 QString ExerciseEditor::motionProblem() const {
   if (motion_->count() == 0) return tr("Record the expert's motion first (R), then choose it here.");
   const trajectory::Trajectory* motion = chosenMotion();
-  if (!motion || motion->size() < 2) return tr("This motion has no way: choose another.");
+  if (!motion || motion->size() < 2) return tr("This motion has no path. Choose another.");
   if (usesOpenCell() && !host_.documentModel().document().findByName(motion->entity))
-    return tr("There is no %1 in this cell.").arg(QString::fromStdString(motion->entity));
+    return tr("%1 is not in this cell.").arg(QString::fromStdString(motion->entity));
   return {};
 }
 
 QString ExerciseEditor::cellProblem() const {
   if (!usesOpenCell()) return {};
   if (host_.documentModel().document().path().empty() || host_.documentModel().isDirty())
-    return tr("Save the cell first (Ctrl+S): the exercise opens its file.");
+    return tr("Save the cell first (Ctrl+S). The exercise needs its file.");
   return {};
 }
 
 bool ExerciseEditor::check() {
   const QString name = nameProblem(), motion = motionProblem(), cell = cellProblem();
-  const QString text = text_->toPlainText().trimmed().isEmpty() ? tr("Say what the trainee is to do.") : QString();
+  const QString text = text_->toPlainText().trimmed().isEmpty() ? tr("Describe the task for the trainee.") : QString();
   setProblem(*name_problem_, name);
   setProblem(*text_problem_, text);
   setProblem(*motion_problem_, motion);

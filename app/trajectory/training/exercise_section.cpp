@@ -26,20 +26,20 @@ ExerciseSection::ExerciseSection(QVBoxLayout& column, QObject* parent)
   section->addWidget(text_);
   show_me_ = new QPushButton(tr("Show me"));
   show_me_->setObjectName("buttonShowMe");
-  show_me_->setToolTip(tr("The part goes the expert's way; the cell stays as it is"));
+  show_me_->setToolTip(tr("The part follows the expert's path; the cell is unchanged"));
   new_ = new QPushButton(tr("New…"));
   new_->setObjectName("buttonNewExercise");
-  new_->setToolTip(tr("An exercise of this cell and an expert's motion in it"));
+  new_->setToolTip(tr("Make an exercise from this cell and an expert's motion"));
   edit_ = new QPushButton(tr("Edit…"));
   edit_->setObjectName("buttonEditExercise");
-  edit_->setToolTip(tr("Name, task, guidance; of a shipped exercise a copy"));
+  edit_->setToolTip(tr("Edit name, task and guidance; a shipped exercise is copied"));
   section->addWidget(sideBySide({show_me_, new_, edit_}));
   connect(show_me_, &QPushButton::clicked, this, &ExerciseSection::playWanted);
   connect(new_, &QPushButton::clicked, this, &ExerciseSection::newWanted);
   connect(edit_, &QPushButton::clicked, this, &ExerciseSection::editWanted);
   use_ = new QPushButton(tr("Teach the current motion"));
   use_->setObjectName("buttonTeachMotion");
-  use_->setToolTip(tr("The chosen motion becomes the expert's, in the cell as it is"));
+  use_->setToolTip(tr("Use the selected motion as the expert's, in the current cell"));
   section->addWidget(use_);
   connect(exercises_, &QComboBox::activated, this, &ExerciseSection::choose);
   connect(use_, &QPushButton::clicked, this, &ExerciseSection::teachWanted);
@@ -74,9 +74,8 @@ void ExerciseSection::show(const State& state) {
   show_me_->setText(state.is_playing ? tr("Stop") : tr("Show me"));
   new_->setEnabled(!state.is_running);
   edit_->setEnabled(exercise && !state.is_running);
-  text_->setText(exercise
-                     ? QString::fromStdString(exercise->text)
-                     : tr("An expert's recording leads the stylus along its way; the guide waits for the trainee."));
+  text_->setText(exercise ? QString::fromStdString(exercise->text)
+                          : tr("An expert's recording guides the stylus along its path and waits for the trainee."));
   exercises_->setEnabled(!state.is_running);
 }
 

@@ -21,7 +21,7 @@ std::vector<std::size_t> shownOrder(const std::vector<trajectory::TrainingAttemp
 
 ProgressPlot::ProgressPlot(QWidget* parent) : QWidget(parent) {
   setObjectName("progressPlot");
-  setAccessibleName(tr("Points and help by run"));
+  setAccessibleName(tr("Points and guidance by run"));
 }
 
 void ProgressPlot::setAttempts(std::vector<trajectory::TrainingAttempt> attempts, double pass) {

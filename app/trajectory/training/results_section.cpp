@@ -32,14 +32,14 @@ ResultsSection::ResultsSection(QVBoxLayout& column, QObject* parent) : QObject(p
   plot_ = new ProgressPlot;
   section->addWidget(plot_);
   auto* legend = resultLine("labelLegend", 2, TextRole::kSecond, true);
-  legend->setText(tr("Bars: points of each run, hatched where it was not passed; without guidance apart. Line: help."));
+  legend->setText(tr("Bars: points of each run, hatched if not passed; runs without guidance apart. Line: guidance."));
   section->addWidget(legend);
   runs_ = new QComboBox;
   runs_->setObjectName("comboRuns");
   addRow(*section, tr("Run"), runs_);
   replay_ = new QPushButton(tr("Replay beside the expert"));
   replay_->setObjectName("buttonReplayRun");
-  replay_->setToolTip(tr("The part goes the way of the run, a ghost the expert's, both at once"));
+  replay_->setToolTip(tr("The part follows the run and a ghost follows the expert, both at once"));
   section->addWidget(replay_);
   connect(replay_, &QPushButton::clicked, this, &ResultsSection::replayWanted);
   connect(runs_, &QComboBox::currentIndexChanged, this, &ResultsSection::runChosen);
@@ -74,15 +74,14 @@ void ResultsSection::show(const trajectory::TrainingSession& session, bool may_r
     return;
   }
   const auto& last = session.attempts.back();
-  score_->setText(tr("Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %8, "
-                     "smoothness %6 (expert %7).")
+  score_->setText(tr("Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %7, "
+                     "smoothness %6 % of the expert's.")
                       .arg(last.score.points, 0, 'f', 0)
                       .arg(last.score.time, 0, 'f', 1)
                       .arg(last.score.expert_time, 0, 'f', 1)
                       .arg(lengthText(last.score.mean_deviation))
                       .arg(last.score.max_force, 0, 'f', 1)
-                      .arg(last.score.smoothness, 0, 'f', 1)
-                      .arg(last.score.expert_smoothness, 0, 'f', 1)
+                      .arg(smoothnessPercent(last.score))
                       .arg(last.score.contacts));
 }
 

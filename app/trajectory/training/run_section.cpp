@@ -30,7 +30,7 @@ RunSection::RunSection(Host& host, QVBoxLayout& column, QObject* parent) : QObje
   for (const auto each :
        {trajectory::RunKind::kPractice, trajectory::RunKind::kRetention, trajectory::RunKind::kTransfer})
     kind_->addItem(runKindName(each));
-  addRow(*section, tr("Kind"), kind_);
+  addRow(*section, tr("Type"), kind_);
   help_label_ = saidLine("labelHelp", 2, TextRole::kSecond, true);
   section->addWidget(help_label_);
   connect(kind_, &QComboBox::currentIndexChanged, this, &RunSection::kindChosen);
@@ -66,8 +66,8 @@ void RunSection::show(const State& state) {
   way_->setValue(is_running_ ? static_cast<int>(100.0 * state.share) : 0);
   const auto& snapshot = host_.snapshot();
   if (is_running_)
-    state_->setText(snapshot && snapshot->held == 0 ? tr("Take the part with the stylus")
-                                                    : tr("%1 % of the way").arg(100.0 * state.share, 0, 'f', 0));
+    state_->setText(snapshot && snapshot->held == 0 ? tr("Hold the part with the stylus")
+                                                    : tr("%1 % of the path").arg(100.0 * state.share, 0, 'f', 0));
   else if (!state.note.isEmpty())
     state_->setText(state.note);
   else
@@ -82,10 +82,11 @@ bool RunSection::forcesAreOff() const {
 void RunSection::showForces() {
   const auto& snapshot = host_.snapshot();
   const bool off = forcesAreOff();
-  const QString words = !snapshot || !snapshot->connected ? tr("No stylus is connected: the guide is seen, not felt.")
-                        : !off                            ? tr("Forces are on.")
-                        : is_running_                     ? tr("Forces are off: the guide is not felt.")
-                                                          : tr("Forces are off. Without them the guide is not felt.");
+  const QString words = !snapshot || !snapshot->connected
+                            ? tr("No stylus is connected. You see the guide but do not feel it.")
+                        : !off        ? tr("Forces are on.")
+                        : is_running_ ? tr("Forces are off. You do not feel the guide.")
+                                      : tr("Forces are off. Without them you do not feel the guide.");
   if (words != forces_->text()) forces_->setText(words);
   start_->setEnabled(has_exercise_);
   start_->setText(is_running_ ? tr("End the run") : off ? tr("Forces on and start") : tr("Start the run"));
@@ -97,13 +98,13 @@ void RunSection::showKind(const trajectory::TrainingSession& session, const std:
   switch (kind()) {
     case trajectory::RunKind::kPractice:
       return help_label_->setText(
-          tr("Help fades by a fifth with each success, to nothing; after two failures it grows again."));
+          tr("Guidance drops by a fifth with each success, down to 0 %. After two failures it rises again."));
     case trajectory::RunKind::kRetention:
       return help_label_->setText(
           rest ? tr("Without guidance, a day and a week after practice. Last practice: %1 ago.").arg(restText(*rest))
                : tr("Without guidance, a day and a week after practice."));
     case trajectory::RunKind::kTransfer:
-      return help_label_->setText(tr("Without guidance, at an exercise that was not practised."));
+      return help_label_->setText(tr("Without guidance, on an exercise that was not practised."));
   }
 }
 

@@ -66,7 +66,7 @@ void TrainingDocks::open() {
 void TrainingDocks::openCell(const QString& path) {
   if (QString::fromStdString(host_.documentModel().origin().string()) == path) return panel_->cellCame();
   if (host_.documentModel().isDirty()) {
-    panel_->cellCame(tr("Save this cell first; then choose the exercise again."));
+    panel_->cellCame(tr("Save this cell first, then choose the exercise again."));
     return;
   }
   // What is opened brings its own panel to the front; who trains goes on here.

@@ -66,7 +66,7 @@ void TrainingPanel::addTrainee(QVBoxLayout& column) {
   help_ = new ValueField({QStringLiteral("%"), 0, 0, 100, 10});
   help_->setObjectName("fieldHelp");
   help_->setValue(100);
-  addRow(*section, tr("Help"), help_);
+  addRow(*section, tr("Guidance"), help_);
   connect(trainee_, &QLineEdit::editingFinished, this, &TrainingPanel::loadResults);
   connect(radius_, &ValueField::edited, this, [this](double mm) {
     if (exercise_) exercise_->tube_radius = 1e-3 * mm;
@@ -159,7 +159,7 @@ void TrainingPanel::editExercise(bool fresh) {
 
 void TrainingPanel::play(const trajectory::Trajectory& run) {
   const auto& snapshot = host_.snapshot();
-  if (snapshot && snapshot->held != 0) return say(tr("Let go of what is held first."), true);
+  if (snapshot && snapshot->held != 0) return say(tr("Release what is held first."), true);
   emit sceneWanted();
   const auto played = play_->play(expert_, run);
   if (!played) say(QString::fromStdString(played.error().message()), true);
@@ -191,7 +191,7 @@ void TrainingPanel::exportResults() {
       askToSave(&host_.window(), tr("Export results"), tr("results.pdf"), tr("PDF (*.pdf);;Table (*.csv)"));
   if (path.isEmpty()) return;
   const auto written = writeTrainingReport(path, results_.session(), neededPoints());
-  say(written ? tr("Written: %1").arg(QFileInfo(path).fileName()) : QString::fromStdString(written.error().message()),
+  say(written ? tr("Saved: %1").arg(QFileInfo(path).fileName()) : QString::fromStdString(written.error().message()),
       !written);
 }
 

@@ -56,7 +56,7 @@ bool TrainingPanel::placeAtBeginning() {
     return false;
   }
   if (const auto& snapshot = host_.snapshot(); snapshot && snapshot->held != 0) {
-    say(tr("Let go of what is held first; then start the run."), true);
+    say(tr("Release what is held first, then start the run."), true);
     return false;
   }
   cell.beginTrial();
@@ -70,11 +70,11 @@ bool TrainingPanel::placeAtBeginning() {
 bool TrainingPanel::mayStart() {
   const auto practised = results_.session().count(trajectory::RunKind::kPractice);
   if (runs_->kind() == trajectory::RunKind::kRetention && practised == 0) {
-    say(tr("There is no practice yet that could be retained: practise first."), true);
+    say(tr("Nothing has been practised yet. Practise first."), true);
     return false;
   }
   if (runs_->kind() == trajectory::RunKind::kTransfer && practised > 0) {
-    say(tr("This exercise was practised: transfer is shown at another one, here choose Retention."), true);
+    say(tr("This exercise was practised. Choose Retention here, or test transfer on another exercise."), true);
     return false;
   }
   return true;
@@ -87,7 +87,7 @@ void TrainingPanel::start() {
   note_.clear();
   const workcell::Entity* entity = host_.documentModel().document().findByName(expert_.entity);
   if (!entity) {
-    say(tr("There is no %1 in this cell.").arg(QString::fromStdString(expert_.entity)), true);
+    say(tr("%1 is not in this cell.").arg(QString::fromStdString(expert_.entity)), true);
     return;
   }
   if (!placeAtBeginning()) return;
@@ -138,7 +138,7 @@ void TrainingPanel::finish(const trajectory::Trajectory& run) {
   auto attempt = run_->finish(run, nowText());
   dropRun();
   if (run.empty()) {
-    say(tr("The run has no frames: take the part with the stylus and move it."), true);
+    say(tr("The run has no frames. Hold the part with the stylus and move it."), true);
     return show();
   }
   attempt.kind = runs_->kind();
@@ -149,12 +149,12 @@ void TrainingPanel::finish(const trajectory::Trajectory& run) {
   attempt.recording = kept.value_or(std::string());
   results_.session().attempts.push_back(attempt);
   if (const auto written = results_.keep(); !written)
-    host_.messages().tell(Severity::kWarning, tr("The result is not kept"),
+    host_.messages().tell(Severity::kWarning, tr("The result was not saved"),
                           QString::fromStdString(written.error().message()));
   help_->setValue(100.0 * results_.session().nextHelp());
   shown_results_->fillRuns(results_.session());
   say(attempt.success ? tr("Passed with %1 points").arg(attempt.score.points, 0, 'f', 0)
-                      : tr("%1 points; %2 are needed and the whole way")
+                      : tr("%1 points. To pass: %2 points and the whole path")
                             .arg(attempt.score.points, 0, 'f', 0)
                             .arg(exercise_->pass, 0, 'f', 0),
       !attempt.success);
@@ -181,7 +181,7 @@ void TrainingPanel::cancel() {
 void TrainingPanel::giveUp() {
   if (!run_) return;
   cancel();
-  say(tr("The cell was changed or saved, so the run was given up. The part stands where it stood before."), true);
+  say(tr("The cell was changed or saved, so the run was cancelled. The part is back in its place."), true);
   show();
 }
 

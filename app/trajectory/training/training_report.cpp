@@ -23,8 +23,8 @@ struct Column {
 
 std::vector<Column> columns() {
   const auto tr = [](const char* text) { return QObject::tr(text); };
-  return {{tr("Run"), 28},     {tr("When"), 100},  {tr("Kind"), 62},     {tr("Rest"), 40},   {tr("Help"), 40},
-          {tr("Points"), 44},  {tr("Way"), 42},    {tr("Time s"), 44},   {tr("Off mm"), 48}, {tr("Max mm"), 48},
+  return {{tr("Run"), 28},     {tr("When"), 100},  {tr("Type"), 62},     {tr("Rest"), 40},    {tr("Guidance"), 40},
+          {tr("Points"), 44},  {tr("Path"), 42},   {tr("Time s"), 44},   {tr("Dev. mm"), 48}, {tr("Max mm"), 48},
           {tr("Force N"), 52}, {tr("Smooth"), 48}, {tr("Contacts"), 50}, {tr("Passed"), 42}};
 }
 
@@ -43,7 +43,7 @@ QStringList cells(const trajectory::TrainingSession& session, std::size_t number
           QString::number(1e3 * s.mean_deviation, 'f', 1),
           QString::number(1e3 * s.max_deviation, 'f', 1),
           QString::number(s.max_force, 'f', 1),
-          QString::number(s.smoothness, 'f', 1),
+          QObject::tr("%1 %").arg(smoothnessPercent(s)),
           QString::number(s.contacts),
           attempt.success ? QObject::tr("yes") : QObject::tr("no")};
 }
@@ -72,7 +72,7 @@ void drawReport(QPdfWriter& writer, const trajectory::TrainingSession& session, 
   painter.drawText(QRect(0, 0, 680, 30), Qt::AlignVCenter, QString::fromStdString(session.exercise));
   painter.setFont(textFont(TextRole::kText));
   painter.drawText(QRect(0, 30, 680, 22), Qt::AlignVCenter,
-                   QObject::tr("%1 · runs: %3 · next help %2 %")
+                   QObject::tr("%1 · runs: %3 · next guidance %2 %")
                        .arg(QString::fromStdString(session.trainee))
                        .arg(100.0 * session.nextHelp(), 0, 'f', 0)
                        .arg(session.attempts.size()));

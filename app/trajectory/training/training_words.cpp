@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -27,6 +28,11 @@ QString restText(double seconds) {
   if (seconds < 1.5 * kHour) return QObject::tr("%1 min").arg(std::round(seconds / kMinute));
   if (seconds < 2.0 * kDay) return QObject::tr("%1 h").arg(std::round(seconds / kHour));
   return QObject::tr("%1 d").arg(std::round(seconds / kDay));
+}
+
+int smoothnessPercent(const trajectory::TrainingScore& score) {
+  const double lost = (score.expert_smoothness - score.smoothness) / trajectory::ScoringRule{}.smoothness;
+  return static_cast<int>(std::lround(100.0 * std::clamp(1.0 - lost, 0.0, 1.0)));
 }
 
 QString unaidedText(const trajectory::TrainingSession& session) {

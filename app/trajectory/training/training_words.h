@@ -13,6 +13,9 @@ QString runKindName(trajectory::RunKind kind);
 /// How long ago the practice was: "40 min", "26 h", "7 d". `seconds` >= 0.
 QString restText(double seconds);
 
+/// Smoothness of a run in percent: 100 where it is as smooth as the expert's, 0 where it gets no points for smoothness.
+int smoothnessPercent(const trajectory::TrainingScore& score);
+
 /// The points of runs without guidance, apart from those of practice: "Retention after 26 h: 74 points. Transfer: 61
 /// points." Each rest once, with its newest run. Says that there are none where there are none.
 QString unaidedText(const trajectory::TrainingSession& session);

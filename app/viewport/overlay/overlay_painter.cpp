@@ -165,7 +165,7 @@ void paintQuietText(QPainter& painter, const Overlay& overlay) {
   painter.setPen(theme.text2);
   QString missing = overlay.missing_parts == 0
                         ? QString()
-                        : QObject::tr("  ·  %n parts are made ready", nullptr, static_cast<int>(overlay.missing_parts));
+                        : QObject::tr("  ·  preparing %n parts", nullptr, static_cast<int>(overlay.missing_parts));
   if (overlay.simplified) missing += QObject::tr("  ·  Simplified while moving");
   const QRectF strip = stripsBox(overlay.strips, overlay.size);
   const bool under_strip = 14 + textWidth(textFont(TextRole::kSecond), grid + missing) + 8 > strip.left();

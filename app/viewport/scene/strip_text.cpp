@@ -56,8 +56,8 @@ std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, c
   const bool known = free != snapshot.pairs.end();
   std::vector<StripCell> cells;
   const auto say = [](const QString& text) { return text.toStdString(); };
-  StripCell gap{Mark::kNone, known ? millimetres(free->distance) : say(StripText::tr("none near")),
-                say(StripText::tr("free gap"))};
+  StripCell gap{Mark::kNone, known ? millimetres(free->distance) : say(StripText::tr("none nearby")),
+                say(StripText::tr("clearance"))};
   if (known && (free->near_miss || free->distance <= context.near_miss_distance)) gap.mark = Mark::kNearMiss;
   cells.push_back(gap);
   const std::string force = snapshot.forces_on ? newtons(snapshot.force_n) : say(StripText::tr("off"));

@@ -40,7 +40,7 @@ struct Preset {
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> all{
       {"hapticell",
-       QT_TRANSLATE_NOOP("Navigation", "HaptiCell: the middle button turns"),
+       QT_TRANSLATE_NOOP("Navigation", "HaptiCell: middle button rotates"),
        {{{kMiddleButton, kNone}}, {{kMiddleButton, kShift}}, {{kMiddleButton, kControl}}}},
       {"catia",
        "CATIA",

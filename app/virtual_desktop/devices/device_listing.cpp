@@ -59,7 +59,7 @@ DeviceLister::DeviceLister(QObject* parent) : QObject(parent) {
         tr("The devices could not be listed: %1").arg(QString::fromUtf8(process_.readAllStandardError()).trimmed()));
   });
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error == QProcess::FailedToStart) emit failed(tr("%1 is not there or may not be run.").arg(process_.program()));
+    if (error == QProcess::FailedToStart) emit failed(tr("%1 was not found or cannot be run.").arg(process_.program()));
   });
 }
 

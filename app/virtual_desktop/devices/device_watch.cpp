@@ -121,7 +121,7 @@ void DeviceWatch::stepForceTest() {
   const double step = std::min(kLongestStep, 1e-9 * static_cast<double>(step_.nsecsElapsed()));
   step_.restart();
   if (state_.device_fault && isConnected())
-    return endForceTest(tr("The device reports a fault: no force was exerted."));
+    return endForceTest(tr("The device reports a fault. No force was applied."));
   // Who controlled it has just let go: the server may need a moment to see that.
   if (link_->linkState() == haptic::LinkState::kRefused && waited_s_ > kRefusedPatience)
     return endForceTest(QString::fromStdString(link_->problem()));
@@ -130,7 +130,7 @@ void DeviceWatch::stepForceTest() {
   const bool open = isConnected() && state_.forces_on && state_.force_ramp > 0.999;
   if (pushing_s_ < 0.0) {
     waited_s_ += step;
-    if (waited_s_ > kPatience) return endForceTest(tr("Forces did not come on: the device is not ready."));
+    if (waited_s_ > kPatience) return endForceTest(tr("Forces did not switch on. The device is not ready."));
     if (open) pushing_s_ = 0.0;
   } else {
     pushing_s_ += step;

@@ -23,21 +23,20 @@ QString timeText(double milliseconds) {
 
 DeviceCheck serverCheck(const QString& server, const haptic::ServerStatistics& figures) {
   const QString where = tr("%1, round trip %2 ms").arg(server).arg(figures.round_trip_ms, 0, 'f', 2);
-  const QString clocks = figures.clock_offset_ms
-                             ? tr(", its clock %1 from ours").arg(timeText(std::abs(*figures.clock_offset_ms)))
-                             : QString();
-  return {DeviceCheck::Result::kGood, tr("The haptic server answers"), where + clocks};
+  const QString clocks =
+      figures.clock_offset_ms ? tr(", clock offset %1").arg(timeText(std::abs(*figures.clock_offset_ms))) : QString();
+  return {DeviceCheck::Result::kGood, tr("The haptic server is responding"), where + clocks};
 }
 
 /// How old contacts are when they are felt. Nothing is late before the first.
 DeviceCheck contactsCheck(const haptic::ServerStatistics& figures) {
   const QString counts =
-      tr("%1 late and %2 refused since the server's start").arg(figures.late_sets).arg(figures.refused_sets);
-  if (!(figures.set_age_p99_ms > 0.0)) return {DeviceCheck::Result::kOpen, tr("No contacts sent lately"), counts};
+      tr("%1 late and %2 rejected since the server started").arg(figures.late_sets).arg(figures.refused_sets);
+  if (!(figures.set_age_p99_ms > 0.0)) return {DeviceCheck::Result::kOpen, tr("No recent contacts"), counts};
   const bool late = figures.set_age_p99_ms > 1e3 * haptic::kLateSetAge;
   return {late ? DeviceCheck::Result::kWarning : DeviceCheck::Result::kGood,
-          late ? tr("Contacts come late at times") : tr("Contacts come in time"),
-          tr("%1 ms old in the middle, %2 ms in 99 of 100; %3")
+          late ? tr("Contacts are sometimes late") : tr("Contacts arrive on time"),
+          tr("age: median %1 ms, 99th percentile %2 ms; %3")
               .arg(figures.set_age_p50_ms, 0, 'f', 1)
               .arg(figures.set_age_p99_ms, 0, 'f', 1)
               .arg(counts)};
@@ -48,17 +47,17 @@ DeviceCheck sightCheck(const TouchSight& sight) {
   const TouchMeter::Figures& figures = sight.figures;
   if (figures.contacts == 0)
     return {DeviceCheck::Result::kOpen, tr("No contact on the screen yet"),
-            tr("Touch something with forces on: how long after it is felt it is seen is told here")};
+            tr("Touch something with forces on to measure the delay from felt to displayed")};
   const double limit = longestUnnoticed(sight);
   const bool late = figures.median_s > limit;
   return {late ? DeviceCheck::Result::kWarning : DeviceCheck::Result::kGood,
-          late ? tr("Contacts are seen late") : tr("Contacts are seen as they are felt"),
-          tr("%1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed")
+          late ? tr("Contacts are displayed late") : tr("Contacts are displayed on time"),
+          tr("delay: median %1 ms, maximum %2 ms, contacts: %3; up to %4 ms is not noticeable")
                   .arg(1e3 * figures.median_s, 0, 'f', 0)
                   .arg(1e3 * figures.worst_s, 0, 'f', 0)
                   .arg(figures.contacts)
                   .arg(1e3 * limit, 0, 'f', 0) +
-              (late ? tr(". A smaller window helps") : QString())};
+              (late ? tr(". Make the window smaller") : QString())};
 }
 
 }  // namespace
@@ -72,8 +71,8 @@ ForceReason forceReason(const ForceFacts& facts) {
   using Mend = ForceReason::Mend;
   if (!facts.started) return {tr("Forces off"), tr("No stylus is connected"), Mend::kConnect, tr("Connect")};
   if (facts.watching)
-    return {tr("Forces off"), tr("Another window has the stylus; this one watches"), Mend::kTakeStylus,
-            tr("Take the stylus")};
+    return {tr("Forces off"), tr("Another window controls the stylus; this one observes"), Mend::kTakeStylus,
+            tr("Take control")};
   if (!facts.connected) {
     // The first sentence; the whole of it stands beside the device's state.
     const int end = static_cast<int>(facts.problem.indexOf(QStringLiteral(". ")));
@@ -82,31 +81,38 @@ ForceReason forceReason(const ForceFacts& facts) {
     return {tr("Forces off"), why, Mend::kStartServer, tr("Start the server")};
   }
   if (facts.device_fault)
-    return {tr("Forces off"), tr("The device does not answer: check its cable and power"), Mend::kNone, {}};
+    return {tr("Forces off"), tr("The device is not responding. Check its cable and power"), Mend::kNone, {}};
   if (facts.stalled)
-    return {tr("Forces off"), tr("The scene's loop stands still: forces return once it answers"), Mend::kNone, {}};
-  if (facts.forceless) return {tr("No forces"), tr("This device moves things, but exerts no force"), Mend::kNone, {}};
+    return {tr("Forces off"),
+            tr("The simulation is not responding. Forces return when it responds again"),
+            Mend::kNone,
+            {}};
+  if (facts.forceless) return {tr("No forces"), tr("This device has no force feedback"), Mend::kNone, {}};
   if (!facts.on && !facts.wanted && facts.lost)
     return {tr("Forces off"),
-            tr("The haptic server ended, and the forces with it. Ctrl+Space turns them on again"),
+            tr("The haptic server stopped, so forces are off. Press Ctrl+Space to turn them on again"),
             Mend::kNone,
             {}};
-  if (!facts.on && !facts.wanted) return {tr("Forces off"), tr("Ctrl+Space turns them on"), Mend::kNone, {}};
+  if (!facts.on && !facts.wanted) return {tr("Forces off"), tr("Press Ctrl+Space to turn them on"), Mend::kNone, {}};
   if (!facts.on && facts.cut)
     return {tr("Forces off"),
-            tr("The server took them away: let the stylus go free, or turn them off (Esc) and on again (Ctrl+Space)"),
+            tr("The server switched them off. Move the stylus to free space, or press Esc, then Ctrl+Space"),
             Mend::kNone,
             {}};
-  if (!facts.on) return {tr("Forces wait"), tr("Move the stylus into free space"), Mend::kNone, {}};
+  if (!facts.on) return {tr("Forces pending"), tr("Move the stylus into free space"), Mend::kNone, {}};
   const QString ramp = facts.ramp < 0.999 ? tr("Ramp %1 %, 1 N/ms limit").arg(std::lround(100.0 * facts.ramp))
                                           : tr("Ramp done, 1 N/ms limit");
   if (facts.ramp < 0.999) return {tr("Forces on"), ramp, Mend::kNone, {}};
-  if (!facts.held) return {tr("Forces on"), tr("Nothing is held: the stylus button takes it"), Mend::kNone, {}};
+  if (!facts.held) return {tr("Forces on"), tr("Nothing is held. Press the stylus button to hold it"), Mend::kNone, {}};
   if (!facts.checked)
-    return {tr("Forces on"), tr("What is held is not checked for collision"), Mend::kCheck, tr("Check it")};
+    return {tr("Forces on"), tr("The held entity is not checked for collision"), Mend::kCheck, tr("Check it")};
   if (facts.at_edge)
-    return {tr("Forces on"), tr("The device is at its end: hold Space and bring the hand back"), Mend::kNone, {}};
-  if (facts.passes) return {tr("Forces on"), tr("Contacts are only shown: it passes"), Mend::kSlide, tr("Slide")};
+    return {tr("Forces on"),
+            tr("The device is at the edge of its workspace. Hold Space and move the hand back"),
+            Mend::kNone,
+            {}};
+  if (facts.passes)
+    return {tr("Forces on"), tr("Contact mode is Pass: contacts are shown, not felt"), Mend::kSlide, tr("Slide")};
   return {tr("Forces on"), ramp, Mend::kNone, {}};
 }
 
@@ -124,9 +130,10 @@ std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& f
   using Result = DeviceCheck::Result;
   std::vector<DeviceCheck> checks;
   if (!facts.connected) {
-    checks.push_back({Result::kProblem, tr("No haptic server answers at %1").arg(server), forceReason(facts).why});
+    checks.push_back(
+        {Result::kProblem, tr("No haptic server is responding at %1").arg(server), forceReason(facts).why});
     for (const QString& title : {tr("Device"), tr("Force loop"), tr("Range of motion and button")})
-      checks.push_back({Result::kOpen, title, tr("Not tried yet: the server has to answer first")});
+      checks.push_back({Result::kOpen, title, tr("Not tested yet. The server must respond first")});
     return checks;
   }
   checks.push_back(serverCheck(server, now.server));
@@ -143,11 +150,12 @@ std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& f
   const bool slow = now.server.rate_hz < 1000.0 * kFewHertz || now.server.late_p99_ms > kLateWarning;
   checks.push_back(
       {slow ? Result::kWarning : Result::kGood,
-       slow ? tr("The force loop is late at times") : tr("The force loop keeps its time"),
-       tr("%1 Hz, late %2 ms at most in 99 of 100 steps%3")
+       slow ? tr("The force loop is sometimes late") : tr("The force loop is on time"),
+       tr("%1 Hz, lateness (99th percentile) %2 ms%3")
            .arg(std::lround(now.server.rate_hz))
            .arg(now.server.late_p99_ms, 0, 'f', 2)
-           .arg(slow ? tr(". Real-time priority mends it: add the account to the group realtime") : QString())});
+           .arg(slow ? tr(". To fix it, give it real-time priority: add your account to the group realtime")
+                     : QString())});
   checks.push_back(contactsCheck(now.server));
   checks.push_back(sightCheck(sight));
   const bool edge = now.device_edge_m < 0.005;

@@ -142,7 +142,7 @@ void InputDevices::vibrateGlove(const std::array<double, 6>& strength) {
 QString InputDevices::gloveLine() const {
   if (!glove_) return {};
   const haptic::InputReader::Snapshot now = glove_->latest();
-  if (!now.open) return now.problem.empty() ? tr("Looking for it") : QString::fromStdString(now.problem);
+  if (!now.open) return now.problem.empty() ? tr("Searching") : QString::fromStdString(now.problem);
   const QString name = QString::fromUtf8(now.capabilities.name);
   return calibrated_ ? name : tr("%1, not calibrated for you").arg(name);
 }
@@ -151,7 +151,7 @@ QString InputDevices::mouseLine() const {
   if (!mouse_) return {};
   const haptic::InputReader::Snapshot now = mouse_->latest();
   if (now.open) return QString::fromUtf8(now.capabilities.name);
-  return now.problem.empty() ? tr("Looking for it") : QString::fromStdString(now.problem);
+  return now.problem.empty() ? tr("Searching") : QString::fromStdString(now.problem);
 }
 
 std::string InputDevices::calibrationFile() const {

@@ -122,11 +122,12 @@ bool MouseStylus::wheel(const PointerEvent& event) {
 
 QString MouseStylus::hint() const {
   if (!state_.usable) return {};
-  const QString verb = state_.holding_entity ? QObject::tr("lets go") : QObject::tr("grabs");
+  const QString verb = state_.holding_entity ? QObject::tr("release") : QObject::tr("hold");
   if (follow_)
-    return QObject::tr("The stylus follows the mouse · wheel: depth · Ctrl: turn · left button %1 · H: end").arg(verb);
-  if (dragging_) return QObject::tr("Drag: move · wheel: depth · Ctrl: turn · right button or B %1").arg(verb);
-  if (over_pen_) return QObject::tr("Drag the stylus to move it · B %1 · H: follow the mouse").arg(verb);
+    return QObject::tr("The stylus follows the mouse · wheel: depth · Ctrl: rotate · left button: %1 · H: end")
+        .arg(verb);
+  if (dragging_) return QObject::tr("Drag: move · wheel: depth · Ctrl: rotate · right button or B: %1").arg(verb);
+  if (over_pen_) return QObject::tr("Drag the stylus to move it · B: %1 · H: follow the mouse").arg(verb);
   return {};
 }
 

@@ -24,13 +24,13 @@ ServerProcess::ServerProcess(QObject* parent) : QObject(parent) {
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error == QProcess::FailedToStart)
       emit ended(
-          tr("The haptic server could not be started: %1 is not there or may not be run.").arg(process_.program()));
+          tr("The haptic server could not be started: %1 was not found or cannot be run.").arg(process_.program()));
   });
   connect(&process_, &QProcess::finished, this, [this] {
     if (stopping_) return;
     readLines();
     last_line_ += plainLines(QString::fromUtf8(process_.readAll()).trimmed());
-    emit ended(tr("The haptic server has ended. %1").arg(last_line_));
+    emit ended(tr("The haptic server has stopped. %1").arg(last_line_));
   });
   connect(&process_, &QProcess::readyRead, this, &ServerProcess::readLines);
 }

@@ -33,7 +33,7 @@ void StationPairing::start(const QString& host, int port, const QString& code) {
   typed_.reset();
   if (host_.isEmpty())
     return end(false,
-               tr("Give the other station's address: its name in the network, or four numbers like 192.168.1.20."));
+               tr("Enter the address of the other station: its network name, or four numbers such as 192.168.1.20."));
   haptic::TcpLinkOptions options;
   if (code.trimmed().isEmpty()) {
     auto known = haptic::linkOptionsFor(host_.toStdString(), static_cast<std::uint16_t>(port_));
@@ -65,13 +65,13 @@ void StationPairing::look() {
       if (const auto saved = haptic::saveKey(*typed_, file); !saved)
         return end(false, QString::fromStdString(saved.error().message()));
     }
-    return end(true, tr("%1 answers at %2.").arg(QString::fromStdString(device->name), host_));
+    return end(true, tr("%1 responds at %2.").arg(QString::fromStdString(device->name), host_));
   }
   // What cannot get better by waiting is said at once.
   const bool refused = link_->linkState() == haptic::LinkState::kRefused;
   if (!refused && since_.elapsed() < kPatience) return;
   const QString problem = QString::fromStdString(link_->problem());
-  end(false, problem.isEmpty() ? tr("No haptic server answers at %1:%2.").arg(host_).arg(port_) : problem);
+  end(false, problem.isEmpty() ? tr("No haptic server is responding at %1:%2.").arg(host_).arg(port_) : problem);
 }
 
 void StationPairing::end(bool fits, const QString& sentence) {

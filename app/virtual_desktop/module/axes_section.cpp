@@ -23,7 +23,7 @@ AxesSection::AxesSection(Host& host, VirtualDesktopController& controller, QVBox
   QVBoxLayout* section = addSection(column, tr("Axes and scale"));
   axes_ = new Segmented({tr("Screen"), tr("Cell"), tr("Frame")});
   axes_->setObjectName("segmentsAxes");
-  addRow(*section, tr("Axes of"), axes_);
+  addRow(*section, tr("Axes"), axes_);
   axes_frame_ = new QComboBox;
   axes_frame_->setObjectName("comboAxesFrame");
   axes_frame_row_ = addRow(*section, {}, axes_frame_);
@@ -33,8 +33,8 @@ AxesSection::AxesSection(Host& host, VirtualDesktopController& controller, QVBox
   for (std::size_t i = 0; i < 6; ++i) {
     const QString axis = QString::fromLatin1(names[i % 3]);
     free_[i] = groups[i / 3]->button(static_cast<int>(i % 3));
-    const QString tip = i < 3 ? tr("The hand moves it along %1 (%1: only that)").arg(axis)
-                              : tr("The hand turns it about %1 (%1 twice: only that)").arg(axis);
+    const QString tip = i < 3 ? tr("Allow motion along %1 (%1: only this axis)").arg(axis)
+                              : tr("Allow rotation about %1 (%1 twice: only this axis)").arg(axis);
     free_[i]->setToolTip(tip);
     free_[i]->setAccessibleName(tip);
     free_[i]->setObjectName(QStringLiteral("free") + QString::fromLatin1(names[i]));

@@ -76,7 +76,7 @@ DeviceSection::DeviceSection(VirtualDesktopController& controller, QVBoxLayout& 
 void DeviceSection::addSecond(QVBoxLayout& section) {
   second_ = new DeviceCombo;
   second_->setObjectName("comboSecondStylus");
-  second_->setToolTip(tr("For the mannequin's other hand, or whatever its tip touches"));
+  second_->setToolTip(tr("For the mannequin's other hand, or the part that its tip touches"));
   addRow(section, tr("Second"), second_);
   second_state_ = makeLive(2, TextRole::kSecond, true);
   second_state_->setObjectName("labelSecondStylus");

@@ -32,7 +32,7 @@ FeelSection::FeelSection(Host& host, VirtualDesktopController& controller, QVBox
   for (ValueField* field : {stiffness_, damping_}) {
     field->setReadOnly(true);
     field->setFocusPolicy(Qt::NoFocus);
-    field->setToolTip(tr("The material's, from hapticell.toml; the server lowers it to what the device bears"));
+    field->setToolTip(tr("From the material (hapticell.toml). The server limits it to what the device supports"));
   }
   addRow(*section, tr("Stiffness"), sideBySide({stiffness_, damping_}));
   connect(force_class_, &Segmented::chosen, this,

@@ -82,7 +82,7 @@ void ForceSection::show() {
   forces_->setChecked(facts.connected && facts.wanted);
   state_->setText(reason.state);
   const bool broken = reason.mend != ForceReason::Mend::kNone;
-  why_->setText(broken ? tr("Nothing is felt") : reason.why);
+  why_->setText(broken ? tr("No forces felt") : reason.why);
   mend_why_->setText(reason.why);
   mend_->setText(reason.button);
   meter_or_mend_->setCurrentIndex(broken ? 1 : 0);

@@ -59,22 +59,23 @@ ForceFacts ForceState::facts() const {
 void ForceState::tellOfCut() {
   cut_ = true;
   owner_.sound().strike(SoundEvent::kFault);
-  owner_.host().messages().tell(Severity::kWarning, QObject::tr("The forces went off"), forceReason(facts()).why);
+  owner_.host().messages().tell(Severity::kWarning, QObject::tr("Forces switched off"), forceReason(facts()).why);
 }
 
 void ForceState::tellOfLoss() {
   owner_.sound().strike(SoundEvent::kFault);
   if (owner_.isWatching() || owner_.link().isRefused()) {
     owner_.host().messages().tell(Severity::kProblem,
-                                  QObject::tr("The forces went off: another window took the stylus"),
-                                  QObject::tr("Take the stylus in the panel Virtual Desktop takes it back."));
+                                  QObject::tr("Forces are off: another window took control of the stylus"),
+                                  QObject::tr("To take it back, use Take control in the Virtual Desktop panel."));
     return;
   }
   lost_ = true;
   owner_.host().messages().tell(
-      Severity::kProblem, QObject::tr("The forces went off: the haptic server is gone"),
+      Severity::kProblem, QObject::tr("Forces are off: the haptic server stopped responding"),
       owner_.link().problem() + QLatin1Char(' ') +
-          QObject::tr("What is held stays where it is. Once a server answers again, Ctrl+Space turns the forces on."));
+          QObject::tr(
+              "The held entity stays in place. When a server responds again, press Ctrl+Space to turn the forces on."));
 }
 
 }  // namespace hapticell::app

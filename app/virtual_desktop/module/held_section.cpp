@@ -49,7 +49,7 @@ void showMoved(Segmented& moved_by, const VirtualDesktopSettings& settings, cons
 
 HeldSection::HeldSection(Host& host, VirtualDesktopController& controller, QVBoxLayout& column, QObject* parent)
     : QObject(parent), host_(host), controller_(controller) {
-  QVBoxLayout* section = addSection(column, tr("What is held"));
+  QVBoxLayout* section = addSection(column, tr("Held entity"));
   entity_ = new QComboBox;
   entity_->setObjectName("comboEntity");
   addRow(*section, tr("Entity"), entity_);
@@ -111,7 +111,7 @@ void HeldSection::listSets() {
   against_->clear();
   const auto& sets = host_.documentModel().document().state().pair_sets;
   const auto on = std::count_if(sets.begin(), sets.end(), [](const auto& set) { return set.enabled; });
-  against_->addItem(sets.empty() ? tr("Everything") : tr("All sets that are on (%1)").arg(on), QString());
+  against_->addItem(sets.empty() ? tr("Everything") : tr("All active sets (%1)").arg(on), QString());
   for (const auto& set : sets) {
     const QString name = QString::fromStdString(set.name);
     against_->addItem(name, name);

@@ -99,9 +99,8 @@ void InputControl::settleMouse() {
   if (!second_.isConnected() || second_.profile() == devices_.mouse()) return;
   devices_.setMouseMoves(InputDevices::MouseMoves::kView);
   owner_.host().messages().tell(
-      Severity::kInformation, QObject::tr("The 3-D mouse moves the view"),
-      QObject::tr("Both styluses are in somebody's hands. Choose the 3-D mouse as the second stylus to move "
-                  "entities by it."));
+      Severity::kInformation, QObject::tr("The 3D mouse moves the view"),
+      QObject::tr("Both styluses are in use. To move entities with the 3D mouse, choose it as the second stylus."));
 }
 
 bool InputControl::hasFreeHand() const {

@@ -41,7 +41,7 @@ SecondStylusControl::SecondStylusControl(VirtualDesktopController& owner)
           [this](const QString& sentence) { owner_.host().messages().tell(Severity::kWarning, sentence); });
   connect(&server_, &ServerProcess::ended, this, [this](const QString& sentence) {
     owner_.host().messages().tell(Severity::kProblem, sentence,
-                                  tr("The second stylus is gone. Choose it again to start it."));
+                                  tr("The second stylus was disconnected. Choose it again to start it."));
     profile_.clear();
     drop();
     emit owner_.connectionChanged();
@@ -97,13 +97,13 @@ void SecondStylusControl::postSettings() {
 
 QString SecondStylusControl::line() const {
   if (profile_.isEmpty()) return {};
-  if (!link_) return tr("Comes with the first one");
+  if (!link_) return tr("Connects with the first stylus");
   if (link_->linkState() != haptic::LinkState::kConnected) return shownText(link_->problem());
   if (owner_.snapshot().second && owner_.snapshot().second->device_fault)
-    return tr("It does not answer: its force is zero");
+    return tr("Not responding: its force is zero");
   if (!owner_.host().holdChoice().is<by::Hand>())
-    return tr("Connected, pen 2 in the scene; it holds what its tip touches");
-  return tr("Connected, pen 2 in the scene; it holds the other hand, the trunk stands still");
+    return tr("Connected as stylus 2; holds the part that its tip touches");
+  return tr("Connected as stylus 2; holds the other hand, trunk fixed");
 }
 
 /// As for the first: a connection begins without forces, and the simulated hand is told where it is.
@@ -117,7 +117,7 @@ void SecondStylusControl::follow() {
     owner_.loop()->postSecond(command::SetForces{false});
     if (owner_.forcesWanted()) {
       owner_.setForces(false);
-      owner_.host().messages().tell(Severity::kInformation, tr("Forces are off: a second stylus has come"));
+      owner_.host().messages().tell(Severity::kInformation, tr("Forces are off: a second stylus was connected"));
     }
     owner_.loop()->postSecond(command::SetHandTarget{mouse_.target()});
     emit owner_.connectionChanged();

@@ -27,8 +27,9 @@ StationServer::StationServer(Host& host)
     const bool worked = std::exchange(worked_, false);
     if (worked) tried_ = false;
     host_.messages().tell(Severity::kProblem, sentence,
-                          worked ? tr("Forces are off. The server is started again; Ctrl+Space then turns them on.")
-                                 : tr("Forces are off. Connect again to start it anew."));
+                          worked
+                              ? tr("Forces are off. The server is restarting. Then press Ctrl+Space to turn them on.")
+                              : tr("Forces are off. Connect again to restart it."));
   });
 }
 
@@ -43,7 +44,7 @@ void StationServer::use(const QString& host, int port) {
   auto kept = writeSetting(userConfigurationFile(), QStringLiteral("server.host"), host);
   if (kept) kept = writeSetting(userConfigurationFile(), QStringLiteral("server.port"), QString::number(port));
   if (!kept)
-    host_.messages().tell(Severity::kWarning, tr("%1 is used, but only until the end of the program.").arg(address()),
+    host_.messages().tell(Severity::kWarning, tr("%1 is used, but only until you quit.").arg(address()),
                           QString::fromStdString(kept.error().message()));
 }
 

@@ -38,7 +38,7 @@ QString StylusLink::problem() const {
 
 QString StylusLink::line() const {
   if (!link_) return QObject::tr("Not connected");
-  if (isWatching()) return QObject::tr("Watching: another window has the stylus");
+  if (isWatching()) return QObject::tr("Observing: another window controls the stylus");
   if (isConnected()) {
     if (!device_) return QObject::tr("Connected");
     return device_->simulated ? QObject::tr("Connected, simulated") : QObject::tr("Connected");

@@ -378,8 +378,8 @@ void VirtualDesktopController::chooseDevice(const QString& profile) {
   if (profile == station_.profile()) return;
   if (isConnected() && !station_.isRunning()) {
     host_.messages().tell(
-        Severity::kInformation, tr("The stylus is as it was"),
-        tr("Another program started the server at %1; the device is chosen there.").arg(station_.address()));
+        Severity::kInformation, tr("The stylus was not changed"),
+        tr("Another program started the server at %1. Choose the device there.").arg(station_.address()));
     emit connectionChanged();
     return;
   }

@@ -220,14 +220,14 @@ void VirtualDesktopModule::addKeys() {
   };
   add("actionForcesOn", tr("Forces on"), QKeySequence(Qt::CTRL | Qt::Key_Space),
       [this] { controller_->setForces(true); });
-  add("actionFollow", tr("Hold the stylus with the mouse"), QKeySequence(Qt::Key_H), [this] {
+  add("actionFollow", tr("Stylus follows the mouse"), QKeySequence(Qt::Key_H), [this] {
     MouseStylus& mouse = controller_->mouse();
     mouse.setFollow(!mouse.follow());
     host_->viewport().refresh();
   });
-  add("actionMute", tr("Sound on or off"), QKeySequence(Qt::Key_M),
+  add("actionMute", tr("Mute"), QKeySequence(Qt::Key_M),
       [this] { controller_->sound().setOn(!controller_->sound().isOn()); });
-  add("actionOnContact", tr("Stop, slide, pass in turn"), QKeySequence(Qt::Key_C), [this] {
+  add("actionOnContact", tr("Next contact mode"), QKeySequence(Qt::Key_C), [this] {
     const int now = static_cast<int>(controller_->settings().on_contact);
     controller_->setOnContact(static_cast<workcell::OnContact>((now + 1) % 3));
   });
@@ -237,8 +237,9 @@ void VirtualDesktopModule::addKeys() {
       settings.free = afterKey(settings.free, static_cast<std::size_t>(axis));
       controller_->change(settings);
     });
+  const QString scales[]{tr("rough"), tr("medium"), tr("fine"), tr("screen")};
   for (int level = 0; level < 4; ++level)
-    add("actionScale", tr("Scale %1").arg(level + 1), QKeySequence(Qt::Key_1 + level), [this, level] {
+    add("actionScale", tr("Motion scale, %1").arg(scales[level]), QKeySequence(Qt::Key_1 + level), [this, level] {
       VirtualDesktopSettings settings = controller_->settings();
       settings.scale = static_cast<manipulation::ScaleLevel>(level);
       controller_->change(settings);

@@ -49,7 +49,7 @@ void WorkspaceSection::show() {
     const auto number = [](double metres) { return lengthText(metres, 0).section(QLatin1Char(' '), 0, 0); };
     const Theme& theme = themeOf(text_->palette());
     const QString keys = keyLine("Space", tr("hold: clutch"), theme) + keyLine("1–4", tr("scale"), theme) +
-                         keyLine("C", tr("stop, slide, pass"), theme) + keyLine("B", tr("stylus button"), theme);
+                         keyLine("C", tr("contact mode"), theme) + keyLine("B", tr("stylus button"), theme);
     text_->setText(QStringLiteral("%1 × %2 × %3<br>%4<table style=\"margin-top:6px\" cellpadding=\"1\">%5</table>")
                        .arg(number(size.x), number(size.y), lengthText(size.z, 0))
                        .arg(tr("%1 to the edge").arg(lengthText(now.device_edge_m, 0)), keys));

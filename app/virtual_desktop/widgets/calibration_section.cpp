@@ -64,13 +64,13 @@ void CalibrationSection::setCondition(const std::optional<haptic::DeviceConditio
 void CalibrationSection::show() {
   const bool has_steps = condition_ && !condition_->calibration.empty();
   const bool can = has_steps && condition_->answers;
-  QString state = tr("No haptic server answers.");
-  if (connected_ && !condition_) state = tr("The simulated stylus needs none.");
-  if (condition_ && !condition_->answers) state = tr("The device does not answer.");
+  QString state = tr("No haptic server is responding.");
+  if (connected_ && !condition_) state = tr("The simulated stylus needs no calibration.");
+  if (condition_ && !condition_->answers) state = tr("The device is not responding.");
   if (condition_ && condition_->answers) {
-    state = condition_->calibrated ? tr("Calibrated.") : tr("Not calibrated: it exerts no force until it is.");
+    state = condition_->calibrated ? tr("Calibrated.") : tr("Not calibrated. Forces stay off until it is.");
     if (condition_->docked) state += QLatin1Char(' ') + tr("The stylus is in its inkwell.");
-    if (!has_steps && condition_->calibrated) state += QLatin1Char(' ') + tr("It needs nothing of you.");
+    if (!has_steps && condition_->calibrated) state += QLatin1Char(' ') + tr("No action needed.");
   }
   state_->setText(state);
   const bool runs = can && at_ >= 0;

@@ -118,8 +118,8 @@ DeviceCheckPanel::DeviceCheckPanel(DeviceLister& lister, QWidget* parent) : QWid
   connect(watch_, &DeviceWatch::changed, this, &DeviceCheckPanel::showWatch);
   connect(watch_, &DeviceWatch::forceTestEnded, this, [this](const QString& sentence, double pushed) {
     force_result_ = !sentence.isEmpty() ? sentence
-                                        : tr("%1 N were commanded. If nothing was felt: is the device's power on, is "
-                                             "its emergency stop released, is it calibrated?")
+                                        : tr("%1 N were commanded. If you felt nothing, check that the device is "
+                                             "powered, its emergency stop released and calibrated.")
                                               .arg(pushed, 0, 'f', 1);
     emit stylusWanted(false);
     showForceTest();
@@ -175,10 +175,10 @@ void DeviceCheckPanel::addRates(QVBoxLayout& column) {
 
 void DeviceCheckPanel::addRange(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Range of motion and buttons"));
-  section->addWidget(quietLabel(tr("Move the stylus to all sides and press each button once.")));
+  section->addWidget(quietLabel(tr("Move the stylus in all directions and press each button once.")));
   range_ = new RangeView;
   section->addWidget(range_);
-  auto* again = new QPushButton(tr("Begin again"));
+  auto* again = new QPushButton(tr("Restart"));
   again->setObjectName("buttonRangeAgain");
   section->addWidget(sideBySide({again}));
   connect(again, &QPushButton::clicked, this, [this] {
@@ -192,7 +192,7 @@ void DeviceCheckPanel::addForceTest(QVBoxLayout& column) {
   force_words_ = quietLabel({});
   section->addWidget(force_words_);
   force_ask_ = new QPushButton(tr("Test the force…"));
-  force_go_ = new QPushButton(tr("I hold it: push"));
+  force_go_ = new QPushButton(tr("I am holding it: start"));
   force_stop_ = new QPushButton(tr("Cancel"));
   force_ask_->setObjectName("buttonForceAsk");
   force_go_->setObjectName("buttonForceGo");
@@ -234,14 +234,13 @@ void DeviceCheckPanel::showForceTest() {
   if (runs) {
     words = tr("Pushing down, %1 %").arg(std::lround(100.0 * watch_->forceTestProgress()));
   } else if (asked_) {
-    words =
-        tr("The stylus will be pulled down, slowly up to %1 N, for four seconds. Hold it loosely in the middle of its "
-           "workspace. What you hold in the cell is let go first.")
-            .arg(kTestPush, 0, 'f', 1);
+    words = tr("The stylus will be pulled down, slowly up to %1 N, for 4 seconds. Hold it loosely in the middle of its "
+               "workspace. What you hold in the cell is released first.")
+                .arg(kTestPush, 0, 'f', 1);
   } else if (forceless) {
-    words = tr("This device exerts no force.");
+    words = tr("This device has no force feedback.");
   } else if (words.isEmpty()) {
-    words = tr("Nothing moves before you have agreed.");
+    words = tr("Nothing moves until you confirm.");
   }
   force_words_->setText(words);
 }
@@ -254,22 +253,21 @@ void DeviceCheckPanel::showWatch() {
 }
 
 void DeviceCheckPanel::addPlugged(QVBoxLayout& column) {
-  QVBoxLayout* section = addSection(column, tr("Plugged in, and what is in the way"));
+  QVBoxLayout* section = addSection(column, tr("Devices and problems"));
   plugged_ = new QVBoxLayout;
   plugged_->setSpacing(6);
   section->addLayout(plugged_);
-  looking_ = quietLabel(tr("Looking…"));
+  looking_ = quietLabel(tr("Searching…"));
   section->addWidget(looking_);
-  auto* again = new QPushButton(tr("Look again"));
+  auto* again = new QPushButton(tr("Search again"));
   again->setObjectName("buttonLookAgain");
   section->addWidget(sideBySide({again}));
   section->addWidget(
-      quietLabel(tr("No real device could be held while this was written: the drivers are tested against "
-                    "models and recorded layouts.")));
+      quietLabel(tr("The drivers are tested against models and recorded data formats, not on real devices.")));
   versions_ = quietLabel({});
   section->addWidget(versions_);
   connect(again, &QPushButton::clicked, this, [this] {
-    looking_->setText(tr("Looking…"));
+    looking_->setText(tr("Searching…"));
     looking_->show();
     lister_.look();
   });
@@ -288,7 +286,7 @@ void DeviceCheckPanel::addDeviceRow(const QString& title, const QString& detail,
   head->addWidget(new WrappedLabel(title, TextRole::kText, false), 1);
   if (isCommand(fix)) {
     auto* copy = new QPushButton(tr("Copy"));
-    copy->setToolTip(tr("Copies the command that mends it"));
+    copy->setToolTip(tr("Copy the command that fixes it"));
     copy->setAccessibleName(tr("Copy the command for %1").arg(title));
     const QString command = fix.section(QLatin1String(", then "), 0, 0);
     connect(copy, &QPushButton::clicked, copy, [command] { QGuiApplication::clipboard()->setText(command); });
@@ -325,8 +323,7 @@ void DeviceCheckPanel::showListing() {
   for (const ListedGrant& grant : listing.grants) {
     if (!grant.granted) addDeviceRow(grant.what.left(1).toUpper() + grant.what.mid(1), grant.found, grant.fix, false);
   }
-  if (plugged_->count() == 0)
-    plugged_->addWidget(quietLabel(tr("Nothing but the simulated stylus, and nothing is in the way.")));
+  if (plugged_->count() == 0) plugged_->addWidget(quietLabel(tr("Only the simulated stylus. No problems found.")));
   looking_->hide();
   versions_->setText(listing.versions);
 }

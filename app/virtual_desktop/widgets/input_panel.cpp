@@ -42,12 +42,12 @@ InputPanel::InputPanel(InputDevices& inputs, QWidget* parent) : QWidget(parent),
   addCalibration();
   mouse_ = new DeviceCombo;
   mouse_->setObjectName("comboSpaceMouse");
-  addRow(*column, tr("3-D mouse"), mouse_);
+  addRow(*column, tr("3D mouse"), mouse_);
   column->addWidget(mouse_line_ = line("labelSpaceMouse", 2));
   moves_ = new Segmented({tr("View"), tr("Entity")});
   moves_->setObjectName("segmentsMouseMoves");
-  moves_->setToolTip(tr("What the 3-D mouse moves; its second button changes it"));
-  moves_row_ = addRow(*column, tr("It moves"), moves_);
+  moves_->setToolTip(tr("What the 3D mouse moves; its second button changes it"));
+  moves_row_ = addRow(*column, tr("Moves"), moves_);
   setListing({});
   connect(glove_, &QComboBox::activated, this, [this] { inputs_.chooseGlove(glove_->currentData().toString()); });
   connect(mouse_, &QComboBox::activated, this, [this] { inputs_.chooseMouse(mouse_->currentData().toString()); });
@@ -70,7 +70,7 @@ void InputPanel::addCalibration() {
   instruction_ = line("labelCalibration", 3);
   column->addWidget(instruction_);
   calibrate_ = new QPushButton(tr("Calibrate glove…"));
-  next_ = new QPushButton(tr("I hold it: next"));
+  next_ = new QPushButton(tr("I am holding it: next"));
   cancel_ = new QPushButton(tr("Cancel"));
   calibrate_->setObjectName("buttonCalibrateGlove");
   next_->setObjectName("buttonCalibrateNext");
@@ -78,7 +78,7 @@ void InputPanel::addCalibration() {
   column->addWidget(sideBySide({calibrate_, next_, cancel_}));
   free_hand_ = new QPushButton(tr("Add a free hand"));
   free_hand_->setObjectName("buttonAddFreeHand");
-  free_hand_->setToolTip(tr("A hand by itself, each finger as the glove has it; the stylus carries it"));
+  free_hand_->setToolTip(tr("A free hand with the fingers of the glove; the stylus moves it"));
   column->addWidget(sideBySide({free_hand_}));
   connect(free_hand_, &QPushButton::clicked, this, &InputPanel::freeHandWanted);
   connect(calibrate_, &QPushButton::clicked, this, [this] {
@@ -94,13 +94,13 @@ void InputPanel::addCalibration() {
 
 void InputPanel::stepCalibration() {
   const auto readings = inputs_.gloveReadings();
-  if (!calibrator_ || !readings) return instruction_->setText(tr("The glove does not answer: nothing was taken."));
+  if (!calibrator_ || !readings) return instruction_->setText(tr("The glove is not responding. Nothing was recorded."));
   calibrator_->take(*readings);
   if (calibrator_->next() < GloveCalibrator::kPoses) return showCalibration();
   QString words = tr("Calibrated for you.");
   if (!calibrator_->result()) {
     words =
-        tr("Sensor %1 hardly moved between the poses. The calibration is as it was.").arg(calibrator_->badSensor() + 1);
+        tr("Sensor %1 hardly moved between the poses. The calibration is unchanged.").arg(calibrator_->badSensor() + 1);
   } else if (const auto kept = inputs_.keepCalibration(*calibrator_->result()); !kept) {
     words = QString::fromStdString(kept.error().message());
   }

@@ -34,7 +34,7 @@ PreparationBar::PreparationBar(QWidget* parent) : QWidget(parent) {
   cancel->setObjectName("buttonCancelPreparation");
   cancel->setAutoRaise(true);
   cancel->setIcon(icon("close"));
-  cancel->setToolTip(tr("Give up: what was changed is not felt until the next change"));
+  cancel->setToolTip(tr("Cancel: the change is not felt until the next change"));
   row->addWidget(text_);
   row->addWidget(bar_);
   row->addWidget(cancel);

@@ -24,7 +24,7 @@ RateGraph::RateGraph(QWidget* parent) : QWidget(parent) {
 void RateGraph::setSamples(const std::deque<DeviceWatch::RateSample>& samples) {
   samples_ = samples;
   if (samples_.empty())
-    setAccessibleDescription(tr("No figures yet"));
+    setAccessibleDescription(tr("No data yet"));
   else
     setAccessibleDescription(
         tr("%1 Hz, late %2 ms").arg(std::lround(samples_.back().rate_hz)).arg(samples_.back().late_p99_ms, 0, 'f', 2));
@@ -64,7 +64,7 @@ void RateGraph::paintEvent(QPaintEvent*) {
     painter.drawText(numbers, Qt::AlignBottom | Qt::AlignLeft, tr("%1 ms").arg(samples_.back().late_p99_ms, 0, 'f', 2));
   }
   painter.drawText(QRect(kLeft, height() - 18, width() - 2 * kLeft, 16), Qt::AlignLeft,
-                   tr("Line: rate. Bars: late in 99 of 100 ticks, full height %1 ms").arg(most_late, 0, 'f', 1));
+                   tr("Line: rate. Bars: lateness (99th percentile), full height %1 ms").arg(most_late, 0, 'f', 1));
 }
 
 RangeView::RangeView(QWidget* parent) : QWidget(parent) {

@@ -60,7 +60,7 @@ void StationPanel::addFields() {
   port_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   port_->setFixedWidth(60);
   port_->setAccessibleName(tr("Port"));
-  port_->setToolTip(tr("Port; 4747 unless the server was started with another"));
+  port_->setToolTip(tr("Port of the server. Default: 4747"));
   auto* address = new QWidget;
   auto* row = new QHBoxLayout(address);
   row->setContentsMargins(0, 0, 0, 0);
@@ -99,12 +99,11 @@ void StationPanel::showFields(bool other) {
 
 void StationPanel::showKnown() {
   const bool known = StationPairing::knows(host_->text().trimmed(), port_->value());
-  code_->setPlaceholderText(known ? tr("Known; type another to change it") : QStringLiteral("K7QM-2F9X-…"));
+  code_->setPlaceholderText(known ? tr("Saved. Type another to replace it") : QStringLiteral("K7QM-2F9X-…"));
   if (!pairing_.isRunning())
     say(known ? QString()
-              : tr("On the other station, once: hapticell-haptic-server --pair shows the code; then "
-                   "hapticell-haptic-server "
-                   "--listen and that station's address."));
+              : tr("On the other station, run hapticell-haptic-server --pair once to see the code, then "
+                   "hapticell-haptic-server --listen with its address."));
 }
 
 void StationPanel::say(const QString& sentence) {

@@ -315,7 +315,7 @@ TEST(TimeDock, SaysWhatIsBeyondALimitAndSavesTheMotionAsItIsOnTheFigure) {
   panel->open(QString::fromStdString((folder / "in.bvh").string()));
   ASSERT_TRUE(
       page.until([&] { return page.find<QPushButton>("buttonSaveMotion")->isEnabled(); }, ErgonomicsPage::kPatience));
-  EXPECT_TRUE(page.words("labelBeyondLimits").contains("l_wrist_flexion in 2 frames"))
+  EXPECT_TRUE(page.words("labelBeyondLimits").contains("left wrist flexion in 2 frames"))
       << page.words("labelBeyondLimits").toStdString();
   const auto out = folder / "out.bvh";
   ASSERT_TRUE(panel->saveMotion(QString::fromStdString(out.string())));
@@ -370,7 +370,7 @@ TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {
     const auto warned = [&] {
       const auto& all = page.window().messages().messages();
       return std::count_if(all.begin(), all.end(), [](const Message& message) {
-        return message.title == "This place does not keep what the search found";
+        return message.title == "This placement does not give the score that was found";
       });
     };
     QThreadPool::globalInstance()->waitForDone();

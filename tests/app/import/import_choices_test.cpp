@@ -83,9 +83,9 @@ TEST(ImportChoices, TheReportNamesWhatWasRepairedAndDropped) {
   report.degenerate_triangles = 4;
   const QString text = reportText(report);
   EXPECT_TRUE(text.contains("3 parts")) << text.toStdString();
-  EXPECT_TRUE(text.contains("one millimetre, as it says"));
-  EXPECT_TRUE(text.contains("Dropped: 4 triangles without area."));
-  EXPECT_FALSE(text.contains("twice"));
+  EXPECT_TRUE(text.contains("one millimetre, from the file"));
+  EXPECT_TRUE(text.contains("Removed: 4 zero-area triangles."));
+  EXPECT_FALSE(text.contains("duplicate"));
 }
 
 workcell::Entity block(const dvec3& size, const dvec3& place, const std::array<float, 3>& color) {

@@ -57,8 +57,8 @@ TEST(ImportWindow, AFileWithoutUnitIsGuessedFromItsSizeAndSaysSo) {
   ASSERT_NE(block, nullptr);
   EXPECT_NEAR(block->mesh->bounds().size().x, 0.1, 1e-12);
   EXPECT_DOUBLE_EQ(block->source.scale, 0.001);
-  ASSERT_NE(page.told("block.off is in the cell"), nullptr);
-  EXPECT_TRUE(page.told("block.off is in the cell")->text.contains("12 triangles"));
+  ASSERT_NE(page.told("block.off is added to the cell"), nullptr);
+  EXPECT_TRUE(page.told("block.off is added to the cell")->text.contains("12 triangles"));
   EXPECT_FALSE(page.window().files().dock().isVisible()) << "it goes when there is nothing more to ask";
 }
 
@@ -67,7 +67,7 @@ TEST(ImportWindow, ASizeThatMayBeMetresOrMillimetresIsAskedFor) {
   ImportPage page;
   ASSERT_TRUE(page.ask({writeBlock(folder.filePath("conveyor.off"), 3.071, 0.768, 0.916),
                         writeBlock(folder.filePath("stop.off"), 4, 1, 1)}));
-  EXPECT_EQ(page.text("importUnitAsked"), "The file names no unit. Which size is right?");
+  EXPECT_EQ(page.text("importUnitAsked"), "The file states no unit. Which size is right?");
   EXPECT_EQ(page.text("importSize"), "3.071 × 0.768 × 0.916, unit not known");
   EXPECT_FALSE(page.press("importAccept")) << "nothing is guessed";
   ASSERT_TRUE(page.press("importAll"));
@@ -87,7 +87,7 @@ TEST(ImportWindow, WhoIsNotAskedIsToldThatTheUnitMayBeAnother) {
   ImportPage page;
   ASSERT_TRUE(page.add(writeBlock(folder.filePath("block.off"), 100, 50, 20)));
   EXPECT_NEAR(page.entity("block")->mesh->bounds().size().x, 100.0, 1e-9);
-  const Message* told = page.told("block.off was read with remarks");
+  const Message* told = page.told("block.off was read with warnings");
   ASSERT_NE(told, nullptr);
   EXPECT_TRUE(told->text.contains("millimetres")) << told->text.toStdString();
 }
@@ -107,7 +107,7 @@ TEST(ImportWindow, RemarksAreGroupedAndAClickSelectsThePart) {
   ImportPage page;
   ASSERT_TRUE(page.add(file.fileName()));
   ASSERT_TRUE(page.add(writeBlock(folder.filePath("block.off"), 1, 1, 1)));
-  const Message* told = page.told("arm.urdf was read with remarks");
+  const Message* told = page.told("arm.urdf was read with warnings");
   ASSERT_NE(told, nullptr);
   ASSERT_GE(told->lines.size(), 2u);
   EXPECT_NE(page.window().selection().current(), page.entity("arm")->id);
@@ -231,7 +231,7 @@ TEST(ImportWindow, AnImporterThatFailsIsASentence) {
   qunsetenv("HAPTICELL_IMPORTER");
   const Message* told = page.told("bad.step was not added");
   ASSERT_NE(told, nullptr);
-  EXPECT_TRUE(told->text.contains("The cell is as it was."));
+  EXPECT_TRUE(told->text.contains("The cell is unchanged."));
   EXPECT_EQ(page.entities(), 0u);
 }
 
@@ -268,7 +268,7 @@ TEST(ImportWindow, AMissingFileIsAskedForOnceAndTheRestIsThere) {
   ASSERT_NE(told, nullptr);
   EXPECT_TRUE(told->text.contains("b.off"));
   ASSERT_EQ(told->actions.size(), 1u);
-  EXPECT_EQ(page.told("was read with remarks"), nullptr) << "one message for all of them";
+  EXPECT_EQ(page.told("was read with warnings"), nullptr) << "one message for all of them";
 }
 
 TEST(ImportWindow, AFileThatChangedIsReadAgainWithPlacementsKept) {
@@ -374,7 +374,7 @@ TEST(ImportWindow, WhatIsExportedCanBeImportedAgainAndTheReportIsWritten) {
   ASSERT_TRUE(pdf.open(QIODevice::ReadOnly) && csv.open(QIODevice::ReadOnly));
   EXPECT_TRUE(pdf.readAll().startsWith("%PDF"));
   EXPECT_TRUE(csv.readAll().contains("a,solid,moved,0,0,0,"));
-  EXPECT_NE(page.told("none.urdf was not written"), nullptr);
+  EXPECT_NE(page.told("none.urdf was not saved"), nullptr);
 }
 
 TEST(ImportWindow, APackAsksBeforeItTakesFilesFromOutsideOfTheCellsFolder) {

@@ -160,7 +160,7 @@ TEST(Tools, WhatIsAttachedIsWeighedAgainstTheMakersPayload) {
   page.click("buttonTools");
   ASSERT_TRUE(page.clickForStep("buttonAttach"));
   EXPECT_TRUE(page.words("labelToolsLoad").startsWith("Load 1 kg of 16 kg allowed"));
-  EXPECT_TRUE(page.words("labelToolsLoad").contains("Mass not entered, 1 kg taken: Casting"));
+  EXPECT_TRUE(page.words("labelToolsLoad").contains("Mass not entered, 1 kg assumed: Casting"));
   ASSERT_TRUE(page.document().execute(workcell::SetProperties{.id = part, .mass = 20.0}));
   page.settle();
   EXPECT_TRUE(page.words("labelToolsLoad").startsWith("Too heavy: 20 kg of 16 kg allowed, centre "));

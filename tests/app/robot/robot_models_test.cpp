@@ -98,9 +98,9 @@ TEST(ConfigurationModel, SaysHowTheArmStandsAndWhyARowIsOut) {
   };
   EXPECT_EQ(text(0, 0), "front · up · no flip");
   EXPECT_EQ(text(0, 1), "S 2, T 2");
-  EXPECT_EQ(text(0, 2), "held now");
-  EXPECT_EQ(text(1, 2), "86° in all");
-  EXPECT_EQ(text(2, 2), "A2 over by 11.5°");
+  EXPECT_EQ(text(0, 2), "current");
+  EXPECT_EQ(text(1, 2), "86° in total");
+  EXPECT_EQ(text(2, 2), "A2 over limit by 11.5°");
   EXPECT_EQ(model.reachable(), 2);
   EXPECT_EQ(model.rowOf(other.q), 1);
   model.setWay(1, false, "Clamp tower B", "link_4 would touch Clamp tower B after 43 % of the way");

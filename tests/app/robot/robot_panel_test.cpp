@@ -215,7 +215,7 @@ TEST(RobotPanel, WhatYieldsAtASingularityIsChosenAndGreyedWithoutAWrist) {
   page.addRobot("kuka_kr16_2");
   auto* choice = page.find<QComboBox>("comboSingularity");
   const auto* items = qobject_cast<QStandardItemModel*>(choice->model());
-  EXPECT_EQ(choice->itemText(1), "Position kept, A4 at rest");
+  EXPECT_EQ(choice->itemText(1), "Keep position, A4 fixed");
   EXPECT_TRUE(items->item(1)->isEnabled());
   choice->setCurrentIndex(1);
   emit choice->activated(1);

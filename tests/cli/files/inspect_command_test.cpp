@@ -189,7 +189,7 @@ TEST_F(FileCommands, WhatIsWrongIsOneSentenceAndNothingIsWritten) {
       {{"--add", "mannequin:male:500"}, "0.1 to 99.9"},
       {{"--add", "library:nothing"}, "library:nothing"},
       {{"--add", "box:1,2"}, "box:length (above 0), width (above 0), height (above 0)"},
-      {{"--add", "part.obj", "--check", "part:table"}, "there is no entity 'table'; expected one of part"},
+      {{"--add", "part.obj", "--check", "part:table"}, "no entity is named 'table'; expected one of part"},
       {{"--add", "part.obj", "--check", "part"}, "colon"},
       {{"--add", "part.obj", "--check", "part:,safety=-1"}, "metres, 0 to 1"},
   };

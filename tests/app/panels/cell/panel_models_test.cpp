@@ -137,7 +137,7 @@ TEST(PairRows, TheTableCountsFiltersAndFormats) {
   EXPECT_NEAR(table.index(0, 0).data(PairTableModel::kShareRole).toDouble(), 0.128, 1e-9);
   table.setShow(PairTableModel::Show::kAll, "TOWER a");
   ASSERT_EQ(table.rowCount(), 1);
-  EXPECT_EQ(table.index(0, PairTableModel::kDistance).data().toString(), "not near");
+  EXPECT_EQ(table.index(0, PairTableModel::kDistance).data().toString(), "far");
   table.setShow(PairTableModel::Show::kContact, {});
   EXPECT_EQ(table.rowCount(), 0);
 }
@@ -171,7 +171,7 @@ TEST(PairRows, APairThatIsLeftOutStandsLastAndSaysSo) {
   EXPECT_EQ(table.index(1, PairTableModel::kState).data().toString(), "Off");
   EXPECT_EQ(table.index(1, PairTableModel::kDistance).data().toString(), "not checked");
   EXPECT_FALSE(table.index(1, 0).data(PairTableModel::kCheckedRole).toBool());
-  EXPECT_EQ(table.index(1, PairTableModel::kCheck).data(Qt::AccessibleTextRole).toString(), "left out");
+  EXPECT_EQ(table.index(1, PairTableModel::kCheck).data(Qt::AccessibleTextRole).toString(), "excluded");
 }
 
 TEST(PairRows, WhatIsCarriedHasItsOwnRowsAndSaysWhatItIsAttachedTo) {

@@ -128,7 +128,7 @@ TEST(CollisionsPanel, WhatTouchesAtRestIsAskedShownAndUndoable) {
   ASSERT_EQ(page.state().pair_rules.size(), 1u);
   page.select(page.standing);
   EXPECT_EQ(page.cell(page.pairs()->model()->rowCount() - 1, PairTableModel::kState), "Off");
-  EXPECT_EQ(page.document().undoText(), "Leave out a pair that touches at rest");
+  EXPECT_EQ(page.document().undoText(), "Exclude a pair that touches at rest");
   page.trigger("actionUndo");
   EXPECT_TRUE(page.state().pair_rules.empty());
 }

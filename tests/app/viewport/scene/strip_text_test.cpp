@@ -52,7 +52,7 @@ TEST(StripText, NothingNearAndForcesOffAreSaid) {
   manipulation::SceneSnapshot snapshot;
   snapshot.clutched = true;
   const auto cells = stripCells(snapshot, {});
-  EXPECT_EQ(cells[0].value, "none near");
+  EXPECT_EQ(cells[0].value, "none nearby");
   EXPECT_EQ(cells[1].value, "off");
   EXPECT_EQ(cells[4].value, "Clutch");
   EXPECT_EQ(cells[5].mark, Mark::kLimit) << "the device's edge is reached";

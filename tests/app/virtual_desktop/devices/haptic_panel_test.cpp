@@ -51,14 +51,14 @@ TEST(ForceReason, NoForceAlwaysHasAReasonAndWhatMendsIt) {
   EXPECT_EQ(forceReason(facts).state, "Forces off");
   EXPECT_TRUE(forceReason(facts).why.contains("Ctrl+Space"));
   facts.wanted = true;
-  EXPECT_EQ(forceReason(facts).state, "Forces wait");
+  EXPECT_EQ(forceReason(facts).state, "Forces pending");
   facts.on = true;
   facts.ramp = 0.43;
   EXPECT_EQ(forceReason(facts).why, "Ramp 43 %, 1 N/ms limit");
   facts.ramp = 1.0;
   EXPECT_EQ(forceReason(facts).why, "Ramp done, 1 N/ms limit");
   facts.stalled = true;
-  EXPECT_TRUE(forceReason(facts).why.contains("stands still"));
+  EXPECT_TRUE(forceReason(facts).why.contains("not responding"));
 }
 
 TEST(ForceReason, ForcesThatCannotBeFeltSayWhyAndOfferTheRemedy) {
@@ -82,11 +82,11 @@ TEST(ForceReason, ForcesThatWentOffUnaskedAndTheDevicesEndAreSaid) {
   EXPECT_EQ(forceReason(facts).state, "Forces off") << "not: they wait";
   EXPECT_TRUE(forceReason(facts).why.contains("Ctrl+Space"));
   facts.device_fault = true;
-  EXPECT_TRUE(forceReason(facts).why.contains("does not answer")) << "a known cause goes first";
+  EXPECT_TRUE(forceReason(facts).why.contains("not responding")) << "a known cause goes first";
   facts = {};
   facts.started = facts.connected = facts.wanted = facts.on = facts.at_edge = true;
   facts.ramp = 1.0;
-  EXPECT_TRUE(forceReason(facts).why.contains("at its end"));
+  EXPECT_TRUE(forceReason(facts).why.contains("edge of its workspace"));
 }
 
 TEST(ForceReason, AProblemIsCutToItsFirstSentence) {
@@ -148,13 +148,13 @@ TEST(DeviceCheck, TellsHowSoonContactsAreSeen) {
   };
   EXPECT_EQ(line("No contact on the screen yet").result, DeviceCheck::Result::kOpen);
   sight = {{7, 0.030, 0.031, 0.062}, true, 0.020};
-  EXPECT_EQ(line("seen as they are felt").result, DeviceCheck::Result::kGood);
-  EXPECT_EQ(line("seen as they are felt").detail,
-            "31 ms after they are felt in the middle, 62 ms at most, of 7; 50 ms go unnoticed");
+  EXPECT_EQ(line("displayed on time").result, DeviceCheck::Result::kGood);
+  EXPECT_EQ(line("displayed on time").detail,
+            "delay: median 31 ms, maximum 62 ms, contacts: 7; up to 50 ms is not noticeable");
   sight.software = false;  // A graphics card: 15 ms beyond the frame.
   sight.frame_s = 0.004;
-  EXPECT_EQ(line("seen late").result, DeviceCheck::Result::kWarning);
-  EXPECT_TRUE(line("seen late").detail.contains("19 ms go unnoticed"));
+  EXPECT_EQ(line("displayed late").result, DeviceCheck::Result::kWarning);
+  EXPECT_TRUE(line("displayed late").detail.contains("19 ms is not noticeable"));
 }
 
 TEST(DeviceCheck, TellsTheClocksAndHowOldContactsAre) {
@@ -168,17 +168,17 @@ TEST(DeviceCheck, TellsTheClocksAndHowOldContactsAre) {
     return DeviceCheck{};
   };
   EXPECT_FALSE(line("round trip").detail.contains("clock")) << "not measured yet";
-  EXPECT_EQ(line("No contacts").result, DeviceCheck::Result::kOpen);
+  EXPECT_EQ(line("No recent contacts").result, DeviceCheck::Result::kOpen);
   now.server.clock_offset_ms = -7.25e6;
   now.server.round_trip_ms = 41.5;
-  EXPECT_EQ(line("round trip").detail, "far:4747, round trip 41.50 ms, its clock 7250.000 s from ours");
+  EXPECT_EQ(line("round trip").detail, "far:4747, round trip 41.50 ms, clock offset 7250.000 s");
   now.server.set_age_p50_ms = 12.0, now.server.set_age_p99_ms = 31.5;
   now.server.late_sets = 3, now.server.refused_sets = 5;
-  EXPECT_EQ(line("in time").result, DeviceCheck::Result::kGood);
-  EXPECT_EQ(line("in time").detail,
-            "12.0 ms old in the middle, 31.5 ms in 99 of 100; 3 late and 5 refused since the server's start");
+  EXPECT_EQ(line("arrive on time").result, DeviceCheck::Result::kGood);
+  EXPECT_EQ(line("arrive on time").detail,
+            "age: median 12.0 ms, 99th percentile 31.5 ms; 3 late and 5 rejected since the server started");
   now.server.set_age_p99_ms = 140.0;
-  EXPECT_EQ(line("late at times").result, DeviceCheck::Result::kWarning);
+  EXPECT_EQ(line("sometimes late").result, DeviceCheck::Result::kWarning);
 }
 
 TEST(Sound, SilentWhileNothingIsNear) {

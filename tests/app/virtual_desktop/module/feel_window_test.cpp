@@ -369,7 +369,7 @@ struct WatchingPage : ServerFirst, CellPage {
     EXPECT_TRUE(until([this] { return other.linkState() == haptic::LinkState::kConnected; }, kPatience));
     window().loadModules(ModuleLoader::defaultFolders());
     EXPECT_TRUE(window().startModule("Virtual Desktop"));
-    EXPECT_TRUE(until([this] { return button().isVisible() && button().text() == "Take the stylus"; }, kPatience));
+    EXPECT_TRUE(until([this] { return button().isVisible() && button().text() == "Take control"; }, kPatience));
   }
   static haptic::TcpLinkOptions optionsOf(const haptic::LiveServer& server) {
     haptic::TcpLinkOptions options;
