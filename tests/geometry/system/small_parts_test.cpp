@@ -5,6 +5,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <clocale>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -16,6 +19,7 @@
 #include "geometry/system/assertion.h"
 #include "geometry/system/overloaded.h"
 #include "geometry/system/percentile.h"
+#include "geometry/system/plain_number.h"
 #include "geometry/system/sanitizers.h"
 
 namespace hapticell {
@@ -80,6 +84,25 @@ RC_GTEST_PROP(Percentile, AgreesWithSorting, ()) {
   const double rank = share * static_cast<double>(sorted.size() - 1);
   RC_ASSERT(found >= sorted[static_cast<std::size_t>(rank)]);
   RC_ASSERT(found <= sorted[static_cast<std::size_t>(std::ceil(rank))]);
+}
+
+TEST(PlainNumber, IsWhatTheCLocaleWritesWhateverTheLocale) {
+  std::array<char, 400> text{};
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const double value : {0.0, -0.0, 0.1, -1234.5678, 1e-7, 123456789.0, 1e300, 2.5, 3.5}) {
+    for (const int digits : {0, 1, 4, 9, 17}) {
+      std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+      for (const char* locale : {"C", "de_DE.UTF-8", "fr_FR.UTF-8"}) {
+        std::setlocale(LC_ALL, locale);  // some of them may not be installed
+        EXPECT_EQ(plainNumber(value, std::chars_format::fixed, digits), text.data()) << locale;
+      }
+      std::setlocale(LC_ALL, "C");
+      if (digits == 0) continue;
+      std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+      EXPECT_EQ(plainNumber(value, std::chars_format::general, digits), text.data());
+    }
+  }
+  std::setlocale(LC_ALL, before.c_str());
 }
 
 TEST(Sanitizers, TheMacroIsZeroOrOne) {
