@@ -4,7 +4,10 @@
 #include <cctype>
 #include <charconv>
 #include <cstdint>
+#include <optional>
 #include <string_view>
+
+#include "xacro/scope.h"
 
 namespace hapticell::xacro {
 
@@ -116,17 +119,15 @@ class Tokenizer {
     if (isLetter(peek())) throw Fault("'" + shown + peek() + "' in the expression", "a number");
     const char *first = digits.data(), *last = first + digits.size();
     std::int64_t whole = 0;
-    double value = 0.0;
     if (!real) {
       const auto [end, problem] = std::from_chars(first, last, whole);
       if (problem == std::errc::result_out_of_range)
         throw Fault("the whole number " + shown.substr(0, 40), "one within 64 bits");
       return {Token::Kind::kConstant, "", whole};
     }
-    const auto [end, problem] = std::from_chars(first, last, value);
-    if (problem != std::errc() || end != last)
-      throw Fault("'" + shown.substr(0, 40) + "' in the expression", "a number");
-    return {Token::Kind::kConstant, "", value};
+    const std::optional<double> value = numberFromText(digits);  // what no double holds is 0 or infinite, as in Python
+    if (!value) throw Fault("'" + shown.substr(0, 40) + "' in the expression", "a number");
+    return {Token::Kind::kConstant, "", *value};
   }
 
   Token based() {

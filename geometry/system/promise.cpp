@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "geometry/system/assertion.h"
 
@@ -23,8 +24,11 @@ std::string withUnit(double value, const std::string& unit) {
   return fewDigits(value) + (unit.empty() ? " of the limit" : " " + unit);
 }
 
+/// By which share of what was asked the promise is missed. Infinite for a measurement that is no number.
 double missedBy(const Promise& promise) {
-  return promise.is_at_least ? promise.asked - promise.measured : promise.measured / std::max(promise.asked, 1e-300);
+  if (std::isnan(promise.measured)) return std::numeric_limits<double>::infinity();
+  const double excess = promise.is_at_least ? promise.asked - promise.measured : promise.measured - promise.asked;
+  return excess / std::max(std::abs(promise.asked), 1e-300);
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <vector>
+
+#include "geometry/system/plain_number.h"
 
 namespace hapticell::mannequin {
 namespace {
@@ -46,10 +47,8 @@ bool takeOwnMeasure(const std::string& word, BodyRequest& request) {
   return true;
 }
 
-void append(std::string& text, const char* format, double value) {
-  char number[64];
-  std::snprintf(number, sizeof number, format, value);
-  text += number;
+std::string decimals(double value, int count) {
+  return plainNumber(value, std::chars_format::fixed, count);
 }
 
 }  // namespace
@@ -81,12 +80,11 @@ Expected<BodyRequest> parseBodyRequest(const std::string& text) {
 
 std::string bodyRequestText(const BodyRequest& request) {
   std::string text = request.sex == Sex::kMale ? "mannequin:male:" : "mannequin:female:";
-  append(text, "%.1fmm", 1000.0 * request.stature);
-  if (request.mass) append(text, ":%.2fkg", *request.mass);
+  text += decimals(1000.0 * request.stature, 1) + "mm";
+  if (request.mass) text += ":" + decimals(*request.mass, 2) + "kg";
   for (std::size_t i = 0; i < kDimensionCount; ++i) {
     if (!request.own[i]) continue;
-    text.append(":").append(nameOf(static_cast<Dimension>(i))).append("=");
-    append(text, "%.4f", *request.own[i]);
+    text.append(":").append(nameOf(static_cast<Dimension>(i))).append("=").append(decimals(*request.own[i], 4));
   }
   return text;
 }

@@ -63,7 +63,7 @@ class WordReader {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool whole = error == std::errc() && end == word.data() + word.size() && !word.empty();
     // A denormal is zero here: rounded-off angles are written as 1e-310 by some programs.
-    if (error == std::errc::result_out_of_range && end == word.data() + word.size()) return 0.0;
+    if (error == std::errc::result_out_of_range && end == word.data() + word.size() && isTiny(word)) return 0.0;
     if (!whole || !std::isfinite(value) || std::abs(value) > 1e9) return std::nullopt;
     return value;
   }
@@ -71,6 +71,12 @@ class WordReader {
   std::string place() const { return "line " + std::to_string(line_); }
 
  private:
+  /// Of a number that no double holds: it is too small for that and not too large.
+  static bool isTiny(std::string_view word) {
+    const std::size_t exponent = word.find_first_of("eE");
+    if (exponent != std::string_view::npos) return word.substr(exponent + 1).starts_with('-');
+    return word.find_first_not_of("-0") == word.find('.');
+  }
   static bool endsLine(char c) { return c == '\n' || c == '\r'; }
   static bool isBlank(char c) { return c == ' ' || c == '\t' || endsLine(c); }
   void step() {

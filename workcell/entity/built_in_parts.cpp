@@ -2,6 +2,7 @@
 #include "workcell/entity/built_in_parts.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "geometry/shapes/shapes.h"
+#include "geometry/system/plain_number.h"
 #include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
@@ -271,9 +273,8 @@ const BuiltInPart* findBuiltInPart(std::string_view scheme) {
 std::string partSource(const BuiltInPart& part, const std::vector<double>& sizes) {
   std::string text = std::string(part.scheme) + ":";
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    char number[32];
-    std::snprintf(number, sizeof number, i == 0 ? "%.9g" : ",%.9g", sizes[i]);
-    text += number;
+    if (i > 0) text += ',';
+    text += plainNumber(sizes[i], std::chars_format::general, 9);
   }
   return text;
 }

@@ -4,13 +4,13 @@
 #include <tinyxml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
 #include <sstream>
 
 #include "workcell/robots/urdf_lines.h"
+#include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
 
@@ -33,12 +33,9 @@ std::optional<std::vector<double>> urdfNumbers(const std::string& text) {
   std::istringstream words(text);
   for (std::string word; words >> word;) {
     if (word.size() > 1 && word.back() == ',') word.pop_back();
-    const char* begin = word.c_str() + (word[0] == '+' ? 1 : 0);
-    double value = 0.0;
-    const auto [end, problem] = std::from_chars(begin, word.c_str() + word.size(), value);
-    if (end != word.c_str() + word.size() || problem == std::errc::invalid_argument) return std::nullopt;
-    if (problem == std::errc::result_out_of_range) value = std::strtod(begin, nullptr);
-    numbers.push_back(value);
+    const std::optional<double> value = parseNumber(word);
+    if (!value) return std::nullopt;
+    numbers.push_back(*value);
   }
   return numbers;
 }

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdio>
+#include <charconv>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/system/plain_number.h"
 #include "geometry/system/regular_file.h"
 #include "workcell/scenes/import_process.h"
 #include "workcell/scenes/scene_call.h"
@@ -28,9 +29,7 @@ std::string lowerExtension(const std::filesystem::path& file) {
 }
 
 std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
+  return plainNumber(value, std::chars_format::general, 17);
 }
 
 std::string plainName(std::string name) {

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
+#include "geometry/system/plain_number.h"
 #include "workcell/scenes/sdf_files.h"
 #include "workcell/scenes/sdf_population.h"
 #include "workcell/text/file_content.h"
@@ -42,9 +43,7 @@ std::string nameFor(const TiXmlElement* element) {
 std::string textOfNumbers(const std::vector<double>& numbers) {
   std::string text;
   for (const double number : numbers) {
-    char word[32];
-    std::snprintf(word, sizeof word, "%.17g", number);
-    text.append(text.empty() ? "" : " ").append(word);
+    text.append(text.empty() ? "" : " ").append(plainNumber(number, std::chars_format::general, 17));
   }
   return text;
 }

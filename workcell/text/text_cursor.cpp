@@ -73,7 +73,8 @@ std::optional<double> parseNumber(std::string_view word) {
   if (fault == std::errc::result_out_of_range) {
     // Too small is zero for our purpose; too large is infinite.
     const bool tiny = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
-    return tiny ? 0.0 : std::numeric_limits<double>::infinity();
+    const double sign = word.starts_with('-') ? -1.0 : 1.0;
+    return tiny ? 0.0 : sign * std::numeric_limits<double>::infinity();
   }
   return value;
 }

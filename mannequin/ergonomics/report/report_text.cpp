@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reports as text: CSV, JSON, HTML.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "geometry/system/atomic_file.h"
+#include "geometry/system/plain_number.h"
 #include "mannequin/ergonomics/report/report.h"
 
 namespace hapticell::ergonomics {
@@ -87,18 +89,15 @@ std::string pictureSvg(const std::vector<ReportShape>& shapes) {
     }
   }
   constexpr double kScale = 200.0;  // Units a metre.
-  char text[120];
   const double margin = 0.06;
-  std::snprintf(text, sizeof text, "<svg class=\"figure\" viewBox=\"0 0 %.1f %.1f\">",
-                kScale * (high.x - low.x + 2.0 * margin), kScale * (high.y - low.y + 2.0 * margin));
-  std::string svg = text;
+  const auto units = [](double metres) { return plainNumber(kScale * metres, std::chars_format::fixed, 1); };
+  std::string svg = "<svg class=\"figure\" viewBox=\"0 0 " + units(high.x - low.x + 2.0 * margin) + " " +
+                    units(high.y - low.y + 2.0 * margin) + "\">";
   const auto path = [&](const ReportShape& shape) {
     std::string d;
     for (std::size_t i = 0; i < shape.outline.size(); ++i) {
       const auto& p = shape.outline[i];
-      std::snprintf(text, sizeof text, "%s%.1f %.1f", i == 0 ? "M" : "L", kScale * (p.x - low.x + margin),
-                    kScale * (high.y - p.y + margin));
-      d += text;
+      d += (i == 0 ? "M" : "L") + units(p.x - low.x + margin) + " " + units(high.y - p.y + margin);
     }
     return d + "Z";
   };
@@ -136,12 +135,10 @@ std::string stripHtml(const ReportBlock::Strip& strip) {
   std::string text = "<tr><td>" + escaped(strip.name) +
                      "</td><td><svg class=\"strip\" viewBox=\"0 0 1000 24\" preserveAspectRatio=\"none\">";
   double at = 0.0;
-  char piece[160];
+  const auto units = [](double part) { return plainNumber(1000.0 * part, std::chars_format::fixed, 1); };
   for (const auto& [share, band] : strip.pieces) {
-    std::snprintf(piece, sizeof piece,
-                  "<rect x=\"%.1f\" width=\"%.1f\" height=\"24\" fill=\"%s\" stroke=\"#20262D\" stroke-width=\"0.6\"/>",
-                  1000.0 * at, 1000.0 * share, fillOf(band).c_str());
-    text += piece;
+    text += "<rect x=\"" + units(at) + "\" width=\"" + units(share) + "\" height=\"24\" fill=\"" + fillOf(band) +
+            "\" stroke=\"#20262D\" stroke-width=\"0.6\"/>";
     at += share;
   }
   return text + "</svg></td></tr>";
@@ -245,9 +242,7 @@ std::string reportCsv(const Report& report) {
     for (const auto& strip : block.strips) {
       text += quoted(strip.name);
       for (const auto& [share, band] : strip.pieces) {
-        char piece[48];
-        std::snprintf(piece, sizeof piece, ",%.5f,%d", share, band);
-        text += piece;
+        text += "," + plainNumber(share, std::chars_format::fixed, 5) + "," + std::to_string(band);
       }
       text += "\n";
     }

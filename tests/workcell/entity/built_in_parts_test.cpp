@@ -4,11 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <clocale>
+#include <string>
+
 #include "geometry/shapes/mass_properties.h"
 #include "geometry/shapes/topology.h"
 #include "workcell/document/document.h"
-#include "workcell/import/entity_source.h"
 #include "workcell/document/part_resize.h"
+#include "workcell/import/entity_source.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -40,6 +43,15 @@ TEST(BuiltInParts, EveryOneIsClosedAndStandsWhereItsOriginSays) {
     EXPECT_EQ(entity.source.path, what);
     EXPECT_EQ(entity.color, part.color);
   }
+}
+
+TEST(BuiltInParts, TheirSizesAreWrittenWithAPointWhateverTheLocale) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* locale : {"C", "de_DE.UTF-8", "fr_FR.UTF-8"}) {
+    std::setlocale(LC_ALL, locale);  // some of them may not be installed
+    EXPECT_EQ(partSource(*findBuiltInPart("box"), {0.5, 1.25, 3.0}), "box:0.5,1.25,3") << locale;
+  }
+  std::setlocale(LC_ALL, before.c_str());
 }
 
 TEST(BuiltInParts, AreAsLargeAsTheirSizesSay) {

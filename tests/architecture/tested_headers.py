@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Checks that each header of the libraries is used by a test of its own folder: geometry/shapes/pose.h by a source below
+tests/geometry/shapes. A test uses a header if it includes it, or if it names a type, a function or a constant that the header
+declares at namespace level (the test then gets the header through another one).
+
+usage: tested_headers.py PROJECT_ROOT | --self-test
+"""
+import pathlib
+import re
+import sys
+
+LIBRARIES = ["geometry", "config", "collision", "kinematics", "mannequin", "trajectory", "haptic", "xacro", "workcell", "manipulation",
+             "feel", "importer", "cli"]
+INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+STRING = re.compile(r'"(?:[^"\\\n]|\\.)*"')
+TYPE = re.compile(r"\b(?:class|struct|enum(?:\s+class)?|union)\s+(?:\[\[\w+\]\]\s*)?(\w+)[^;{(]*$")
+ALIAS = re.compile(r"\busing\s+(\w+)\s*=")
+CONSTANT = re.compile(r"\bconst(?:expr|init)?\b[^=({]*?\b(k[A-Z]\w*)\s*(?:\[[^\]]*\]\s*)?(?:=|$)")
+FUNCTION = re.compile(r"(\w+)\s*\(")
+MACRO = re.compile(r"^\s*#\s*define\s+(\w+)", re.MULTILINE)
+NOT_FUNCTIONS = {"alignas", "decltype", "defined", "explicit", "noexcept", "operator", "requires", "sizeof", "static_assert"}
+
+
+def statements(text):
+    """The declarations of `text` at namespace level, without what stands between their braces."""
+    depth, begin, found = [], 0, []
+    for at, letter in enumerate(text):
+        if letter == "{":
+            head = text[begin:at]
+            is_namespace = re.search(r"\bnamespace\b[\w\s:]*$", head) or re.search(r"\bextern\s*$", head)
+            if "body" not in depth and not is_namespace:
+                found.append(head)
+            depth.append("namespace" if is_namespace else "body")
+            begin = at + 1
+        elif letter == "}":
+            if depth:
+                depth.pop()
+            if "body" not in depth:
+                begin = at + 1
+        elif letter == ";" and "body" not in depth:
+            found.append(text[begin:at])
+            begin = at + 1
+    return found
+
+
+def declared_names(text):
+    """The names that a header declares at namespace level, and its macros."""
+    text = STRING.sub("", COMMENT.sub("", text))
+    names = set(MACRO.findall(text))
+    for statement in statements(re.sub(r"^\s*#(?:[^\n]*\\\n)*[^\n]*", "", text, flags=re.MULTILINE)):
+        statement = statement.strip()
+        is_forward_declaration = re.fullmatch(r"(?:class|struct|enum(?: class)?)\s+\w+", statement)
+        if is_forward_declaration or statement.startswith("friend"):
+            continue
+        if alias := ALIAS.search(statement):
+            names.add(alias[1])
+        elif declared := TYPE.search(statement):
+            names.add(declared[1])
+        elif constant := CONSTANT.search(statement):
+            names.add(constant[1])
+        else:
+            names |= {name for name in FUNCTION.findall(statement)[:1] if name not in NOT_FUNCTIONS}
+    return names
+
+
+def untested(headers, tests):
+    """The headers, of {path: text}, that no test of {path: text} below tests/<their folder> uses."""
+    found = []
+    for path, text in sorted(headers.items()):
+        folder = f"tests/{pathlib.PurePosixPath(path).parent}/"
+        near = [test for name, test in tests.items() if name.startswith(folder)]
+        if any(path in INCLUDE.findall(test) for test in near):
+            continue
+        names = declared_names(text)
+        used = re.compile(r"\b(?:" + "|".join(map(re.escape, sorted(names))) + r")\b") if names else None
+        if not any(used and used.search(STRING.sub("", COMMENT.sub("", test))) for test in near):
+            found.append(path)
+    return found
+
+
+def self_test():
+    header = """#pragma once
+#include "a/other.h"
+#define A_MACRO(x) x
+namespace hapticell::a {
+class Elsewhere;
+/// using Commented = int;
+struct Box final : Base { int inside(int x); };
+enum class Kind : unsigned { kOne, kTwo };
+using Row = int;
+inline constexpr double kLargest_m = 3.0;
+[[nodiscard]] Expected<Box> boxOf(const Box& box, std::function<int(int)> f = {});
+template <class T> T twice(T t) { helper(t); return t; }
+}
+"""
+    assert declared_names(header) == {"A_MACRO", "Box", "Kind", "Row", "kLargest_m", "boxOf", "twice"}, declared_names(header)
+    headers = {"a/b/box.h": header}
+    assert untested(headers, {}) == ["a/b/box.h"]
+    assert untested(headers, {"tests/a/c/box_test.cpp": '#include "a/b/box.h"'}) == ["a/b/box.h"]
+    assert untested(headers, {"tests/a/b/t.cpp": '// Box\nf("Box"); Boxes b; inside(3); helper(1); Elsewhere e;'}) == ["a/b/box.h"]
+    assert not untested(headers, {"tests/a/b/box_test.cpp": '#include "a/b/box.h"'})
+    assert not untested(headers, {"tests/a/b/c/t.cpp": "auto x = boxOf(y);"})
+
+
+def main():
+    if sys.argv[1] == "--self-test":
+        self_test()
+        return 0
+    root = pathlib.Path(sys.argv[1])
+
+    def texts(top, endings):
+        return {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8", errors="replace")
+                for path in sorted((root / top).rglob("*")) if path.suffix in endings}
+
+    headers = {path: text for top in LIBRARIES for path, text in texts(top, {".h"}).items()}
+    found = untested(headers, texts("tests", {".cpp", ".h", ".py"}))
+    print("\n".join(f"{path}: no test below tests/{pathlib.PurePosixPath(path).parent} uses it" for path in found)
+          or f"{len(headers)} headers are used by tests of their folders")
+    return 1 if found or not headers else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
