@@ -149,6 +149,10 @@
         <translation>%1 agit tant que le pointeur est sur la scène</translation>
     </message>
     <message>
+        <source>%1 against %2: the meshes are too dense there to tell all contacts, so only the nearest point of each pair is felt</source>
+        <translation>%1 contre %2 : les maillages y sont trop denses pour tous les contacts ; seul le point le plus proche de chaque paire est senti</translation>
+    </message>
+    <message>
         <source>%1 already exists.
 Do you want to replace it?</source>
         <translation>%1 existe déjà.
@@ -161,6 +165,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 and %2 more</source>
         <translation>%1 et %2 de plus</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more: triangles face inward; they count as facing outward</source>
+        <translation>%1 et %2 de plus : des triangles sont tournés vers l'intérieur ; ils comptent comme tournés vers l'extérieur</translation>
     </message>
     <message>
         <source>%1 answers at %2.</source>
@@ -195,6 +203,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 j</translation>
     </message>
     <message>
+        <source>%1 does not go along with %2: %3</source>
+        <translation>%1 n'accompagne pas %2 : %3</translation>
+    </message>
+    <message>
         <source>%1 edges of more than two faces</source>
         <translation>%1 arêtes de plus de deux faces</translation>
     </message>
@@ -225,6 +237,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 goes to %2</source>
         <translation>%1 va à %2</translation>
+    </message>
+    <message>
+        <source>%1 goes with %2, which the other stylus holds</source>
+        <translation>%1 va avec %2, que tient l'autre stylet</translation>
     </message>
     <message>
         <source>%1 h</source>
@@ -293,6 +309,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 is free</source>
         <translation>%1 est libre</translation>
+    </message>
+    <message>
+        <source>%1 is held by the other stylus</source>
+        <translation>%1 est tenu par l'autre stylet</translation>
     </message>
     <message>
         <source>%1 is in the cell</source>
@@ -491,6 +511,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 s'assied sur %2</translation>
     </message>
     <message>
+        <source>%1 starts inside %2 and no straight way out was found; it is not held back by it until they are apart</source>
+        <translation>%1 commence à l'intérieur de %2, sans sortie en ligne droite ; il n'est pas retenu tant qu'ils ne sont pas séparés</translation>
+    </message>
+    <message>
+        <source>%1 starts inside %2, %3 deep: it comes free along %4</source>
+        <translation>%1 commence à l'intérieur de %2, à %3 de profondeur : il se dégage selon %4</translation>
+    </message>
+    <message>
+        <source>%1 starts inside %2, %3 deep: it comes free along %4 (an open mesh: told by its winding number)</source>
+        <translation>%1 commence à l'intérieur de %2, à %3 de profondeur : il se dégage selon %4 (maillage ouvert : d'après son indice d'enroulement)</translation>
+    </message>
+    <message>
         <source>%1 takes configuration %2</source>
         <translation>%1 prend la configuration %2</translation>
     </message>
@@ -517,6 +549,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 to the flange</source>
         <translation>%1 jusqu'à la bride</translation>
+    </message>
+    <message>
+        <source>%1 took the stylus.</source>
+        <translation>%1 a pris le stylet.</translation>
     </message>
     <message>
         <source>%1 touches %2</source>
@@ -581,6 +617,22 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 would have to go %2/s faster than it can</source>
         <translation>%1 devrait aller %2/s plus vite qu'il ne peut</translation>
+    </message>
+    <message>
+        <source>%1 would touch %2</source>
+        <translation>%1 toucherait %2</translation>
+    </message>
+    <message>
+        <source>%1 would touch %2 after %3 % of the way</source>
+        <translation>%1 toucherait %2 après %3 % du chemin</translation>
+    </message>
+    <message>
+        <source>%1 would touch its own %2</source>
+        <translation>%1 toucherait son propre %2</translation>
+    </message>
+    <message>
+        <source>%1 would touch its own %2 after %3 % of the way</source>
+        <translation>%1 toucherait son propre %2 après %3 % du chemin</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -679,6 +731,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, annulé</translation>
     </message>
     <message>
+        <source>%1, which the other stylus holds, goes with %2</source>
+        <translation>%1, que tient l'autre stylet, va avec %2</translation>
+    </message>
+    <message>
         <source>%1, µ %2</source>
         <translation>%1, µ %2</translation>
     </message>
@@ -749,6 +805,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1: they touch or cut each other</source>
         <translation>%1 : elles se touchent ou se coupent</translation>
+    </message>
+    <message>
+        <source>%1: triangles face inward; they count as facing outward</source>
+        <translation>%1 : des triangles sont tournés vers l'intérieur ; ils comptent comme tournés vers l'extérieur</translation>
     </message>
     <message>
         <source>%1: why %2, and what brings it down</source>
@@ -1295,8 +1355,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Autre couleur…</translation>
     </message>
     <message>
-        <source>Another program (%1) controls the stylus. Close it, or connect as a watcher.</source>
-        <translation>Un autre programme (%1) commande le stylet. Fermez-le, ou connectez-vous en observateur.</translation>
+        <source>Another program (%1) controls the stylus.</source>
+        <translation>Un autre programme (%1) commande le stylet.</translation>
     </message>
     <message>
         <source>Another program has had it open.</source>
@@ -1949,6 +2009,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Close a window or program that watches.</source>
+        <translation>Fermez une fenêtre ou un programme qui observe.</translation>
+    </message>
+    <message>
+        <source>Close it, or connect as a watcher.</source>
+        <translation>Fermez-le, ou connectez-vous en observateur.</translation>
     </message>
     <message>
         <source>Close the panel; the Window menu opens it again</source>
@@ -3125,6 +3193,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>HaptiCell trajectory (.htraj)</source>
         <translation>Trajectoire HaptiCell (.htraj)</translation>
+    </message>
+    <message>
+        <source>HaptiCell tries again by itself; the key that is kept stays good.</source>
+        <translation>HaptiCell réessaie de lui-même ; la clé conservée reste valable.</translation>
     </message>
     <message>
         <source>HaptiCell was not closed properly</source>
@@ -4335,8 +4407,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucun serveur haptique ne répond à %1</translation>
     </message>
     <message>
-        <source>No haptic server answers at %1. Start hapticell-haptic-server.</source>
-        <translation>Aucun serveur haptique ne répond à %1. Démarrez hapticell-haptic-server.</translation>
+        <source>No haptic server answers at %1.</source>
+        <translation>Aucun serveur haptique ne répond à %1.</translation>
     </message>
     <message>
         <source>No haptic server answers at %1:%2.</source>
@@ -4941,6 +5013,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Pair sets</source>
         <translation>Ensembles de paires</translation>
+    </message>
+    <message>
+        <source>Pair them anew: hapticell-haptic-server --pair there, hapticell-cli pair here.</source>
+        <translation>Appairez-les de nouveau : hapticell-haptic-server --pair là-bas, hapticell-cli pair ici.</translation>
     </message>
     <message>
         <source>Pairs</source>
@@ -6027,6 +6103,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Montrer</translation>
     </message>
     <message>
+        <source>Show one there with hapticell-haptic-server --pair, and type it here: hapticell-cli pair %1.</source>
+        <translation>Affichez-en une là-bas avec hapticell-haptic-server --pair, et saisissez-la ici : hapticell-cli pair %1.</translation>
+    </message>
+    <message>
         <source>Show the first page at start</source>
         <translation>Montrer la première page au démarrage</translation>
     </message>
@@ -6065,6 +6145,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Side panels</source>
         <translation>Panneaux latéraux</translation>
+    </message>
+    <message>
+        <source>Silent for too long: %1 controls the stylus now.</source>
+        <translation>Silence trop long : %1 commande maintenant le stylet.</translation>
     </message>
     <message>
         <source>Simplify</source>
@@ -6223,12 +6307,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Début</translation>
     </message>
     <message>
+        <source>Start hapticell-haptic-server.</source>
+        <translation>Démarrez hapticell-haptic-server.</translation>
+    </message>
+    <message>
         <source>Start the run</source>
         <translation>Commencer l'essai</translation>
     </message>
     <message>
         <source>Start the server</source>
         <translation>Lancer le serveur</translation>
+    </message>
+    <message>
+        <source>Start the server with its key (hapticell-haptic-server --listen ADDRESS), or see what else answers there.</source>
+        <translation>Démarrez le serveur avec sa clé (hapticell-haptic-server --listen ADRESSE), ou voyez ce qui d'autre répond là-bas.</translation>
     </message>
     <message>
         <source>Start without forces</source>
@@ -6451,6 +6543,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ôte le tremblement de la main, garde le chemin</translation>
     </message>
     <message>
+        <source>Taking the stylus.</source>
+        <translation>Prise du stylet.</translation>
+    </message>
+    <message>
         <source>Task</source>
         <translation>Tâche</translation>
     </message>
@@ -6671,8 +6767,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le serveur haptique répond</translation>
     </message>
     <message>
+        <source>The haptic server at %1 and this station do not have the same key: %2.</source>
+        <translation>Le serveur haptique à %1 et ce poste n'ont pas la même clé : %2.</translation>
+    </message>
+    <message>
+        <source>The haptic server at %1 closed the connection at once: it may be one that wants a key (hapticell-cli pair), or busy with many connections.</source>
+        <translation>Le serveur haptique à %1 a fermé la connexion aussitôt : il exige peut-être une clé (hapticell-cli pair), ou a trop de connexions.</translation>
+    </message>
+    <message>
+        <source>The haptic server at %1 closed the connection.</source>
+        <translation>Le serveur haptique à %1 a fermé la connexion.</translation>
+    </message>
+    <message>
         <source>The haptic server at %1 does not answer any more.</source>
         <translation>Le serveur haptique à %1 ne répond plus.</translation>
+    </message>
+    <message>
+        <source>The haptic server at %1 is there, but %2: it may be busy with many connections.</source>
+        <translation>Le serveur haptique à %1 est là, mais %2 : il a peut-être trop de connexions.</translation>
     </message>
     <message>
         <source>The haptic server could not be started: %1 is not there or may not be run.</source>
@@ -6683,8 +6795,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le serveur haptique s’est arrêté, et les forces avec lui. Ctrl+Espace les remet</translation>
     </message>
     <message>
+        <source>The haptic server has %1 connections from this machine already.</source>
+        <translation>Le serveur haptique a déjà %1 connexions de cette machine.</translation>
+    </message>
+    <message>
         <source>The haptic server has ended. %1</source>
         <translation>Le serveur haptique s'est terminé. %1</translation>
+    </message>
+    <message>
+        <source>The haptic server has its %1 connections already.</source>
+        <translation>Le serveur haptique a déjà ses %1 connexions.</translation>
     </message>
     <message>
         <source>The head goes no further: neck and trunk are at their limits</source>
@@ -6725,6 +6845,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The limits were not read</source>
         <translation>Les limites n'ont pas été lues</translation>
+    </message>
+    <message>
+        <source>The link in memory is closed.</source>
+        <translation>La liaison en mémoire est fermée.</translation>
+    </message>
+    <message>
+        <source>The link to the haptic server failed: %1.</source>
+        <translation>La liaison avec le serveur haptique a échoué : %1.</translation>
     </message>
     <message>
         <source>The load is lifted or lowered</source>
@@ -6999,6 +7127,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il n'y a pas de %1 dans cette cellule.</translation>
     </message>
     <message>
+        <source>There is no frame '%1' to move along; the cell's axes are used</source>
+        <translation>Il n'y a pas de repère « %1 » à suivre ; les axes de la cellule sont utilisés</translation>
+    </message>
+    <message>
         <source>There is no motion below this one.</source>
         <translation>Il n'y a pas de mouvement sous celui-ci.</translation>
     </message>
@@ -7009,6 +7141,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>There was not enough memory</source>
         <translation>La mémoire n'a pas suffi</translation>
+    </message>
+    <message>
+        <source>There was not enough memory to prepare the contacts: what was changed is not felt. Remove large parts</source>
+        <translation>La mémoire n'a pas suffi pour préparer les contacts : ce qui a changé n'est pas senti. Retirez de grandes pièces</translation>
     </message>
     <message>
         <source>These are the markers of %1. Mannequin, Open a recorded motion, puts the recording on the figure.</source>
@@ -7089,6 +7225,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>This station</source>
         <translation>Ce poste</translation>
+    </message>
+    <message>
+        <source>This station has no key for the haptic server at %1.</source>
+        <translation>Ce poste n'a pas de clé pour le serveur haptique à %1.</translation>
     </message>
     <message>
         <source>Through entity</source>
@@ -7469,6 +7609,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Weight, or a force divided by 9.81</source>
         <translation>Poids, ou une force divisée par 9,81</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is not a haptic server of this release, or one that wants a key (hapticell-cli pair).</source>
+        <translation>Ce qui répond à %1 n'est pas un serveur haptique de cette version, ou en est un qui exige une clé (hapticell-cli pair).</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is not a haptic server of this release.</source>
+        <translation>Ce qui répond à %1 n'est pas un serveur haptique de cette version.</translation>
     </message>
     <message>
         <source>What brings it down is told once the figure rests.</source>
@@ -8031,6 +8179,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>limites dépassées : %1</translation>
     </message>
     <message>
+        <source>links of %1 that touch at rest are not checked against each other: %2</source>
+        <translation>les segments de %1 qui se touchent au repos ne sont pas vérifiés entre eux : %2</translation>
+    </message>
+    <message>
+        <source>links of %1 that touch at rest are not checked against each other: %2 and %3 more pairs</source>
+        <translation>les segments de %1 qui se touchent au repos ne sont pas vérifiés entre eux : %2 et %3 autres paires</translation>
+    </message>
+    <message>
         <source>live, both sides, %1 µs a posture · left RULA %2, right %3 · EAWS outline %4 points</source>
         <translation>en direct, deux côtés, %1 µs par posture · RULA gauche %2, droite %3 · EAWS en aperçu %4 points</translation>
     </message>
@@ -8077,6 +8233,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>name</source>
         <translation>nom</translation>
+    </message>
+    <message>
+        <source>near a singularity %1 would have to swing round</source>
+        <translation>près d'une singularité, %1 devrait basculer</translation>
     </message>
     <message>
         <source>near miss</source>
@@ -8281,6 +8441,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>stylus button</source>
         <translation>bouton du stylet</translation>
+    </message>
+    <message>
+        <source>the arm is at the edge of its reach</source>
+        <translation>le bras est au bord de son atteinte</translation>
     </message>
     <message>
         <source>the controller's</source>

@@ -41,7 +41,7 @@ class TcpLink final : public HapticLink {
   ~TcpLink() override;
 
   LinkState linkState() const override;
-  std::string problem() const override;
+  LinkProblem problem() const override;
   std::optional<DeviceDescription> device() const override;
   /// What the server took this client as; kController before the first connection.
   ClientKind grantedKind() const;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
+#include "haptic/protocol/link_problem.h"
 #include "haptic/protocol/messages.h"
 
 namespace hapticell::haptic {
@@ -20,7 +20,7 @@ class HapticLink {
  public:
   virtual ~HapticLink() = default;
   virtual LinkState linkState() const = 0;
-  virtual std::string problem() const = 0;                      ///< A sentence while not connected.
+  virtual LinkProblem problem() const = 0;                      ///< Empty while connected.
   virtual std::optional<DeviceDescription> device() const = 0;  ///< Once connected.
   /// Newest since the last call, if any; its buttons are also those that were pressed between the calls, however short.
   virtual std::optional<HapticState> latestState() = 0;

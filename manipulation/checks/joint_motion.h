@@ -7,6 +7,7 @@
 
 #include "config/configuration.h"
 #include "geometry/system/error.h"
+#include "geometry/system/text.h"
 #include "manipulation/holding/held_entity.h"
 #include "workcell/document/command.h"
 
@@ -17,7 +18,7 @@ struct JointMotion {
   std::vector<double> joints;  ///< Where it ends: what was asked for, or the last free place before what is in the way.
   bool complete = true;
   double share = 1.0;           ///< Of the way that is free, 0 .. 1.
-  std::string reason;           ///< Where it is not complete: "link_4 would touch Fixture after 43 % of the way".
+  Text reason;                  ///< Where it is not complete: "link_4 would touch Fixture after 43 % of the way".
   double time_s = 0.0;          ///< Of the whole way with the slowest joint at its greatest speed.
   std::string obstacle;         ///< Name of the entity in the way; empty where none is.
   workcell::SetJoints command;  ///< Takes the robot to `joints`: the undoable step.
@@ -33,7 +34,7 @@ Expected<JointMotion> checkJointMotion(std::shared_ptr<const PreparedScene> scen
 
 /// What the robot would meet if it stood at `joints`, apart from what it meets now: "link_4 would touch Fixture", or
 /// empty. The way there is not looked at. Errors as above, but limits are not checked.
-Expected<std::string> collisionAt(std::shared_ptr<const PreparedScene> scene, workcell::EntityId entity,
+Expected<Text> collisionAt(std::shared_ptr<const PreparedScene> scene, workcell::EntityId entity,
                                   const std::vector<double>& joints, const config::Configuration& configuration);
 
 }  // namespace hapticell::manipulation

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "manipulation/engine/manipulation_command.h"
 
 namespace hapticell::manipulation {
@@ -19,9 +20,9 @@ class ResultLog {
     results_.emplace_back(std::move(result));
   }
   /// A sentence for the user.
-  void notice(const std::string& sentence);
+  void notice(Text sentence);
   /// Tells a sentence the first time only.
-  void noticeOnce(const std::string& sentence);
+  void noticeOnce(Text sentence);
   /// What was added since the last call.
   std::vector<Result> take();
 

@@ -24,12 +24,12 @@ class SnapshotMaker {
   void addEntities(StylusGrip& grip, const ContactWatch& contacts, SceneSnapshot& snapshot);
   /// Adds what is known of the stylus itself.
   static void addStylus(const StylusInput& input, const MotionMapping& mapping, SceneSnapshot& snapshot);
-  /// One sentence of what the snapshot has: SceneSnapshot::status.
+  /// What the snapshot has, in words: SceneSnapshot::status, or its problem.
   void describe(const StylusInput& input, const StylusGrip& grip, SceneSnapshot& snapshot) const;
 
  private:
   void addPairs(HeldEntity& held, const ContactWatch& contacts, SceneSnapshot& snapshot);
-  std::string sentenceOf(const HeldEntity& held, const SceneSnapshot& snapshot) const;
+  Text sentenceOf(const HeldEntity& held, const SceneSnapshot& snapshot) const;
 
   const CellState& cell_;
   std::int64_t measured_ns_ = -1;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "geometry/system/text.h"
 #include "manipulation/engine/cell_state.h"
 #include "manipulation/engine/manipulation_command.h"
 #include "manipulation/engine/result_log.h"
@@ -63,7 +64,7 @@ class StylusGrip {
   void setOther(workcell::EntityId held, const MovedBy& moved_by);
   workcell::EntityId otherHeld() const { return other_held_; }
   /// Why an entity may not be taken while the other stylus holds what it holds; empty: it may.
-  std::string heldElsewhere(workcell::EntityId wanted) const;
+  Text heldElsewhere(workcell::EntityId wanted) const;
   /// Something that another hand moves stands there now, its way was free. True where that is news here.
   bool placeOther(workcell::EntityId id, const EntityConfiguration& at);
 

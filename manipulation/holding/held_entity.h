@@ -60,9 +60,9 @@ class HeldEntity {
   std::string nameOf(const ScenePart& part) const { return state_.model.nameOf(part); }
   /// What was noticed when it was taken: links that touch each other at rest and so are not checked; what it starts
   /// inside of and which way it comes free.
-  const std::vector<std::string>& notes() const { return state_.notes; }
+  const std::vector<Text>& notes() const { return state_.notes; }
   /// Of the notes the one about links that touch at rest; empty: there are none.
-  const std::string& leftOutNote() const { return state_.pairs.leftOutNote(); }
+  const Text& leftOutNote() const { return state_.pairs.leftOutNote(); }
 
   /// Goes towards what the stylus (or proxy) at X_DP means, as far as it is free, and along what stands in the way
   /// where that pair slides. `built` is the newest set, or null. No joint goes further than its greatest speed allows

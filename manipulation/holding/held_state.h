@@ -2,9 +2,9 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "manipulation/holding/held_model.h"
 #include "manipulation/holding/held_pairs.h"
 
@@ -20,7 +20,7 @@ struct HeldState {
   EntityConfiguration accepted;  ///< The last one that was free; `motion` stands there.
   HeldPairs pairs;
   FreeMotion motion;
-  std::vector<std::string> notes;  ///< What was noticed when it was taken.
+  std::vector<Text> notes;  ///< What was noticed when it was taken.
 
   Pose movedFrame() const { return manipulator->movedFrame(accepted); }
   void moveObstacle(std::size_t obstacle, const Pose& X_W) {

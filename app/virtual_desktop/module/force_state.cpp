@@ -73,7 +73,7 @@ void ForceState::tellOfLoss() {
   lost_ = true;
   owner_.host().messages().tell(
       Severity::kProblem, QObject::tr("The forces went off: the haptic server is gone"),
-      owner_.link().problem() + QLatin1Char(' ') +
+      shownText(owner_.link().problem()) + QLatin1Char(' ') +
           QObject::tr("What is held stays where it is. Once a server answers again, Ctrl+Space turns the forces on."));
 }
 
