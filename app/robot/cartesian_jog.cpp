@@ -5,9 +5,9 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "app/kit/form.h"
 #include "app/controls/pose_text.h"
 #include "app/controls/reference_choice.h"
+#include "app/kit/form.h"
 #include "app/robot/robot_context.h"
 #include "app/style/library_text.h"
 #include "app/style/segmented.h"

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
+#include "app/controls/robot_ghosts.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/robot/motion_worker.h"
 #include "app/robot/robot_context.h"
-#include "app/controls/robot_ghosts.h"
 #include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 
@@ -109,8 +109,7 @@ void JointMover::travel(const QString& text, const std::vector<double>& joints) 
     checking_ = false;
     if (robot_ == 0) return;  // Its cell is closed.
     if (!motion) return emit stopped(QString::fromStdString(motion.error().message()), {});
-    if (!motion->complete)
-      return emit stopped(shownText(motion->reason), QString::fromStdString(motion->obstacle));
+    if (!motion->complete) return emit stopped(shownText(motion->reason), QString::fromStdString(motion->obstacle));
     travel_.text = text;
     play(*motion);
   });

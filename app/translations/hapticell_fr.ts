@@ -295,6 +295,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est à %2 de sa butée supérieure</translation>
     </message>
     <message>
+        <source>%1 is %2, limit %3</source>
+        <translation>%1 est à %2, limite %3</translation>
+    </message>
+    <message>
         <source>%1 is as it was</source>
         <translation>%1 est comme avant</translation>
     </message>
@@ -8569,6 +8573,885 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>–</source>
         <translation>–</translation>
+    </message>
+</context>
+<context>
+    <name>Ergonomics</name>
+    <message>
+        <source>%1 %2 to %3</source>
+        <translation>%1 %2 à %3</translation>
+    </message>
+    <message>
+        <source>%1 gives %2</source>
+        <translation>%1 donne %2</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 points</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: lifting index at most %2</source>
+        <translation>%1 : indice de levage d'au plus %2</translation>
+    </message>
+    <message>
+        <source>%1; shown at %2 s</source>
+        <translation>%1 ; montrée à %2 s</translation>
+    </message>
+    <message>
+        <source>1.3.6, posture outline only</source>
+        <translation>1.3.6, esquisse de la posture</translation>
+    </message>
+    <message>
+        <source>Acceptable</source>
+        <translation>Acceptable</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>As it stands in the cell.</source>
+        <translation>Comme elle se tient dans la cellule.</translation>
+    </message>
+    <message>
+        <source>Assessed by</source>
+        <translation>Évalué par</translation>
+    </message>
+    <message>
+        <source>Best place: %1 mm up, %2 mm away, %3; RULA %4</source>
+        <translation>Meilleure place : %1 mm en hauteur, %2 mm en profondeur, %3; RULA %4</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Body size</source>
+        <translation>Gabarit</translation>
+    </message>
+    <message>
+        <source>Boundaries: an inner boundary belongs to the lower class; the last class of RULA includes its boundary.</source>
+        <translation>Limites : une limite intérieure appartient à la classe inférieure ; la dernière classe de RULA comprend sa limite.</translation>
+    </message>
+    <message>
+        <source>Change now</source>
+        <translation>À changer maintenant</translation>
+    </message>
+    <message>
+        <source>Change soon</source>
+        <translation>À changer bientôt</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Driven by (with that alone)</source>
+        <translation>Déterminé par (cela seul changé)</translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation>Cause</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Effort</translation>
+    </message>
+    <message>
+        <source>Forces on the hands</source>
+        <translation>Efforts aux mains</translation>
+    </message>
+    <message>
+        <source>Four bodies at the same task</source>
+        <translation>Quatre corps à la même tâche</translation>
+    </message>
+    <message>
+        <source>Held for over a minute: %1</source>
+        <translation>Posture tenue plus d'une minute : %1</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Articulation</translation>
+    </message>
+    <message>
+        <source>Joint angles</source>
+        <translation>Angles des articulations</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Lifting</source>
+        <translation>Levage</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>Load left %1, right %2</source>
+        <translation>Charge gauche %1, droite %2</translation>
+    </message>
+    <message>
+        <source>Look into it</source>
+        <translation>À examiner</translation>
+    </message>
+    <message>
+        <source>Measured angles of trunk, neck and wrist are neutral within 5° of 0; RULA's neck in extension: class 2 up to 6.5°, 3 up to 8°, beyond 4 (this program's choice).</source>
+        <translation>Angles mesurés de tronc, cou et poignet : neutres à moins de 5° de 0 ; extension du cou pour RULA : classe 2 jusqu'à 6,5°, 3 jusqu'à 8°, 4 au-delà (choix de ce programme).</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Method and limits of this report</source>
+        <translation>Méthode et limites de ce rapport</translation>
+    </message>
+    <message>
+        <source>Moved, and nothing else: %1</source>
+        <translation>Déplacé, et rien d'autre : %1</translation>
+    </message>
+    <message>
+        <source>Nearest place of the work</source>
+        <translation>Place du travail la plus proche</translation>
+    </message>
+    <message>
+        <source>Nearest posture of the next lower level</source>
+        <translation>Posture la plus proche du niveau inférieur</translation>
+    </message>
+    <message>
+        <source>No arm is supported.</source>
+        <translation>Aucun bras n'est soutenu.</translation>
+    </message>
+    <message>
+        <source>No change of the posture alone lowers the level.</source>
+        <translation>Aucun changement de la posture seule n'abaisse le niveau.</translation>
+    </message>
+    <message>
+        <source>No change of this lift alone lowers the level.</source>
+        <translation>Aucun changement de ce levage seul n'abaisse le niveau.</translation>
+    </message>
+    <message>
+        <source>No place was found that suits all four bodies.</source>
+        <translation>Aucune place ne convient aux quatre corps.</translation>
+    </message>
+    <message>
+        <source>Over the recorded motion</source>
+        <translation>Au fil du mouvement enregistré</translation>
+    </message>
+    <message>
+        <source>Own limits:</source>
+        <translation>Limites propres :</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Partie</translation>
+    </message>
+    <message>
+        <source>Partial: no own limit of the hands' force is entered for this place.</source>
+        <translation>Partiel : aucune limite propre de l'effort aux mains n'est entrée pour cet endroit.</translation>
+    </message>
+    <message>
+        <source>Posture assessment</source>
+        <translation>Évaluation de la posture</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Atteinte</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
+        <source>Repetitions %1, shift %2</source>
+        <translation>Répétitions %1, durée %2</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Cote</translation>
+    </message>
+    <message>
+        <source>Search of the workplace</source>
+        <translation>Recherche du poste</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Signature</translation>
+    </message>
+    <message>
+        <source>Source of the posture: %1</source>
+        <translation>Origine de la posture : %1</translation>
+    </message>
+    <message>
+        <source>Standards and editions: %1</source>
+        <translation>Normes et éditions : %1</translation>
+    </message>
+    <message>
+        <source>Stature</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Sub-scores</source>
+        <translation>Cotes partielles</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tâche</translation>
+    </message>
+    <message>
+        <source>Task assessment</source>
+        <translation>Évaluation de la tâche</translation>
+    </message>
+    <message>
+        <source>The %1 scores %2: %3.</source>
+        <translation>Cause : %1, note %2 (%3).</translation>
+    </message>
+    <message>
+        <source>The score is partial: not entered: %1.</source>
+        <translation>La cote est partielle ; à saisir : %1.</translation>
+    </message>
+    <message>
+        <source>Twisted or bent sideways from 10° on, abducted from 45°, shoulder raised from 10°, wrist twist at its end beyond 75 % of the range (this program's choice).</source>
+        <translation>Tourné ou incliné à partir de 10°, écarté à partir de 45°, épaule levée à partir de 10°, torsion du poignet en fin de course au-delà de 75 % (choix de ce programme).</translation>
+    </message>
+    <message>
+        <source>What drives the score</source>
+        <translation>Ce qui détermine la cote</translation>
+    </message>
+    <message>
+        <source>What would bring it down: %1</source>
+        <translation>Ce qui l'abaisserait : %1</translation>
+    </message>
+    <message>
+        <source>Worst phase: %1 s to %2 s (%3 s), RULA %4</source>
+        <translation>Pire phase : %1 s à %2 s (%3 s), RULA %4</translation>
+    </message>
+    <message>
+        <source>Zone</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>Zones by part</source>
+        <translation>Zones par partie</translation>
+    </message>
+    <message>
+        <source>abducted</source>
+        <translation>écarté</translation>
+    </message>
+    <message>
+        <source>acceptable</source>
+        <translation>acceptable</translation>
+    </message>
+    <message>
+        <source>across or outside</source>
+        <translation>hors du plan</translation>
+    </message>
+    <message>
+        <source>activity</source>
+        <translation>activité</translation>
+    </message>
+    <message>
+        <source>arm supported</source>
+        <translation>bras soutenu</translation>
+    </message>
+    <message>
+        <source>arm supported, or fewer than 10 movements a minute</source>
+        <translation>bras soutenu, ou moins de 10 mouvements par minute</translation>
+    </message>
+    <message>
+        <source>arms</source>
+        <translation>bras</translation>
+    </message>
+    <message>
+        <source>arms at or above the shoulder</source>
+        <translation>bras à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>as early as possible</source>
+        <translation>dès que possible</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>tout de suite</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>dos</translation>
+    </message>
+    <message>
+        <source>bent</source>
+        <translation>penché</translation>
+    </message>
+    <message>
+        <source>bent and twisted or bent sideways</source>
+        <translation>penché et tourné ou incliné de côté</translation>
+    </message>
+    <message>
+        <source>bent sideways</source>
+        <translation>incliné de côté</translation>
+    </message>
+    <message>
+        <source>both at or above shoulder level</source>
+        <translation>les deux à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>both below shoulder level</source>
+        <translation>les deux sous l'épaule</translation>
+    </message>
+    <message>
+        <source>both feet</source>
+        <translation>deux pieds</translation>
+    </message>
+    <message>
+        <source>both feet bear</source>
+        <translation>appui sur les deux pieds</translation>
+    </message>
+    <message>
+        <source>both hands</source>
+        <translation>les deux mains</translation>
+    </message>
+    <message>
+        <source>climbing</source>
+        <translation>grimpant</translation>
+    </message>
+    <message>
+        <source>conditionally acceptable</source>
+        <translation>acceptable sous condition</translation>
+    </message>
+    <message>
+        <source>counts in</source>
+        <translation>compte dans</translation>
+    </message>
+    <message>
+        <source>coupling</source>
+        <translation>prise</translation>
+    </message>
+    <message>
+        <source>deviated</source>
+        <translation>dévié</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>détermine</translation>
+    </message>
+    <message>
+        <source>elbow</source>
+        <translation>coude</translation>
+    </message>
+    <message>
+        <source>elbow at the shoulder or above</source>
+        <translation>coude à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>end of range</source>
+        <translation>fin de course</translation>
+    </message>
+    <message>
+        <source>fewer than 2 movements a minute</source>
+        <translation>moins de 2 mouvements par minute</translation>
+    </message>
+    <message>
+        <source>fewer than 2 movements a minute, not held</source>
+        <translation>moins de 2 mouvements par minute, non tenu</translation>
+    </message>
+    <message>
+        <source>force, arm</source>
+        <translation>effort, bras</translation>
+    </message>
+    <message>
+        <source>force, body</source>
+        <translation>effort, corps</translation>
+    </message>
+    <message>
+        <source>from being seated</source>
+        <translation>pour être assis</translation>
+    </message>
+    <message>
+        <source>full trunk support</source>
+        <translation>tronc entièrement soutenu</translation>
+    </message>
+    <message>
+        <source>further away</source>
+        <translation>plus loin</translation>
+    </message>
+    <message>
+        <source>good grip</source>
+        <translation>bonne prise</translation>
+    </message>
+    <message>
+        <source>grip</source>
+        <translation>prise</translation>
+    </message>
+    <message>
+        <source>hands above the floor</source>
+        <translation>mains au-dessus du sol</translation>
+    </message>
+    <message>
+        <source>hands above the head</source>
+        <translation>mains au-dessus de la tête</translation>
+    </message>
+    <message>
+        <source>hands in front of the ankles</source>
+        <translation>mains devant les chevilles</translation>
+    </message>
+    <message>
+        <source>head forward</source>
+        <translation>tête en avant</translation>
+    </message>
+    <message>
+        <source>head inclination</source>
+        <translation>inclinaison de la tête</translation>
+    </message>
+    <message>
+        <source>heaviest class</source>
+        <translation>classe la plus lourde</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>élevé</translation>
+    </message>
+    <message>
+        <source>higher</source>
+        <translation>plus haut</translation>
+    </message>
+    <message>
+        <source>kneeling</source>
+        <translation>à genoux</translation>
+    </message>
+    <message>
+        <source>kneeling or crouching upright</source>
+        <translation>à genoux ou accroupi, droit</translation>
+    </message>
+    <message>
+        <source>kneeling or crouching, bent forward</source>
+        <translation>à genoux ou accroupi, penché</translation>
+    </message>
+    <message>
+        <source>knees</source>
+        <translation>genoux</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>left elbow</source>
+        <translation>coude gauche</translation>
+    </message>
+    <message>
+        <source>left knee</source>
+        <translation>genou gauche</translation>
+    </message>
+    <message>
+        <source>left lower arm</source>
+        <translation>avant-bras gauche</translation>
+    </message>
+    <message>
+        <source>left shoulder</source>
+        <translation>épaule gauche</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>bras gauche</translation>
+    </message>
+    <message>
+        <source>left wrist</source>
+        <translation>poignet gauche</translation>
+    </message>
+    <message>
+        <source>left wrist twist</source>
+        <translation>torsion du poignet gauche</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>jambes</translation>
+    </message>
+    <message>
+        <source>lifts a minute</source>
+        <translation>levages par minute</translation>
+    </message>
+    <message>
+        <source>line of sight</source>
+        <translation>ligne de regard</translation>
+    </message>
+    <message>
+        <source>line of sight below level</source>
+        <translation>regard sous l'horizontale</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>charge</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>faible</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>plus bas</translation>
+    </message>
+    <message>
+        <source>lower arm across or outside</source>
+        <translation>avant-bras hors du plan</translation>
+    </message>
+    <message>
+        <source>lying</source>
+        <translation>couché</translation>
+    </message>
+    <message>
+        <source>man</source>
+        <translation>homme</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>measured within 1.5 deg of the limit</source>
+        <translation>mesuré à moins de 1,5° de la limite</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>moyen</translation>
+    </message>
+    <message>
+        <source>mid range</source>
+        <translation>mi-course</translation>
+    </message>
+    <message>
+        <source>muscle use, arm</source>
+        <translation>usage musculaire, bras</translation>
+    </message>
+    <message>
+        <source>muscle use, body</source>
+        <translation>usage musculaire, corps</translation>
+    </message>
+    <message>
+        <source>nearer</source>
+        <translation>plus près</translation>
+    </message>
+    <message>
+        <source>neck</source>
+        <translation>cou</translation>
+    </message>
+    <message>
+        <source>neck bent sideways</source>
+        <translation>cou incliné de côté</translation>
+    </message>
+    <message>
+        <source>neck twisted</source>
+        <translation>cou tourné</translation>
+    </message>
+    <message>
+        <source>negligible</source>
+        <translation>négligeable</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>not acceptable</source>
+        <translation>non acceptable</translation>
+    </message>
+    <message>
+        <source>not entered</source>
+        <translation>à saisir</translation>
+    </message>
+    <message>
+        <source>not held longer than the holding time</source>
+        <translation>pas tenu plus longtemps que la durée de maintien</translation>
+    </message>
+    <message>
+        <source>not reached, short by</source>
+        <translation>hors d'atteinte, il manque</translation>
+    </message>
+    <message>
+        <source>on one leg</source>
+        <translation>sur une jambe</translation>
+    </message>
+    <message>
+        <source>one at or above shoulder level</source>
+        <translation>un à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>one foot</source>
+        <translation>un pied</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>ou</translation>
+    </message>
+    <message>
+        <source>over 10 and up to 20 kg</source>
+        <translation>plus de 10 à 20 kg</translation>
+    </message>
+    <message>
+        <source>over 20 kg</source>
+        <translation>plus de 20 kg</translation>
+    </message>
+    <message>
+        <source>own table</source>
+        <translation>table propre</translation>
+    </message>
+    <message>
+        <source>raised</source>
+        <translation>épaule levée</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droit</translation>
+    </message>
+    <message>
+        <source>right elbow</source>
+        <translation>coude droit</translation>
+    </message>
+    <message>
+        <source>right knee</source>
+        <translation>genou droit</translation>
+    </message>
+    <message>
+        <source>right lower arm</source>
+        <translation>avant-bras droit</translation>
+    </message>
+    <message>
+        <source>right shoulder</source>
+        <translation>épaule droite</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>bras droit</translation>
+    </message>
+    <message>
+        <source>right wrist</source>
+        <translation>poignet droit</translation>
+    </message>
+    <message>
+        <source>right wrist twist</source>
+        <translation>torsion du poignet droit</translation>
+    </message>
+    <message>
+        <source>rotated</source>
+        <translation>tourné</translation>
+    </message>
+    <message>
+        <source>seated</source>
+        <translation>assis</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>épaule</translation>
+    </message>
+    <message>
+        <source>shoulder raised</source>
+        <translation>épaule levée</translation>
+    </message>
+    <message>
+        <source>sitting</source>
+        <translation>assis</translation>
+    </message>
+    <message>
+        <source>sitting upright</source>
+        <translation>assis droit</translation>
+    </message>
+    <message>
+        <source>sitting with back support</source>
+        <translation>assis avec dossier</translation>
+    </message>
+    <message>
+        <source>sitting, bent forward</source>
+        <translation>assis, penché en avant</translation>
+    </message>
+    <message>
+        <source>sitting, elbow at or above shoulder</source>
+        <translation>assis, coude à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>sitting, hands above head</source>
+        <translation>assis, mains au-dessus de la tête</translation>
+    </message>
+    <message>
+        <source>soon</source>
+        <translation>bientôt</translation>
+    </message>
+    <message>
+        <source>standing</source>
+        <translation>debout</translation>
+    </message>
+    <message>
+        <source>standing and walking in turn</source>
+        <translation>debout et marchant en alternance</translation>
+    </message>
+    <message>
+        <source>standing on one straight leg</source>
+        <translation>debout, une jambe tendue</translation>
+    </message>
+    <message>
+        <source>standing on two straight legs</source>
+        <translation>debout, deux jambes tendues</translation>
+    </message>
+    <message>
+        <source>standing or squatting on one bent leg</source>
+        <translation>une jambe fléchie</translation>
+    </message>
+    <message>
+        <source>standing or squatting on two bent legs</source>
+        <translation>deux jambes fléchies</translation>
+    </message>
+    <message>
+        <source>standing without support</source>
+        <translation>debout sans appui</translation>
+    </message>
+    <message>
+        <source>standing, bent forward 20 to 60 deg</source>
+        <translation>debout, penché de 20 à 60°</translation>
+    </message>
+    <message>
+        <source>standing, bent forward over 60 deg</source>
+        <translation>debout, penché de plus de 60°</translation>
+    </message>
+    <message>
+        <source>standing, elbow at or above shoulder</source>
+        <translation>debout, coude à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>standing, hands above head</source>
+        <translation>debout, mains au-dessus de la tête</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>droit</translation>
+    </message>
+    <message>
+        <source>supported</source>
+        <translation>soutenu</translation>
+    </message>
+    <message>
+        <source>to the side</source>
+        <translation>de côté</translation>
+    </message>
+    <message>
+        <source>trunk</source>
+        <translation>tronc</translation>
+    </message>
+    <message>
+        <source>trunk bent sideways</source>
+        <translation>tronc incliné de côté</translation>
+    </message>
+    <message>
+        <source>trunk forward</source>
+        <translation>tronc en avant</translation>
+    </message>
+    <message>
+        <source>trunk inclination</source>
+        <translation>inclinaison du tronc</translation>
+    </message>
+    <message>
+        <source>trunk side bend</source>
+        <translation>inclinaison latérale du tronc</translation>
+    </message>
+    <message>
+        <source>trunk supported</source>
+        <translation>tronc soutenu</translation>
+    </message>
+    <message>
+        <source>trunk symmetry</source>
+        <translation>symétrie du tronc</translation>
+    </message>
+    <message>
+        <source>trunk twist</source>
+        <translation>torsion du tronc</translation>
+    </message>
+    <message>
+        <source>trunk twisted</source>
+        <translation>tronc tourné</translation>
+    </message>
+    <message>
+        <source>turned</source>
+        <translation>rotation</translation>
+    </message>
+    <message>
+        <source>twisted</source>
+        <translation>tourné</translation>
+    </message>
+    <message>
+        <source>twisted or bent sideways</source>
+        <translation>tourné ou incliné de côté</translation>
+    </message>
+    <message>
+        <source>up to 10 kg</source>
+        <translation>jusqu'à 10 kg</translation>
+    </message>
+    <message>
+        <source>upper arm</source>
+        <translation>bras</translation>
+    </message>
+    <message>
+        <source>upper arm abducted</source>
+        <translation>bras écarté</translation>
+    </message>
+    <message>
+        <source>upper arm elevation</source>
+        <translation>élévation du bras</translation>
+    </message>
+    <message>
+        <source>upper arm rotated</source>
+        <translation>bras tourné</translation>
+    </message>
+    <message>
+        <source>upper arm sideways</source>
+        <translation>bras de côté</translation>
+    </message>
+    <message>
+        <source>very high</source>
+        <translation>très élevé</translation>
+    </message>
+    <message>
+        <source>walking</source>
+        <translation>en marche</translation>
+    </message>
+    <message>
+        <source>way of the lift</source>
+        <translation>course du levage</translation>
+    </message>
+    <message>
+        <source>weight on both legs</source>
+        <translation>poids sur les deux jambes</translation>
+    </message>
+    <message>
+        <source>woman</source>
+        <translation>femme</translation>
+    </message>
+    <message>
+        <source>wrist</source>
+        <translation>poignet</translation>
+    </message>
+    <message>
+        <source>wrist deviated</source>
+        <translation>poignet dévié</translation>
+    </message>
+    <message>
+        <source>wrist twisted to its end</source>
+        <translation>torsion du poignet en fin de course</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
     </message>
 </context>
 </TS>

@@ -16,16 +16,15 @@ std::string numberWords(const char* form, double value) {
 }
 
 std::string englishArgument(const Text::Argument& argument) {
-  return std::visit(
-      Overloaded{[](const std::string& words) { return words; },
-                 [](const Text::Length& length) {
-                   return numberWords(length.whole ? "%.0f mm" : "%.1f mm", length.metres * 1000.0);
-                 },
-                 [](const Text::Angle& angle) {
-                   return numberWords("%.1f deg", angle.radians * 180.0 / std::numbers::pi);
-                 },
-                 [](std::int64_t count) { return std::to_string(count); }},
-      argument);
+  return std::visit(Overloaded{[](const std::string& words) { return words; },
+                               [](const Text::Length& length) {
+                                 return numberWords(length.whole ? "%.0f mm" : "%.1f mm", length.metres * 1000.0);
+                               },
+                               [](const Text::Angle& angle) {
+                                 return numberWords("%.1f deg", angle.radians * 180.0 / std::numbers::pi);
+                               },
+                               [](std::int64_t count) { return std::to_string(count); }},
+                    argument);
 }
 
 }  // namespace

@@ -11,7 +11,8 @@
 
 namespace hapticell {
 
-/// A sentence for the user as a value: the English sentence with places %1, %2, ... as its id, and what fills the places.
+/// A sentence for the user as a value: the English sentence with places %1, %2, ... as its id, and what fills the
+/// places.
 ///
 /// Libraries hand out texts; the command line and files show them in plain English by english(), the window in its own
 /// language and units (app/style/library_text.h). tools/translations finds the ids of all libraries by the literal in
@@ -58,7 +59,7 @@ std::string english(std::span<const Text> texts);
 /// `form` with its places %1 .. %9 filled; a place without a value stays. Values are not looked at for places.
 std::string filled(std::string_view form, std::span<const std::string> values);
 
-/// Marks a word of a table that is translated where it is shown: tools/translations finds it.
-#define HAPTICELL_TRANSLATED(literal) literal
+/// Marks words of a table that are translated where they are shown: tools/translations finds them.
+#define HAPTICELL_TRANSLATED(...) __VA_ARGS__
 
 }  // namespace hapticell

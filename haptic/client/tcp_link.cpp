@@ -184,8 +184,7 @@ class TcpLink::Connection {
             .message = [this](const Message& message) { hear(message); },
             .garbage = [this](const Error&) { lose(stranger()); },
             .stranger = [this](HandshakeFailure failure, const std::string& why) { lose(noHandshake(failure, why)); },
-            .closed =
-                [this] { lose(closedByServer()); }});
+            .closed = [this] { lose(closedByServer()); }});
     stream_->start();
     stream_->send(encoder_.encode(Message(Hello{.protocol_version = kProtocolVersion,
                                                 .kind = options_.kind,
@@ -209,16 +208,18 @@ class TcpLink::Connection {
 
   LinkProblem closedByServer() const {
     if (welcomed_ || secure_) return {Text("The haptic server at %1 closed the connection.", server())};
-    return {Text("The haptic server at %1 closed the connection at once: it may be one that wants a key "
-                 "(hapticell-cli pair), or busy with many connections.",
-                 server())};
+    return {
+        Text("The haptic server at %1 closed the connection at once: it may be one that wants a key "
+             "(hapticell-cli pair), or busy with many connections.",
+             server())};
   }
 
   LinkProblem stranger() const {
     if (secure_) return {Text("What answers at %1 is not a haptic server of this release.", server())};
-    return {Text("What answers at %1 is not a haptic server of this release, or one that wants a key "
-                 "(hapticell-cli pair).",
-                 server())};
+    return {
+        Text("What answers at %1 is not a haptic server of this release, or one that wants a key "
+             "(hapticell-cli pair).",
+             server())};
   }
 
   void hear(const Message& message) {

@@ -12,8 +12,7 @@ LinkProblem problemOf(const Refusal& refusal) {
   const std::string& subject = refusal.subject;
   switch (refusal.reason) {
     case RefusalReason::kControlled:
-      return {Text("Another program (%1) controls the stylus.", subject),
-              Text("Close it, or connect as a watcher.")};
+      return {Text("Another program (%1) controls the stylus.", subject), Text("Close it, or connect as a watcher.")};
     case RefusalReason::kTakenOver:
       return {Text("%1 took the stylus.", subject)};
     case RefusalReason::kSilent:

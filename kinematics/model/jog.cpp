@@ -120,7 +120,8 @@ Text nearestLimitText(const RobotModel& model, const std::vector<double>& q, dou
 
 Text limitText(const Joint& joint, double left, bool upper) {
   constexpr double kShownDegrees = 0.05, kShownMillimetres = 0.05;
-  const bool is_there = joint.type == JointType::kPrismatic ? left * 1000.0 < kShownMillimetres : left * 180.0 / std::numbers::pi < kShownDegrees;
+  const bool is_there = joint.type == JointType::kPrismatic ? left * 1000.0 < kShownMillimetres
+                                                            : left * 180.0 / std::numbers::pi < kShownDegrees;
   if (is_there)
     return upper ? Text("%1 is at its upper limit", joint.name) : Text("%1 is at its lower limit", joint.name);
   return upper ? Text("%1 is %2 from its upper limit", joint.name, motionOf(joint, left))

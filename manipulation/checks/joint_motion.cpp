@@ -107,16 +107,16 @@ Expected<JointMotion> checkJointMotion(std::shared_ptr<const PreparedScene> scen
     if (const workcell::Entity* other = scene->find(pair.other)) motion.obstacle = other->name;
     const Meeting meeting = meetingOf(*scene, **entity, pair);
     const auto percent = static_cast<std::int64_t>(std::nearbyint(100.0 * way.share));
-    motion.reason =
-        meeting.own ? Text("%1 would touch its own %2 after %3 % of the way", meeting.moved, meeting.met, percent)
-                    : Text("%1 would touch %2 after %3 % of the way", meeting.moved, meeting.met, percent);
+    motion.reason = meeting.own
+                        ? Text("%1 would touch its own %2 after %3 % of the way", meeting.moved, meeting.met, percent)
+                        : Text("%1 would touch %2 after %3 % of the way", meeting.moved, meeting.met, percent);
   }
   motion.command = {id, motion.joints};
   return motion;
 }
 
 Expected<Text> collisionAt(std::shared_ptr<const PreparedScene> scene, workcell::EntityId id,
-                                  const std::vector<double>& joints, const config::Configuration& configuration) {
+                           const std::vector<double>& joints, const config::Configuration& configuration) {
   const auto entity = robotOf(*scene, id, joints);
   HAPTICELL_TRY(entity);
   auto now = takeAt(scene, **entity, (*entity)->joints, configuration);

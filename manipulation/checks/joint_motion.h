@@ -35,6 +35,6 @@ Expected<JointMotion> checkJointMotion(std::shared_ptr<const PreparedScene> scen
 /// What the robot would meet if it stood at `joints`, apart from what it meets now: "link_4 would touch Fixture", or
 /// empty. The way there is not looked at. Errors as above, but limits are not checked.
 Expected<Text> collisionAt(std::shared_ptr<const PreparedScene> scene, workcell::EntityId entity,
-                                  const std::vector<double>& joints, const config::Configuration& configuration);
+                           const std::vector<double>& joints, const config::Configuration& configuration);
 
 }  // namespace hapticell::manipulation

@@ -224,9 +224,10 @@ void StylusHolder::tellWherePlain() {
   const std::vector<std::size_t>& touching = contacts_.contacts();
   if (!held() || touching.empty() || !held()->isPlain()) return;
   const HeldPair& pair = held()->pairs()[touching.front()];
-  log_.noticeOnce(Text("%1 against %2: the meshes are too dense there to tell all contacts, so only the nearest point "
-                       "of each pair is felt",
-                       cell_.find(held()->id())->name, cell_.find(pair.other)->name));
+  log_.noticeOnce(
+      Text("%1 against %2: the meshes are too dense there to tell all contacts, so only the nearest point "
+           "of each pair is felt",
+           cell_.find(held()->id())->name, cell_.find(pair.other)->name));
 }
 
 void StylusHolder::follow(const ScriptedEntities& scripted) {
@@ -266,8 +267,8 @@ std::vector<LimitState> StylusHolder::nearLimits() const {
   }
   if (hurried_joint_ >= 0) {
     const std::string& name = held()->jointName(hurried_joint_);
-    near.push_back({Text("%1 moves as fast as it can", name), held()->ownJoint(hurried_joint_), LimitKind::kSpeed, 0.0,
-                    true});
+    near.push_back(
+        {Text("%1 moves as fast as it can", name), held()->ownJoint(hurried_joint_), LimitKind::kSpeed, 0.0, true});
   }
   std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
   return near;

@@ -45,9 +45,10 @@ void WaysOut::note(HeldState& state, std::uint32_t pair, const collision::Freein
   const std::string part = model.nameOf(*model.parts()[who.part].part);
   const std::string obstacle = model.nameOf(*state.pairs.obstacleParts()[who.obstacle]);
   if (!shift.found) {
-    state.notes.push_back(Text("%1 starts inside %2 and no straight way out was found; it is not held back by it until "
-                               "they are apart",
-                               part, obstacle));
+    state.notes.push_back(
+        Text("%1 starts inside %2 and no straight way out was found; it is not held back by it until "
+             "they are apart",
+             part, obstacle));
     return;
   }
   std::array<char, 96> way{};
@@ -56,8 +57,8 @@ void WaysOut::note(HeldState& state, std::uint32_t pair, const collision::Freein
   const Text::Length depth{shift.depth};
   state.notes.push_back(
       shift.by_winding
-          ? Text("%1 starts inside %2, %3 deep: it comes free along %4 (an open mesh: told by its winding number)", part,
-                 obstacle, depth, way.data())
+          ? Text("%1 starts inside %2, %3 deep: it comes free along %4 (an open mesh: told by its winding number)",
+                 part, obstacle, depth, way.data())
           : Text("%1 starts inside %2, %3 deep: it comes free along %4", part, obstacle, depth, way.data()));
 }
 
