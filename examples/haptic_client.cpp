@@ -65,7 +65,7 @@ int main(int count, char** words) {
     if (const auto newest = link.latestState()) state = *newest;
   }
   if (!told) {
-    std::fprintf(stderr, "no server: %s\n", link.problem().c_str());
+    std::fprintf(stderr, "no server: %s\n", english(link.problem()).c_str());
     return 1;
   }
   std::printf("stylus at %.1f mm, force %.1f N against the push: %s\n", 1e3 * state.X_DS.p.x, -state.force_D.x,

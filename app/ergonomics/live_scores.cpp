@@ -213,7 +213,7 @@ QString LiveScores::liftAdviceText() const {
 }
 
 ergonomics::Language shownLanguage() {
-  return QLocale().language() == QLocale::French ? ergonomics::Language::kFrench : ergonomics::Language::kEnglish;
+  return ergonomics::languageOf(QLocale().name().toStdString());
 }
 
 QString shown(const std::string& text) {

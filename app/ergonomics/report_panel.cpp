@@ -87,10 +87,10 @@ QHBoxLayout* ReportPanel::makeButtons() {
   save->setProperty("main", true);
   language_ = new QComboBox;
   language_->setObjectName("comboReportLanguage");
-  language_->addItems({tr("English"), tr("French")});
+  language_->addItems({tr("English"), tr("French")});  // As ergonomics::Language counts them.
   language_->setAccessibleName(tr("Language of the report"));
   language_->setMinimumWidth(language_->sizeHint().width() + 12);  // Fields stand closer than the style says.
-  language_->setCurrentIndex(shownLanguage() == ergonomics::Language::kFrench ? 1 : 0);
+  language_->setCurrentIndex(static_cast<int>(shownLanguage()));
   zoom_ = new QComboBox;
   zoom_->setObjectName("comboReportZoom");
   zoom_->setAccessibleName(tr("Page size"));
@@ -162,12 +162,11 @@ ergonomics::PostureReportInput ReportPanel::input() const {
   ergonomics::PostureReportInput input;
   const workcell::Entity* entity = context_.entity();
   if (scores_.isEmpty() || !entity) return input;
-  input.language = language_->currentIndex() == 1 ? ergonomics::Language::kFrench : ergonomics::Language::kEnglish;
-  const QLocale locale(input.language == ergonomics::Language::kFrench ? QLocale::French : QLocale::English);
+  input.language = static_cast<ergonomics::Language>(std::max(0, language_->currentIndex()));
+  const std::string code(ergonomics::codeOf(input.language));
+  const QLocale locale(QString::fromStdString(code));
   input.subtitle = (context_.host().documentModel().title() + ", " + shown(entity->name)).toStdString();
   input.date = locale.toString(QDate::currentDate(), "d MMM yyyy").toStdString();
-  input.source = input.language == ergonomics::Language::kFrench ? "Comme elle se tient dans la cellule."
-                                                                 : "As it stands in the cell.";
   input.figure = *scores_.figure();
   input.posture = scores_.posture();
   input.task = scores_.task();

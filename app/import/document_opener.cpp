@@ -93,6 +93,8 @@ void DocumentOpener::start(const QString& path, const Locate& locate, const Cont
     std::vector<std::filesystem::path> missing;
     workcell::LoadOptions options;
     options.keep_unloaded = true;
+    std::vector<workcell::UnloadedEntity> unloaded;
+    options.unloaded = &unloaded;
     options.monitor = &run->monitor;
     options.locate = [&](const std::filesystem::path& file) {
       auto place = locate ? locate(file) : std::nullopt;
@@ -101,8 +103,8 @@ void DocumentOpener::start(const QString& path, const Locate& locate, const Cont
     };
     std::string held = content ? content() : std::string();
     auto document = guarded([&] { return read(notes, options); }, run->path);
-    run->result = std::make_shared<OpenedDocument>(
-        OpenedDocument{std::move(document), std::move(notes), std::move(missing), std::move(held)});
+    run->result = std::make_shared<OpenedDocument>(OpenedDocument{
+        std::move(document), std::move(notes), std::move(missing), std::move(unloaded), std::move(held)});
     QMetaObject::invokeMethod(
         this, [this, run] { end(run); }, Qt::QueuedConnection);
   });

@@ -17,6 +17,7 @@ struct OpenedDocument {
   Expected<workcell::Document> document;
   Diagnostics notes;
   std::vector<std::filesystem::path> missing;  ///< Files that were not found; their entities are kept without a shape.
+  std::vector<workcell::UnloadedEntity> unloaded;  ///< Entities that are kept without a shape, for any reason.
   std::string content =
       {};  ///< What its file held (contentName()), or the one that a copy is a copy of; empty: unknown.
 };

@@ -222,11 +222,12 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
   else
     host_.documentModel().adopt(std::move(document));
   std::vector<std::string> remarks = opened->notes.warnings;
-  std::erase_if(remarks, [&](const std::string& remark) {  // What offerMissing() tells of all of them at once.
-    return std::any_of(opened->missing.begin(), opened->missing.end(), [&](const std::filesystem::path& file) {
-      return remark.find("is kept without its shape: " + file.string()) != std::string::npos;
-    });
-  });
+  for (const workcell::UnloadedEntity& entity :
+       opened->unloaded) {  // What offerMissing() tells of all of them at once.
+    const auto& missing = opened->missing;
+    if (std::find(missing.begin(), missing.end(), std::filesystem::path(entity.cause.file)) != missing.end())
+      std::erase(remarks, entity.remark);
+  }
   tellRemarks(name, remarks, partsOfCell());
   offerMissing(opened->missing);
   if (guard_.isReadOnly()) {

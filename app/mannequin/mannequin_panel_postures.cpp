@@ -10,10 +10,11 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
+#include "app/kit/file_dialog.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/mannequin/mannequin_panel.h"
-#include "app/kit/file_dialog.h"
+#include "app/style/library_text.h"
 #include "geometry/system/atomic_file.h"
 #include "mannequin/motion/motion_writer.h"
 #include "mannequin/posture/posture_file.h"
@@ -90,10 +91,10 @@ bool MannequinPanel::openPostureFile(const QString& path) {
   if (!entity || !context_.isFree()) return false;
   bool has_root = false;
   auto posture = mannequin::readPosture(path.toStdString(), &has_root);
-  const auto beyond = posture ? mannequin::limitViolations(*posture) : std::vector<std::string>{};
+  const auto beyond = posture ? mannequin::limitViolations(*posture) : std::vector<mannequin::LimitViolation>{};
   if (!posture || !beyond.empty()) {
-    const std::string why = posture ? beyond.front() : posture.error().message();
-    context_.host().messages().tell(Severity::kWarning, tr("The posture was not loaded"), QString::fromStdString(why));
+    const QString why = posture ? shownText(textOf(beyond.front())) : QString::fromStdString(posture.error().message());
+    context_.host().messages().tell(Severity::kWarning, tr("The posture was not loaded"), why);
     return false;
   }
   const mannequin::Posture placed = has_root ? *posture : placedHere(*entity, *posture);

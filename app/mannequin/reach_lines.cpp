@@ -13,6 +13,7 @@
 #include "app/mannequin/hand_gizmo.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/style/icon.h"
+#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
 
@@ -38,7 +39,7 @@ void ReachLines::show() {
   QString text = reachText(drag_, choice.movedBy()), advice;
   const auto& snapshot = context_.host().snapshot();
   if (context_.isHeld() && snapshot && !snapshot->limits.empty() && snapshot->limits.front().holds)
-    text = QString::fromStdString(snapshot->limits.front().text);
+    text = shownText(snapshot->limits.front().text);
   if (!text.isEmpty() && drag_.reach() && drag_.reach()->obstacle.empty()) {
     advice = choice.hands().locks.trunk
                  ? QObject::tr("At full reach with the trunk locked. Unlock the trunk, or move it %1 closer.")

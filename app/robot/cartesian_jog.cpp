@@ -5,10 +5,11 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "app/kit/form.h"
 #include "app/controls/pose_text.h"
 #include "app/controls/reference_choice.h"
+#include "app/kit/form.h"
 #include "app/robot/robot_context.h"
+#include "app/style/library_text.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 
@@ -130,7 +131,7 @@ void CartesianJog::jog(int axis, double amount) {
                                     robot->X_WE};
   const kinematics::JogResult result = kinematics::jogTool(jogged, mover_.target(), step);
   mover_.moveTo(result.q);
-  emit held(QString::fromStdString(result.reason));
+  emit held(shownText(result.reason));
 }
 
 std::array<double, 6> CartesianJog::numbersNow() const {

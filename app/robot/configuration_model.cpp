@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/controls/joint_row.h"
+#include "app/style/library_text.h"
 #include "app/style/units.h"
 
 namespace hapticell::app {
@@ -44,10 +45,10 @@ QString travelText(const kinematics::RobotModel& model, const std::vector<double
 
 QString limitText(const kinematics::RobotModel& model, const kinematics::ListedSolution& solution) {
   const auto number = static_cast<std::size_t>(solution.limiting_joint);
-  if (solution.limiting_joint < 0 || number >= model.joints.size()) return QString::fromStdString(solution.reason);
+  if (solution.limiting_joint < 0 || number >= model.joints.size()) return shownText(solution.reason);
   const auto& joint = model.joints[number];
   const auto variable = static_cast<std::size_t>(std::max(joint.variable, 0));
-  if (joint.variable < 0 || variable >= solution.q.size()) return QString::fromStdString(solution.reason);
+  if (joint.variable < 0 || variable >= solution.q.size()) return shownText(solution.reason);
   const double q = solution.q[variable];
   const double over = std::max(joint.lower - q, q - joint.upper) / unitOf(joint);
   const JointRow::Scale scale = scaleOf(joint, variable);
@@ -70,7 +71,7 @@ void ConfigurationModel::setSolutions(const kinematics::RobotModel* model,
     row.way_text = solution.is_now          ? tr("current")
                    : solution.within_limits ? travelText(*model, now, solution.q)
                                             : limitText(*model, solution);
-    row.reason = QString::fromStdString(solution.reason);
+    row.reason = shownText(solution.reason);
     has_flags_ = has_flags_ || !solution.maker_flags.empty();
     row.solution = std::move(solution);
     rows_.push_back(std::move(row));

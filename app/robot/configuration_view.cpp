@@ -20,6 +20,7 @@
 #include "app/robot/joint_mover.h"
 #include "app/robot/motion_worker.h"
 #include "app/robot/robot_context.h"
+#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/viewport/overlay/overlay_painter.h"
 #include "app/viewport/widget/viewport_widget.h"
@@ -206,9 +207,8 @@ void ConfigurationView::show(std::vector<kinematics::ListedSolution> solutions) 
   if (robot && context_.isFree())
     worker_.checkWays(robot->id, std::move(targets), [this, rows_of](std::size_t i, const auto& motion) {
       const bool free = motion && motion->complete;
-      const std::string reason = motion ? motion->reason : motion.error().message();
-      model_.setWay(rows_of[i], free, motion ? QString::fromStdString(motion->obstacle) : QString(),
-                    QString::fromStdString(reason));
+      const QString reason = motion ? shownText(motion->reason) : QString::fromStdString(motion.error().message());
+      model_.setWay(rows_of[i], free, motion ? QString::fromStdString(motion->obstacle) : QString(), reason);
       showGhost();
     });
   showGhost();

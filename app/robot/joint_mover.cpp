@@ -3,11 +3,12 @@
 
 #include <algorithm>
 
+#include "app/controls/robot_ghosts.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/robot/motion_worker.h"
 #include "app/robot/robot_context.h"
-#include "app/controls/robot_ghosts.h"
+#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
@@ -96,7 +97,7 @@ void JointMover::accept(const Expected<manipulation::JointMotion>& motion) {
   const workcell::Entity* robot = context_.host().documentModel().document().find(robot_);
   if (robot && robot->joints != motion->joints && !(ending_ && !keep_))
     context_.host().documentModel().execute(motion->command);
-  emit stopped(QString::fromStdString(motion->reason), QString::fromStdString(motion->obstacle));
+  emit stopped(shownText(motion->reason), QString::fromStdString(motion->obstacle));
 }
 
 void JointMover::travel(const QString& text, const std::vector<double>& joints) {
@@ -108,8 +109,7 @@ void JointMover::travel(const QString& text, const std::vector<double>& joints) 
     checking_ = false;
     if (robot_ == 0) return;  // Its cell is closed.
     if (!motion) return emit stopped(QString::fromStdString(motion.error().message()), {});
-    if (!motion->complete)
-      return emit stopped(QString::fromStdString(motion->reason), QString::fromStdString(motion->obstacle));
+    if (!motion->complete) return emit stopped(shownText(motion->reason), QString::fromStdString(motion->obstacle));
     travel_.text = text;
     play(*motion);
   });

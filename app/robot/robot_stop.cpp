@@ -4,6 +4,7 @@
 #include "app/host/host.h"
 #include "app/robot/robot_context.h"
 #include "app/robot/stop_line.h"
+#include "app/style/library_text.h"
 #include "kinematics/model/jog.h"
 
 namespace hapticell::app {
@@ -34,18 +35,16 @@ void RobotStop::show() {
   if (context_.isHeld() && snapshot && !snapshot->limits.empty()) {
     const manipulation::LimitState& limit = snapshot->limits.front();
     const bool pushes = limit.holds && snapshot->forces_on;
-    return line_->show(Mark::kLimit, shownLimit(limit.text) +
+    return line_->show(Mark::kLimit, shownText(limit.text) +
                                          (pushes ? QObject::tr(" and pushes back on the stylus.") : QObject::tr(".")));
   }
   if (context_.isHeld() && snapshot && !snapshot->pairs.empty() && snapshot->pairs.front().contact)
-    return line_->show(Mark::kContact, shownLimit(snapshot->status));
+    return line_->show(Mark::kContact, shownText(snapshot->status));
   if (!context_.isHeld() && !stopped_.isEmpty())
-    return line_->show(obstacle_.isEmpty() ? Mark::kLimit : Mark::kContact, shownLimit(stopped_.toStdString()));
-  if (!context_.isHeld() && !held_back_.isEmpty())
-    return line_->show(Mark::kLimit, shownLimit(held_back_.toStdString()) + QLatin1Char('.'));
-  const std::string near = kinematics::nearestLimitText(*robot->robot, context_.joints(), kSoonLimit);
-  line_->show(near.empty() ? Mark::kNone : Mark::kLimit,
-              near.empty() ? QString() : shownLimit(near) + QLatin1Char('.'));
+    return line_->show(obstacle_.isEmpty() ? Mark::kLimit : Mark::kContact, stopped_);
+  if (!context_.isHeld() && !held_back_.isEmpty()) return line_->show(Mark::kLimit, held_back_ + QLatin1Char('.'));
+  const Text near = kinematics::nearestLimitText(*robot->robot, context_.joints(), kSoonLimit);
+  line_->show(near.empty() ? Mark::kNone : Mark::kLimit, near.empty() ? QString() : shownText(near) + QLatin1Char('.'));
 }
 
 }  // namespace hapticell::app

@@ -6,7 +6,6 @@
 #include <QPainter>
 
 #include "app/kit/form.h"
-#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/viewport/overlay/overlay_painter.h"
 
@@ -41,10 +40,6 @@ void StopLine::paintEvent(QPaintEvent*) {
   if (mark_ == Mark::kNone || words_->text().isEmpty()) return;
   QPainter painter(this);
   paintMark(painter, mark_, QPointF(7, 9), 11, themeOf(palette()));
-}
-
-QString shownLimit(const std::string& sentence) {
-  return shownText(sentence).replace(QStringLiteral(" deg"), QStringLiteral("°"));
 }
 
 }  // namespace hapticell::app

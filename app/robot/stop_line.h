@@ -26,7 +26,4 @@ class StopLine : public QWidget {
   QLabel* words_;
 };
 
-/// "A5 is 1.2° from its limit": the sentence of the engine as it is shown.
-QString shownLimit(const std::string& sentence);
-
 }  // namespace hapticell::app

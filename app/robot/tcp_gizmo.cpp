@@ -6,7 +6,7 @@
 #include "app/host/host.h"
 #include "app/robot/joint_mover.h"
 #include "app/robot/robot_context.h"
-#include "app/robot/stop_line.h"
+#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
@@ -111,8 +111,8 @@ void TcpGizmo::follow(const Pose& X_WT) {
   }
   why_.clear();
   if (solution.status != kinematics::InverseStatus::kSolved) {
-    const std::string limit = kinematics::nearestLimitText(*robot->robot, solution.q, kTcpNearLimit);
-    why_ = limit.empty() ? tr("The arm is at the edge of its reach") : shownLimit(limit);
+    const Text limit = kinematics::nearestLimitText(*robot->robot, solution.q, kTcpNearLimit);
+    why_ = limit.empty() ? tr("The arm is at the edge of its reach") : shownText(limit);
   }
   emit held(why_);
   mover_.moveTo(solution.q);

@@ -25,7 +25,8 @@ void StatusText::show() {
   if (!now->pairs.empty() && now->pairs.front().near_miss) mark = Mark::kNearMiss;
   if (!now->limits.empty()) mark = Mark::kLimit;
   if (!now->pairs.empty() && now->pairs.front().contact) mark = Mark::kContact;
-  line_.setSentence(mark, now->status.empty() ? still : shownText(now->status));
+  const QString sentence = now->problem.empty() ? shownText(now->status) : shownText(now->problem);
+  line_.setSentence(mark, sentence.isEmpty() ? still : sentence);
   StatusLine::Rates rates;
   rates.haptic_hz = now->server.rate_hz;
   rates.collision_hz = now->rate_manipulation_hz;

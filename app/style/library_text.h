@@ -2,13 +2,19 @@
 #pragma once
 
 #include <QString>
-#include <string>
+#include <span>
+
+#include "geometry/system/text.h"
+#include "haptic/protocol/link_problem.h"
 
 namespace hapticell::app {
 
-/// A sentence of the libraries under the window, which speak English, millimetres and degrees, as the user reads it: in
-/// the window's language and the units in force. Several with "; " between are taken one by one; what is not known
-/// stays as it is. Thread-safe as tr() is; any text is taken.
-QString shownText(const std::string& sentence);
+/// A sentence of the libraries under the window as the user reads it: in the window's language and the units in force.
+/// Thread-safe as tr() is.
+QString shownText(const Text& text);
+/// Several, with "; " between them.
+QString shownText(std::span<const Text> texts);
+/// Why there is no connection to a haptic server, and what to do about it.
+QString shownText(const haptic::LinkProblem& problem);
 
 }  // namespace hapticell::app

@@ -69,10 +69,6 @@
         <translation> · efforts en marche</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; uses this key and would lose it.</source>
-        <translation>« %1 » utilise cette touche et la perdrait.</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -141,6 +137,10 @@
         <translation>%1 N ont été commandés. Si vous n'avez rien senti, vérifiez que le périphérique est sous tension, son arrêt d'urgence relâché, et étalonné.</translation>
     </message>
     <message>
+        <source>%1 against %2: the meshes are too dense there to tell all contacts, so only the nearest point of each pair is felt</source>
+        <translation>%1 contre %2 : les maillages y sont trop denses pour tous les contacts ; seul le point le plus proche de chaque paire est senti</translation>
+    </message>
+    <message>
         <source>%1 already exists.
 Do you want to replace it?</source>
         <translation>%1 existe déjà.
@@ -153,6 +153,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 and %2 more</source>
         <translation>%1 et %2 de plus</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more: triangles face inward; they count as facing outward</source>
+        <translation>%1 et %2 de plus : des triangles sont tournés vers l'intérieur ; ils comptent comme tournés vers l'extérieur</translation>
     </message>
     <message>
         <source>%1 cannot be made from this geometry</source>
@@ -183,6 +187,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 j</translation>
     </message>
     <message>
+        <source>%1 does not go along with %2: %3</source>
+        <translation>%1 n'accompagne pas %2 : %3</translation>
+    </message>
+    <message>
         <source>%1 edges between faces of opposite orientation</source>
         <translation>%1 arêtes entre faces d'orientations opposées</translation>
     </message>
@@ -209,6 +217,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 gives %2.</source>
         <translation>%1 donne %2.</translation>
+    </message>
+    <message>
+        <source>%1 goes with %2, which the other stylus holds</source>
+        <translation>%1 va avec %2, que tient l'autre stylet</translation>
     </message>
     <message>
         <source>%1 h</source>
@@ -267,6 +279,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est à %2 de sa butée supérieure</translation>
     </message>
     <message>
+        <source>%1 is %2, limit %3</source>
+        <translation>%1 est à %2, limite %3</translation>
+    </message>
+    <message>
         <source>%1 is added to the cell</source>
         <translation>%1 est ajouté à la cellule</translation>
     </message>
@@ -281,6 +297,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 is free</source>
         <translation>%1 est libre</translation>
+    </message>
+    <message>
+        <source>%1 is held by the other stylus</source>
+        <translation>%1 est tenu par l'autre stylet</translation>
     </message>
     <message>
         <source>%1 is known</source>
@@ -475,6 +495,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 s'assied sur %2</translation>
     </message>
     <message>
+        <source>%1 starts inside %2 and no straight way out was found; it is not held back by it until they are apart</source>
+        <translation>%1 commence à l'intérieur de %2, sans sortie en ligne droite ; il n'est pas retenu tant qu'ils ne sont pas séparés</translation>
+    </message>
+    <message>
+        <source>%1 starts inside %2, %3 deep: it comes free along %4</source>
+        <translation>%1 commence à l'intérieur de %2, à %3 de profondeur : il se dégage selon %4</translation>
+    </message>
+    <message>
+        <source>%1 starts inside %2, %3 deep: it comes free along %4 (an open mesh: told by its winding number)</source>
+        <translation>%1 commence à l'intérieur de %2, à %3 de profondeur : il se dégage selon %4 (maillage ouvert : d'après son indice d'enroulement)</translation>
+    </message>
+    <message>
         <source>%1 times, last %2</source>
         <translation>%1 fois, dernière à %2</translation>
     </message>
@@ -497,6 +529,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 to the flange</source>
         <translation>%1 jusqu'à la bride</translation>
+    </message>
+    <message>
+        <source>%1 took the stylus.</source>
+        <translation>%1 a pris le stylet.</translation>
     </message>
     <message>
         <source>%1 touches %2</source>
@@ -565,6 +601,22 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 would exceed its speed limit by %2/s</source>
         <translation>%1 dépasserait sa vitesse limite de %2/s</translation>
+    </message>
+    <message>
+        <source>%1 would touch %2</source>
+        <translation>%1 toucherait %2</translation>
+    </message>
+    <message>
+        <source>%1 would touch %2 after %3 % of the way</source>
+        <translation>%1 toucherait %2 après %3 % du chemin</translation>
+    </message>
+    <message>
+        <source>%1 would touch its own %2</source>
+        <translation>%1 toucherait son propre %2</translation>
+    </message>
+    <message>
+        <source>%1 would touch its own %2 after %3 % of the way</source>
+        <translation>%1 toucherait son propre %2 après %3 % du chemin</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -667,6 +719,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, annulé</translation>
     </message>
     <message>
+        <source>%1, which the other stylus holds, goes with %2</source>
+        <translation>%1, que tient l'autre stylet, va avec %2</translation>
+    </message>
+    <message>
         <source>%1, µ %2</source>
         <translation>%1, µ %2</translation>
     </message>
@@ -737,6 +793,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1: they touch or overlap</source>
         <translation>%1 : elles se touchent ou se chevauchent</translation>
+    </message>
+    <message>
+        <source>%1: triangles face inward; they count as facing outward</source>
+        <translation>%1 : des triangles sont tournés vers l'intérieur ; ils comptent comme tournés vers l'extérieur</translation>
     </message>
     <message>
         <source>%1: why %2, and how to lower it</source>
@@ -837,6 +897,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>&amp;Yes</source>
         <translation>&amp;Oui</translation>
+    </message>
+    <message>
+        <source>&gt; P 99</source>
+        <translation>&gt; P 99</translation>
+    </message>
+    <message>
+        <source>&lt; P 1</source>
+        <translation>&lt; P 1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; uses this key and would lose it.</source>
+        <translation>« %1 » utilise cette touche et la perdrait.</translation>
     </message>
     <message>
         <source>(open elsewhere)</source>
@@ -969,14 +1041,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>; the file states none</source>
         <translation> ; il n'en nomme aucune</translation>
-    </message>
-    <message>
-        <source>&lt; P 1</source>
-        <translation>&lt; P 1</translation>
-    </message>
-    <message>
-        <source>&gt; P 99</source>
-        <translation>&gt; P 99</translation>
     </message>
     <message>
         <source>?</source>
@@ -1235,8 +1299,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Autre couleur…</translation>
     </message>
     <message>
-        <source>Another program (%1) controls the stylus. Close it, or connect as a watcher.</source>
-        <translation>Un autre programme (%1) commande le stylet. Fermez-le, ou connectez-vous en observateur.</translation>
+        <source>Another program (%1) controls the stylus.</source>
+        <translation>Un autre programme (%1) commande le stylet.</translation>
     </message>
     <message>
         <source>Another program changed this file after it was opened here. If you save, those changes are lost.</source>
@@ -1881,6 +1945,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Close a window or program that watches.</source>
+        <translation>Fermez une fenêtre ou un programme qui observe.</translation>
+    </message>
+    <message>
+        <source>Close it, or connect as a watcher.</source>
+        <translation>Fermez-le, ou connectez-vous en observateur.</translation>
     </message>
     <message>
         <source>Close the panel; the Window menu opens it again</source>
@@ -3171,6 +3243,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Trajectoire HaptiCell (.htraj)</translation>
     </message>
     <message>
+        <source>HaptiCell tries again by itself; the key that is kept stays good.</source>
+        <translation>HaptiCell réessaie de lui-même ; la clé conservée reste valable.</translation>
+    </message>
+    <message>
         <source>HaptiCell was not closed properly</source>
         <translation>HaptiCell n’a pas été fermé correctement</translation>
     </message>
@@ -4367,8 +4443,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aucune main n'a été ajoutée</translation>
     </message>
     <message>
-        <source>No haptic server answers at %1. Start hapticell-haptic-server.</source>
-        <translation>Aucun serveur haptique ne répond à %1. Démarrez hapticell-haptic-server.</translation>
+        <source>No haptic server answers at %1.</source>
+        <translation>Aucun serveur haptique ne répond à %1.</translation>
     </message>
     <message>
         <source>No haptic server is responding at %1</source>
@@ -4893,6 +4969,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Pair sets</source>
         <translation>Jeux de paires</translation>
+    </message>
+    <message>
+        <source>Pair them anew: hapticell-haptic-server --pair there, hapticell-cli pair here.</source>
+        <translation>Appairez-les de nouveau : hapticell-haptic-server --pair là-bas, hapticell-cli pair ici.</translation>
     </message>
     <message>
         <source>Pairs</source>
@@ -6175,6 +6255,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Montrer</translation>
     </message>
     <message>
+        <source>Show one there with hapticell-haptic-server --pair, and type it here: hapticell-cli pair %1.</source>
+        <translation>Affichez-en une là-bas avec hapticell-haptic-server --pair, et saisissez-la ici : hapticell-cli pair %1.</translation>
+    </message>
+    <message>
         <source>Show parts in full colour</source>
         <translation>Pièces en pleines couleurs</translation>
     </message>
@@ -6209,6 +6293,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Side panels</source>
         <translation>Panneaux latéraux</translation>
+    </message>
+    <message>
+        <source>Silent for too long: %1 controls the stylus now.</source>
+        <translation>Silence trop long : %1 commande maintenant le stylet.</translation>
     </message>
     <message>
         <source>Simplify</source>
@@ -6343,6 +6431,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Partir de</translation>
     </message>
     <message>
+        <source>Start hapticell-haptic-server.</source>
+        <translation>Démarrez hapticell-haptic-server.</translation>
+    </message>
+    <message>
         <source>Start page</source>
         <translation>Page d'accueil</translation>
     </message>
@@ -6353,6 +6445,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Start the server</source>
         <translation>Lancer le serveur</translation>
+    </message>
+    <message>
+        <source>Start the server with its key (hapticell-haptic-server --listen ADDRESS), or see what else answers there.</source>
+        <translation>Démarrez le serveur avec sa clé (hapticell-haptic-server --listen ADRESSE), ou voyez ce qui d'autre répond là-bas.</translation>
     </message>
     <message>
         <source>Start with a sample or your own cell</source>
@@ -6531,6 +6627,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prendre le contrôle</translation>
     </message>
     <message>
+        <source>Taking the stylus.</source>
+        <translation>Prise du stylet.</translation>
+    </message>
+    <message>
         <source>Task</source>
         <translation>Tâche</translation>
     </message>
@@ -6703,12 +6803,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les mains n'ont pas bougé</translation>
     </message>
     <message>
+        <source>The haptic server at %1 and this station do not have the same key: %2.</source>
+        <translation>Le serveur haptique à %1 et ce poste n'ont pas la même clé : %2.</translation>
+    </message>
+    <message>
+        <source>The haptic server at %1 closed the connection at once: it may be one that wants a key (hapticell-cli pair), or busy with many connections.</source>
+        <translation>Le serveur haptique à %1 a fermé la connexion aussitôt : il exige peut-être une clé (hapticell-cli pair), ou a trop de connexions.</translation>
+    </message>
+    <message>
+        <source>The haptic server at %1 closed the connection.</source>
+        <translation>Le serveur haptique à %1 a fermé la connexion.</translation>
+    </message>
+    <message>
         <source>The haptic server at %1 does not answer any more.</source>
         <translation>Le serveur haptique à %1 ne répond plus.</translation>
     </message>
     <message>
+        <source>The haptic server at %1 is there, but %2: it may be busy with many connections.</source>
+        <translation>Le serveur haptique à %1 est là, mais %2 : il a peut-être trop de connexions.</translation>
+    </message>
+    <message>
         <source>The haptic server could not be started: %1 was not found or cannot be run.</source>
         <translation>Le serveur haptique n'a pas pu être lancé : %1 est introuvable ou ne peut pas être lancé.</translation>
+    </message>
+    <message>
+        <source>The haptic server has %1 connections from this machine already.</source>
+        <translation>Le serveur haptique a déjà %1 connexions de cette machine.</translation>
+    </message>
+    <message>
+        <source>The haptic server has its %1 connections already.</source>
+        <translation>Le serveur haptique a déjà ses %1 connexions.</translation>
     </message>
     <message>
         <source>The haptic server has stopped. %1</source>
@@ -6773,6 +6897,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The limits were not read</source>
         <translation>Les limites n'ont pas été lues</translation>
+    </message>
+    <message>
+        <source>The link in memory is closed.</source>
+        <translation>La liaison en mémoire est fermée.</translation>
+    </message>
+    <message>
+        <source>The link to the haptic server failed: %1.</source>
+        <translation>La liaison avec le serveur haptique a échoué : %1.</translation>
     </message>
     <message>
         <source>The load is lifted or lowered</source>
@@ -7027,12 +7159,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Thème</translation>
     </message>
     <message>
+        <source>There is no frame '%1' to move along; the cell's axes are used</source>
+        <translation>Il n'y a pas de repère « %1 » à suivre ; les axes de la cellule sont utilisés</translation>
+    </message>
+    <message>
         <source>There is no motion below this one.</source>
         <translation>Il n'y a pas de mouvement sous celui-ci.</translation>
     </message>
     <message>
         <source>There is no motion to go back over.</source>
         <translation>Il n'y a pas de mouvement à remonter.</translation>
+    </message>
+    <message>
+        <source>There was not enough memory to prepare the contacts: what was changed is not felt. Remove large parts</source>
+        <translation>La mémoire n'a pas suffi pour préparer les contacts : ce qui a changé n'est pas senti. Retirez de grandes pièces</translation>
     </message>
     <message>
         <source>These are the markers of %1. To put the recording on the mannequin: Mannequin &gt; Open a recorded motion.</source>
@@ -7121,6 +7261,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>This station</source>
         <translation>Ce poste</translation>
+    </message>
+    <message>
+        <source>This station has no key for the haptic server at %1.</source>
+        <translation>Ce poste n'a pas de clé pour le serveur haptique à %1.</translation>
     </message>
     <message>
         <source>Through its eyes</source>
@@ -7465,6 +7609,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Weight, or a force divided by 9.81</source>
         <translation>Poids, ou une force divisée par 9,81</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is not a haptic server of this release, or one that wants a key (hapticell-cli pair).</source>
+        <translation>Ce qui répond à %1 n'est pas un serveur haptique de cette version, ou en est un qui exige une clé (hapticell-cli pair).</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is not a haptic server of this release.</source>
+        <translation>Ce qui répond à %1 n'est pas un serveur haptique de cette version.</translation>
     </message>
     <message>
         <source>What the 3D mouse moves; its second button changes it</source>
@@ -7951,6 +8103,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>limites dépassées : %1</translation>
     </message>
     <message>
+        <source>links of %1 that touch at rest are not checked against each other: %2</source>
+        <translation>les segments de %1 qui se touchent au repos ne sont pas vérifiés entre eux : %2</translation>
+    </message>
+    <message>
+        <source>links of %1 that touch at rest are not checked against each other: %2 and %3 more pairs</source>
+        <translation>les segments de %1 qui se touchent au repos ne sont pas vérifiés entre eux : %2 et %3 autres paires</translation>
+    </message>
+    <message>
         <source>loading…</source>
         <translation>chargement…</translation>
     </message>
@@ -8005,6 +8165,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>name</source>
         <translation>nom</translation>
+    </message>
+    <message>
+        <source>near a singularity %1 would have to swing round</source>
+        <translation>près d'une singularité, %1 devrait basculer</translation>
     </message>
     <message>
         <source>near miss</source>
@@ -8223,6 +8387,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>bouton du stylet</translation>
     </message>
     <message>
+        <source>the arm is at the edge of its reach</source>
+        <translation>le bras est au bord de son atteinte</translation>
+    </message>
+    <message>
         <source>the equation covers shifts of up to 8 h.</source>
         <translation>l'équation vaut pour des postes de 8 h au plus.</translation>
     </message>
@@ -8341,6 +8509,885 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>–</source>
         <translation>–</translation>
+    </message>
+</context>
+<context>
+    <name>Ergonomics</name>
+    <message>
+        <source>%1 %2 to %3</source>
+        <translation>%1 %2 à %3</translation>
+    </message>
+    <message>
+        <source>%1 gives %2</source>
+        <translation>%1 donne %2</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 points</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: lifting index at most %2</source>
+        <translation>%1 : indice de levage d'au plus %2</translation>
+    </message>
+    <message>
+        <source>%1; shown at %2 s</source>
+        <translation>%1 ; montrée à %2 s</translation>
+    </message>
+    <message>
+        <source>1.3.6, posture outline only</source>
+        <translation>1.3.6, esquisse de la posture</translation>
+    </message>
+    <message>
+        <source>Acceptable</source>
+        <translation>Acceptable</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>As it stands in the cell.</source>
+        <translation>Comme elle se tient dans la cellule.</translation>
+    </message>
+    <message>
+        <source>Assessed by</source>
+        <translation>Évalué par</translation>
+    </message>
+    <message>
+        <source>Best place: %1 mm up, %2 mm away, %3; RULA %4</source>
+        <translation>Meilleure place : %1 mm en hauteur, %2 mm en profondeur, %3; RULA %4</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Body size</source>
+        <translation>Gabarit</translation>
+    </message>
+    <message>
+        <source>Boundaries: an inner boundary belongs to the lower class; the last class of RULA includes its boundary.</source>
+        <translation>Limites : une limite intérieure appartient à la classe inférieure ; la dernière classe de RULA comprend sa limite.</translation>
+    </message>
+    <message>
+        <source>Change now</source>
+        <translation>À changer maintenant</translation>
+    </message>
+    <message>
+        <source>Change soon</source>
+        <translation>À changer bientôt</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Driven by (with that alone)</source>
+        <translation>Déterminé par (cela seul changé)</translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation>Cause</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Effort</translation>
+    </message>
+    <message>
+        <source>Forces on the hands</source>
+        <translation>Efforts aux mains</translation>
+    </message>
+    <message>
+        <source>Four bodies at the same task</source>
+        <translation>Quatre corps à la même tâche</translation>
+    </message>
+    <message>
+        <source>Held for over a minute: %1</source>
+        <translation>Posture tenue plus d'une minute : %1</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Articulation</translation>
+    </message>
+    <message>
+        <source>Joint angles</source>
+        <translation>Angles des articulations</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Lifting</source>
+        <translation>Levage</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>Load left %1, right %2</source>
+        <translation>Charge gauche %1, droite %2</translation>
+    </message>
+    <message>
+        <source>Look into it</source>
+        <translation>À examiner</translation>
+    </message>
+    <message>
+        <source>Measured angles of trunk, neck and wrist are neutral within 5° of 0; RULA's neck in extension: class 2 up to 6.5°, 3 up to 8°, beyond 4 (this program's choice).</source>
+        <translation>Angles mesurés de tronc, cou et poignet : neutres à moins de 5° de 0 ; extension du cou pour RULA : classe 2 jusqu'à 6,5°, 3 jusqu'à 8°, 4 au-delà (choix de ce programme).</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Method and limits of this report</source>
+        <translation>Méthode et limites de ce rapport</translation>
+    </message>
+    <message>
+        <source>Moved, and nothing else: %1</source>
+        <translation>Déplacé, et rien d'autre : %1</translation>
+    </message>
+    <message>
+        <source>Nearest place of the work</source>
+        <translation>Place du travail la plus proche</translation>
+    </message>
+    <message>
+        <source>Nearest posture of the next lower level</source>
+        <translation>Posture la plus proche du niveau inférieur</translation>
+    </message>
+    <message>
+        <source>No arm is supported.</source>
+        <translation>Aucun bras n'est soutenu.</translation>
+    </message>
+    <message>
+        <source>No change of the posture alone lowers the level.</source>
+        <translation>Aucun changement de la posture seule n'abaisse le niveau.</translation>
+    </message>
+    <message>
+        <source>No change of this lift alone lowers the level.</source>
+        <translation>Aucun changement de ce levage seul n'abaisse le niveau.</translation>
+    </message>
+    <message>
+        <source>No place was found that suits all four bodies.</source>
+        <translation>Aucune place ne convient aux quatre corps.</translation>
+    </message>
+    <message>
+        <source>Over the recorded motion</source>
+        <translation>Au fil du mouvement enregistré</translation>
+    </message>
+    <message>
+        <source>Own limits:</source>
+        <translation>Limites propres :</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Partie</translation>
+    </message>
+    <message>
+        <source>Partial: no own limit of the hands' force is entered for this place.</source>
+        <translation>Partiel : aucune limite propre de l'effort aux mains n'est entrée pour cet endroit.</translation>
+    </message>
+    <message>
+        <source>Posture assessment</source>
+        <translation>Évaluation de la posture</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Atteinte</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
+        <source>Repetitions %1, shift %2</source>
+        <translation>Répétitions %1, durée %2</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Cote</translation>
+    </message>
+    <message>
+        <source>Search of the workplace</source>
+        <translation>Recherche du poste</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Signature</translation>
+    </message>
+    <message>
+        <source>Source of the posture: %1</source>
+        <translation>Origine de la posture : %1</translation>
+    </message>
+    <message>
+        <source>Standards and editions: %1</source>
+        <translation>Normes et éditions : %1</translation>
+    </message>
+    <message>
+        <source>Stature</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Sub-scores</source>
+        <translation>Cotes partielles</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tâche</translation>
+    </message>
+    <message>
+        <source>Task assessment</source>
+        <translation>Évaluation de la tâche</translation>
+    </message>
+    <message>
+        <source>The %1 scores %2: %3.</source>
+        <translation>Cause : %1, note %2 (%3).</translation>
+    </message>
+    <message>
+        <source>The score is partial: not entered: %1.</source>
+        <translation>La cote est partielle ; à saisir : %1.</translation>
+    </message>
+    <message>
+        <source>Twisted or bent sideways from 10° on, abducted from 45°, shoulder raised from 10°, wrist twist at its end beyond 75 % of the range (this program's choice).</source>
+        <translation>Tourné ou incliné à partir de 10°, écarté à partir de 45°, épaule levée à partir de 10°, torsion du poignet en fin de course au-delà de 75 % (choix de ce programme).</translation>
+    </message>
+    <message>
+        <source>What drives the score</source>
+        <translation>Ce qui détermine la cote</translation>
+    </message>
+    <message>
+        <source>What would bring it down: %1</source>
+        <translation>Ce qui l'abaisserait : %1</translation>
+    </message>
+    <message>
+        <source>Worst phase: %1 s to %2 s (%3 s), RULA %4</source>
+        <translation>Pire phase : %1 s à %2 s (%3 s), RULA %4</translation>
+    </message>
+    <message>
+        <source>Zone</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>Zones by part</source>
+        <translation>Zones par partie</translation>
+    </message>
+    <message>
+        <source>abducted</source>
+        <translation>écarté</translation>
+    </message>
+    <message>
+        <source>acceptable</source>
+        <translation>acceptable</translation>
+    </message>
+    <message>
+        <source>across or outside</source>
+        <translation>hors du plan</translation>
+    </message>
+    <message>
+        <source>activity</source>
+        <translation>activité</translation>
+    </message>
+    <message>
+        <source>arm supported</source>
+        <translation>bras soutenu</translation>
+    </message>
+    <message>
+        <source>arm supported, or fewer than 10 movements a minute</source>
+        <translation>bras soutenu, ou moins de 10 mouvements par minute</translation>
+    </message>
+    <message>
+        <source>arms</source>
+        <translation>bras</translation>
+    </message>
+    <message>
+        <source>arms at or above the shoulder</source>
+        <translation>bras à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>as early as possible</source>
+        <translation>dès que possible</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>tout de suite</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>dos</translation>
+    </message>
+    <message>
+        <source>bent</source>
+        <translation>penché</translation>
+    </message>
+    <message>
+        <source>bent and twisted or bent sideways</source>
+        <translation>penché et tourné ou incliné de côté</translation>
+    </message>
+    <message>
+        <source>bent sideways</source>
+        <translation>incliné de côté</translation>
+    </message>
+    <message>
+        <source>both at or above shoulder level</source>
+        <translation>les deux à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>both below shoulder level</source>
+        <translation>les deux sous l'épaule</translation>
+    </message>
+    <message>
+        <source>both feet</source>
+        <translation>deux pieds</translation>
+    </message>
+    <message>
+        <source>both feet bear</source>
+        <translation>appui sur les deux pieds</translation>
+    </message>
+    <message>
+        <source>both hands</source>
+        <translation>les deux mains</translation>
+    </message>
+    <message>
+        <source>climbing</source>
+        <translation>grimpant</translation>
+    </message>
+    <message>
+        <source>conditionally acceptable</source>
+        <translation>acceptable sous condition</translation>
+    </message>
+    <message>
+        <source>counts in</source>
+        <translation>compte dans</translation>
+    </message>
+    <message>
+        <source>coupling</source>
+        <translation>prise</translation>
+    </message>
+    <message>
+        <source>deviated</source>
+        <translation>dévié</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>détermine</translation>
+    </message>
+    <message>
+        <source>elbow</source>
+        <translation>coude</translation>
+    </message>
+    <message>
+        <source>elbow at the shoulder or above</source>
+        <translation>coude à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>end of range</source>
+        <translation>fin de course</translation>
+    </message>
+    <message>
+        <source>fewer than 2 movements a minute</source>
+        <translation>moins de 2 mouvements par minute</translation>
+    </message>
+    <message>
+        <source>fewer than 2 movements a minute, not held</source>
+        <translation>moins de 2 mouvements par minute, non tenu</translation>
+    </message>
+    <message>
+        <source>force, arm</source>
+        <translation>effort, bras</translation>
+    </message>
+    <message>
+        <source>force, body</source>
+        <translation>effort, corps</translation>
+    </message>
+    <message>
+        <source>from being seated</source>
+        <translation>pour être assis</translation>
+    </message>
+    <message>
+        <source>full trunk support</source>
+        <translation>tronc entièrement soutenu</translation>
+    </message>
+    <message>
+        <source>further away</source>
+        <translation>plus loin</translation>
+    </message>
+    <message>
+        <source>good grip</source>
+        <translation>bonne prise</translation>
+    </message>
+    <message>
+        <source>grip</source>
+        <translation>prise</translation>
+    </message>
+    <message>
+        <source>hands above the floor</source>
+        <translation>mains au-dessus du sol</translation>
+    </message>
+    <message>
+        <source>hands above the head</source>
+        <translation>mains au-dessus de la tête</translation>
+    </message>
+    <message>
+        <source>hands in front of the ankles</source>
+        <translation>mains devant les chevilles</translation>
+    </message>
+    <message>
+        <source>head forward</source>
+        <translation>tête en avant</translation>
+    </message>
+    <message>
+        <source>head inclination</source>
+        <translation>inclinaison de la tête</translation>
+    </message>
+    <message>
+        <source>heaviest class</source>
+        <translation>classe la plus lourde</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>élevé</translation>
+    </message>
+    <message>
+        <source>higher</source>
+        <translation>plus haut</translation>
+    </message>
+    <message>
+        <source>kneeling</source>
+        <translation>à genoux</translation>
+    </message>
+    <message>
+        <source>kneeling or crouching upright</source>
+        <translation>à genoux ou accroupi, droit</translation>
+    </message>
+    <message>
+        <source>kneeling or crouching, bent forward</source>
+        <translation>à genoux ou accroupi, penché</translation>
+    </message>
+    <message>
+        <source>knees</source>
+        <translation>genoux</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>left elbow</source>
+        <translation>coude gauche</translation>
+    </message>
+    <message>
+        <source>left knee</source>
+        <translation>genou gauche</translation>
+    </message>
+    <message>
+        <source>left lower arm</source>
+        <translation>avant-bras gauche</translation>
+    </message>
+    <message>
+        <source>left shoulder</source>
+        <translation>épaule gauche</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>bras gauche</translation>
+    </message>
+    <message>
+        <source>left wrist</source>
+        <translation>poignet gauche</translation>
+    </message>
+    <message>
+        <source>left wrist twist</source>
+        <translation>torsion du poignet gauche</translation>
+    </message>
+    <message>
+        <source>legs</source>
+        <translation>jambes</translation>
+    </message>
+    <message>
+        <source>lifts a minute</source>
+        <translation>levages par minute</translation>
+    </message>
+    <message>
+        <source>line of sight</source>
+        <translation>ligne de regard</translation>
+    </message>
+    <message>
+        <source>line of sight below level</source>
+        <translation>regard sous l'horizontale</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>charge</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>faible</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>plus bas</translation>
+    </message>
+    <message>
+        <source>lower arm across or outside</source>
+        <translation>avant-bras hors du plan</translation>
+    </message>
+    <message>
+        <source>lying</source>
+        <translation>couché</translation>
+    </message>
+    <message>
+        <source>man</source>
+        <translation>homme</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>mesuré</translation>
+    </message>
+    <message>
+        <source>measured within 1.5 deg of the limit</source>
+        <translation>mesuré à moins de 1,5° de la limite</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>moyen</translation>
+    </message>
+    <message>
+        <source>mid range</source>
+        <translation>mi-course</translation>
+    </message>
+    <message>
+        <source>muscle use, arm</source>
+        <translation>usage musculaire, bras</translation>
+    </message>
+    <message>
+        <source>muscle use, body</source>
+        <translation>usage musculaire, corps</translation>
+    </message>
+    <message>
+        <source>nearer</source>
+        <translation>plus près</translation>
+    </message>
+    <message>
+        <source>neck</source>
+        <translation>cou</translation>
+    </message>
+    <message>
+        <source>neck bent sideways</source>
+        <translation>cou incliné de côté</translation>
+    </message>
+    <message>
+        <source>neck twisted</source>
+        <translation>cou tourné</translation>
+    </message>
+    <message>
+        <source>negligible</source>
+        <translation>négligeable</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>not acceptable</source>
+        <translation>non acceptable</translation>
+    </message>
+    <message>
+        <source>not entered</source>
+        <translation>à saisir</translation>
+    </message>
+    <message>
+        <source>not held longer than the holding time</source>
+        <translation>pas tenu plus longtemps que la durée de maintien</translation>
+    </message>
+    <message>
+        <source>not reached, short by</source>
+        <translation>hors d'atteinte, il manque</translation>
+    </message>
+    <message>
+        <source>on one leg</source>
+        <translation>sur une jambe</translation>
+    </message>
+    <message>
+        <source>one at or above shoulder level</source>
+        <translation>un à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>one foot</source>
+        <translation>un pied</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>ou</translation>
+    </message>
+    <message>
+        <source>over 10 and up to 20 kg</source>
+        <translation>plus de 10 à 20 kg</translation>
+    </message>
+    <message>
+        <source>over 20 kg</source>
+        <translation>plus de 20 kg</translation>
+    </message>
+    <message>
+        <source>own table</source>
+        <translation>table propre</translation>
+    </message>
+    <message>
+        <source>raised</source>
+        <translation>épaule levée</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droit</translation>
+    </message>
+    <message>
+        <source>right elbow</source>
+        <translation>coude droit</translation>
+    </message>
+    <message>
+        <source>right knee</source>
+        <translation>genou droit</translation>
+    </message>
+    <message>
+        <source>right lower arm</source>
+        <translation>avant-bras droit</translation>
+    </message>
+    <message>
+        <source>right shoulder</source>
+        <translation>épaule droite</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>bras droit</translation>
+    </message>
+    <message>
+        <source>right wrist</source>
+        <translation>poignet droit</translation>
+    </message>
+    <message>
+        <source>right wrist twist</source>
+        <translation>torsion du poignet droit</translation>
+    </message>
+    <message>
+        <source>rotated</source>
+        <translation>tourné</translation>
+    </message>
+    <message>
+        <source>seated</source>
+        <translation>assis</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>épaule</translation>
+    </message>
+    <message>
+        <source>shoulder raised</source>
+        <translation>épaule levée</translation>
+    </message>
+    <message>
+        <source>sitting</source>
+        <translation>assis</translation>
+    </message>
+    <message>
+        <source>sitting upright</source>
+        <translation>assis droit</translation>
+    </message>
+    <message>
+        <source>sitting with back support</source>
+        <translation>assis avec dossier</translation>
+    </message>
+    <message>
+        <source>sitting, bent forward</source>
+        <translation>assis, penché en avant</translation>
+    </message>
+    <message>
+        <source>sitting, elbow at or above shoulder</source>
+        <translation>assis, coude à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>sitting, hands above head</source>
+        <translation>assis, mains au-dessus de la tête</translation>
+    </message>
+    <message>
+        <source>soon</source>
+        <translation>bientôt</translation>
+    </message>
+    <message>
+        <source>standing</source>
+        <translation>debout</translation>
+    </message>
+    <message>
+        <source>standing and walking in turn</source>
+        <translation>debout et marchant en alternance</translation>
+    </message>
+    <message>
+        <source>standing on one straight leg</source>
+        <translation>debout, une jambe tendue</translation>
+    </message>
+    <message>
+        <source>standing on two straight legs</source>
+        <translation>debout, deux jambes tendues</translation>
+    </message>
+    <message>
+        <source>standing or squatting on one bent leg</source>
+        <translation>une jambe fléchie</translation>
+    </message>
+    <message>
+        <source>standing or squatting on two bent legs</source>
+        <translation>deux jambes fléchies</translation>
+    </message>
+    <message>
+        <source>standing without support</source>
+        <translation>debout sans appui</translation>
+    </message>
+    <message>
+        <source>standing, bent forward 20 to 60 deg</source>
+        <translation>debout, penché de 20 à 60°</translation>
+    </message>
+    <message>
+        <source>standing, bent forward over 60 deg</source>
+        <translation>debout, penché de plus de 60°</translation>
+    </message>
+    <message>
+        <source>standing, elbow at or above shoulder</source>
+        <translation>debout, coude à l'épaule ou plus haut</translation>
+    </message>
+    <message>
+        <source>standing, hands above head</source>
+        <translation>debout, mains au-dessus de la tête</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>droit</translation>
+    </message>
+    <message>
+        <source>supported</source>
+        <translation>soutenu</translation>
+    </message>
+    <message>
+        <source>to the side</source>
+        <translation>de côté</translation>
+    </message>
+    <message>
+        <source>trunk</source>
+        <translation>tronc</translation>
+    </message>
+    <message>
+        <source>trunk bent sideways</source>
+        <translation>tronc incliné de côté</translation>
+    </message>
+    <message>
+        <source>trunk forward</source>
+        <translation>tronc en avant</translation>
+    </message>
+    <message>
+        <source>trunk inclination</source>
+        <translation>inclinaison du tronc</translation>
+    </message>
+    <message>
+        <source>trunk side bend</source>
+        <translation>inclinaison latérale du tronc</translation>
+    </message>
+    <message>
+        <source>trunk supported</source>
+        <translation>tronc soutenu</translation>
+    </message>
+    <message>
+        <source>trunk symmetry</source>
+        <translation>symétrie du tronc</translation>
+    </message>
+    <message>
+        <source>trunk twist</source>
+        <translation>torsion du tronc</translation>
+    </message>
+    <message>
+        <source>trunk twisted</source>
+        <translation>tronc tourné</translation>
+    </message>
+    <message>
+        <source>turned</source>
+        <translation>rotation</translation>
+    </message>
+    <message>
+        <source>twisted</source>
+        <translation>tourné</translation>
+    </message>
+    <message>
+        <source>twisted or bent sideways</source>
+        <translation>tourné ou incliné de côté</translation>
+    </message>
+    <message>
+        <source>up to 10 kg</source>
+        <translation>jusqu'à 10 kg</translation>
+    </message>
+    <message>
+        <source>upper arm</source>
+        <translation>bras</translation>
+    </message>
+    <message>
+        <source>upper arm abducted</source>
+        <translation>bras écarté</translation>
+    </message>
+    <message>
+        <source>upper arm elevation</source>
+        <translation>élévation du bras</translation>
+    </message>
+    <message>
+        <source>upper arm rotated</source>
+        <translation>bras tourné</translation>
+    </message>
+    <message>
+        <source>upper arm sideways</source>
+        <translation>bras de côté</translation>
+    </message>
+    <message>
+        <source>very high</source>
+        <translation>très élevé</translation>
+    </message>
+    <message>
+        <source>walking</source>
+        <translation>en marche</translation>
+    </message>
+    <message>
+        <source>way of the lift</source>
+        <translation>course du levage</translation>
+    </message>
+    <message>
+        <source>weight on both legs</source>
+        <translation>poids sur les deux jambes</translation>
+    </message>
+    <message>
+        <source>woman</source>
+        <translation>femme</translation>
+    </message>
+    <message>
+        <source>wrist</source>
+        <translation>poignet</translation>
+    </message>
+    <message>
+        <source>wrist deviated</source>
+        <translation>poignet dévié</translation>
+    </message>
+    <message>
+        <source>wrist twisted to its end</source>
+        <translation>torsion du poignet en fin de course</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
     </message>
 </context>
 </TS>

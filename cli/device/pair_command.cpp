@@ -39,7 +39,7 @@ Expected<std::string> tryKey(const ServerAddress& server, const haptic::PairingK
   }
   if (const auto device = link.device()) return device->name;
   return makeError({.file = server.host + ":" + std::to_string(server.port),
-                    .found = link.problem(),
+                    .found = english(link.problem()),
                     .fix = "Nothing was saved. Use --unchecked to save the code without a connection."});
 }
 

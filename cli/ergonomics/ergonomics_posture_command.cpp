@@ -81,7 +81,6 @@ Expected<Subject> subjectOfCell(const PostureOptions& options) {
   subject.input.posture = mannequin::toPosture(*found->figure, {found->X_WE, found->joints});
   if (const WorkTask* task = state.workTaskOf(found->name)) subject.input.task = *task;
   subject.input.subtitle = options.cell + ", " + found->name;
-  subject.input.source = "The posture in the cell.";
   return subject;
 }
 
@@ -141,7 +140,7 @@ Expected<Subject> subjectOf(const PostureOptions& options) {
     subject->input.logo = std::move(*logo);
   }
   subject->input.company = options.company;
-  subject->input.language = options.language == "fr" ? Language::kFrench : Language::kEnglish;
+  subject->input.language = languageOf(options.language);
   subject->input.date = options.date.empty() ? today() : options.date;
   return subject;
 }

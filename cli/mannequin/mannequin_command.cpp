@@ -140,7 +140,8 @@ void describe(const Figure& figure, const Posture& posture, bool measure, ordere
   document["balance_margin"] = supportPolygon(figure, feetOf(pose)).margin(glm::dvec2(com));
   document["hands"] = {{"left", toJson(handPose(pose, Side::kLeft))}, {"right", toJson(handPose(pose, Side::kRight))}};
   document["root"] = toJson(posture.X_WR);
-  document["limits_exceeded"] = limitViolations(posture);
+  auto& exceeded = document["limits_exceeded"] = ordered_json::array();
+  for (const LimitViolation& violation : limitViolations(posture)) exceeded.push_back(english(textOf(violation)));
   if (!measure) return;
   document["dimensions"] = dimensionsOf(figure);
   document["segments"] = segmentsOf(figure, pose);

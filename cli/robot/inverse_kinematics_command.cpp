@@ -97,7 +97,7 @@ ordered_json alternatives(const RobotWithTip& robot, const std::vector<kinematic
   for (const kinematics::ListedSolution& one : all) {
     add(one.q, one.configuration, one.within_limits);
     if (!one.maker_flags.empty()) solutions.back()["maker_flags"] = one.maker_flags;
-    if (!one.reason.empty()) solutions.back()["reason"] = one.reason;
+    if (!one.reason.empty()) solutions.back()["reason"] = english(one.reason);
   }
   return solutions;
 }

@@ -46,7 +46,7 @@ class TcpLink::Connection {
   explicit Connection(const TcpLinkOptions& options)
       : options_(options), resolver_(context_), retry_timer_(context_), heartbeat_timer_(context_), socket_(context_) {
     if (options_.key) secure_.emplace(SecureStreams::Side::kClient, *options_.key);
-    problem_ = "Connecting to the haptic server at " + server() + ".";
+    problem_ = {Text("Connecting to the haptic server at %1.", server())};
     connect();
     beat();
     thread_ = std::thread([this] { run(); });
@@ -74,9 +74,9 @@ class TcpLink::Connection {
 
   LinkState state() const { return state_.load(std::memory_order_acquire); }
 
-  std::string problem() const {
+  LinkProblem problem() const {
     const std::scoped_lock lock(mutex_);
-    return state() == LinkState::kConnected ? std::string() : problem_;
+    return state() == LinkState::kConnected ? LinkProblem() : problem_;
   }
 
   std::optional<DeviceDescription> device() const {
@@ -98,7 +98,7 @@ class TcpLink::Connection {
   void takeOver() {
     asio::post(context_, [this] {
       take_over_ = true;
-      lose("Taking the stylus.");
+      lose({Text("Taking the stylus.")});
     });
   }
 
@@ -130,12 +130,12 @@ class TcpLink::Connection {
       try {
         context_.run();
       } catch (const std::exception& failure) {
-        lose(std::string("The link to the haptic server failed: ") + failure.what() + ".");
+        lose({Text("The link to the haptic server failed: %1.", failure.what())});
       }
     }
   }
 
-  void become(LinkState state, std::string problem) {
+  void become(LinkState state, LinkProblem problem) {
     const std::scoped_lock lock(mutex_);
     problem_ = std::move(problem);
     state_.store(state, std::memory_order_release);
@@ -157,10 +157,9 @@ class TcpLink::Connection {
                                     [](const auto& entry) { return !entry.endpoint().address().is_loopback(); });
     if (leaves && !options_.key) {
       connecting_ = false;
-      return lose("This station has no key for the haptic server at " + server() +
-                  ". Show one there with "
-                  "hapticell-haptic-server --pair, and type it here: hapticell-cli pair " +
-                  server() + ".");
+      return lose({Text("This station has no key for the haptic server at %1.", server()),
+                   Text("Show one there with hapticell-haptic-server --pair, and type it here: hapticell-cli pair %1.",
+                        server())});
     }
     socket_ = tcp::socket(context_);
     asio::async_connect(socket_, endpoints, [this](std::error_code failed, const tcp::endpoint&) {
@@ -172,7 +171,7 @@ class TcpLink::Connection {
 
   void failAttempt() {
     connecting_ = false;
-    lose("No haptic server answers at " + server() + ". Start hapticell-haptic-server.");
+    lose({Text("No haptic server answers at %1.", server()), Text("Start hapticell-haptic-server.")});
   }
 
   void open() {
@@ -185,13 +184,7 @@ class TcpLink::Connection {
             .message = [this](const Message& message) { hear(message); },
             .garbage = [this](const Error&) { lose(stranger()); },
             .stranger = [this](HandshakeFailure failure, const std::string& why) { lose(noHandshake(failure, why)); },
-            .closed =
-                [this] {
-                  lose("The haptic server at " + server() + " closed the connection" +
-                       (welcomed_ || secure_ ? "."
-                                             : " at once: it may be one that wants a key "
-                                               "(hapticell-cli pair), or busy with many connections."));
-                }});
+            .closed = [this] { lose(closedByServer()); }});
     stream_->start();
     stream_->send(encoder_.encode(Message(Hello{.protocol_version = kProtocolVersion,
                                                 .kind = options_.kind,
@@ -202,29 +195,37 @@ class TcpLink::Connection {
   }
 
   /// What helps differs: only another key wants new pairing.
-  std::string noHandshake(HandshakeFailure failure, const std::string& why) const {
-    const std::string at = "The haptic server at " + server();
+  LinkProblem noHandshake(HandshakeFailure failure, const std::string& why) const {
     if (failure == HandshakeFailure::kEnded)
-      return at + " is there, but " + why +
-             ": it may be busy with many connections. HaptiCell tries again by itself; the key that is kept stays "
-             "good.";
-    const std::string text = at + " and this station do not have the same key: " + why + ". ";
+      return {Text("The haptic server at %1 is there, but %2: it may be busy with many connections.", server(), why),
+              Text("HaptiCell tries again by itself; the key that is kept stays good.")};
+    const Text what("The haptic server at %1 and this station do not have the same key: %2.", server(), why);
     if (failure == HandshakeFailure::kOtherSpeech)
-      return text +
-             "Start the server with its key (hapticell-haptic-server --listen ADDRESS), or see what else answers "
-             "there.";
-    return text + "Pair them anew: hapticell-haptic-server --pair there, hapticell-cli pair here.";
+      return {what, Text("Start the server with its key (hapticell-haptic-server --listen ADDRESS), or see what else "
+                         "answers there.")};
+    return {what, Text("Pair them anew: hapticell-haptic-server --pair there, hapticell-cli pair here.")};
   }
 
-  std::string stranger() const {
-    return "What answers at " + server() + " is not a haptic server of this release" +
-           (secure_ ? "." : ", or one that wants a key (hapticell-cli pair).");
+  LinkProblem closedByServer() const {
+    if (welcomed_ || secure_) return {Text("The haptic server at %1 closed the connection.", server())};
+    return {
+        Text("The haptic server at %1 closed the connection at once: it may be one that wants a key "
+             "(hapticell-cli pair), or busy with many connections.",
+             server())};
+  }
+
+  LinkProblem stranger() const {
+    if (secure_) return {Text("What answers at %1 is not a haptic server of this release.", server())};
+    return {
+        Text("What answers at %1 is not a haptic server of this release, or one that wants a key "
+             "(hapticell-cli pair).",
+             server())};
   }
 
   void hear(const Message& message) {
     heard_ = nowNanoseconds();
     if (const auto* welcome = std::get_if<Welcome>(&message)) return hearWelcome(*welcome);
-    if (const auto* refusal = std::get_if<Refusal>(&message)) return lose(refusal->sentence, LinkState::kRefused);
+    if (const auto* refusal = std::get_if<Refusal>(&message)) return lose(problemOf(*refusal), LinkState::kRefused);
     if (!welcomed_) return;
     if (const auto* state = std::get_if<HapticState>(&message)) {
       presses.hear(state->buttons);
@@ -257,7 +258,7 @@ class TcpLink::Connection {
     sendHeartbeat();
   }
 
-  void lose(std::string problem, LinkState state = LinkState::kDisconnected) {
+  void lose(LinkProblem problem, LinkState state = LinkState::kDisconnected) {
     if (stream_) stream_->close();
     stream_.reset();
     // A refusal stays to be read until an attempt has another outcome.
@@ -290,7 +291,7 @@ class TcpLink::Connection {
   void beat() {
     const double silence = 1e-9 * static_cast<double>(nowNanoseconds() - (connecting_ ? attempt_began_ : heard_));
     if (stream_ && silence > options_.silence_time) {
-      lose("The haptic server at " + server() + " does not answer any more.");
+      lose({Text("The haptic server at %1 does not answer any more.", server())});
     } else if (stream_ && welcomed_) {
       sendHeartbeat();
     } else if (connecting_ && silence > 4.0 * options_.silence_time) {
@@ -319,7 +320,7 @@ class TcpLink::Connection {
   std::atomic<LinkState> state_{LinkState::kConnecting};
   std::atomic<bool> wake_pending_{false}, controls_stylus_{false};
   mutable std::mutex mutex_;
-  std::string problem_;
+  LinkProblem problem_;
   Welcome welcome_;
   std::optional<DeviceCondition> condition_;
   std::thread thread_;
@@ -347,7 +348,7 @@ LinkState TcpLink::linkState() const {
   return connection_->state();
 }
 
-std::string TcpLink::problem() const {
+LinkProblem TcpLink::problem() const {
   return connection_->problem();
 }
 

@@ -41,7 +41,7 @@ class TcpLink final : public HapticLink {
   ~TcpLink() override;
 
   LinkState linkState() const override;
-  std::string problem() const override;
+  LinkProblem problem() const override;
   std::optional<DeviceDescription> device() const override;
   /// The role that the server granted; kController before the first connection.
   ClientKind grantedKind() const;

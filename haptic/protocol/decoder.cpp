@@ -91,8 +91,13 @@ Expected<void> read(const wire::Welcome& from, Welcome& to) {
 
 Expected<void> read(const wire::Refusal& from, Refusal& to) {
   auto sentence = text(from.sentence(), "Refusal.sentence");
+  auto subject = text(from.subject(), "Refusal.subject");
   HAPTICELL_TRY(sentence);
-  to.sentence = std::move(*sentence);
+  HAPTICELL_TRY(subject);
+  // A server of a later release may have more reasons; its sentence tells them.
+  const bool known = from.reason() <= wire::RefusalReason_MAX;
+  to = {std::move(*sentence), known ? static_cast<RefusalReason>(from.reason()) : RefusalReason::kOther,
+        std::move(*subject)};
   return {};
 }
 

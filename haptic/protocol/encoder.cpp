@@ -38,7 +38,8 @@ Offset<wire::Welcome> write(FlatBufferBuilder& builder, const Welcome& welcome) 
 }
 
 Offset<wire::Refusal> write(FlatBufferBuilder& builder, const Refusal& refusal) {
-  return wire::CreateRefusal(builder, text(builder, refusal.sentence));
+  const auto sentence = text(builder, refusal.sentence), subject = text(builder, refusal.subject);
+  return wire::CreateRefusal(builder, sentence, static_cast<wire::RefusalReason>(refusal.reason), subject);
 }
 
 Offset<wire::Constraint> write(FlatBufferBuilder& builder, const Constraint& constraint) {

@@ -102,9 +102,21 @@ struct Welcome {
   DeviceDescription device{};
 };
 
+/// Why a server does not serve a client.
+enum class RefusalReason : std::uint8_t {
+  kOther,          ///< Only the sentence says why.
+  kControlled,     ///< Another program controls the stylus.
+  kTakenOver,      ///< Another program took the stylus.
+  kSilent,         ///< Another program took the stylus after a long silence.
+  kFull,           ///< There are as many connections as the server takes.
+  kFullOfMachine,  ///< As kFull, from the client's machine.
+};
+
 /// The server's last message to a client that it refuses; then the connection closes.
 struct Refusal {
-  std::string sentence{};
+  std::string sentence{};  ///< English, for every reason; problemOf() has it in parts.
+  RefusalReason reason = RefusalReason::kOther;
+  std::string subject{};  ///< The other program, or the number of connections.
 };
 
 /// Sent by the client every kHeartbeatPeriod (kQuickHeartbeatPeriod) from its network thread and answered at once by

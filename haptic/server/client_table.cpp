@@ -7,6 +7,7 @@
 
 #include "geometry/system/plain_text.h"
 #include "haptic/devices/device_care.h"
+#include "haptic/protocol/link_problem.h"
 #include "haptic/server/clock.h"
 #include "haptic/server/force_loop.h"
 
@@ -169,27 +170,26 @@ void ClientTable::hearHello(Client& client, const Hello& hello) {
   const bool controls = hello.kind == ClientKind::kController && grantControl(client, hello);
   if (controls) return welcome(client, ClientKind::kController);
   if (hello.kind == ClientKind::kWatcher || hello.accept_watching) {
-    const std::string full = crowded(client);
-    return full.empty() ? welcome(client, ClientKind::kWatcher) : refuse(client, full);
+    const std::optional<Refusal> full = crowded(client);
+    return full ? refuse(client, *full) : welcome(client, ClientKind::kWatcher);
   }
-  refuse(client, "Another program (" + controller_->name + ") controls the stylus. Close it, or connect as a watcher.");
+  refuse(client, {.reason = RefusalReason::kControlled, .subject = controller_->name});
 }
 
 /// Why no more may watch; empty: there is room.
-std::string ClientTable::crowded(const Client& client) const {
+std::optional<Refusal> ClientTable::crowded(const Client& client) const {
   std::size_t all = 0, of_address = 0;
   for (const auto& other : clients_) {
     if (other->gone || other->stream->finishing() || other->kind != ClientKind::kWatcher) continue;
     ++all;
     of_address += other->network == client.network ? 1 : 0;
   }
-  const std::string advice = " Close a window or program that watches.";
   if (all >= options_.max_clients)
-    return "The haptic server has its " + std::to_string(options_.max_clients) + " connections already." + advice;
+    return Refusal{.reason = RefusalReason::kFull, .subject = std::to_string(options_.max_clients)};
   const bool here = client.network.starts_with("127.") || client.network.starts_with("::/");
   if (!here && of_address >= options_.max_clients_of_address)
-    return "The haptic server has " + std::to_string(of_address) + " connections from this machine already." + advice;
-  return {};
+    return Refusal{.reason = RefusalReason::kFullOfMachine, .subject = std::to_string(of_address)};
+  return std::nullopt;
 }
 
 bool ClientTable::controllerIsSilent() const {
@@ -199,11 +199,11 @@ bool ClientTable::controllerIsSilent() const {
 bool ClientTable::grantControl(Client& client, const Hello& hello) {
   if (controller_ != nullptr && hello.take_over) {
     Client& before = *controller_;
-    refuse(before, client.name + " took the stylus.");
+    refuse(before, {.reason = RefusalReason::kTakenOver, .subject = client.name});
   } else if (controller_ != nullptr && controllerIsSilent() && !hello.accept_watching) {
     // One that would watch leaves it to its user.
     Client& silent = *controller_;
-    refuse(silent, "Silent for too long: " + client.name + " controls the stylus now.");
+    refuse(silent, {.reason = RefusalReason::kSilent, .subject = client.name});
   }
   return controller_ == nullptr;
 }
@@ -226,15 +226,20 @@ void ClientTable::welcome(Client& client, ClientKind kind) {
 }
 
 void ClientTable::refuse(Client& client, const std::string& sentence) {
+  refuse(client, Refusal{.sentence = sentence});
+}
+
+void ClientTable::refuse(Client& client, Refusal refusal) {
   if (client.gone || client.stream->finishing()) return;
+  refusal.sentence = english(problemOf(refusal));
   if (&client == controller_) {
     controller_ = nullptr;
     loop_.closeLink();
   }
-  report(ReportBudget::Kind::kRefused, "Refused " + client.name + ": " + sentence);
+  report(ReportBudget::Kind::kRefused, "Refused " + client.name + ": " + refusal.sentence);
   limitFarewells();
   client.since_ns = clock_.now();
-  client.stream->send(encoder_.encode(Message(Refusal{sentence})));
+  client.stream->send(encoder_.encode(Message(std::move(refusal))));
   client.stream->finish();
 }
 

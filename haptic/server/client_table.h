@@ -57,7 +57,7 @@ class ClientTable {
   bool makeRoom(const std::string& network);
   void dropOldest(const std::string& network);
   void limitFarewells();
-  std::string crowded(const Client& client) const;
+  std::optional<Refusal> crowded(const Client& client) const;
   void opened(Client& client);
   void hear(Client& client, const Message& message);
   void hearHello(Client& client, const Hello& hello);
@@ -66,6 +66,7 @@ class ClientTable {
   void welcome(Client& client, ClientKind kind);
   void submitSet(const Client& client, const ConstraintSet& set);
   void refuse(Client& client, const std::string& sentence);
+  void refuse(Client& client, Refusal refusal);
   void drop(Client& client, const std::string& why);
   void report(ReportBudget::Kind kind, const std::string& sentence);
   void report(const Client& client, const std::string& sentence);

@@ -101,8 +101,8 @@ LinkState InMemoryLink::linkState() const {
   return connected_ ? LinkState::kConnected : LinkState::kDisconnected;
 }
 
-std::string InMemoryLink::problem() const {
-  return connected_ ? "" : "The link in memory is closed.";
+LinkProblem InMemoryLink::problem() const {
+  return connected_ ? LinkProblem() : LinkProblem{Text("The link in memory is closed.")};
 }
 
 std::optional<DeviceDescription> InMemoryLink::device() const {

@@ -44,7 +44,7 @@ class InMemoryLink final : public HapticLink {
   void connect();
 
   LinkState linkState() const override;
-  std::string problem() const override;
+  LinkProblem problem() const override;
   std::optional<DeviceDescription> device() const override;
   std::optional<HapticState> latestState() override;
   std::optional<ServerStatistics> latestStatistics() override;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
+#include "haptic/protocol/link_problem.h"
 #include "haptic/protocol/messages.h"
 
 namespace hapticell::haptic {
@@ -20,7 +20,7 @@ class HapticLink {
  public:
   virtual ~HapticLink() = default;
   virtual LinkState linkState() const = 0;
-  virtual std::string problem() const = 0;                      ///< A sentence if not connected.
+  virtual LinkProblem problem() const = 0;                      ///< Empty if connected.
   virtual std::optional<DeviceDescription> device() const = 0;  ///< Set once connected.
   /// The newest state since the last call, if any. Its buttons include those that were pressed between the calls,
   /// however briefly.

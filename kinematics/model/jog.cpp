@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "geometry/system/assertion.h"
@@ -41,14 +40,20 @@ std::size_t fastest(const std::vector<double>& from, const std::vector<double>& 
   return worst;
 }
 
+/// An angle, or a slide's length.
+Text::Argument motionOf(const Joint& joint, double amount) {
+  if (joint.type == JointType::kPrismatic) return Text::Length{amount};
+  return Text::Angle{amount};
+}
+
 /// Why the next piece cannot be followed.
-std::string reasonAt(const RobotModel& model, const std::vector<double>& q, const InverseSolution& tried) {
+Text reasonAt(const RobotModel& model, const std::vector<double>& q, const InverseSolution& tried) {
   double swing = 0.0;
   const std::size_t worst = fastest(q, tried.q, swing);
-  if (const std::string limit = nearestLimitText(model, tried.q, kAtLimit); !limit.empty()) return limit;
+  if (Text limit = nearestLimitText(model, tried.q, kAtLimit); !limit.empty()) return limit;
   if (tried.status == InverseStatus::kSolved || swing > kLargestSwing)
-    return "near a singularity " + jointOf(model, worst).name + " would have to swing round";
-  return "the arm is at the edge of its reach";
+    return Text("near a singularity %1 would have to swing round", jointOf(model, worst).name);
+  return Text("the arm is at the edge of its reach");
 }
 
 }  // namespace
@@ -99,9 +104,9 @@ JogResult jogTool(const JogRobot& robot, const std::vector<double>& q_now, const
   return result;
 }
 
-std::string nearestLimitText(const RobotModel& model, const std::vector<double>& q, double near) {
+Text nearestLimitText(const RobotModel& model, const std::vector<double>& q, double near) {
   HAPTICELL_DEMAND(q.size() == model.dof());
-  std::string text;
+  Text text;
   for (std::size_t i = 0; i < q.size(); ++i) {
     const Joint& joint = jointOf(model, i);
     const double to_lower = q[i] - joint.lower, to_upper = joint.upper - q[i];
@@ -113,18 +118,19 @@ std::string nearestLimitText(const RobotModel& model, const std::vector<double>&
   return text;
 }
 
-std::string limitText(const Joint& joint, double left, bool upper) {
-  const bool turns = joint.type != JointType::kPrismatic;
-  const double shown = turns ? left * 180.0 / std::numbers::pi : left * 1000.0;
-  const char* side = upper ? "upper" : "lower";
-  char text[160];
-  if (shown < 0.05) {
-    std::snprintf(text, sizeof text, "%.100s is at its %s limit", joint.name.c_str(), side);
-  } else {
-    std::snprintf(text, sizeof text, "%.100s is %.1f %s from its %s limit", joint.name.c_str(), shown,
-                  turns ? "deg" : "mm", side);
-  }
-  return text;
+Text limitText(const Joint& joint, double left, bool upper) {
+  constexpr double kShownDegrees = 0.05, kShownMillimetres = 0.05;
+  const bool is_there = joint.type == JointType::kPrismatic ? left * 1000.0 < kShownMillimetres
+                                                            : left * 180.0 / std::numbers::pi < kShownDegrees;
+  if (is_there)
+    return upper ? Text("%1 is at its upper limit", joint.name) : Text("%1 is at its lower limit", joint.name);
+  return upper ? Text("%1 is %2 from its upper limit", joint.name, motionOf(joint, left))
+               : Text("%1 is %2 from its lower limit", joint.name, motionOf(joint, left));
+}
+
+Text beyondLimitText(const Joint& joint, double over, bool upper) {
+  return upper ? Text("%1 would be %2 over its upper limit", joint.name, motionOf(joint, over))
+               : Text("%1 would be %2 under its lower limit", joint.name, motionOf(joint, over));
 }
 
 }  // namespace hapticell::kinematics

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "kinematics/model/inverse_model.h"
 #include "kinematics/model/robot_model.h"
 
@@ -32,7 +32,7 @@ Pose jogged(const Pose& X_WT, const Pose& X_WB, const JogStep& step);
 struct JogResult {
   std::vector<double> q;  ///< As far as it goes: one a variable, within limits.
   bool complete = true;   ///< False: something held it back.
-  std::string reason;     ///< Why, where it is not complete: "A5 is at its upper limit".
+  Text reason;            ///< Why, where it is not complete: "A5 is at its upper limit".
 };
 
 /// Moves one variable by `amount` (rad or m), at most to its limit. `q_now` has one number a variable (contract).
@@ -55,9 +55,12 @@ JogResult jogTool(const JogRobot& robot, const std::vector<double>& q_now, const
 
 /// "A5 is 1.2 deg from its upper limit", "Z is at its lower limit": what stands nearest to a limit at `q`; empty where
 /// nothing is within `near` of one (rad; a slide's metre counts as a radian).
-std::string nearestLimitText(const RobotModel& model, const std::vector<double>& q, double near);
+Text nearestLimitText(const RobotModel& model, const std::vector<double>& q, double near);
 
 /// "A5 is 1.2 deg from its upper limit", or "A5 is at its upper limit" within 0.05 deg (or mm).
-std::string limitText(const Joint& joint, double left, bool upper);
+Text limitText(const Joint& joint, double left, bool upper);
+
+/// "A5 would be 12.3 deg over its upper limit".
+Text beyondLimitText(const Joint& joint, double over, bool upper);
 
 }  // namespace hapticell::kinematics

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numbers>
 
 #include "geometry/system/assertion.h"
+#include "kinematics/model/jog.h"
 #include "kinematics/model/turns.h"
 
 namespace hapticell::kinematics {
@@ -35,12 +34,7 @@ void explain(const RobotModel& model, const std::vector<int>& variables, ListedS
   }
   if (listed.limiting_joint < 0) return;
   const Joint& joint = model.joints[static_cast<std::size_t>(listed.limiting_joint)];
-  const bool slides = joint.type == JointType::kPrismatic;
-  char text[200];
-  std::snprintf(text, sizeof text, "%.100s would be %.1f %s %s limit", joint.name.c_str(),
-                worst * (slides ? 1000.0 : 180.0 / std::numbers::pi), slides ? "mm" : "deg",
-                upper ? "over its upper" : "under its lower");
-  listed.reason = text;
+  listed.reason = beyondLimitText(joint, worst, upper);
 }
 
 void measure(const RobotModel& model, const std::vector<int>& variables, const std::vector<double>& q_now,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "kinematics/model/configuration_flags.h"
 #include "kinematics/model/inverse_model.h"
 #include "kinematics/model/robot_model.h"
@@ -14,7 +15,7 @@ namespace hapticell::kinematics {
 struct ListedSolution {
   std::vector<double> q;  ///< One a variable of the model; those that do not move the tip as they stand now.
   bool within_limits = false;
-  std::string reason;         ///< Empty, or why it is out: "A5 would be 12.3 deg over its upper limit".
+  Text reason;                ///< Empty, or why it is out: "A5 would be 12.3 deg over its upper limit".
   int limiting_joint = -1;    ///< Index among the model's joints of the worst one; -1 where none is over.
   std::string configuration;  ///< "front, elbow up, wrist not flipped"; see configurationName().
   std::string maker_flags;    ///< "S 2, T 35" and the like; empty where the maker or the shape is unknown.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <set>
 
 #include "kinematics/model/jog.h"
@@ -41,12 +40,9 @@ Expected<void> checkLimits(const workcell::Entity& entity, const std::vector<dou
     const kinematics::Joint& joint = model.joints[static_cast<std::size_t>(model.moving[i])];
     const double over = std::max(joints[i] - joint.upper, joint.lower - joints[i]);
     if (over <= kSlack) continue;
-    const bool slides = joint.type == kinematics::JointType::kPrismatic;
-    char text[160];
-    std::snprintf(text, sizeof text, "%.100s would be %.1f %s %s limit", joint.name.c_str(),
-                  over * (slides ? 1000.0 : 180.0 / std::numbers::pi), slides ? "mm" : "deg",
-                  joints[i] > joint.upper ? "over its upper" : "under its lower");
-    return makeError(jointRefusal("entity '" + entity.name + "'", text, "a position within the joint's limits"));
+    return makeError(jointRefusal("entity '" + entity.name + "'",
+                                  english(kinematics::beyondLimitText(joint, over, joints[i] > joint.upper)),
+                                  "a position within the joint's limits"));
   }
   return {};
 }
@@ -59,11 +55,16 @@ Expected<std::unique_ptr<HeldEntity>> takeAt(std::shared_ptr<const PreparedScene
                           configuration);
 }
 
-std::string meeting(const PreparedScene& scene, const workcell::Entity& entity, const HeldPair& pair) {
+/// What would meet what.
+struct Meeting {
+  std::string moved, met;
+  bool own = false;
+};
+Meeting meetingOf(const PreparedScene& scene, const workcell::Entity& entity, const HeldPair& pair) {
   const std::string moved = pair.moved_part.empty() ? entity.name : pair.moved_part;
+  if (pair.other == entity.id) return {moved, pair.other_part, true};
   const workcell::Entity* other = scene.find(pair.other);
-  const std::string what = pair.other == entity.id ? "its own " + pair.other_part : other ? other->name : "something";
-  return moved + " would touch " + what;
+  return {moved, other != nullptr ? other->name : "?"};
 }
 
 double timeFor(const kinematics::RobotModel& model, const std::vector<double>& from, const std::vector<double>& to) {
@@ -104,16 +105,18 @@ Expected<JointMotion> checkJointMotion(std::shared_ptr<const PreparedScene> scen
   if (way.blocked) {
     const HeldPair& pair = (*held)->pairs()[way.pair];
     if (const workcell::Entity* other = scene->find(pair.other)) motion.obstacle = other->name;
-    char text[64];
-    std::snprintf(text, sizeof text, " after %.0f %% of the way", 100.0 * way.share);
-    motion.reason = meeting(*scene, **entity, pair) + text;
+    const Meeting meeting = meetingOf(*scene, **entity, pair);
+    const auto percent = static_cast<std::int64_t>(std::nearbyint(100.0 * way.share));
+    motion.reason = meeting.own
+                        ? Text("%1 would touch its own %2 after %3 % of the way", meeting.moved, meeting.met, percent)
+                        : Text("%1 would touch %2 after %3 % of the way", meeting.moved, meeting.met, percent);
   }
   motion.command = {id, motion.joints};
   return motion;
 }
 
-Expected<std::string> collisionAt(std::shared_ptr<const PreparedScene> scene, workcell::EntityId id,
-                                  const std::vector<double>& joints, const config::Configuration& configuration) {
+Expected<Text> collisionAt(std::shared_ptr<const PreparedScene> scene, workcell::EntityId id,
+                           const std::vector<double>& joints, const config::Configuration& configuration) {
   const auto entity = robotOf(*scene, id, joints);
   HAPTICELL_TRY(entity);
   auto now = takeAt(scene, **entity, (*entity)->joints, configuration);
@@ -122,9 +125,12 @@ Expected<std::string> collisionAt(std::shared_ptr<const PreparedScene> scene, wo
   HAPTICELL_TRY(then);
   const std::set<std::uint32_t> already = touching(**now);
   for (const std::uint32_t pair : touching(**then)) {
-    if (already.count(pair) == 0) return meeting(*scene, **entity, (*then)->pairs()[pair]);
+    if (already.count(pair) != 0) continue;
+    const Meeting meeting = meetingOf(*scene, **entity, (*then)->pairs()[pair]);
+    return meeting.own ? Text("%1 would touch its own %2", meeting.moved, meeting.met)
+                       : Text("%1 would touch %2", meeting.moved, meeting.met);
   }
-  return std::string{};
+  return Text();
 }
 
 }  // namespace hapticell::manipulation

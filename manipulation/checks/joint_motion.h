@@ -7,6 +7,7 @@
 
 #include "config/configuration.h"
 #include "geometry/system/error.h"
+#include "geometry/system/text.h"
 #include "manipulation/holding/held_entity.h"
 #include "workcell/document/command.h"
 
@@ -17,7 +18,7 @@ struct JointMotion {
   std::vector<double> joints;  ///< End of the motion: the requested joints, or the last free ones before the obstacle.
   bool complete = true;
   double share = 1.0;           ///< Free share of the motion, 0 .. 1.
-  std::string reason;           ///< If it is not complete: "link_4 would touch Fixture after 43 % of the way".
+  Text reason;                  ///< If it is not complete: "link_4 would touch Fixture after 43 % of the way".
   double time_s = 0.0;          ///< Duration of the complete motion with the slowest joint at its greatest speed.
   std::string obstacle;         ///< Name of the blocking entity; empty if the motion is free.
   workcell::SetJoints command;  ///< Moves the robot to `joints`: the undo step.
@@ -33,7 +34,7 @@ Expected<JointMotion> checkJointMotion(std::shared_ptr<const PreparedScene> scen
 
 /// The collision of the robot at `joints`, except those that it already has: "link_4 would touch Fixture", or empty.
 /// The motion to `joints` is not checked. Errors as above, but limits are not checked.
-Expected<std::string> collisionAt(std::shared_ptr<const PreparedScene> scene, workcell::EntityId entity,
+Expected<Text> collisionAt(std::shared_ptr<const PreparedScene> scene, workcell::EntityId entity,
                                   const std::vector<double>& joints, const config::Configuration& configuration);
 
 }  // namespace hapticell::manipulation

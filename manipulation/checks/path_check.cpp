@@ -285,7 +285,7 @@ class PathWalk {
         collisions_(bodies_, manipulator_, options.look),
         before_(held.accepted()) {
     if (entity.kind == EntityKind::kRobot && entity.robot != nullptr) joints_.emplace(entity);
-    if (!held.leftOutNote().empty()) result_.notes.push_back(held.leftOutNote());
+    if (!held.leftOutNote().empty()) result_.notes.push_back(english(held.leftOutNote()));
   }
 
   PathCheckResult run(const Trajectory& trajectory, const std::vector<std::size_t>& columns) {

@@ -127,7 +127,7 @@ Promises workplacePromises(const WorkplaceQuestion& question, const WorkplaceCel
                              name});
     promises.list.push_back({"hands_" + name, kGripTolerance, gripError(*shown, figure, posture, shift), "m", name});
     promises.list.push_back({"joints_beyond_" + name, 0.0, static_cast<double>(beyond.size()), "joints",
-                             beyond.empty() ? "" : name + ", " + beyond.front()});
+                             beyond.empty() ? "" : name + ", " + english(textOf(beyond.front()))});
     promises.list.push_back({"entered_" + name, 0.0, entered.empty() ? 0.0 : 1.0, "parts",
                              entered.empty() ? "" : name + " in " + entered});
   }

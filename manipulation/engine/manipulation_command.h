@@ -10,6 +10,7 @@
 
 #include "geometry/shapes/pose.h"
 #include "geometry/system/error.h"
+#include "geometry/system/text.h"
 #include "haptic/protocol/messages.h"
 #include "manipulation/holding/motion_mapping.h"
 #include "manipulation/manipulators/moved_by.h"
@@ -157,7 +158,7 @@ struct Moved {
 };
 /// A message to the user.
 struct Notice {
-  std::string sentence;
+  Text sentence;
 };
 
 /// A recording ended: one trajectory for each entity that moved, in the order of their first motion. Empty if none

@@ -138,12 +138,13 @@ struct ManipulationLoop::Worker {
       const std::lock_guard lock(mutex);
       preparing = false;
       if (!had_memory) {
-        results.push_back(result::Notice{
-            "There was not enough memory to prepare the contacts: what was changed is not felt. Remove large parts"});
+        results.push_back(result::Notice{Text(
+            "There was not enough memory to prepare the contacts: what was changed is not felt. Remove large parts")});
         continue;
       }
       if (!made) {
-        results.emplace_back(result::Notice{"Preparing the contacts was given up: what was changed is not felt yet"});
+        results.emplace_back(
+            result::Notice{Text("Preparing the contacts was given up: what was changed is not felt yet")});
         continue;
       }
       ready_scene = made;

@@ -3,12 +3,12 @@
 
 namespace hapticell::manipulation {
 
-void ResultLog::notice(const std::string& sentence) {
-  results_.emplace_back(result::Notice{sentence});
+void ResultLog::notice(Text sentence) {
+  results_.emplace_back(result::Notice{std::move(sentence)});
 }
 
-void ResultLog::noticeOnce(const std::string& sentence) {
-  if (told_.insert(sentence).second) notice(sentence);
+void ResultLog::noticeOnce(Text sentence) {
+  if (told_.insert(english(sentence)).second) notice(std::move(sentence));
 }
 
 std::vector<Result> ResultLog::take() {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "manipulation/engine/manipulation_command.h"
 
 namespace hapticell::manipulation {
@@ -19,9 +20,9 @@ class ResultLog {
     results_.emplace_back(std::move(result));
   }
   /// A sentence for the user.
-  void notice(const std::string& sentence);
+  void notice(Text sentence);
   /// Adds a sentence only if it was not added before.
-  void noticeOnce(const std::string& sentence);
+  void noticeOnce(Text sentence);
   /// The results added since the last call.
   std::vector<Result> take();
 

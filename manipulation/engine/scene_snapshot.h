@@ -3,10 +3,11 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "geometry/shapes/pose.h"
+#include "geometry/system/text.h"
+#include "haptic/protocol/link_problem.h"
 #include "haptic/protocol/messages.h"
 #include "manipulation/manipulators/manipulator.h"
 #include "manipulation/scene/pair_state.h"
@@ -25,8 +26,8 @@ struct EntityState {
 
 /// A limit that is near or holds the entity, and so explains why it does not follow.
 struct LimitState {
-  std::string text;  ///< "A5 is 1.2 deg from its upper limit"
-  int joint = -1;    ///< Index among the robot's joints; -1 if the limit is not a joint's.
+  Text text;         ///< "A5 is 1.2 deg from its upper limit"
+  int joint = -1;  ///< Index among the robot's joints; -1 if the limit is not a joint's.
   LimitKind kind = LimitKind::kJoint;
   double gap = 0.0;    ///< m that the moved frame can still move.
   bool holds = false;  ///< It limits the motion now.
@@ -41,7 +42,6 @@ struct SecondStylusState {
   dvec3 force_W{0.0};           ///< N on that hand, in the cell's axes.
   double force_n = 0.0;
   double motion_scale = 1.0;
-  std::string status;  ///< One sentence.
 };
 
 /// The data that the manipulation loop passes to the window each step: a value, the newest wins, no lock between the
@@ -82,7 +82,9 @@ struct SceneSnapshot {
     std::size_t by_hand = 0;  ///< Those of them added by the user.
   } recording;
   std::optional<SecondStylusState> second;  ///< Set if there is a second stylus.
-  std::string status;                       ///< One sentence: "Gripper G2 is 6.4 mm from Clamp tower B".
+  haptic::LinkProblem problem;              ///< Why the stylus is not connected; empty if it is.
+  /// The state of the held entity, in a sentence or two: "Gripper G2 is 6.4 mm from Clamp tower B", and the limit that holds it.
+  std::vector<Text> status;
 };
 
 }  // namespace hapticell::manipulation

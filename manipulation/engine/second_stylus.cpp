@@ -28,7 +28,6 @@ void SecondStylus::addTo(SceneSnapshot& snapshot) {
   second.force_W = own.force_W;
   second.force_n = own.force_n;
   second.motion_scale = own.motion_scale;
-  second.status = own.status;
   snapshot.felt_ns = std::max(snapshot.felt_ns, own.felt_ns);
   snapshot.pairs.insert(snapshot.pairs.end(), own.pairs.begin(), own.pairs.end());
   snapshot.limits.insert(snapshot.limits.end(), own.limits.begin(), own.limits.end());

@@ -2,7 +2,6 @@
 #include "manipulation/engine/snapshot_maker.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace hapticell::manipulation {
 
@@ -101,37 +100,28 @@ void SnapshotMaker::addStylus(const StylusInput& input, const MotionMapping& map
   if (const auto device = input.link().device()) snapshot.device_edge_m = edgeOf(*device, state->X_DS.p);
 }
 
-std::string SnapshotMaker::sentenceOf(const HeldEntity& held, const SceneSnapshot& snapshot) const {
-  char text[256];
-  if (snapshot.pairs.empty()) {
-    std::snprintf(text, sizeof text, "%.80s is free", cell_.find(held.id())->name.c_str());
-    return text;
-  }
+Text SnapshotMaker::sentenceOf(const HeldEntity& held, const SceneSnapshot& snapshot) const {
+  if (snapshot.pairs.empty()) return Text("%1 is free", cell_.find(held.id())->name);
   const PairState& pair = snapshot.pairs.front();
   const workcell::Entity* other = cell_.find(pair.other);
   const std::string subject = subjectOf(pair, held.id(), cell_);
-  if (pair.other == held.id()) {
-    std::snprintf(text, sizeof text, pair.contact ? "%.80s touches %.80s of %.80s" : "%.80s is near %.80s of %.80s",
-                  subject.c_str(), pair.other_part.c_str(), other->name.c_str());
-  } else if (pair.contact) {
-    std::snprintf(text, sizeof text, "%.80s touches %.80s", subject.c_str(), other->name.c_str());
-  } else {
-    std::snprintf(text, sizeof text, "%.80s is %.1f mm from %.80s", subject.c_str(), 1e3 * pair.distance,
-                  other->name.c_str());
-  }
-  return text;
+  if (pair.other == held.id())
+    return pair.contact ? Text("%1 touches %2 of %3", subject, pair.other_part, other->name)
+                        : Text("%1 is near %2 of %3", subject, pair.other_part, other->name);
+  return pair.contact ? Text("%1 touches %2", subject, other->name)
+                      : Text("%1 is %2 from %3", subject, Text::Length{pair.distance}, other->name);
 }
 
 void SnapshotMaker::describe(const StylusInput& input, const StylusGrip& grip, SceneSnapshot& snapshot) const {
   if (!input.isConnected()) {
-    snapshot.status = input.link().problem();
+    snapshot.problem = input.link().problem();
     return;
   }
   if (grip.held() == nullptr) return;
-  snapshot.status = sentenceOf(*grip.held(), snapshot);
+  snapshot.status = {sentenceOf(*grip.held(), snapshot)};
   const auto holds =
       std::find_if(snapshot.limits.begin(), snapshot.limits.end(), [](const LimitState& limit) { return limit.holds; });
-  if (holds != snapshot.limits.end()) snapshot.status += "; " + holds->text;
+  if (holds != snapshot.limits.end()) snapshot.status.push_back(holds->text);
 }
 
 }  // namespace hapticell::manipulation

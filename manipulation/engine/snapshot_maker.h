@@ -24,12 +24,12 @@ class SnapshotMaker {
   void addEntities(StylusGrip& grip, const ContactWatch& contacts, SceneSnapshot& snapshot);
   /// Adds the state of the stylus.
   static void addStylus(const StylusInput& input, const MotionMapping& mapping, SceneSnapshot& snapshot);
-  /// Sets SceneSnapshot::status, one sentence.
+  /// Sets SceneSnapshot::status and its problem.
   void describe(const StylusInput& input, const StylusGrip& grip, SceneSnapshot& snapshot) const;
 
  private:
   void addPairs(HeldEntity& held, const ContactWatch& contacts, SceneSnapshot& snapshot);
-  std::string sentenceOf(const HeldEntity& held, const SceneSnapshot& snapshot) const;
+  Text sentenceOf(const HeldEntity& held, const SceneSnapshot& snapshot) const;
 
   const CellState& cell_;
   std::int64_t measured_ns_ = -1;

@@ -50,13 +50,13 @@ bool StylusGrip::take(workcell::EntityId entity) {
   const HoldOptions options{moved_by_, on_contact_.value_or(found->on_contact), forceClassOf(*found), joints_move_};
   auto taken = HeldEntity::take(cell_.scene(), entity, cell_.placements(), options, cell_.configuration());
   if (!taken) {
-    log_.notice(taken.error().message());
+    log_.notice(Text::plain(taken.error().message()));
     return false;
   }
   held_ = std::move(*taken);
   held_->searchWith(search_.get());
   told_.clear();
-  for (const std::string& note : held_->notes()) log_.noticeOnce(note);
+  for (const Text& note : held_->notes()) log_.noticeOnce(note);
   return true;
 }
 
@@ -98,18 +98,18 @@ void StylusGrip::setOther(workcell::EntityId held, const MovedBy& moved_by) {
   if (held != 0) other_moved_by_ = moved_by;
 }
 
-std::string StylusGrip::heldElsewhere(workcell::EntityId wanted) const {
+Text StylusGrip::heldElsewhere(workcell::EntityId wanted) const {
   const workcell::Entity* entity = cell_.find(wanted);
   const workcell::Entity* other = cell_.find(other_held_);
   if (entity == nullptr || other == nullptr) return {};
   if (wanted == other_held_) {
     if (entity->figure && areBothHands(moved_by_, other_moved_by_)) return {};
-    return entity->name + " is held by the other stylus";
+    return Text("%1 is held by the other stylus", entity->name);
   }
   if (cell_.standsOn(wanted, other_held_))
-    return entity->name + " goes with " + other->name + ", which the other stylus holds";
+    return Text("%1 goes with %2, which the other stylus holds", entity->name, other->name);
   if (cell_.standsOn(other_held_, wanted))
-    return other->name + ", which the other stylus holds, goes with " + entity->name;
+    return Text("%1, which the other stylus holds, goes with %2", other->name, entity->name);
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "geometry/system/text.h"
 #include "manipulation/engine/cell_state.h"
 #include "manipulation/engine/manipulation_command.h"
 #include "manipulation/engine/result_log.h"
@@ -62,7 +63,7 @@ class StylusGrip {
   void setOther(workcell::EntityId held, const MovedBy& moved_by);
   workcell::EntityId otherHeld() const { return other_held_; }
   /// Why an entity may not be taken because of what the other stylus holds; empty: it may.
-  std::string heldElsewhere(workcell::EntityId wanted) const;
+  Text heldElsewhere(workcell::EntityId wanted) const;
   /// An entity moved by another hand has a new placement; its way was free. Returns true if that changes something
   /// here.
   bool placeOther(workcell::EntityId id, const EntityConfiguration& at);

@@ -80,7 +80,7 @@ Pose StylusHolder::frameOfAxes() {
   if (axes.mode != AxesMode::kFrame || !cell_.scene()) return {};
   const PreparedScene::FoundFrame frame = cell_.scene()->findFrame(axes.frame);
   if (frame.entity != nullptr) return placement(frame.entity->id).X_WE * frame.X_EF;
-  log_.notice("There is no frame '" + axes.frame + "' to move along; the cell's axes are used");
+  log_.notice(Text("There is no frame '%1' to move along; the cell's axes are used", axes.frame));
   return {};
 }
 
@@ -127,7 +127,7 @@ void StylusHolder::grab(workcell::EntityId wanted) {
     entity = grip_.entityAt(mapping.toCell(input_.state()->X_DS), kTipReach * mapping.scale());
   }
   if (entity == 0) return;
-  if (const std::string why = grip_.heldElsewhere(entity); !why.empty()) return log_.notice(why);
+  if (Text why = grip_.heldElsewhere(entity); !why.empty()) return log_.notice(std::move(why));
   if (!hold(entity)) return;
   stopped_ = false;
   updateMapping();
@@ -161,7 +161,7 @@ bool StylusHolder::placeOther(workcell::EntityId id, const EntityConfiguration& 
 
 void StylusHolder::letGoOfWhatOtherHolds() {
   if (!held()) return;
-  const std::string why = grip_.heldElsewhere(held()->id());
+  const Text why = grip_.heldElsewhere(held()->id());
   if (why.empty()) return;
   log_.notice(why);
   release();
@@ -224,9 +224,10 @@ void StylusHolder::tellWherePlain() {
   const std::vector<std::size_t>& touching = contacts_.contacts();
   if (!held() || touching.empty() || !held()->isPlain()) return;
   const HeldPair& pair = held()->pairs()[touching.front()];
-  log_.noticeOnce(cell_.find(held()->id())->name + " against " + cell_.find(pair.other)->name +
-                  ": the meshes are too dense there to tell all contacts, so only the nearest point of " +
-                  "each pair is felt");
+  log_.noticeOnce(
+      Text("%1 against %2: the meshes are too dense there to tell all contacts, so only the nearest point "
+           "of each pair is felt",
+           cell_.find(held()->id())->name, cell_.find(pair.other)->name));
 }
 
 void StylusHolder::follow(const ScriptedEntities& scripted) {
@@ -266,7 +267,8 @@ std::vector<LimitState> StylusHolder::nearLimits() const {
   }
   if (hurried_joint_ >= 0) {
     const std::string& name = held()->jointName(hurried_joint_);
-    near.push_back({name + " moves as fast as it can", held()->ownJoint(hurried_joint_), LimitKind::kSpeed, 0.0, true});
+    near.push_back(
+        {Text("%1 moves as fast as it can", name), held()->ownJoint(hurried_joint_), LimitKind::kSpeed, 0.0, true});
   }
   std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
   return near;

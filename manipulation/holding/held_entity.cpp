@@ -33,9 +33,10 @@ void noteTurned(HeldState& state) {
   for (const MovedPart& part : state.model.parts()) note(*part.part);
   for (const ScenePart* part : state.pairs.obstacleParts()) note(*part);
   if (names.empty()) return;
-  std::string text = names.front();
-  if (names.size() > 1) text += " and " + std::to_string(names.size() - 1) + " more";
-  state.notes.push_back(text + ": triangles face inward; they count as facing outward");
+  const auto more = static_cast<std::int64_t>(names.size()) - 1;
+  state.notes.push_back(
+      more == 0 ? Text("%1: triangles face inward; they count as facing outward", names.front())
+                : Text("%1 and %2 more: triangles face inward; they count as facing outward", names.front(), more));
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
     return makeError(
         {.file = {}, .place = {}, .found = "there is no such entity", .expected = "one of the document", .fix = {}});
   if (found->locked) return makeError(takingRefused(*found, "it is locked", "an entity that may be moved"));
-  std::vector<std::string> notes;
+  std::vector<Text> notes;
   HeldModel model(std::move(scene), *found, placements, goesAlongWithAxes(options.moved_by), notes);
   auto manipulator = manipulatorOf(model, options, configuration);
   HAPTICELL_TRY(manipulator);

@@ -61,9 +61,9 @@ class HeldEntity {
   std::string nameOf(const ScenePart& part) const { return state_.model.nameOf(part); }
   /// Notes from the taking: links that touch each other at rest and are therefore not checked; what it starts inside,
   /// and in which direction it comes free.
-  const std::vector<std::string>& notes() const { return state_.notes; }
+  const std::vector<Text>& notes() const { return state_.notes; }
   /// The note about links that touch at rest; empty: no such links.
-  const std::string& leftOutNote() const { return state_.pairs.leftOutNote(); }
+  const Text& leftOutNote() const { return state_.pairs.leftOutNote(); }
 
   /// Moves towards the target of the stylus (or proxy) at X_DP as far as the way is free, and slides along obstacles
   /// whose pair is in mode *Slide*. `built` is the newest set, or null. No joint moves further than its greatest speed

@@ -39,7 +39,7 @@ EntityConfiguration standingOf(const Entity& entity, const Placements& placement
 }
 
 HeldModel::HeldModel(std::shared_ptr<const PreparedScene> scene, const Entity& entity, const Placements& placements,
-                     bool with_axes, std::vector<std::string>& notes)
+                     bool with_axes, std::vector<Text>& notes)
     : scene_(std::move(scene)),
       id_(entity.id),
       form_(entity),
@@ -51,7 +51,7 @@ HeldModel::HeldModel(std::shared_ptr<const PreparedScene> scene, const Entity& e
 }
 
 /// What cannot go along stands still: a locked axis, one with closed loops.
-void HeldModel::standOnAxes(const Placements& placements, std::vector<std::string>& notes) {
+void HeldModel::standOnAxes(const Placements& placements, std::vector<Text>& notes) {
   if (!form_.robot || form_.kind == workcell::EntityKind::kMannequin) return;
   const std::vector<Footing> footings = footingsOf(*scene_, *scene_->find(id_));
   for (const Footing& footing : footings) {
@@ -61,7 +61,7 @@ void HeldModel::standOnAxes(const Placements& placements, std::vector<std::strin
     const Pose X_WL = PreparedScene::partPose(carrier, base.X_WE, base.joints, footing.link);
     auto mounted = kinematics::mountRobot(*carrier.robot, footing.link, X_WL.inverse() * taken_.X_WE, *form_.robot);
     if (!mounted) {
-      notes.push_back(carrier.name + " does not go along with " + form_.name + ": " + mounted.error().message());
+      notes.push_back(Text("%1 does not go along with %2: %3", carrier.name, form_.name, mounted.error().message()));
       continue;
     }
     for (Member& member : members_) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "manipulation/manipulators/manipulator.h"
 #include "manipulation/scene/prepared_scene.h"
 
@@ -39,7 +40,7 @@ class HeldModel {
   /// `entity` belongs to the scene. `with_axes`: its external axes move along if possible; `notes` lists those that
   /// cannot.
   HeldModel(std::shared_ptr<const PreparedScene> scene, const workcell::Entity& entity, const Placements& placements,
-            bool with_axes, std::vector<std::string>& notes);
+            bool with_axes, std::vector<Text>& notes);
 
   const std::shared_ptr<const PreparedScene>& scene() const { return scene_; }
   workcell::EntityId id() const { return id_; }
@@ -87,7 +88,7 @@ class HeldModel {
     Pose X_LE;
     std::vector<double> joints;
   };
-  void standOnAxes(const Placements& placements, std::vector<std::string>& notes);
+  void standOnAxes(const Placements& placements, std::vector<Text>& notes);
   void gatherCarried(const Placements& placements);
   void gatherParts();
 

@@ -30,11 +30,13 @@ void blend(const config::Configuration& configuration, const Entity& a, const En
   feel.friction = std::sqrt(m1.friction * m2.friction);
 }
 
-std::string noteOn(const std::string& robot, const std::vector<std::string>& touching) {
+Text noteOn(const std::string& robot, const std::vector<std::string>& touching) {
   std::string names;
   for (std::size_t i = 0; i < std::min(touching.size(), kMostNamed); ++i) names += (i == 0 ? "" : ", ") + touching[i];
-  if (touching.size() > kMostNamed) names += " and " + std::to_string(touching.size() - kMostNamed) + " more pairs";
-  return "links of " + robot + " that touch at rest are not checked against each other: " + names;
+  if (touching.size() <= kMostNamed)
+    return Text("links of %1 that touch at rest are not checked against each other: %2", robot, names);
+  return Text("links of %1 that touch at rest are not checked against each other: %2 and %3 more pairs", robot, names,
+              static_cast<std::int64_t>(touching.size() - kMostNamed));
 }
 
 /// Where the moved parts are while the robot is at rest, its root at the origin.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/configuration.h"
+#include "geometry/system/text.h"
 #include "manipulation/holding/constraint_builder.h"
 #include "manipulation/holding/free_motion.h"
 #include "manipulation/holding/held_model.h"
@@ -53,7 +54,7 @@ class HeldPairs {
   FreeMotion motionCheck(const HeldModel& model) const;
 
   /// The note about links that touch at rest and are therefore not checked; empty: no such links.
-  const std::string& leftOutNote() const { return left_out_note_; }
+  const Text& leftOutNote() const { return left_out_note_; }
 
  private:
   void gatherObstacles(const HeldModel& model, const Placements& placements, const HoldOptions& options,
@@ -68,7 +69,7 @@ class HeldPairs {
   std::uint32_t first_own_ = 0;
   std::vector<collision::ZonePart> obstacles_;
   std::vector<const ScenePart*> obstacle_parts_;
-  std::string left_out_note_;
+  Text left_out_note_;
 };
 
 }  // namespace hapticell::manipulation

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "manipulation/holding/held_model.h"
 #include "manipulation/holding/held_pairs.h"
 
@@ -20,7 +20,7 @@ struct HeldState {
   EntityConfiguration accepted;  ///< The last free configuration, also that of `motion`.
   HeldPairs pairs;
   FreeMotion motion;
-  std::vector<std::string> notes;  ///< Notes from the taking.
+  std::vector<Text> notes;  ///< Notes from the taking.
 
   Pose movedFrame() const { return manipulator->movedFrame(accepted); }
   void moveObstacle(std::size_t obstacle, const Pose& X_W) {

@@ -42,19 +42,24 @@ void WaysOut::find(HeldState& state, std::span<const FreeMotion::PairDistance> n
 void WaysOut::note(HeldState& state, std::uint32_t pair, const collision::FreeingShift& shift) {
   const MotionPair& who = state.pairs.motionPairs()[pair];
   const HeldModel& model = state.model;
-  const std::string inside = model.nameOf(*model.parts()[who.part].part) + " starts inside " +
-                             model.nameOf(*state.pairs.obstacleParts()[who.obstacle]);
+  const std::string part = model.nameOf(*model.parts()[who.part].part);
+  const std::string obstacle = model.nameOf(*state.pairs.obstacleParts()[who.obstacle]);
   if (!shift.found) {
-    state.notes.push_back(inside +
-                          " and no straight way out was found; it is not held back by it until they are apart");
+    state.notes.push_back(
+        Text("%1 starts inside %2 and no straight way out was found; it is not held back by it until "
+             "they are apart",
+             part, obstacle));
     return;
   }
   std::array<char, 96> way{};
   const dvec3& n = shift.direction_W;
-  std::snprintf(way.data(), way.size(), ", %.1f mm deep: it comes free along (%.2f, %.2f, %.2f)", 1e3 * shift.depth,
-                n.x + 0.0, n.y + 0.0, n.z + 0.0);
-  state.notes.push_back(inside + way.data() +
-                        (shift.by_winding ? " (an open mesh: told by its winding number)" : std::string()));
+  std::snprintf(way.data(), way.size(), "(%.2f, %.2f, %.2f)", n.x + 0.0, n.y + 0.0, n.z + 0.0);
+  const Text::Length depth{shift.depth};
+  state.notes.push_back(
+      shift.by_winding
+          ? Text("%1 starts inside %2, %3 deep: it comes free along %4 (an open mesh: told by its winding number)",
+                 part, obstacle, depth, way.data())
+          : Text("%1 starts inside %2, %3 deep: it comes free along %4", part, obstacle, depth, way.data()));
 }
 
 void WaysOut::update(HeldState& state) {

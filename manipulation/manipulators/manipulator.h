@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "manipulation/manipulators/part_differential.h"
 #include "workcell/entity/entity.h"
 
@@ -38,7 +39,7 @@ const char* toString(LimitKind kind);
 /// A limit of the entity's own motion (a joint's end, the edge of the workspace), felt like a contact.
 struct MotionLimit {
   haptic::Constraint constraint_W;  ///< Over the moved frame's xi in the cell; gap in metres of its motion.
-  std::string text;                 ///< "A5 is 1.2 deg from its upper limit"
+  Text text;                        ///< "A5 is 1.2 deg from its upper limit"
   int joint = -1;                   ///< Index among the robot's joints; -1 for what is no joint's.
   LimitKind kind = LimitKind::kJoint;
 };

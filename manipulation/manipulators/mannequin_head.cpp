@@ -69,7 +69,7 @@ std::vector<MotionLimit> MannequinHead::limits(const EntityConfiguration& config
       limit.constraint_W.gradient[axis] = -sign;
       limit.constraint_W.id = 2 * axis + (sign > 0.0 ? 1 : 2);
       limit.kind = LimitKind::kReach;
-      limit.text = "The head goes no further: neck and trunk are at their limits";
+      limit.text = Text("The head goes no further: neck and trunk are at their limits");
       found.push_back(std::move(limit));
     }
   }

@@ -276,10 +276,9 @@ std::vector<MotionLimit> MannequinManipulator::limits(const EntityConfiguration&
   for (std::size_t k = 0; k < 3; ++k) limit.constraint_W.gradient[k] = -outward[static_cast<int>(k)];
   limit.constraint_W.id = 1;
   limit.kind = LimitKind::kReach;
-  char text[120];
-  std::snprintf(text, sizeof text, "The %s hand is %.0f mm from the end of its reach",
-                driven() == Side::kLeft ? "left" : "right", 1000.0 * limit.constraint_W.gap);
-  limit.text = text;
+  const Text::Length left{*reach, true};
+  limit.text = driven() == Side::kLeft ? Text("The left hand is %1 from the end of its reach", left)
+                                       : Text("The right hand is %1 from the end of its reach", left);
   return {limit};
 }
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numbers>
 
 #include "geometry/system/assertion.h"
 #include "kinematics/model/jog.h"
@@ -54,22 +52,17 @@ PartDifferential carriedBy(const PartDifferential& link, const dvec3& p_WPo) {
   return part;
 }
 
-std::string marginText(const kinematics::ClosureMargin& margin) {
-  char text[160];
+Text marginText(const kinematics::ClosureMargin& margin) {
+  const double left = std::max(0.0, margin.value);
   switch (margin.kind) {
     case kinematics::ClosureMargin::Kind::kAngle:
-      std::snprintf(text, sizeof text, "%.80s is %.1f deg from its limit", margin.what.c_str(),
-                    std::max(0.0, margin.value * 180.0 / std::numbers::pi));
-      break;
+      return Text("%1 is %2 from its limit", margin.what, Text::Angle{left});
     case kinematics::ClosureMargin::Kind::kLength:
-      std::snprintf(text, sizeof text, "%.80s is %.1f mm from its limit", margin.what.c_str(),
-                    std::max(0.0, margin.value * 1000.0));
-      break;
+      return Text("%1 is %2 from its limit", margin.what, Text::Length{left});
     case kinematics::ClosureMargin::Kind::kSingularity:
-      std::snprintf(text, sizeof text, "%.80s is near a position where nothing holds it", margin.what.c_str());
-      break;
+      return Text("%1 is near a position where nothing holds it", margin.what);
   }
-  return text;
+  return {};
 }
 
 constexpr int kPathSamples = 4;
@@ -268,7 +261,7 @@ std::vector<PartDifferential> RobotManipulator::differentiate(const EntityConfig
 MotionLimit RobotManipulator::wallAt(const EntityConfiguration& configuration, const RobotDifferential& robot) const {
   MotionLimit limit;
   limit.kind = LimitKind::kSingularity;
-  limit.text = "The arm is near a singularity";
+  limit.text = Text("The arm is near a singularity");
   limit.constraint_W.id = 999;
   limit.constraint_W.gap = wall_->measure(configuration.joints) - SingularityWall::kFelt;
   const std::vector<double> over_q = wall_->gradient(configuration.joints);
@@ -311,7 +304,7 @@ std::vector<MotionLimit> RobotManipulator::limits(const EntityConfiguration& con
     keep(std::move(limit));
   }
   if (wall_) keep(wallAt(configuration, robot));
-  if (robot.has_edge) keep({robot.edge, "The arm is at the edge of its reach", -1, LimitKind::kReach});
+  if (robot.has_edge) keep({robot.edge, Text("The arm is at the edge of its reach"), -1, LimitKind::kReach});
   return limits;
 }
 

@@ -85,7 +85,7 @@ class WatchedEngine {
     limits_.add(t, engine_);
     joints_.add(t, engine_);
     for (const Result& result : engine_.takeResults()) {
-      if (const auto* told = std::get_if<result::Notice>(&result)) report_.notices.push_back(told->sentence);
+      if (const auto* told = std::get_if<result::Notice>(&result)) report_.notices.push_back(english(told->sentence));
     }
     if (t - measured_ >= kLeastPenetrationPeriod) measurePenetration(t);
   }
@@ -131,7 +131,7 @@ class WatchedEngine {
     report_.limits = limits_.events();
     report_.joints = joints_.joints();
     for (const LimitState& limit : engine_.nearLimits()) {
-      if (limit.holds) report_.end.limits.push_back(limit.text);
+      if (limit.holds) report_.end.limits.push_back(english(limit.text));
     }
     takeRecordings();
     report_.end.held = engine_.held() != nullptr;
@@ -171,7 +171,7 @@ class WatchedEngine {
       const auto& notes = (*taken)->notes();
       return makeError({.file = {},
                         .place = "entity '" + entity->name + "'",
-                        .found = notes.empty() ? "it stands on nothing that moves" : notes.front(),
+                        .found = notes.empty() ? "it stands on nothing that moves" : english(notes.front()),
                         .expected = "a robot that hangs on a moving link of a mechanism or robot that is not locked",
                         .fix = {}});
     }
@@ -300,7 +300,7 @@ Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std
     if (refused || secondsSince(begin) > kPatience) {
       return makeError({.file = address,
                         .place = {},
-                        .found = link.problem().empty() ? "no answer" : link.problem(),
+                        .found = link.problem().empty() ? "no answer" : english(link.problem()),
                         .expected = "a haptic server",
                         .fix = "Start hapticell-haptic-server."});
     }
@@ -325,7 +325,7 @@ class WatchedLink {
       : link_(link), address_(std::move(address)), connection_(link.connections()) {}
 
   Expected<void> check(double t) const {
-    if (link_.linkState() != haptic::LinkState::kConnected) return lost(t, link_.problem());
+    if (link_.linkState() != haptic::LinkState::kConnected) return lost(t, english(link_.problem()));
     if (link_.connections() != connection_) return lost(t, "it was connected to anew");
     return {};
   }

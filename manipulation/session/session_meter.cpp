@@ -101,7 +101,7 @@ void LimitLog::add(double t, const ManipulationEngine& engine) {
     const auto known = open_.find(key);
     if (known == open_.end() || t - events_[known->second].time_out > interruption) {
       open_[key] = events_.size();
-      events_.push_back({limit.text, limit.kind, limit.joint, t, t});
+      events_.push_back({english(limit.text), limit.kind, limit.joint, t, t});
     }
     events_[open_[key]].time_out = t;
   }

@@ -91,10 +91,6 @@ double lowestSole(const Figure& figure, const Posture& posture) {
   return lowest;
 }
 
-std::string withoutNumbers(const std::string& sentence) {
-  return sentence.substr(0, sentence.find(" is "));
-}
-
 }  // namespace
 
 Expected<RetargetedMotion> retarget(const Figure& figure, const RecordedMotion& recorded) {
@@ -113,8 +109,8 @@ Expected<RetargetedMotion> retarget(const Figure& figure, const RecordedMotion& 
   }
   for (Posture& posture : motion.postures) {
     posture.X_WR.p.z -= lowest;
-    for (const std::string& sentence : limitViolations(posture, 0.1 * kDegree)) {
-      ++motion.frames_beyond_limit[withoutNumbers(sentence)];
+    for (const LimitViolation& beyond : limitViolations(posture, 0.1 * kDegree)) {
+      ++motion.frames_beyond_limit[beyond.what];
     }
   }
   return motion;

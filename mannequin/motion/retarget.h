@@ -16,7 +16,7 @@ namespace hapticell::mannequin {
 struct RetargetedMotion {
   std::vector<Posture> postures;  ///< One a frame.
   double frame_time = 0.0;
-  /// Frames in which a limit is exceeded, by what it says of the joint ("l_shoulder, internal rotation"): reported,
+  /// Frames in which a limit is exceeded, by LimitViolation::what ("l_shoulder, internal rotation,"): reported,
   /// nothing is clamped.
   std::map<std::string, int> frames_beyond_limit;
 };

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/body/joint_limits.h"
@@ -12,24 +11,18 @@ namespace hapticell::mannequin {
 
 namespace {
 
-std::string sentence(const char* what, double found, double limit) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%s is %.1f deg, limit %.1f deg", what, found / kDegree, limit / kDegree);
-  return text;
-}
-
 void addBallViolations(const Posture& posture, BallJoint joint, Side side, double tolerance,
-                       std::vector<std::string>& found) {
+                       std::vector<LimitViolation>& found) {
   const bool shoulder = joint == BallJoint::kShoulder;
   const Dof first = shoulder ? armDof(side, Dof::kLeftShoulderFlexion) : legDof(side, Dof::kLeftHipFlexion);
   const BallState state = ballState(joint, side, ballRotationOf(posture, first));
   const std::string name = std::string(side == Side::kLeft ? "l_" : "r_") + (shoulder ? "shoulder" : "hip");
   if (state.excess() > tolerance) {
-    found.push_back(sentence((name + ", swing from the middle of its range,").c_str(), state.rho, state.rho_max));
+    found.push_back({name + ", swing from the middle of its range,", state.rho, state.rho_max});
   }
   const double twist = std::clamp(state.twist, twistLower(joint), twistUpper(joint));
   if (std::abs(twist - state.twist) > tolerance) {
-    found.push_back(sentence((name + ", internal rotation,").c_str(), state.twist, twist));
+    found.push_back({name + ", internal rotation,", state.twist, twist});
   }
 }
 
@@ -142,18 +135,22 @@ Posture onFloor(const Figure& figure, Posture posture) {
   return posture;
 }
 
-std::vector<std::string> limitViolations(const Posture& posture, double tolerance_rad) {
-  std::vector<std::string> found;
+Text textOf(const LimitViolation& violation) {
+  return Text("%1 is %2, limit %3", violation.what, Text::Angle{violation.angle}, Text::Angle{violation.limit});
+}
+
+std::vector<LimitViolation> limitViolations(const Posture& posture, double tolerance_rad) {
+  std::vector<LimitViolation> found;
   for (std::size_t i = 0; i < kDofCount; ++i) {
     const Dof dof = static_cast<Dof>(i);
     if (isCoupled(dof)) continue;
     const DofInfo& info = dofInfo(dof);
-    if (posture[dof] < info.lower - tolerance_rad) found.push_back(sentence(info.name, posture[dof], info.lower));
-    if (posture[dof] > info.upper + tolerance_rad) found.push_back(sentence(info.name, posture[dof], info.upper));
+    if (posture[dof] < info.lower - tolerance_rad) found.push_back({info.name, posture[dof], info.lower});
+    if (posture[dof] > info.upper + tolerance_rad) found.push_back({info.name, posture[dof], info.upper});
   }
   const auto look = [&](const char* name, double angle, double lower, double upper) {
-    if (angle < lower - tolerance_rad) found.push_back(sentence(name, angle, lower));
-    if (angle > upper + tolerance_rad) found.push_back(sentence(name, angle, upper));
+    if (angle < lower - tolerance_rad) found.push_back({name, angle, lower});
+    if (angle > upper + tolerance_rad) found.push_back({name, angle, upper});
   };
   look("gaze_yaw", posture.gaze.yaw, -kGazeYawLimit, kGazeYawLimit);
   look("gaze_pitch", posture.gaze.pitch, -kGazeUpLimit, kGazeDownLimit);

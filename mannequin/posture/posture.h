@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/shapes/pose.h"
+#include "geometry/system/text.h"
 #include "mannequin/body/figure.h"
 #include "mannequin/body/skeleton.h"
 
@@ -36,9 +37,16 @@ Posture onFloor(const Figure& figure, Posture posture);
 dmat3 ballRotationOf(const Posture& posture, Dof first);
 void setBallRotation(Posture& posture, Dof first, const dmat3& R_PS);
 
-/// Angles outside their hard limits (the coupled ones at shoulders and hips too), as sentences: "l_elbow_flexion is
-/// -4.0 deg, limit 0". Nothing is clamped.
-std::vector<std::string> limitViolations(const Posture& posture, double tolerance_rad = 1e-6);
+/// An angle outside its hard limits, rad.
+struct LimitViolation {
+  std::string what;  ///< "l_elbow_flexion"
+  double angle = 0.0, limit = 0.0;
+};
+/// "l_elbow_flexion is -4.0 deg, limit 0.0 deg".
+Text textOf(const LimitViolation& violation);
+
+/// Angles outside their hard limits (the coupled ones at shoulders and hips too). Nothing is clamped.
+std::vector<LimitViolation> limitViolations(const Posture& posture, double tolerance_rad = 1e-6);
 
 /// The posture at `s` in [0, 1] of the motion from one to the other: hinges evenly, ball joints and the root about
 /// fixed axes.

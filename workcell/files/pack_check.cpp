@@ -72,19 +72,19 @@ Expected<void> compareLinks(const Entity& packed, const Entity& read) {
 }
 
 /// Why the entity could not be read: the reader's own words.
-std::string whyUnloaded(const Entity& entity, const Diagnostics& notes) {
-  const std::string start = "entity '" + entity.name + "' is kept without its shape: ";
-  for (const std::string& note : notes.warnings)
-    if (note.starts_with(start)) return note.substr(start.size());
-  return "its file cannot be read";
+std::string whyUnloaded(const Entity& entity, const std::vector<UnloadedEntity>& unloaded) {
+  const auto found = std::find_if(unloaded.begin(), unloaded.end(),
+                                  [&](const UnloadedEntity& one) { return one.name == entity.name; });
+  return found == unloaded.end() ? "its file cannot be read" : found->cause.message();
 }
 
-Expected<void> compareEntities(const DocumentState& packed, const DocumentState& read, const Diagnostics& notes) {
+Expected<void> compareEntities(const DocumentState& packed, const DocumentState& read,
+                               const std::vector<UnloadedEntity>& unloaded) {
   for (const auto& entity : packed.entities) {
     const Entity* again = read.findByName(entity->name);
     if (!again) return makeError(differs(entity->name, "it is not there", "all that was packed"));
     if (entity->unloaded) continue;
-    if (again->unloaded) return makeError(differs(entity->name, whyUnloaded(*again, notes), "a file that is whole"));
+    if (again->unloaded) return makeError(differs(entity->name, whyUnloaded(*again, unloaded), "a file that is whole"));
     if (entity->kind != again->kind || !entity->robot != !again->robot)
       return makeError(differs(entity->name, "another kind of thing", "what was packed"));
     if (auto same = compareMeshes(entity->name, entity->mesh, again->mesh); !same) return same;
@@ -219,13 +219,15 @@ Expected<void> checkPack(const DocumentState& packed, const fs::path& document, 
   LoadOptions options;
   options.keep_unloaded = true;  // Those that had no shape have none in the pack either.
   options.monitor = monitor;
+  std::vector<UnloadedEntity> unloaded;
+  options.unloaded = &unloaded;
   Diagnostics notes;
   const auto read = loadDocument(document, notes, options);
   HAPTICELL_TRY(read);
   const DocumentState& state = read->state();
   if (auto inside = checkPlaces(state, document.parent_path()); !inside) return inside;
   if (auto same = compareRest(packed, state, document.string()); !same) return same;
-  auto same = compareEntities(packed, state, notes);
+  auto same = compareEntities(packed, state, unloaded);
   if (same) return same;
   Error error = same.error();
   error.file = document.filename().string();

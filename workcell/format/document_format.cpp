@@ -212,7 +212,9 @@ class StateReader {
   void keepUnloaded(const Json& json, FieldReader& fields, const std::string& place, Entity entity,
                     const Error& cause) {
     error_.reset();
-    diagnostics_.warn(place + " is kept without its shape: " + cause.message());
+    const std::string remark = place + " is kept without its shape: " + cause.message();
+    diagnostics_.warn(remark);
+    if (options_.unloaded != nullptr) options_.unloaded->push_back({entity.name, cause, remark});
     entity.unloaded = std::make_shared<const std::string>(json.dump());
     readEntityFields(fields, place, context_, entity);
     if (error_) return;

@@ -6,12 +6,20 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/system/error.h"
 #include "workcell/document/document.h"
 #include "workcell/scenes/import_monitor.h"
 
 namespace hapticell::workcell {
+
+/// An entity that was kept although its file could not be read.
+struct UnloadedEntity {
+  std::string name;
+  Error cause;
+  std::string remark;  ///< The sentence in the diagnostics.
+};
 
 /// How a document with files that are not there is read.
 struct LoadOptions {
@@ -21,6 +29,8 @@ struct LoadOptions {
   /// Entities whose file is missing or broken are kept as they stand in the document (Entity::unloaded) and told,
   /// instead of ending the reading.
   bool keep_unloaded = false;
+  /// Takes up those entities; may be null.
+  std::vector<UnloadedEntity>* unloaded = nullptr;
   /// Told how far the reading is, and asked whether to go on; may be null.
   ImportMonitor* monitor = nullptr;
 };

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "app/style/library_text.h"
+
 namespace hapticell::app {
 namespace {
 
@@ -124,7 +126,7 @@ void DeviceWatch::stepForceTest() {
     return endForceTest(tr("The device reports a fault. No force was applied."));
   // Who controlled it has just let go: the server may need a moment to see that.
   if (link_->linkState() == haptic::LinkState::kRefused && waited_s_ > kRefusedPatience)
-    return endForceTest(QString::fromStdString(link_->problem()));
+    return endForceTest(shownText(link_->problem()));
   haptic::HapticControl control;
   control.forces_enabled = true;
   const bool open = isConnected() && state_.forces_on && state_.force_ramp > 0.999;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/virtual_desktop/devices/force_reason.h"
 
+#include "app/style/library_text.h"
 #include "app/style/units.h"
 
 #include <QObject>
@@ -74,10 +75,9 @@ ForceReason forceReason(const ForceFacts& facts) {
     return {tr("Forces off"), tr("Another window controls the stylus; this one observes"), Mend::kTakeStylus,
             tr("Take control")};
   if (!facts.connected) {
-    // The first sentence; the whole of it stands beside the device's state.
-    const int end = static_cast<int>(facts.problem.indexOf(QStringLiteral(". ")));
-    const QString first = end < 0 ? facts.problem : facts.problem.left(end + 1);
-    const QString why = facts.problem.isEmpty() ? tr("Waiting for the haptic server") : first;
+    // What to do about it stands beside the device's state.
+    const QString problem = shownText(facts.problem.what);
+    const QString why = problem.isEmpty() ? tr("Waiting for the haptic server") : problem;
     return {tr("Forces off"), why, Mend::kStartServer, tr("Start the server")};
   }
   if (facts.device_fault)

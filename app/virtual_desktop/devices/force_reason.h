@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/viewport/widget/touch_meter.h"
+#include "haptic/protocol/link_problem.h"
 #include "haptic/protocol/messages.h"
 #include "manipulation/engine/scene_snapshot.h"
 
@@ -24,7 +25,7 @@ struct ForceFacts {
   bool lost = false;          ///< They went off with the server, and were not asked for since.
   bool at_edge = false;       ///< The device stands at the end of its own range.
   double ramp = 0.0;          ///< 0 .. 1.
-  QString problem;            ///< Why there is no connection; may be empty.
+  haptic::LinkProblem problem;  ///< Why there is no connection; may be empty.
   bool held = true;           ///< Something is held.
   bool checked = true;        ///< It takes part in collision checks.
   bool passes = false;        ///< On contact it passes: contacts are only shown.

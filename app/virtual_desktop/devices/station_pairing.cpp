@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "app/style/library_text.h"
+
 namespace hapticell::app {
 namespace {
 
@@ -70,7 +72,7 @@ void StationPairing::look() {
   // What cannot get better by waiting is said at once.
   const bool refused = link_->linkState() == haptic::LinkState::kRefused;
   if (!refused && since_.elapsed() < kPatience) return;
-  const QString problem = QString::fromStdString(link_->problem());
+  const QString problem = shownText(link_->problem());
   end(false, problem.isEmpty() ? tr("No haptic server is responding at %1:%2.").arg(host_).arg(port_) : problem);
 }
 

@@ -73,7 +73,7 @@ void ForceState::tellOfLoss() {
   lost_ = true;
   owner_.host().messages().tell(
       Severity::kProblem, QObject::tr("Forces are off: the haptic server stopped responding"),
-      owner_.link().problem() + QLatin1Char(' ') +
+      shownText(owner_.link().problem()) + QLatin1Char(' ') +
           QObject::tr(
               "The held entity stays in place. When a server responds again, press Ctrl+Space to turn the forces on."));
 }

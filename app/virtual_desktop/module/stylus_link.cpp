@@ -32,8 +32,8 @@ void StylusLink::takeOver() {
   if (isWatching()) link_->takeOver();
 }
 
-QString StylusLink::problem() const {
-  return link_ ? shownText(link_->problem()) : QString();
+haptic::LinkProblem StylusLink::problem() const {
+  return link_ ? link_->problem() : haptic::LinkProblem();
 }
 
 QString StylusLink::line() const {
@@ -43,7 +43,7 @@ QString StylusLink::line() const {
     if (!device_) return QObject::tr("Connected");
     return device_->simulated ? QObject::tr("Connected, simulated") : QObject::tr("Connected");
   }
-  const QString why = problem();
+  const QString why = shownText(problem());
   return why.isEmpty() ? QObject::tr("Connecting") : why;
 }
 

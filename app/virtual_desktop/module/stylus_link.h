@@ -24,7 +24,7 @@ class StylusLink {
   bool isRefused() const;
   void takeOver();
   /// Why there is no connection; empty: it is not known.
-  QString problem() const;
+  haptic::LinkProblem problem() const;
   /// Why there is no connection, or that there is one; one line.
   QString line() const;
   const std::optional<haptic::DeviceDescription>& device() const { return device_; }

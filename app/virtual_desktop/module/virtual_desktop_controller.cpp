@@ -305,7 +305,8 @@ void VirtualDesktopController::tick() {
   second_.follow();
   // Where the server is our own its warnings come by another way.
   const std::string sentence = link_.takeSentence();
-  if (!sentence.empty() && !station_.isRunning()) host_.messages().tell(Severity::kWarning, shownText(sentence));
+  if (!sentence.empty() && !station_.isRunning())
+    host_.messages().tell(Severity::kWarning, QString::fromStdString(sentence));
   take(loop_->takeResults());
   host_.setPreparedScene(loop_->scene());
   preparation_->setShare(loop_->preparation());
@@ -351,8 +352,7 @@ void VirtualDesktopController::showDevice() {
 }
 
 void VirtualDesktopController::tellOfPlugged(const ListedDevice& device) {
-  const QString mends =
-      shownText(device.problem.toStdString()) + QLatin1Char(' ') + shownText(device.fix.toStdString());
+  const QString mends = device.problem + QLatin1Char(' ') + device.fix;
   host_.messages().tell(Severity::kInformation, tr("%1 has been plugged in").arg(device.name),
                         device.usable ? tr("Choose it in the panel Virtual Desktop.") : mends);
 }

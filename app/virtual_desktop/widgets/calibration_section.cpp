@@ -6,7 +6,6 @@
 #include <QVBoxLayout>
 
 #include "app/kit/form.h"
-#include "app/style/library_text.h"
 
 namespace hapticell::app {
 namespace {
@@ -79,9 +78,9 @@ void CalibrationSection::show() {
     step_->setText(tr("Step %1 of %2: %3")
                        .arg(at_ + 1)
                        .arg(condition_->calibration.size())
-                       .arg(shownText(condition_->calibration[static_cast<std::size_t>(at_)])));
+                       .arg(QString::fromStdString(condition_->calibration[static_cast<std::size_t>(at_)])));
   }
-  const QString said = condition_ ? shownText(condition_->sentence) : QString();
+  const QString said = condition_ ? QString::fromStdString(condition_->sentence) : QString();
   said_->setText(said);
   said_->setVisible(!said.isEmpty());
   begin_->parentWidget()->setVisible(can);

@@ -6,57 +6,59 @@
 #include <cmath>
 #include <cstdio>
 
+#include "geometry/system/text.h"
+
 namespace hapticell::ergonomics {
 namespace {
 
 /// A field's words; of a flag the word is a statement that holds or not.
 struct FieldWords {
-  std::string_view field, english, french, unit;
+  std::string_view field, words, unit;
 };
 
 constexpr auto kFieldWords = std::to_array<FieldWords>({
-    {"upper_arm_flexion", "upper arm", "bras", "°"},
-    {"lower_arm_flexion", "elbow", "coude", "°"},
-    {"wrist_flexion", "wrist", "poignet", "°"},
-    {"neck_flexion", "neck", "cou", "°"},
-    {"trunk_flexion", "trunk forward", "tronc en avant", "°"},
-    {"knee_flexion", "knees", "genoux", "°"},
-    {"upper_arm_abducted", "upper arm abducted", "bras écarté", ""},
-    {"upper_arm_rotated", "upper arm rotated", "bras tourné", ""},
-    {"shoulder_raised", "shoulder raised", "épaule levée", ""},
-    {"arm_supported", "arm supported", "bras soutenu", ""},
-    {"lower_arm_across_midline", "lower arm across or outside", "avant-bras hors du plan", ""},
-    {"wrist_deviated", "wrist deviated", "poignet dévié", ""},
-    {"wrist_twist", "wrist twisted to its end", "torsion du poignet en fin de course", ""},
-    {"neck_twisted", "neck twisted", "cou tourné", ""},
-    {"neck_side_bent", "neck bent sideways", "cou incliné de côté", ""},
-    {"trunk_twisted", "trunk twisted", "tronc tourné", ""},
-    {"trunk_side_bent", "trunk bent sideways", "tronc incliné de côté", ""},
-    {"trunk_supported", "trunk supported", "tronc soutenu", ""},
-    {"legs_supported", "both feet bear", "appui sur les deux pieds", ""},
-    {"legs_bilateral", "weight on both legs", "poids sur les deux jambes", ""},
-    {"seated", "seated", "assis", ""},
-    {"measured", "measured", "mesuré", ""},
-    {"off_seat", "from being seated", "pour être assis", "°"},
-    {"trunk_twist", "trunk twist", "torsion du tronc", "°"},
-    {"trunk_side_bend", "trunk side bend", "inclinaison latérale du tronc", "°"},
-    {"upper_arm_abduction", "upper arm sideways", "bras de côté", "°"},
-    {"gaze_below_horizontal", "line of sight below level", "regard sous l'horizontale", "°"},
-    {"head_inclination", "head forward", "tête en avant", "°"},
-    {"shoulder_raised_deg", "shoulder raised", "épaule levée", "°"},
-    {"arms_at_or_above_shoulder", "arms at or above the shoulder", "bras à l'épaule ou plus haut", ""},
-    {"on_one_leg", "on one leg", "sur une jambe", ""},
-    {"kneeling", "kneeling", "à genoux", ""},
-    {"hands_above_head", "hands above the head", "mains au-dessus de la tête", ""},
-    {"elbow_at_shoulder", "elbow at the shoulder or above", "coude à l'épaule ou plus haut", ""},
-    {"h_cm", "hands in front of the ankles", "mains devant les chevilles", " cm"},
-    {"v_cm", "hands above the floor", "mains au-dessus du sol", " cm"},
-    {"d_cm", "way of the lift", "course du levage", " cm"},
-    {"asymmetry_deg", "turned", "rotation", "°"},
-    {"frequency_per_min", "lifts a minute", "levages par minute", ""},
-    {"load_kg", "load", "charge", " kg"},
-    {"coupling", "grip", "prise", ""},
-    {"", "", "", ""},
+    {"upper_arm_flexion", HAPTICELL_TRANSLATED("upper arm"), "°"},
+    {"lower_arm_flexion", HAPTICELL_TRANSLATED("elbow"), "°"},
+    {"wrist_flexion", HAPTICELL_TRANSLATED("wrist"), "°"},
+    {"neck_flexion", HAPTICELL_TRANSLATED("neck"), "°"},
+    {"trunk_flexion", HAPTICELL_TRANSLATED("trunk forward"), "°"},
+    {"knee_flexion", HAPTICELL_TRANSLATED("knees"), "°"},
+    {"upper_arm_abducted", HAPTICELL_TRANSLATED("upper arm abducted"), ""},
+    {"upper_arm_rotated", HAPTICELL_TRANSLATED("upper arm rotated"), ""},
+    {"shoulder_raised", HAPTICELL_TRANSLATED("shoulder raised"), ""},
+    {"arm_supported", HAPTICELL_TRANSLATED("arm supported"), ""},
+    {"lower_arm_across_midline", HAPTICELL_TRANSLATED("lower arm across or outside"), ""},
+    {"wrist_deviated", HAPTICELL_TRANSLATED("wrist deviated"), ""},
+    {"wrist_twist", HAPTICELL_TRANSLATED("wrist twisted to its end"), ""},
+    {"neck_twisted", HAPTICELL_TRANSLATED("neck twisted"), ""},
+    {"neck_side_bent", HAPTICELL_TRANSLATED("neck bent sideways"), ""},
+    {"trunk_twisted", HAPTICELL_TRANSLATED("trunk twisted"), ""},
+    {"trunk_side_bent", HAPTICELL_TRANSLATED("trunk bent sideways"), ""},
+    {"trunk_supported", HAPTICELL_TRANSLATED("trunk supported"), ""},
+    {"legs_supported", HAPTICELL_TRANSLATED("both feet bear"), ""},
+    {"legs_bilateral", HAPTICELL_TRANSLATED("weight on both legs"), ""},
+    {"seated", HAPTICELL_TRANSLATED("seated"), ""},
+    {"measured", HAPTICELL_TRANSLATED("measured"), ""},
+    {"off_seat", HAPTICELL_TRANSLATED("from being seated"), "°"},
+    {"trunk_twist", HAPTICELL_TRANSLATED("trunk twist"), "°"},
+    {"trunk_side_bend", HAPTICELL_TRANSLATED("trunk side bend"), "°"},
+    {"upper_arm_abduction", HAPTICELL_TRANSLATED("upper arm sideways"), "°"},
+    {"gaze_below_horizontal", HAPTICELL_TRANSLATED("line of sight below level"), "°"},
+    {"head_inclination", HAPTICELL_TRANSLATED("head forward"), "°"},
+    {"shoulder_raised_deg", HAPTICELL_TRANSLATED("shoulder raised"), "°"},
+    {"arms_at_or_above_shoulder", HAPTICELL_TRANSLATED("arms at or above the shoulder"), ""},
+    {"on_one_leg", HAPTICELL_TRANSLATED("on one leg"), ""},
+    {"kneeling", HAPTICELL_TRANSLATED("kneeling"), ""},
+    {"hands_above_head", HAPTICELL_TRANSLATED("hands above the head"), ""},
+    {"elbow_at_shoulder", HAPTICELL_TRANSLATED("elbow at the shoulder or above"), ""},
+    {"h_cm", HAPTICELL_TRANSLATED("hands in front of the ankles"), " cm"},
+    {"v_cm", HAPTICELL_TRANSLATED("hands above the floor"), " cm"},
+    {"d_cm", HAPTICELL_TRANSLATED("way of the lift"), " cm"},
+    {"asymmetry_deg", HAPTICELL_TRANSLATED("turned"), "°"},
+    {"frequency_per_min", HAPTICELL_TRANSLATED("lifts a minute"), ""},
+    {"load_kg", HAPTICELL_TRANSLATED("load"), " kg"},
+    {"coupling", HAPTICELL_TRANSLATED("grip"), ""},
+    {"", "", ""},
 });
 
 const FieldWords& wordsOf(std::string_view field) {
@@ -68,7 +70,7 @@ const FieldWords& wordsOf(std::string_view field) {
 std::string nameOfField(std::string_view field, Language language) {
   const FieldWords& words = wordsOf(field);
   if (words.field.empty()) return std::string(field);
-  return std::string(language == Language::kFrench ? words.french : words.english);
+  return word(words.words, language);
 }
 
 /// Whole degrees, towards where it goes: just under a boundary stays under it.
@@ -89,13 +91,12 @@ std::string number(double value) {
 
 std::string fromTo(std::string_view field, double from, double to, Language language) {
   const std::string unit(wordsOf(field).unit), name = nameOfField(field, language);
-  const std::string_view between = language == Language::kFrench ? " à " : " to ";
-  if (unit == "°") return name + " " + degrees(std::round(from), from) + std::string(between) + degrees(to, from);
-  return name + " " + number(from) + unit + std::string(between) + number(to) + unit;
+  if (unit == "°") return phrase("%1 %2 to %3", {name, degrees(std::round(from), from), degrees(to, from)}, language);
+  return phrase("%1 %2 to %3", {name, number(from) + unit, number(to) + unit}, language);
 }
 
 std::string pointsWords(double points, Language language) {
-  return number(points) + " " + word("points", language);
+  return phrase("%1 points", {number(points)}, language);
 }
 
 /// What a driver would make of it: of a part its zone, else the score.
@@ -123,7 +124,6 @@ std::string liftingChangeWords(const LiftingChange& change, Language language) {
 std::string scoreWords(PostureMethod method, const MethodScore& score, Language language) {
   const int whole = static_cast<int>(std::lround(score.score));
   const std::string name(nameOf(method));
-  const std::string colon = language == Language::kFrench ? " : " : ": ";
   switch (method) {
     case PostureMethod::kRula:
       return name + " " + std::to_string(whole);
@@ -138,14 +138,13 @@ std::string scoreWords(PostureMethod method, const MethodScore& score, Language 
       break;
   }
   const Zone zone = score.level <= 1 ? Zone::kAcceptable : score.level == 2 ? Zone::kConditional : Zone::kNotAcceptable;
-  return name + colon + word(nameOf(zone), language);
+  return phrase("%1: %2", {name, word(nameOf(zone), language)}, language);
 }
 
 std::string changeWords(const FieldChange& change, Language language) {
   if (!change.is_flag) return fromTo(change.field, change.from, change.to, language);
   const bool holds = change.to > 0.5;
-  return nameOfField(change.field, language) + (language == Language::kFrench ? " : " : ": ") +
-         word(holds ? "yes" : "no", language);
+  return phrase("%1: %2", {nameOfField(change.field, language), word(holds ? "yes" : "no", language)}, language);
 }
 
 std::string driverWords(const MethodAdvice& advice, Language language, std::size_t most) {
@@ -161,21 +160,22 @@ std::string driverWords(const MethodAdvice& advice, Language language, std::size
 std::string nextLevelWords(const MethodAdvice& advice, Language language) {
   if (advice.now.level <= leastLevel(advice.method)) return {};
   if (!advice.next) return word("No change of the posture alone lowers the level.", language);
-  const std::string gives = language == Language::kFrench ? " donne " : " gives ";
-  return listed(advice.next->changes, language) + gives + scoreWords(advice.method, advice.next->score, language);
+  return phrase("%1 gives %2",
+                {listed(advice.next->changes, language), scoreWords(advice.method, advice.next->score, language)},
+                language);
 }
 
 std::string placeWords(const BetterPlace& place, const mannequin::Posture& posture, PostureMethod method,
                        Language language) {
   const double far = glm::length(place.shift_W);
   const double ahead = glm::dot(place.shift_W, posture.X_WR.rotate({1.0, 0.0, 0.0}));
-  const std::string_view way = place.shift_W.z < -0.5 * far  ? "lower"
+  const std::string way = word(place.shift_W.z < -0.5 * far  ? "lower"
                                : place.shift_W.z > 0.5 * far ? "higher"
                                : ahead < -0.5 * far          ? "nearer"
                                : ahead > 0.5 * far           ? "further away"
-                                                             : "to the side";
-  const std::string colon = language == Language::kFrench ? " : " : ": ";
-  return number(1000.0 * far) + " mm " + word(way, language) + colon + scoreWords(method, place.score, language);
+                                                             : "to the side",
+                               language);
+  return phrase("%1: %2", {number(1000.0 * far) + " mm " + way, scoreWords(method, place.score, language)}, language);
 }
 
 std::string liftingDriverWords(const LiftingAdvice& advice) {
@@ -203,8 +203,7 @@ std::string liftingNextWords(const LiftingAdvice& advice, Language language) {
       text += (text.empty() ? "" : either) + liftingChangeWords(change, language);
   }
   if (text.empty()) return word("No change of this lift alone lowers the level.", language);
-  const std::string colon = language == Language::kFrench ? " : " : ": ";
-  return text + colon + word("lifting index at most", language) + " " + number(advice.target);
+  return phrase("%1: lifting index at most %2", {text, number(advice.target)}, language);
 }
 
 }  // namespace hapticell::ergonomics

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/system/text.h"
 #include "mannequin/ergonomics/advice/advice_words.h"
 #include "mannequin/ergonomics/scores/figure_measurement.h"
 
@@ -177,18 +178,14 @@ std::vector<DrivingPart> drivingParts(const PostureScores& scores, PostureMethod
 }
 
 std::string jointWords(const DrivingPart& part, Language language) {
-  struct Names {
-    std::string_view english[2], french[2];  // Left, right.
-  };
-  constexpr std::array<Names, 6> kNames{{{{"left shoulder", "right shoulder"}, {"épaule gauche", "épaule droite"}},
-                                         {{"left elbow", "right elbow"}, {"coude gauche", "coude droit"}},
-                                         {{"left wrist", "right wrist"}, {"poignet gauche", "poignet droit"}},
-                                         {{"neck", "neck"}, {"cou", "cou"}},
-                                         {{"trunk", "trunk"}, {"tronc", "tronc"}},
-                                         {{"left knee", "right knee"}, {"genou gauche", "genou droit"}}}};
-  const Names& names = kNames[static_cast<std::size_t>(part.part)];
-  const auto side = static_cast<std::size_t>(part.side);
-  return std::string(language == Language::kFrench ? names.french[side] : names.english[side]);
+  using Sides = std::array<std::string_view, 2>;  // Left, right.
+  constexpr std::array<Sides, 6> kNames{{{HAPTICELL_TRANSLATED("left shoulder", "right shoulder")},
+                                         {HAPTICELL_TRANSLATED("left elbow", "right elbow")},
+                                         {HAPTICELL_TRANSLATED("left wrist", "right wrist")},
+                                         {HAPTICELL_TRANSLATED("neck", "neck")},
+                                         {HAPTICELL_TRANSLATED("trunk", "trunk")},
+                                         {HAPTICELL_TRANSLATED("left knee", "right knee")}}};
+  return word(kNames[static_cast<std::size_t>(part.part)][static_cast<std::size_t>(part.side)], language);
 }
 
 std::string drivingWords(const PostureScores& scores, PostureMethod method, const DrivingPart& part,
@@ -199,14 +196,14 @@ std::string drivingWords(const PostureScores& scores, PostureMethod method, cons
   };
   const PostureAngles& angles = scores.sides[static_cast<std::size_t>(worseSide(scores, method))].angles;
   if (part.part == BodyPart::kUpperArm) {
-    add(angles.shoulder_raised, "raised");
-    add(angles.upper_arm_abducted, "abducted");
+    add(angles.shoulder_raised, HAPTICELL_TRANSLATED("raised"));
+    add(angles.upper_arm_abducted, HAPTICELL_TRANSLATED("abducted"));
   } else if (part.part == BodyPart::kTrunk) {
-    add(angles.trunk_twisted, "twisted");
-    add(angles.trunk_side_bent, "bent sideways");
+    add(angles.trunk_twisted, HAPTICELL_TRANSLATED("twisted"));
+    add(angles.trunk_side_bent, HAPTICELL_TRANSLATED("bent sideways"));
   } else if (part.part == BodyPart::kNeck) {
-    add(angles.neck_twisted, "twisted");
-    add(angles.neck_side_bent, "bent sideways");
+    add(angles.neck_twisted, HAPTICELL_TRANSLATED("twisted"));
+    add(angles.neck_side_bent, HAPTICELL_TRANSLATED("bent sideways"));
   }
   const std::string score = scoreWords(method, scoreBy(scores, method), language);
   return text + word(part.lowers ? "drives" : "counts in", language) + " " + score;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/system/text.h"
+
 namespace hapticell::ergonomics {
 namespace {
 
@@ -17,21 +19,21 @@ struct Line {
 };
 
 constexpr std::array<Line, kEawsPostureCount> kLines{{
-    {"standing and walking in turn", {0, 0, 0, 0, 0.5, 1, 1, 1, 1.5, 2}},
-    {"standing without support", {0.7, 1, 1.5, 2, 3, 4, 6, 8, 11, 13}},
-    {"standing, bent forward 20 to 60 deg", {2, 3, 5, 7, 9.5, 12, 18, 23, 32, 40}},
-    {"standing, bent forward over 60 deg", {3.3, 5, 8.5, 12, 17, 21, 30, 38, 51, 63}},
-    {"standing, elbow at or above shoulder", {3.3, 5, 8.5, 12, 17, 21, 30, 38, 51, 63}},
-    {"standing, hands above head", {5.3, 8, 14, 19, 26, 33, 47, 60, 80, 100}},
-    {"sitting with back support", {0, 0, 0, 0, 0, 0, 0.5, 1, 1.5, 2}},
-    {"sitting upright", {0, 0, 0.5, 1, 1.5, 2, 3, 4, 5.5, 7}},
-    {"sitting, bent forward", {0.7, 1, 1.5, 2, 3, 4, 6, 8, 11, 13}},
-    {"sitting, elbow at or above shoulder", {2.7, 4, 7, 10, 13, 16, 23, 30, 40, 50}},
-    {"sitting, hands above head", {4, 6, 10, 14, 20, 25, 35, 45, 60, 75}},
-    {"kneeling or crouching upright", {3.3, 5, 7, 9, 12, 15, 21, 27, 36, 45}},
-    {"kneeling or crouching, bent forward", {4, 6, 10, 14, 20, 25, 35, 45, 60, 75}},
-    {"lying", {6, 9, 15, 21, 29, 37, 53, 68, 91, 113}},
-    {"climbing", {6.7, 10, 22, 33, 50, 66, 66, 66, 66, 66}},
+    {HAPTICELL_TRANSLATED("standing and walking in turn"), {0, 0, 0, 0, 0.5, 1, 1, 1, 1.5, 2}},
+    {HAPTICELL_TRANSLATED("standing without support"), {0.7, 1, 1.5, 2, 3, 4, 6, 8, 11, 13}},
+    {HAPTICELL_TRANSLATED("standing, bent forward 20 to 60 deg"), {2, 3, 5, 7, 9.5, 12, 18, 23, 32, 40}},
+    {HAPTICELL_TRANSLATED("standing, bent forward over 60 deg"), {3.3, 5, 8.5, 12, 17, 21, 30, 38, 51, 63}},
+    {HAPTICELL_TRANSLATED("standing, elbow at or above shoulder"), {3.3, 5, 8.5, 12, 17, 21, 30, 38, 51, 63}},
+    {HAPTICELL_TRANSLATED("standing, hands above head"), {5.3, 8, 14, 19, 26, 33, 47, 60, 80, 100}},
+    {HAPTICELL_TRANSLATED("sitting with back support"), {0, 0, 0, 0, 0, 0, 0.5, 1, 1.5, 2}},
+    {HAPTICELL_TRANSLATED("sitting upright"), {0, 0, 0.5, 1, 1.5, 2, 3, 4, 5.5, 7}},
+    {HAPTICELL_TRANSLATED("sitting, bent forward"), {0.7, 1, 1.5, 2, 3, 4, 6, 8, 11, 13}},
+    {HAPTICELL_TRANSLATED("sitting, elbow at or above shoulder"), {2.7, 4, 7, 10, 13, 16, 23, 30, 40, 50}},
+    {HAPTICELL_TRANSLATED("sitting, hands above head"), {4, 6, 10, 14, 20, 25, 35, 45, 60, 75}},
+    {HAPTICELL_TRANSLATED("kneeling or crouching upright"), {3.3, 5, 7, 9, 12, 15, 21, 27, 36, 45}},
+    {HAPTICELL_TRANSLATED("kneeling or crouching, bent forward"), {4, 6, 10, 14, 20, 25, 35, 45, 60, 75}},
+    {HAPTICELL_TRANSLATED("lying"), {6, 9, 15, 21, 29, 37, 53, 68, 91, 113}},
+    {HAPTICELL_TRANSLATED("climbing"), {6.7, 10, 22, 33, 50, 66, 66, 66, 66, 66}},
 }};
 
 double pointsOf(const Line& line, double share) {

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/system/text.h"
+
 namespace hapticell::ergonomics {
 namespace {
 
-constexpr std::array<SubScore, Owas::kCount> kSubScores{
-    {{"back", 1, 4}, {"arms", 1, 3}, {"legs", 1, 7}, {"load", 1, 3}}};
+constexpr std::array<SubScore, Owas::kCount> kSubScores{{{HAPTICELL_TRANSLATED("back"), 1, 4},
+                                                         {HAPTICELL_TRANSLATED("arms"), 1, 3},
+                                                         {HAPTICELL_TRANSLATED("legs"), 1, 7},
+                                                         {HAPTICELL_TRANSLATED("load"), 1, 3}}};
 
 // Rows: back 1 to 4, each with arms 1 to 3; columns: legs 1 to 7, each number the categories of loads 1, 2 and 3.
 constexpr int kCategories[12][7] = {
@@ -18,18 +22,15 @@ constexpr int kCategories[12][7] = {
     {233, 223, 223, 444, 444, 444, 234}, {334, 234, 334, 444, 444, 444, 234}, {444, 234, 334, 444, 444, 444, 234},
 };
 
-constexpr std::array<std::string_view, 4> kBackMeanings{"straight", "bent", "twisted or bent sideways",
-                                                        "bent and twisted or bent sideways"};
-constexpr std::array<std::string_view, 3> kArmMeanings{"both below shoulder level", "one at or above shoulder level",
-                                                       "both at or above shoulder level"};
-constexpr std::array<std::string_view, 7> kLegMeanings{"sitting",
-                                                       "standing on two straight legs",
-                                                       "standing on one straight leg",
-                                                       "standing or squatting on two bent legs",
-                                                       "standing or squatting on one bent leg",
-                                                       "kneeling",
-                                                       "walking"};
-constexpr std::array<std::string_view, 3> kLoadMeanings{"up to 10 kg", "over 10 and up to 20 kg", "over 20 kg"};
+constexpr std::array<std::string_view, 4> kBackMeanings{
+    HAPTICELL_TRANSLATED("straight", "bent", "twisted or bent sideways", "bent and twisted or bent sideways")};
+constexpr std::array<std::string_view, 3> kArmMeanings{HAPTICELL_TRANSLATED(
+    "both below shoulder level", "one at or above shoulder level", "both at or above shoulder level")};
+constexpr std::array<std::string_view, 7> kLegMeanings{HAPTICELL_TRANSLATED(
+    "sitting", "standing on two straight legs", "standing on one straight leg",
+    "standing or squatting on two bent legs", "standing or squatting on one bent leg", "kneeling", "walking")};
+constexpr std::array<std::string_view, 3> kLoadMeanings{
+    HAPTICELL_TRANSLATED("up to 10 kg", "over 10 and up to 20 kg", "over 20 kg")};
 
 int legs(const OwasPosture& posture) {
   constexpr double kBent = 30.0;

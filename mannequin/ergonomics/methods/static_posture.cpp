@@ -5,10 +5,25 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/system/text.h"
 #include "mannequin/ergonomics/methods/view_planes.h"
 
 namespace hapticell::ergonomics {
 namespace {
+
+// Parts and conditions, as reports name them.
+constexpr std::string_view kTrunkForward = HAPTICELL_TRANSLATED("trunk forward");
+constexpr std::string_view kUpperArm = HAPTICELL_TRANSLATED("upper arm");
+constexpr std::string_view kLineOfSight = HAPTICELL_TRANSLATED("line of sight");
+constexpr std::string_view kTrunkInclination = HAPTICELL_TRANSLATED("trunk inclination");
+constexpr std::string_view kHeadInclination = HAPTICELL_TRANSLATED("head inclination");
+constexpr std::string_view kUpperArmElevation = HAPTICELL_TRANSLATED("upper arm elevation");
+constexpr std::string_view kTrunkSideBend = HAPTICELL_TRANSLATED("trunk side bend");
+constexpr std::string_view kTrunkTwist = HAPTICELL_TRANSLATED("trunk twist");
+constexpr std::string_view kTrunkSymmetry = HAPTICELL_TRANSLATED("trunk symmetry");
+constexpr std::string_view kShoulder = HAPTICELL_TRANSLATED("shoulder");
+constexpr std::string_view kFewMovements = HAPTICELL_TRANSLATED("fewer than 2 movements a minute");
+constexpr std::string_view kFewMovementsNotHeld = HAPTICELL_TRANSLATED("fewer than 2 movements a minute, not held");
 
 constexpr double kOften = 2.0;  ///< Movements a minute from which EN 1005-4 calls a movement frequent.
 
@@ -26,7 +41,7 @@ double holdingTime(double angle, double from, double to, double longest, double 
 PartVerdict beyond(PartVerdict verdict, double degrees, const PostureUse& use) {
   const bool is_near = use.measured && degrees <= kNearLimit;
   verdict.zone = is_near ? Zone::kConditional : Zone::kNotAcceptable;
-  verdict.condition = is_near ? "measured within 1.5 deg of the limit" : "";
+  verdict.condition = is_near ? HAPTICELL_TRANSLATED("measured within 1.5 deg of the limit") : "";
   return verdict;
 }
 
@@ -38,19 +53,20 @@ PartVerdict below0(PartVerdict verdict, const PostureUse& use) {
 PartVerdict sidewaysTrunk(std::string_view part, double angle, const PostureUse& use) {
   const double size = std::abs(angle);
   if (size <= 10.0) return {part, angle, Zone::kAcceptable};
-  if (use.movements_per_min < kOften) return {part, angle, Zone::kConditional, "fewer than 2 movements a minute"};
+  if (use.movements_per_min < kOften) return {part, angle, Zone::kConditional, kFewMovements};
   return beyond({part, angle}, size - 10.0, use);
 }
 
 PartVerdict trunkForward(double angle, const PostureUse& use) {
-  if (angle > 60.0) return {"trunk forward", angle, Zone::kNotAcceptable};
-  if (angle < 0.0 && !use.trunk_supported) return below0({"trunk forward", angle}, use);
-  if (angle <= 20.0) return {"trunk forward", angle, Zone::kAcceptable};
-  if (use.trunk_supported) return {"trunk forward", angle, Zone::kConditional, "full trunk support"};
+  if (angle > 60.0) return {kTrunkForward, angle, Zone::kNotAcceptable};
+  if (angle < 0.0 && !use.trunk_supported) return below0({kTrunkForward, angle}, use);
+  if (angle <= 20.0) return {kTrunkForward, angle, Zone::kAcceptable};
+  if (use.trunk_supported)
+    return {kTrunkForward, angle, Zone::kConditional, HAPTICELL_TRANSLATED("full trunk support")};
   if (!use.is_static && use.movements_per_min < kOften) {
-    return {"trunk forward", angle, Zone::kConditional, "fewer than 2 movements a minute, not held"};
+    return {kTrunkForward, angle, Zone::kConditional, kFewMovementsNotHeld};
   }
-  return beyond({"trunk forward", angle}, angle - 20.0, use);
+  return beyond({kTrunkForward, angle}, angle - 20.0, use);
 }
 
 /// An arm that is raised over 60 deg, or more than 20 deg behind the body; nothing where it is neither. `all_up_to_60`:
@@ -64,17 +80,18 @@ std::optional<PartVerdict> armBeyond(PartVerdict arm, double flexion, bool all_u
 
 PartVerdict upperArm(double elevation, double flexion, const PostureUse& use) {
   const bool is_rare = use.movements_per_min < kOften && !use.is_static;
-  if (const auto verdict = armBeyond({"upper arm", elevation}, flexion, is_rare, use)) return *verdict;
-  if (elevation <= 20.0 || is_rare) return {"upper arm", elevation, Zone::kAcceptable};
-  return {"upper arm", elevation, Zone::kConditional, "arm supported, or fewer than 10 movements a minute"};
+  if (const auto verdict = armBeyond({kUpperArm, elevation}, flexion, is_rare, use)) return *verdict;
+  if (elevation <= 20.0 || is_rare) return {kUpperArm, elevation, Zone::kAcceptable};
+  return {kUpperArm, elevation, Zone::kConditional,
+          HAPTICELL_TRANSLATED("arm supported, or fewer than 10 movements a minute")};
 }
 
 PartVerdict lineOfSight(double below, const PostureUse& use) {
-  if (below >= 0.0 && below <= 40.0) return {"line of sight", below, Zone::kAcceptable};
+  if (below >= 0.0 && below <= 40.0) return {kLineOfSight, below, Zone::kAcceptable};
   if (below > 40.0 && !use.is_static && use.movements_per_min < kOften) {
-    return {"line of sight", below, Zone::kConditional, "fewer than 2 movements a minute, not held"};
+    return {kLineOfSight, below, Zone::kConditional, kFewMovementsNotHeld};
   }
-  return below < 0.0 ? below0({"line of sight", below}, use) : beyond({"line of sight", below}, below - 40.0, use);
+  return below < 0.0 ? below0({kLineOfSight, below}, use) : beyond({kLineOfSight, below}, below - 40.0, use);
 }
 
 /// Of the upper arm against its hanging position, whichever way it points.
@@ -88,11 +105,11 @@ double elevationOf(const MeasuredPosture& posture) {
 std::string_view nameOf(Zone zone) {
   switch (zone) {
     case Zone::kAcceptable:
-      return "acceptable";
+      return HAPTICELL_TRANSLATED("acceptable");
     case Zone::kConditional:
-      return "conditionally acceptable";
+      return HAPTICELL_TRANSLATED("conditionally acceptable");
     case Zone::kNotAcceptable:
-      return "not acceptable";
+      return HAPTICELL_TRANSLATED("not acceptable");
   }
   return "";
 }
@@ -108,8 +125,8 @@ ZonePosture settledZones(ZonePosture posture) {
 PartVerdicts en1005(const MeasuredPosture& posture, double gaze_below_horizontal, const PostureUse& use) {
   PartVerdicts verdicts;
   add(verdicts, trunkForward(posture.trunk_flexion, use));
-  add(verdicts, sidewaysTrunk("trunk side bend", posture.trunk_side_bend, use));
-  add(verdicts, sidewaysTrunk("trunk twist", posture.trunk_twist, use));
+  add(verdicts, sidewaysTrunk(kTrunkSideBend, posture.trunk_side_bend, use));
+  add(verdicts, sidewaysTrunk(kTrunkTwist, posture.trunk_twist, use));
   add(verdicts, upperArm(elevationOf(posture), posture.upper_arm_flexion, use));
   add(verdicts, lineOfSight(gaze_below_horizontal, use));
   return verdicts;
@@ -121,27 +138,27 @@ namespace {
 PartVerdict heldAngle(PartVerdict verdict, double from, double limit, double longest, double shortest) {
   if (verdict.angle <= from) return verdict;
   verdict.zone = Zone::kConditional;
-  verdict.condition = "not held longer than the holding time";
+  verdict.condition = HAPTICELL_TRANSLATED("not held longer than the holding time");
   verdict.holding_time_min = holdingTime(verdict.angle, from, limit, longest, shortest);
   return verdict;
 }
 
 PartVerdict trunkInclination(double angle, const PostureUse& use) {
-  const PartVerdict trunk{"trunk inclination", angle};
+  const PartVerdict trunk{kTrunkInclination, angle};
   if (use.trunk_supported) return angle > 60.0 ? beyond(trunk, angle - 60.0, use) : trunk;
   if (angle < 0.0) return below0(trunk, use);
-  if (angle > 60.0) return {"trunk inclination", angle, Zone::kNotAcceptable};
+  if (angle > 60.0) return {kTrunkInclination, angle, Zone::kNotAcceptable};
   return heldAngle(trunk, 20.0, 60.0, 4.0, 1.0);
 }
 
 PartVerdict headInclination(double angle, const PostureUse& use) {
-  if (angle < 0.0) return below0({"head inclination", angle}, use);
-  if (angle > 85.0) return {"head inclination", angle, Zone::kNotAcceptable};
-  return heldAngle({"head inclination", angle}, 25.0, 85.0, 8.0, 1.0);
+  if (angle < 0.0) return below0({kHeadInclination, angle}, use);
+  if (angle > 85.0) return {kHeadInclination, angle, Zone::kNotAcceptable};
+  return heldAngle({kHeadInclination, angle}, 25.0, 85.0, 8.0, 1.0);
 }
 
 PartVerdict armElevationHeld(const MeasuredPosture& posture, const PostureUse& use) {
-  const PartVerdict arm{"upper arm elevation", elevationOf(posture)};
+  const PartVerdict arm{kUpperArmElevation, elevationOf(posture)};
   if (const auto verdict = armBeyond(arm, posture.upper_arm_flexion, use.arm_supported, use)) return *verdict;
   if (use.arm_supported) return arm;
   return heldAngle(arm, 20.0, 60.0, 3.0, 1.0);
@@ -157,11 +174,11 @@ PartVerdict upTo10(std::string_view part, double angle, const PostureUse& use) {
 PartVerdicts iso11226(const MeasuredPosture& posture, double head_inclination, const PostureUse& use) {
   PartVerdicts verdicts;
   const double turned = std::max(std::abs(posture.trunk_twist), std::abs(posture.trunk_side_bend));
-  add(verdicts, upTo10("trunk symmetry", turned, use));
+  add(verdicts, upTo10(kTrunkSymmetry, turned, use));
   add(verdicts, trunkInclination(posture.trunk_flexion, use));
   add(verdicts, headInclination(head_inclination, use));
   add(verdicts, armElevationHeld(posture, use));
-  add(verdicts, upTo10("shoulder", posture.girdle_elevation, use));
+  add(verdicts, upTo10(kShoulder, posture.girdle_elevation, use));
   return verdicts;
 }
 

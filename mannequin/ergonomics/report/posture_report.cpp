@@ -61,14 +61,16 @@ class Writer {
  private:
   Language language() const { return input_.language; }
   std::string say(std::string_view english) const { return word(english, language()); }
-  const char* colon() const { return language() == Language::kFrench ? " : " : ": "; }
+  std::string say(std::string_view form, const std::vector<std::string>& values) const {
+    return phrase(form, values, language());
+  }
 
   Report head(std::string_view title) const {
     Report report;
     report.title = say(title);
     report.subtitle = input_.subtitle;
     report.date = input_.date;
-    report.language = language() == Language::kFrench ? "fr" : "en";
+    report.language = codeOf(language());
     report.company = input_.company;
     report.logo = input_.logo;
     report.scene = input_.scene;
@@ -99,15 +101,13 @@ class Writer {
 
   ReportBlock task() const {
     const WorkTask& task = input_.task;
-    const bool fr = language() == Language::kFrench;
     ReportBlock block{say("Task"), {task.name == WorkTask{}.name ? say("Task") : task.name}};
-    block.lines.push_back((fr ? "Charge gauche " : "Load left ") + known(task.load_kg[0], "%.1f kg") +
-                          (fr ? ", droite " : ", right ") + known(task.load_kg[1], "%.1f kg"));
-    block.lines.push_back((fr ? "Répétitions " : "Repetitions ") + known(task.repetitions_per_min, "%.1f / min") +
-                          (fr ? ", durée " : ", shift ") + known(task.duration_h, "%.1f h"));
-    std::string held = fr ? "Posture tenue plus d'une minute : " : "Held for over a minute: ";
-    held += !task.is_static ? say("not entered") : *task.is_static ? (fr ? "oui" : "yes") : (fr ? "non" : "no");
-    block.lines.push_back(held);
+    block.lines.push_back(
+        say("Load left %1, right %2", {known(task.load_kg[0], "%.1f kg"), known(task.load_kg[1], "%.1f kg")}));
+    block.lines.push_back(say("Repetitions %1, shift %2",
+                              {known(task.repetitions_per_min, "%.1f / min"), known(task.duration_h, "%.1f h")}));
+    const std::string held = !task.is_static ? say("not entered") : say(*task.is_static ? "yes" : "no");
+    block.lines.push_back(say("Held for over a minute: %1", {held}));
     if (!task.note.empty()) block.lines.push_back(task.note);
     return block;
   }
@@ -205,10 +205,10 @@ class Writer {
   }
 
   std::string sourceLine() const {
-    std::string source = input_.source == "As it stands in the cell." ? say(input_.source) : input_.source;
+    std::string source = input_.source.empty() ? say("As it stands in the cell.") : input_.source;
     if (input_.is_of_phase && input_.phase)
       source = input_.phase->motion + ", " + phaseWords(*input_.phase, true, language()) + ".";
-    return say("Source of the posture") + colon() + source;
+    return say("Source of the posture: %1", {source});
   }
 
   ReportBlock subScores() const {
@@ -298,7 +298,7 @@ class Writer {
                           format("%.1f kg", result.recommended_weight_limit_kg) +
                           (result.lifting_index ? ", LI " + format("%.2f", *result.lifting_index) : std::string()));
     if (const auto next = liftingNextWords(found->advice, language()); !next.empty())
-      block.lines.push_back(say("What would bring it down") + colon() + next);
+      block.lines.push_back(say("What would bring it down: %1", {next}));
     block.columns = {"H", "V", "D", "A", "HM", "VM", "DM", "AM", "FM", "CM"};
     block.rows.push_back({{format("%.0f cm", found->task.h_cm)},
                           {format("%.0f cm", found->task.v_cm)},
@@ -314,13 +314,11 @@ class Writer {
   }
 
   ReportBlock forces() const {
-    const bool fr = language() == Language::kFrench;
     const HandForces found = handForces(input_.figure, pose_, input_.task, input_.own_limits);
     ReportBlock block{say("Forces on the hands"), {}, {say("Method"), say("Part"), say("Force"), say("Limit")}};
     for (const ForceLimit& limit : found.limits) {
       const bool own = limit.method == "own";
-      const std::string hand =
-          limit.hand < 0 ? (fr ? "les deux mains" : "both hands") : say(limit.hand == 0 ? "left" : "right");
+      const std::string hand = say(limit.hand < 0 ? "both hands" : limit.hand == 0 ? "left" : "right");
       block.rows.push_back({{own ? say("own table") : std::string(limit.method)},
                             {hand},
                             {format("%.0f N", limit.force_n)},
@@ -336,12 +334,12 @@ class Writer {
 
   ReportBlock limits() const {
     ReportBlock block{say("Method and limits of this report"), assumptionsOf(scores_, input_.task, language())};
-    std::string standards = say("Standards and editions") + colon() +
-                            "RULA McAtamney & Corlett 1993; REBA Hignett & McAtamney 2000;"
-                            " OWAS Karhu, Kansi & Kuorinka 1977; EN 1005-4:2005; ISO 11226:2000; EAWS " +
-                            say("1.3.6, posture outline only");
+    std::string standards =
+        "RULA McAtamney & Corlett 1993; REBA Hignett & McAtamney 2000;"
+        " OWAS Karhu, Kansi & Kuorinka 1977; EN 1005-4:2005; ISO 11226:2000; EAWS " +
+        say("1.3.6, posture outline only");
     if (input_.task.is_lift) standards += "; NIOSH DHHS 94-110, rev. 9/2021";
-    block.lines.insert(block.lines.begin(), standards + ".");
+    block.lines.insert(block.lines.begin(), say("Standards and editions: %1", {standards + "."}));
     return block;
   }
 

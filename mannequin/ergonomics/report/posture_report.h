@@ -18,7 +18,7 @@ namespace hapticell::ergonomics {
 struct PostureReportInput {
   std::string subtitle;  ///< Cell and mannequin.
   std::string date;      ///< As it shall be printed; reports know no clock.
-  std::string source;    ///< Where the posture is from: "As it stands in the cell", a file.
+  std::string source;    ///< The file that the posture is from; empty: as it stands in the cell.
   Language language = Language::kEnglish;
   mannequin::Figure figure;
   mannequin::Posture posture;

@@ -12,40 +12,33 @@ std::string numberWords(const char* form, double value) {
   return text;
 }
 
-const char* colonOf(Language language) {
-  return language == Language::kFrench ? " : " : ": ";
-}
-
 }  // namespace
 
 std::string phaseWords(const MotionPhase& phase, bool with_frame, Language language) {
-  const bool french = language == Language::kFrench;
-  std::string words = word("Worst phase", language) + colonOf(language) + numberWords("%.2f s", phase.from_s);
-  words += french ? " à " : " to ";
-  words += numberWords("%.2f s", phase.to_s) + numberWords(" (%.2f s)", phase.to_s - phase.from_s);
-  words += ", RULA " + std::to_string(phase.rula);
-  if (with_frame) words += (french ? " ; montrée à " : "; shown at ") + numberWords("%.2f s", phase.at_s);
-  return words;
+  const std::string words = phrase("Worst phase: %1 s to %2 s (%3 s), RULA %4",
+                                   {numberWords("%.2f", phase.from_s), numberWords("%.2f", phase.to_s),
+                                    numberWords("%.2f", phase.to_s - phase.from_s), std::to_string(phase.rula)},
+                                   language);
+  return with_frame ? phrase("%1; shown at %2 s", {words, numberWords("%.2f", phase.at_s)}, language) : words;
 }
 
 ReportBlock workplaceBlock(const WorkplaceFinding& found, Language language) {
-  const bool french = language == Language::kFrench;
   ReportBlock block{word("Search of the workplace", language), {}};
   std::string names;
   for (const std::string& name : found.moves) names += (names.empty() ? "" : ", ") + name;
-  block.lines.push_back(word("Moved, and nothing else", language) + colonOf(language) + names);
+  block.lines.push_back(phrase("Moved, and nothing else: %1", {names}, language));
   if (!found.is_found) {
     block.lines.push_back(word("No place was found that suits all four bodies.", language));
     return block;
   }
-  std::string place = word("Best place", language) + colonOf(language) + numberWords("%+.0f mm", 1000.0 * found.rise);
-  place += french ? " en hauteur, " : " up, ";
-  place += numberWords("%+.0f mm", 1000.0 * found.away) + (french ? " en profondeur, " : " away, ");
-  place += word(found.is_seated ? "sitting" : "standing", language) + "; RULA ";
   const char* const bodies[]{"P5F", "P50F", "P50M", "P95M"};
+  std::string rula;
   for (std::size_t i = 0; i < found.rula.size(); ++i)
-    place += (i == 0 ? "" : ", ") + std::string(bodies[i]) + " " + std::to_string(found.rula[i]);
-  block.lines.push_back(place);
+    rula += (i == 0 ? "" : ", ") + std::string(bodies[i]) + " " + std::to_string(found.rula[i]);
+  block.lines.push_back(phrase("Best place: %1 mm up, %2 mm away, %3; RULA %4",
+                               {numberWords("%+.0f", 1000.0 * found.rise), numberWords("%+.0f", 1000.0 * found.away),
+                                word(found.is_seated ? "sitting" : "standing", language), rula},
+                               language));
   return block;
 }
 

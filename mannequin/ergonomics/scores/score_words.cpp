@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "geometry/system/text.h"
 #include "mannequin/ergonomics/scores/french_words.h"
 
 namespace hapticell::ergonomics {
@@ -19,9 +20,15 @@ std::string degrees(double value) {
   return text;
 }
 
-std::string sided(std::string_view part, Side side, Language language) {
-  const std::string which = word(side == Side::kLeft ? "left" : "right", language);
-  return language == Language::kFrench ? word(part, language) + " " + which : which + " " + word(part, language);
+/// A part of an arm, left and right.
+using ArmPart = std::array<std::string_view, 2>;
+constexpr std::array<ArmPart, 4> kArmParts{{{HAPTICELL_TRANSLATED("left upper arm", "right upper arm")},
+                                            {HAPTICELL_TRANSLATED("left lower arm", "right lower arm")},
+                                            {HAPTICELL_TRANSLATED("left wrist", "right wrist")},
+                                            {HAPTICELL_TRANSLATED("left wrist twist", "right wrist twist")}}};
+
+std::string armPart(const ArmPart& part, Side side, Language language) {
+  return word(part[side == Side::kLeft ? 0 : 1], language);
 }
 
 void add(std::string& text, bool given, std::string_view english, Language language) {
@@ -34,24 +41,24 @@ bool is(const std::optional<bool>& flag) {
 
 std::string armReason(const SideScores& s, Language language, bool reba) {
   std::string text = degrees(s.measured.upper_arm_flexion);
-  add(text, is(s.angles.shoulder_raised), "raised", language);
-  add(text, is(s.angles.upper_arm_abducted), "abducted", language);
-  if (reba) add(text, is(s.angles.upper_arm_rotated), "rotated", language);
-  add(text, is(s.angles.arm_supported), "supported", language);
+  add(text, is(s.angles.shoulder_raised), HAPTICELL_TRANSLATED("raised"), language);
+  add(text, is(s.angles.upper_arm_abducted), HAPTICELL_TRANSLATED("abducted"), language);
+  if (reba) add(text, is(s.angles.upper_arm_rotated), HAPTICELL_TRANSLATED("rotated"), language);
+  add(text, is(s.angles.arm_supported), HAPTICELL_TRANSLATED("supported"), language);
   return text;
 }
 
 std::string neckReason(const SideScores& s, Language language) {
   std::string text = degrees(s.measured.neck_flexion);
-  add(text, is(s.angles.neck_twisted), "twisted", language);
-  add(text, is(s.angles.neck_side_bent), "bent sideways", language);
+  add(text, is(s.angles.neck_twisted), HAPTICELL_TRANSLATED("twisted"), language);
+  add(text, is(s.angles.neck_side_bent), HAPTICELL_TRANSLATED("bent sideways"), language);
   return text;
 }
 
 std::string trunkReason(const SideScores& s, Language language) {
   std::string text = degrees(s.measured.trunk_flexion);
-  add(text, is(s.angles.trunk_twisted), "twisted", language);
-  add(text, is(s.angles.trunk_side_bent), "bent sideways", language);
+  add(text, is(s.angles.trunk_twisted), HAPTICELL_TRANSLATED("twisted"), language);
+  add(text, is(s.angles.trunk_side_bent), HAPTICELL_TRANSLATED("bent sideways"), language);
   return text;
 }
 
@@ -62,35 +69,57 @@ std::string legReason(const SideScores& s, Language language) {
 
 std::string lowerArmReason(const SideScores& s, Language language) {
   std::string text = degrees(s.measured.lower_arm_flexion);
-  add(text, is(s.angles.lower_arm_across_midline), "across or outside", language);
+  add(text, is(s.angles.lower_arm_across_midline), HAPTICELL_TRANSLATED("across or outside"), language);
   return text;
 }
 
 std::string wristReason(const SideScores& s, Language language) {
   std::string text = degrees(s.measured.wrist_flexion);
-  add(text, is(s.angles.wrist_deviated), "deviated", language);
+  add(text, is(s.angles.wrist_deviated), HAPTICELL_TRANSLATED("deviated"), language);
   return text;
 }
 
 }  // namespace
 
+std::string_view codeOf(Language language) {
+  constexpr std::array<std::string_view, 2> kCodes{"en", "fr"};
+  return kCodes[static_cast<std::size_t>(language)];
+}
+
+Language languageOf(std::string_view code) {
+  return code.substr(0, 2) == codeOf(Language::kFrench) ? Language::kFrench : Language::kEnglish;
+}
+
 std::string word(std::string_view english, Language language) {
-  return std::string(language == Language::kFrench ? french(english) : english);
+  if (language == Language::kFrench) return std::string(french(english));
+  return std::string(english);
+}
+
+std::string phrase(std::string_view form, const std::vector<std::string>& values, Language language) {
+  return filled(word(form, language), values);
 }
 
 std::string rulaPart(Rula::Index index, Side side, Language language) {
-  constexpr std::array<std::string_view, Rula::kCount> kNames{
-      "upper arm", "lower arm",       "wrist",      "wrist twist",      "neck",       "trunk",
-      "legs",      "muscle use, arm", "force, arm", "muscle use, body", "force, body"};
-  if (index <= Rula::kWristTwist) return sided(kNames[index], side, language);
-  return word(kNames[index], language);
+  if (index <= Rula::kWristTwist) return armPart(kArmParts[index], side, language);
+  constexpr std::array<std::string_view, Rula::kCount - 4> kNames{HAPTICELL_TRANSLATED(
+      "neck", "trunk", "legs", "muscle use, arm", "force, arm", "muscle use, body", "force, body")};
+  return word(kNames[index - Rula::kNeck], language);
 }
 
 std::string rebaPart(Reba::Index index, Side side, Language language) {
-  constexpr std::array<std::string_view, Reba::kCount> kNames{"neck",  "trunk", "legs",     "upper arm", "lower arm",
-                                                              "wrist", "load",  "coupling", "activity"};
-  const bool arm = index == Reba::kUpperArm || index == Reba::kLowerArm || index == Reba::kWrist;
-  return arm ? sided(kNames[index], side, language) : word(kNames[index], language);
+  switch (index) {
+    case Reba::kUpperArm:
+      return armPart(kArmParts[Rula::kUpperArm], side, language);
+    case Reba::kLowerArm:
+      return armPart(kArmParts[Rula::kLowerArm], side, language);
+    case Reba::kWrist:
+      return armPart(kArmParts[Rula::kWrist], side, language);
+    default:
+      break;
+  }
+  constexpr std::array<std::string_view, Reba::kCount> kNames{
+      HAPTICELL_TRANSLATED("neck", "trunk", "legs", "", "", "", "load", "coupling", "activity")};
+  return word(kNames[index], language);
 }
 
 std::string rulaReason(const SideScores& s, Rula::Index index, Language language) {
@@ -160,56 +189,47 @@ MainDriver mainDriver(const PostureScores& scores, Language language) {
 }
 
 std::string rulaAdvice(int score, Language language) {
-  constexpr std::array<std::string_view, 4> kWords{"Acceptable", "Look into it", "Change soon", "Change now"};
+  constexpr std::array<std::string_view, 4> kWords{
+      HAPTICELL_TRANSLATED("Acceptable", "Look into it", "Change soon", "Change now")};
   return word(kWords[static_cast<std::size_t>(bandOfRula(score))], language);
 }
 
 std::string rebaAdvice(int score, Language language) {
-  constexpr std::array<std::string_view, 5> kWords{"negligible", "low", "medium", "high", "very high"};
+  constexpr std::array<std::string_view, 5> kWords{
+      HAPTICELL_TRANSLATED("negligible", "low", "medium", "high", "very high")};
   return word(kWords[static_cast<std::size_t>(std::clamp(Reba().levelOf(score), 0, 4))], language);
 }
 
 std::string owasAdvice(int category, Language language) {
-  constexpr std::array<std::string_view, 4> kWords{"normal", "soon", "as early as possible", "at once"};
+  constexpr std::array<std::string_view, 4> kWords{
+      HAPTICELL_TRANSLATED("normal", "soon", "as early as possible", "at once")};
   return word(kWords[static_cast<std::size_t>(std::clamp(category - 1, 0, 3))], language);
 }
 
 std::string whySentence(const PostureScores& scores, Language language) {
   const MainDriver driver = mainDriver(scores, language);
   const int value = scores.worse().rula[driver.index].value_or(0);
-  const std::string form = word("The %s scores %d: %s.", language);
-  char text[200];
-  std::snprintf(text, sizeof text, form.c_str(), driver.part.c_str(), value,
-                driver.reason.empty() ? "-" : driver.reason.c_str());
-  return text;
+  return phrase("The %1 scores %2: %3.",
+                {driver.part, std::to_string(value), driver.reason.empty() ? "-" : driver.reason}, language);
 }
 
 std::vector<std::string> assumptionsOf(const PostureScores& scores, const WorkTask& task, Language language) {
   std::vector<std::string> lines;
-  const bool fr = language == Language::kFrench;
-  lines.emplace_back(fr ? "Limites : une limite intérieure appartient à la classe inférieure ; la dernière classe de "
-                          "RULA comprend sa limite."
-                        : kBoundaryRule);
-  lines.emplace_back(fr ? "Tourné ou incliné à partir de 10°, écarté à partir de 45°, épaule levée à partir de 10°, "
-                          "torsion du poignet en fin de course au-delà de 75 % (choix de ce programme)."
-                        : "Twisted or bent sideways from 10° on, abducted from 45°, shoulder raised from 10°, wrist "
-                          "twist at its end beyond 75 % of the range (this program's choice).");
-  lines.emplace_back(
-      fr ? "Angles mesurés de tronc, cou et poignet : neutres à moins de 5° de 0 ; extension du cou pour "
-           "RULA : classe 2 jusqu'à 6,5°, 3 jusqu'à 8°, 4 au-delà (choix de ce programme)."
-         : "Measured angles of trunk, neck and wrist are neutral within 5° of 0; RULA's neck in extension: "
-           "class 2 up to 6.5°, 3 up to 8°, beyond 4 (this program's choice).");
+  lines.push_back(word(kBoundaryRule, language));
+  lines.push_back(
+      word("Twisted or bent sideways from 10° on, abducted from 45°, shoulder raised from 10°, wrist twist at its end "
+           "beyond 75 % of the range (this program's choice).",
+           language));
+  lines.push_back(word(
+      "Measured angles of trunk, neck and wrist are neutral within 5° of 0; RULA's neck in extension: class 2 up to "
+      "6.5°, 3 up to 8°, beyond 4 (this program's choice).",
+      language));
   if (!scores.missing.empty()) {
-    std::string line = word("The score is partial: not entered", language);
-    const char* separator = fr ? " : " : ": ";
-    for (const std::string_view what : scores.missing) {
-      line += separator + word(what, language);
-      separator = ", ";
-    }
-    lines.push_back(line + ".");
+    std::string missing;
+    for (const std::string_view what : scores.missing) missing += (missing.empty() ? "" : ", ") + word(what, language);
+    lines.push_back(phrase("The score is partial: not entered: %1.", {missing}, language));
   }
-  if (!task.arm_supported[0] && !task.arm_supported[1])
-    lines.emplace_back(fr ? "Aucun bras n'est soutenu." : "No arm is supported.");
+  if (!task.arm_supported[0] && !task.arm_supported[1]) lines.push_back(word("No arm is supported.", language));
   return lines;
 }
 

@@ -3,15 +3,25 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "geometry/system/text.h"
 #include "mannequin/ergonomics/scores/posture_scores.h"
 
 namespace hapticell::ergonomics {
 
 enum class Language { kEnglish, kFrench };
 
-/// The words of scores and reports in a language; English is the key, and what has no translation stays English.
+/// "en", "fr".
+std::string_view codeOf(Language language);
+/// The language of a code such as "fr" or "fr_FR"; English for any other.
+Language languageOf(std::string_view code);
+
+/// The words of scores and reports in a language; English is the key, and what has no translation stays English. The
+/// translations are those of app/translations, context Ergonomics.
 std::string word(std::string_view english, Language language);
+/// The same with the places %1, %2, ... filled: phrase("%1: %2", {"trunk", "bent"}, language).
+std::string phrase(std::string_view form, const std::vector<std::string>& values, Language language);
 
 /// The sub-score whose fall to its least lowers RULA most (of equal ones the worst in its range), in words.
 struct MainDriver {
@@ -40,7 +50,7 @@ std::string whySentence(const PostureScores& scores, Language language);
 std::vector<std::string> assumptionsOf(const PostureScores& scores, const WorkTask& task, Language language);
 
 /// The rule that is printed in each report (docs/user/ergonomics.md).
-inline constexpr const char* kBoundaryRule =
-    "Boundaries: an inner boundary belongs to the lower class; the last class of RULA includes its boundary.";
+inline constexpr const char* kBoundaryRule = HAPTICELL_TRANSLATED(
+    "Boundaries: an inner boundary belongs to the lower class; the last class of RULA includes its boundary.");
 
 }  // namespace hapticell::ergonomics

@@ -151,7 +151,7 @@ inline Message message() {
     case 1:
       return Welcome{*rc::gen::arbitrary<std::uint32_t>(), kind(), 1.0 * *rc::gen::inRange(1, 4000), device()};
     case 2:
-      return Refusal{text()};
+      return Refusal{text(), static_cast<RefusalReason>(*rc::gen::inRange(0, 6)), text()};
     case 3:
       return constraintSet();
     case 4:

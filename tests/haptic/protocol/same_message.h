@@ -70,7 +70,7 @@ inline bool same(const Welcome& a, const Welcome& b) {
 }
 
 inline bool same(const Refusal& a, const Refusal& b) {
-  return a.sentence == b.sentence;
+  return a.sentence == b.sentence && a.reason == b.reason && a.subject == b.subject;
 }
 
 inline bool same(const Heartbeat& a, const Heartbeat& b) {

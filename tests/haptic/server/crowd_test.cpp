@@ -114,10 +114,10 @@ TEST_P(Crowded, TheRightfulOwnerGetsInAndComesBackThroughSilentSockets) {
   const Crowd crowd(server.port(), 200);
   for (int time = 0; time < 3; ++time) {
     TcpLink owner(to(server.port(), key, ClientKind::kController));
-    ASSERT_TRUE(connects(owner)) << owner.problem();
+    ASSERT_TRUE(connects(owner)) << english(owner.problem());
     EXPECT_EQ(owner.grantedKind(), ClientKind::kController);
     TcpLink watcher(to(server.port(), key, ClientKind::kWatcher));
-    ASSERT_TRUE(connects(watcher)) << watcher.problem();
+    ASSERT_TRUE(connects(watcher)) << english(watcher.problem());
   }
 }
 
@@ -225,9 +225,9 @@ class Closer {
 TEST(Crowd, AServerWithoutRoomIsNoReasonToPairAnew) {
   const Closer closer;
   TcpLink link(to(closer.port, *PairingKey::make(), ClientKind::kController));
-  ASSERT_TRUE(eventually([&] { return link.problem().find("tries again by itself") != std::string::npos; }))
-      << link.problem();
-  EXPECT_THAT(link.problem(), Not(HasSubstr("Pair them anew")));
+  ASSERT_TRUE(eventually([&] { return english(link.problem()).find("tries again by itself") != std::string::npos; }))
+      << english(link.problem());
+  EXPECT_THAT(english(link.problem()), Not(HasSubstr("Pair them anew")));
 }
 
 }  // namespace

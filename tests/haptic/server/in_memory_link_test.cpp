@@ -11,7 +11,7 @@ namespace {
 TEST(InMemoryLink, TellsTheDeviceAndIsConnectedFromTheStart) {
   VirtualSession session;
   EXPECT_EQ(session.link().linkState(), LinkState::kConnected);
-  EXPECT_EQ(session.link().problem(), "");
+  EXPECT_TRUE(session.link().problem().empty());
   ASSERT_TRUE(session.link().device().has_value());
   EXPECT_EQ(session.link().device()->peak_force, 6.4);
   EXPECT_TRUE(session.link().device()->simulated);

@@ -37,13 +37,13 @@ TcpLinkOptions to(std::uint16_t port, const std::optional<PairingKey>& key) {
 }
 
 bool failsFor(TcpLink& link, const std::string& reason) {
-  return eventually([&] { return link.problem().find(reason) != std::string::npos; });
+  return eventually([&] { return english(link.problem()).find(reason) != std::string::npos; });
 }
 
 /// Whether a paired client still gets in and feels the floor: what every attack must leave as it was.
 void expectServes(LiveServer& server) {
   TcpLink link(to(server.port(), ourKey()));
-  ASSERT_TRUE(connects(link)) << link.problem();
+  ASSERT_TRUE(connects(link)) << english(link.problem());
   link.sendHandTarget({true, Pose::translation(dvec3(0.0, 0.0, 0.005)), 0});
   link.sendControl({.forces_enabled = true});
   link.sendSet(floorSet(1));
@@ -66,7 +66,7 @@ TEST(SecureServer, APairedStationFeelsTheFloor) {
 TEST(SecureServer, AnotherKeyIsRefusedAndBothSidesSaySo) {
   LiveServer server(keyed());
   TcpLink stranger(to(server.port(), *PairingKey::make()));
-  EXPECT_TRUE(failsFor(stranger, "do not have the same key")) << stranger.problem();
+  EXPECT_TRUE(failsFor(stranger, "do not have the same key")) << english(stranger.problem());
   EXPECT_TRUE(eventually([&] { return server.reported("Refused a program at 127.0.0.1"); }));
   EXPECT_FALSE(server.reported("controls the stylus"));
   expectServes(server);
@@ -78,14 +78,14 @@ TEST(SecureServer, PlainTextIsRefused) {
   EXPECT_FALSE(plain.hello().has_value());
   EXPECT_TRUE(eventually([&] { return server.reported("does not speak TLS"); }));
   TcpLink link(to(server.port(), std::nullopt));
-  EXPECT_TRUE(failsFor(link, "wants a key")) << link.problem();
+  EXPECT_TRUE(failsFor(link, "wants a key")) << english(link.problem());
   expectServes(server);
 }
 
 TEST(SecureServer, AKeyedClientTellsNothingToAPlainServer) {
   LiveServer plain;
   TcpLink link(to(plain.port(), ourKey()));
-  EXPECT_TRUE(failsFor(link, "do not have the same key")) << link.problem();
+  EXPECT_TRUE(failsFor(link, "do not have the same key")) << english(link.problem());
   EXPECT_FALSE(plain.reported("controls the stylus"));
 }
 
@@ -164,7 +164,7 @@ TEST(SecureServer, APairedControllerKeepsTheStylusThroughAFloodAndSlowTalkers) {
     watch.kind = ClientKind::kWatcher;
     return watch;
   }());
-  EXPECT_TRUE(connects(watcher)) << watcher.problem();
+  EXPECT_TRUE(connects(watcher)) << english(watcher.problem());
 }
 
 TEST(SecureServer, ASecondPairedControllerIsToldWhoHasTheStylus) {
@@ -173,7 +173,7 @@ TEST(SecureServer, ASecondPairedControllerIsToldWhoHasTheStylus) {
   ASSERT_TRUE(connects(first));
   TcpLink second(to(server.port(), ourKey()));
   ASSERT_TRUE(eventually([&] { return second.linkState() == LinkState::kRefused; }));
-  EXPECT_THAT(second.problem(), HasSubstr("controls the stylus"));
+  EXPECT_THAT(english(second.problem()), HasSubstr("controls the stylus"));
 }
 
 class SlowLink : public ::testing::TestWithParam<double> {};

@@ -58,7 +58,7 @@ TEST(Jog, ToolGoesStraightInOneConfiguration) {
   for (const JogFrame frame : {JogFrame::kBase, JogFrame::kTool, JogFrame::kWorld, JogFrame::kGiven}) {
     const JogStep step{frame, {0.03, -0.02, 0.05}, {0.02, 0.05, -0.04}, glm::angleAxis(0.6, dvec3(0.6, 0.0, 0.8))};
     const JogResult result = jogTool(arm.robot(), q, step);
-    ASSERT_TRUE(result.complete) << result.reason;
+    ASSERT_TRUE(result.complete) << english(result.reason);
     const Pose wanted = jogged(arm.tcp(q), arm.X_WB, step), there = arm.tcp(result.q);
     EXPECT_LT(glm::length(there.p - wanted.p), 1e-6);
     EXPECT_LT(glm::length(difference(there, wanted).angular), 1e-5);
@@ -75,7 +75,7 @@ TEST(Jog, JointStopsAtItsLimitAndSaysSo) {
   const JogResult held = jogJoint(model, q, 4, 10.0);
   EXPECT_FALSE(held.complete);
   EXPECT_DOUBLE_EQ(held.q[4], model.joints[4].upper);
-  EXPECT_EQ(held.reason, "a5 is at its upper limit");
+  EXPECT_EQ(english(held.reason), "a5 is at its upper limit");
   EXPECT_EQ(held.q[3], q[3]);
 }
 
@@ -107,10 +107,10 @@ TEST(Jog, ToolStopsAtTheEdgeOfTheReach) {
 TEST(Jog, NearestLimitNamesTheJoint) {
   RobotModel model = test::scara();
   std::vector<double> q{0.0, 0.0, 0.2188, 3.0};
-  EXPECT_EQ(nearestLimitText(model, q, 0.01), "j3 is 1.2 mm from its upper limit");
-  EXPECT_EQ(nearestLimitText(model, q, 1e-4), "");
+  EXPECT_EQ(english(nearestLimitText(model, q, 0.01)), "j3 is 1.2 mm from its upper limit");
+  EXPECT_TRUE(nearestLimitText(model, q, 1e-4).empty());
   q[1] = -2.5 + 0.0005;
-  EXPECT_EQ(nearestLimitText(model, q, 0.01), "j2 is at its lower limit");
+  EXPECT_EQ(english(nearestLimitText(model, q, 0.01)), "j2 is at its lower limit");
 }
 
 }  // namespace

@@ -30,13 +30,13 @@ TEST(StepClock, CountsFromTheFirstStepAndDoesNotCatchUp) {
 
 TEST(ResultLog, TellsInOrderAndOnceWhereAsked) {
   ResultLog log;
-  log.notice("a");
-  log.noticeOnce("b");
-  log.noticeOnce("b");
-  log.notice("a");
+  log.notice(Text("a"));
+  log.noticeOnce(Text("b"));
+  log.noticeOnce(Text("b"));
+  log.notice(Text("a"));
   const std::vector<Result> told = log.take();
   ASSERT_EQ(told.size(), 3U);
-  EXPECT_EQ(std::get<result::Notice>(told[1]).sentence, "b");
+  EXPECT_EQ(std::get<result::Notice>(told[1]).sentence, Text("b"));
   EXPECT_TRUE(log.take().empty());
 }
 

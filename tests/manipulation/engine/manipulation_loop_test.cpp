@@ -79,7 +79,7 @@ class SteppedServer final : public haptic::HapticLink {
   ~SteppedServer() override { seen_.ended(std::this_thread::get_id(), control_, set_); }
 
   haptic::LinkState linkState() const override { return link_.linkState(); }
-  std::string problem() const override { return link_.problem(); }
+  haptic::LinkProblem problem() const override { return link_.problem(); }
   std::optional<haptic::DeviceDescription> device() const override { return link_.device(); }
   std::optional<haptic::HapticState> latestState() override {
     device_.hand().hold(Pose::translation(seen_.read(&Seen::hand_)), 0);

@@ -65,7 +65,7 @@ struct StylusAndMouse {
   bool wasTold(Holder& holder, const std::string& sentence) {
     for (const Result& one : holder.takeResults()) {
       const auto* notice = std::get_if<result::Notice>(&one);
-      if (notice && notice->sentence.find(sentence) != std::string::npos) return true;
+      if (notice && english(notice->sentence).find(sentence) != std::string::npos) return true;
     }
     return false;
   }

@@ -97,7 +97,7 @@ template <typename Holder>
 std::string noticesOf(Holder& holder) {
   std::string all;
   for (const Result& one : holder.takeResults()) {
-    if (const auto* notice = std::get_if<result::Notice>(&one)) all += notice->sentence + "\n";
+    if (const auto* notice = std::get_if<result::Notice>(&one)) all += english(notice->sentence) + "\n";
   }
   return all;
 }

@@ -98,7 +98,7 @@ TEST_P(ClosedRobot, PathBoundsHoldAndLimitsAreTold) {
   robot.at.joints[0] = robot.model->joints[static_cast<std::size_t>(robot.model->moving[0])].upper - 1e-3;
   const auto limits = robot.manipulator->limits(robot.at, 0.05, 0.1);
   const bool upper = std::any_of(limits.begin(), limits.end(), [](const MotionLimit& limit) {
-    return limit.text.find("upper") != std::string::npos;
+    return limit.text.id() == "%1 is %2 from its upper limit";
   });
   EXPECT_TRUE(upper);
 }

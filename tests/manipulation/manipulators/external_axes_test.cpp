@@ -119,7 +119,7 @@ TEST(ExternalAxes, AJointsEndIsFeltWhicheverItBelongsTo) {
   EXPECT_NEAR((*held)->axes()[0].second.joints.at(0), 1.0, 1e-6);
   const auto limits = (*held)->manipulator().limits((*held)->accepted(), 0.05, 0.1);
   const auto rail = std::find_if(limits.begin(), limits.end(),
-                                 [](const MotionLimit& limit) { return limit.text.find("drive") == 0; });
+                                 [](const MotionLimit& limit) { return english(limit.text).find("drive is ") == 0; });
   ASSERT_NE(rail, limits.end());
   EXPECT_EQ((*held)->jointName(rail->joint), "drive");
   EXPECT_EQ((*held)->ownJoint(rail->joint), -1);

@@ -109,7 +109,7 @@ TEST(RobotBase, JointLimitsAreFeltAsTheBaseMoves) {
   const auto fifth =
       std::find_if(limits.begin(), limits.end(), [](const MotionLimit& limit) { return limit.joint == 4; });
   ASSERT_NE(fifth, limits.end());
-  EXPECT_EQ(fifth->text, "a5 is 3.9 deg from its upper limit");
+  EXPECT_EQ(english(fifth->text), "a5 is 3.9 deg from its upper limit");
   // Along the gradient the joint goes away from its limit by as much as it says.
   const haptic::Vector6& a = fifth->constraint_W.gradient;
   const double step = 1e-4;

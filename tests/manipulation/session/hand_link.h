@@ -14,7 +14,7 @@ class HandLink final : public haptic::HapticLink {
   haptic::LinkState linkState() const override {
     return connected ? haptic::LinkState::kConnected : haptic::LinkState::kDisconnected;
   }
-  std::string problem() const override { return {}; }
+  haptic::LinkProblem problem() const override { return {}; }
   std::optional<haptic::DeviceDescription> device() const override {
     haptic::DeviceDescription description;
     description.workspace_min = dvec3(-0.08);

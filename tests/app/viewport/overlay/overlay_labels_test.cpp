@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "app/viewport/scene/pen_look.h"
 #include "app/viewport/overlay/pen_tags.h"
 
@@ -33,10 +35,14 @@ manipulation::PairState pair(double distance, bool contact) {
   return result;
 }
 
+Text limitOf(const char* joint, double degrees) {
+  return Text("%1 is %2 from its limit", joint, Text::Angle{degrees * std::numbers::pi / 180.0});
+}
+
 TEST(OverlayLabels, OneEachOfContactNearMissAndLimit) {
   manipulation::SceneSnapshot snapshot;
   for (int i = 0; i < 4; ++i) snapshot.pairs.push_back(pair(0.001 * i, i < 2));
-  snapshot.limits = {{"A5 is 1.2° from its limit", 4}, {"A3 is 0.1° from its limit", 2}};
+  snapshot.limits = {{limitOf("A5", 1.2), 4}, {limitOf("A3", 0.1), 2}};
   const auto labels = overlayLabels(sceneWith(snapshot));
   ASSERT_EQ(labels.size(), 3u);
   EXPECT_EQ(labels[0].mark, Mark::kContact);

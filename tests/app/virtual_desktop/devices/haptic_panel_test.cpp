@@ -44,9 +44,9 @@ TEST(ForceReason, NoForceAlwaysHasAReasonAndWhatMendsIt) {
   ForceFacts facts;
   EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kConnect);
   facts.started = true;
-  facts.problem = "No server answers at 127.0.0.1:4747.";
+  facts.problem = {Text("No haptic server answers at %1.", "127.0.0.1:4747")};
   EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kStartServer);
-  EXPECT_EQ(forceReason(facts).why, facts.problem);
+  EXPECT_EQ(forceReason(facts).why, "No haptic server answers at 127.0.0.1:4747.");
   facts.connected = true;
   EXPECT_EQ(forceReason(facts).state, "Forces off");
   EXPECT_TRUE(forceReason(facts).why.contains("Ctrl+Space"));
@@ -92,7 +92,7 @@ TEST(ForceReason, ForcesThatWentOffUnaskedAndTheDevicesEndAreSaid) {
 TEST(ForceReason, AProblemIsCutToItsFirstSentence) {
   ForceFacts facts;
   facts.started = true;
-  facts.problem = "No haptic server answers at 127.0.0.1:4747. Start hapticell-haptic-server.";
+  facts.problem = {Text("No haptic server answers at %1.", "127.0.0.1:4747"), Text("Start hapticell-haptic-server.")};
   EXPECT_EQ(forceReason(facts).why, "No haptic server answers at 127.0.0.1:4747.");
 }
 
