@@ -81,7 +81,7 @@ Expected<Subject> subjectOfCell(const PostureOptions& options) {
   subject.input.posture = mannequin::toPosture(*found->figure, {found->X_WE, found->joints});
   if (const WorkTask* task = state.workTaskOf(found->name)) subject.input.task = *task;
   subject.input.subtitle = options.cell + ", " + found->name;
-  subject.input.source = "The posture in the cell.";
+  subject.input.source = "As it stands in the cell.";
   return subject;
 }
 
