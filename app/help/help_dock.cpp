@@ -94,7 +94,7 @@ class HelpDock : public QObject {
     if (panel_) return panel_;
     panel_ = new HelpPanel(languageNow(), [this](const QString& page) { return addition(page); });
     panel_->setMinimumWidth(kHelpWidth);
-    dock_ = makeDock("dockHelp", tr("Guidance"), panel_);
+    dock_ = makeDock("dockHelp", tr("Help"), panel_);
     dock_->setWindowIcon(icon("help"));
     host_.addDock(dock_, Qt::RightDockWidgetArea);
     return panel_;

@@ -68,7 +68,7 @@ HelpPanel::HelpPanel(const QString& language, Addition addition, QWidget* parent
       browser_(new PageBrowser(language, addition_)) {
   setObjectName("panelHelp");
   browser_->setObjectName("browserHelp");
-  browser_->setAccessibleName(tr("Guidance"));
+  browser_->setAccessibleName(tr("Help"));
   browser_->setFrameShape(QFrame::NoFrame);
   browser_->document()->setDocumentMargin(12);
   makeContents();

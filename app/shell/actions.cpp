@@ -173,7 +173,7 @@ void Actions::fillMenus(QMainWindow& window) {
   menus.windows = topMenu(window, "menuWindow", tr("Window"));
   menus.windows->addActions({view.side_docks, view.reset_layout});
   menus.windows->addSeparator();
-  menus.help = topMenu(window, "menuHelp", tr("Guidance"));
+  menus.help = topMenu(window, "menuHelp", tr("Help"));
   menus.help->addActions({help.manual, help.panel_help, help.scene_text, help.first_page});
   menus.help->addSeparator();
   menus.help->addAction(help.about);

@@ -3351,6 +3351,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tenue plus d'1 min</translation>
     </message>
     <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
         <source>Help on this panel</source>
         <translation>Aide sur ce panneau</translation>
     </message>

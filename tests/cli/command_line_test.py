@@ -343,7 +343,7 @@ def test_workcell_new_refuses_what_means_nothing(case):
     assert "'k' is taken" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--add", brick, expect=2)
     assert "once" in case.run("workcell", "new", "cell.hcell", "--add", brick + ",name=j", expect=2)
     assert "--check" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--check", ":", expect=2)
-    assert "no option 'colour'" in case.run("workcell", "new", "cell.hcell", "--add", "brick.obj,colour=red", expect=2)
+    assert "no option is named 'colour'" in case.run("workcell", "new", "cell.hcell", "--add", "brick.obj,colour=red", expect=2)
     assert not (case.folder / "cell.hcell").exists()
 
 
@@ -472,11 +472,11 @@ def test_session_without_forces_gives_none(case):
 
 
 def test_usage(case):
-    assert "'insepct'; expected one of" in case.run("insepct", "box.stl", expect=2).replace("is no command ", "")
+    assert "'insepct'; expected one of" in case.run("insepct", "box.stl", expect=2)
     assert subprocess.run([CLI, "--help"], capture_output=True).returncode == 0
     case.run(expect=2)
     case.run("fly", expect=2)
-    assert "no command 'fly'" in case.run("trajectory", "fly", "a.csv", expect=2) and "retime" in case.error
+    assert "no command is named 'fly'" in case.run("trajectory", "fly", "a.csv", expect=2) and "retime" in case.error
     case.run("trajectory", expect=2)
     case.run("inspect", expect=2)
 

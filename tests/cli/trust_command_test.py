@@ -112,7 +112,7 @@ def test_a_pairing_code_is_read_from_standard_input(folder):
     said = run("pair", "scene.example", "--unchecked", folder=folder, code="", expect=2, XDG_CONFIG_HOME=folder / "cfg").stderr
     assert "pairing code" in said, said
     said = run("pair", "scene.example", code, "--unchecked", folder=folder, XDG_CONFIG_HOME=folder / "cfg").stderr
-    assert "seen by every user" in said, said
+    assert "Every user of this machine can see" in said, said
 
 
 def test_a_pairing_code_is_typed_without_being_shown(folder):
