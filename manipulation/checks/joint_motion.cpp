@@ -27,7 +27,7 @@ Expected<const workcell::Entity*> robotOf(const PreparedScene& scene, workcell::
   if (!entity->robot) return makeError(jointRefusal(place, "it has no joints", "a robot or a mechanism"));
   if (joints.size() != entity->robot->dof()) {
     return makeError(jointRefusal(place, std::to_string(joints.size()) + " joint positions",
-                             std::to_string(entity->robot->dof()) + " of them"));
+                                  std::to_string(entity->robot->dof()) + " of them"));
   }
   if (!std::all_of(joints.begin(), joints.end(), [](double q) { return std::isfinite(q); }))
     return makeError(jointRefusal(place, "a joint position that is no number", "finite numbers"));
@@ -62,7 +62,8 @@ Expected<std::unique_ptr<HeldEntity>> takeAt(std::shared_ptr<const PreparedScene
 std::string meeting(const PreparedScene& scene, const workcell::Entity& entity, const HeldPair& pair) {
   const std::string moved = pair.moved_part.empty() ? entity.name : pair.moved_part;
   const workcell::Entity* other = scene.find(pair.other);
-  const std::string what = pair.other == entity.id ? "its own " + pair.other_part : other ? other->name : "something";
+  std::string what = other ? other->name : "something";
+  if (pair.other == entity.id) what = "its own " + pair.other_part;
   return moved + " would touch " + what;
 }
 

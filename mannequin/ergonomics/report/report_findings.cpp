@@ -3,20 +3,22 @@
 
 #include <cstdio>
 
+#include "geometry/system/listed.h"
+
 namespace hapticell::ergonomics {
 namespace {
-
-std::string numberWords(const char* form, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, form, value);
-  return text;
-}
 
 const char* colonOf(Language language) {
   return language == Language::kFrench ? " : " : ": ";
 }
 
 }  // namespace
+
+std::string numberWords(const char* form, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, form, value);
+  return text;
+}
 
 std::string phaseWords(const MotionPhase& phase, bool with_frame, Language language) {
   const bool french = language == Language::kFrench;
@@ -31,9 +33,7 @@ std::string phaseWords(const MotionPhase& phase, bool with_frame, Language langu
 ReportBlock workplaceBlock(const WorkplaceFinding& found, Language language) {
   const bool french = language == Language::kFrench;
   ReportBlock block{word("Search of the workplace", language), {}};
-  std::string names;
-  for (const std::string& name : found.moves) names += (names.empty() ? "" : ", ") + name;
-  block.lines.push_back(word("Moved, and nothing else", language) + colonOf(language) + names);
+  block.lines.push_back(word("Moved, and nothing else", language) + colonOf(language) + listed(found.moves));
   if (!found.is_found) {
     block.lines.push_back(word("No place was found that suits all four bodies.", language));
     return block;
