@@ -69,7 +69,8 @@ void row(const std::string& scene, const char* query, const Times& ours, const T
     std::printf(" | | |");
   }
   const bool asks = asked.times_median > 0.0 || asked.median_us > 0.0 || asked.p99_us > 0.0;
-  std::printf(" %s |\n", !asks ? "" : reached ? "yes" : "**no**");
+  const char* const answer = reached ? "yes" : "**no**";
+  std::printf(" %s |\n", asks ? answer : "");
   std::fflush(stdout);
 }
 

@@ -35,7 +35,8 @@ std::array<SegmentPlace, 2> stance(const Figure& figure, bool split) {
   std::array<SegmentPlace, 2> feet;
   for (std::size_t i = 0; i < 2; ++i) {
     const double out = i == 0 ? 1.0 : -1.0;
-    const double toes = split ? (i == 0 ? 12.0 : 15.0) * kDegree * out : 0.0;
+    const double split_toes = (i == 0 ? 12.0 : 15.0) * kDegree * out;
+    const double toes = split ? split_toes : 0.0;
     const double y = out * glm::abs(figure.p_PS[indexOf(Segment::kLeftThigh)].y);
     feet[i].R_WS = rotationYXZ({0.0, 0.0, toes});
     feet[i].p_WS = {split ? 0.15 * out : 0.0, y, -figure.sole.z};

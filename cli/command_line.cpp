@@ -15,6 +15,7 @@
 #include "cli/session/session_commands.h"
 #include "cli/trajectory/trajectory_command.h"
 #include "cli/workcell/workcell_commands.h"
+#include "geometry/system/listed.h"
 
 namespace hapticell::cli {
 
@@ -35,8 +36,8 @@ int run(const Action& chosen, const std::string& json_file) {
 
 /// CLI11 would only say that a command is missing, not which word it did not know.
 int reportUnknownCommand(const CLI::App& app, const std::string& word) {
-  std::string known;
-  for (const CLI::App* command : app.get_subcommands({})) known += (known.empty() ? "" : ", ") + command->get_name();
+  const std::string known =
+      listed(app.get_subcommands({}), [](const CLI::App* command) { return command->get_name(); });
   report({"", "", "no command is named '" + word + "'", "one of " + known, ""});
   return static_cast<int>(ExitStatus::kBadInput);
 }

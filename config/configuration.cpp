@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "config/setting_visitor.h"
+#include "geometry/system/listed.h"
 
 namespace hapticell::config {
 
@@ -33,10 +34,7 @@ std::string rangeText(const NumberRange& range) {
 }
 
 std::string rangeText(const Choices& choices) {
-  if (choices.empty()) return "any text";
-  std::string text;
-  for (const std::string& choice : choices) text += (text.empty() ? "" : ", ") + choice;
-  return text;
+  return choices.empty() ? "any text" : listed(choices);
 }
 
 bool parse(std::string_view text, double& value) {

@@ -34,15 +34,17 @@ Expected<fs::path> userFolder(const char* variable, const char* below_home, cons
   if (!own.empty()) return own / "hapticell";
   const fs::path home = absolutePath("HOME");
   if (!home.empty()) return home / below_home / "hapticell";
-  const char* const found = std::getenv("HOME");
-  return makeError(
-      {.place = "the folder of " + what,
-       .found = found == nullptr ? "HOME is not set"
-                                 : (*found == '\0' ? std::string("HOME is empty")
-                                                   : "HOME is '" + std::string(found) + "', no absolute path"),
-       .expected = "the home folder of this user",
-       .fix = std::string("Set HOME") + (variable != nullptr ? std::string(" or ") + variable : std::string()) +
-              ". Nothing is looked for in the current folder."});
+  const char* const home_given = std::getenv("HOME");
+  std::string found = "HOME is not set";
+  if (home_given != nullptr) {
+    found = *home_given == '\0' ? "HOME is empty" : "HOME is '" + std::string(home_given) + "', no absolute path";
+  }
+  return makeError({.place = "the folder of " + what,
+                    .found = found,
+                    .expected = "the home folder of this user",
+                    .fix = std::string("Set HOME") +
+                           (variable != nullptr ? std::string(" or ") + variable : std::string()) +
+                           ". Nothing is looked for in the current folder."});
 }
 
 std::string nameOf(uid_t user) {

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <mutex>
 #include <set>
 #include <thread>
 
 #include "feel/figure_job.h"
+#include "geometry/system/text_case.h"
 
 namespace hapticell::feel {
 
@@ -16,25 +16,20 @@ namespace {
 
 constexpr unsigned kThreads = 2;
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
 bool sameId(const std::string& id, const std::string& only) {
-  const std::string low = lower(id);
+  const std::string low = lowerCase(id);
   return low == only || low.substr(0, low.find('.')) == only;
 }
 
 bool wanted(const FigureJob& job, const std::string& only) {
-  if (only.empty() || lower(job.scene).find(only) != std::string::npos) return true;
+  if (only.empty() || lowerCase(job.scene).find(only) != std::string::npos) return true;
   return std::any_of(job.ids.begin(), job.ids.end(), [&](const std::string& id) {
-    return sameId(id, only) || id == only.substr(0, only.find('.')) || lower(id) == only.substr(0, only.find('.'));
+    return sameId(id, only) || id == only.substr(0, only.find('.')) || lowerCase(id) == only.substr(0, only.find('.'));
   });
 }
 
 bool wanted(const Figure& figure, const std::string& only) {
-  return only.empty() || sameId(figure.id, only) || lower(figure.scene).find(only) != std::string::npos;
+  return only.empty() || sameId(figure.id, only) || lowerCase(figure.scene).find(only) != std::string::npos;
 }
 
 std::vector<FigureJob> allJobs(const BenchmarkOptions& options) {
@@ -87,7 +82,7 @@ void runAll(const std::vector<FigureJob>& jobs, const BenchmarkOptions& options,
 }  // namespace
 
 Expected<std::vector<Figure>> runBenchmark(const BenchmarkOptions& options) {
-  const std::string only = lower(options.only);
+  const std::string only = lowerCase(options.only);
   std::vector<FigureJob> jobs = allJobs(options);
   const std::string known = names(jobs);
   std::erase_if(jobs, [&](const FigureJob& job) { return !wanted(job, only); });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importer/assimp_fault.h"
 
-#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <optional>
 
+#include "geometry/system/text_case.h"
 #include "importer/library_fault.h"
 
 namespace hapticell::importer {
@@ -59,10 +59,11 @@ std::optional<Error> binaryGltfFault(const fs::path& file, std::string_view head
 std::string formatWord(const fs::path& file) {
   std::string extension = file.extension().string();
   if (!extension.empty()) extension.erase(0, 1);
-  for (char& c : extension) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  extension = upperCase(extension);
   if (extension == "GLTF" || extension == "GLB") return "a glTF file";
   if (extension == "DAE") return "a Collada file";
-  return (extension.empty() ? "a" : (extension == "FBX" ? "an " : "a ") + extension) + " file";
+  if (extension.empty()) return "a file";
+  return (extension == "FBX" ? "an " : "a ") + extension + " file";
 }
 
 /// Takes "(offset 0x1f)" out of a message; gives "byte 31".

@@ -19,6 +19,7 @@
 
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/regular_file.h"
+#include "geometry/system/text_case.h"
 #include "importer/assimp_fault.h"
 #include "importer/collada_text.h"
 #include "importer/gltf_file.h"
@@ -57,8 +58,7 @@ class RegularFiles : public Assimp::DefaultIOSystem {
 std::string formatOf(const std::filesystem::path& file, const std::string& head) {
   if (head.starts_with("glTF")) return "gltf";
   if (head.find("<COLLADA") != std::string::npos) return "dae";
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lowerExtension(file);
   if (extension == ".glb") return "gltf";
   return extension.empty() ? "unknown" : extension.substr(1);
 }
@@ -93,7 +93,9 @@ Convention fbxConvention(const aiScene& scene) {
   }
   Convention convention;
   convention.metres_per_unit = convention.metres_in_scene = 0.01 * centimetres;
-  convention.up = up == 2 ? UpAxis::kZ : up == 0 ? UpAxis::kX : UpAxis::kY;
+  convention.up = UpAxis::kY;
+  if (up == 0) convention.up = UpAxis::kX;
+  if (up == 2) convention.up = UpAxis::kZ;
   return convention;
 }
 
@@ -176,7 +178,8 @@ class AssimpSceneBuilder {
     const Pose X_FN = rigidPart(M_FN);
     const dmat3 form = glm::transpose(X_FN.R()) * dmat3(M_FN) * scale_;
     SceneNode node;
-    node.name = source.mName.length > 0 ? source.mName.C_Str() : parent < 0 ? reading_.file.stem().string() : "node";
+    node.name = parent < 0 ? reading_.file.stem().string() : "node";
+    if (source.mName.length > 0) node.name = source.mName.C_Str();
     node.parent = parent;
     node.X_PN = X_FP.inverse() * X_FN;
     node.X_PN.p *= scale_;

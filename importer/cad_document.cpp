@@ -26,6 +26,7 @@
 #include <map>
 
 #include "geometry/system/regular_file.h"
+#include "geometry/system/text_case.h"
 #include "geometry/system/unfolding.h"
 #include "importer/step_text.h"
 #include "workcell/scenes/scene_exchange.h"
@@ -65,8 +66,7 @@ double metresOf(const TCollection_AsciiString& name) {
 
 bool looksLikeStep(const std::filesystem::path& file) {
   if (beginsAsStep(geometry::headOfFile(file, 65536))) return true;
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lowerExtension(file);
   return extension == ".stpz" || extension == ".step" || extension == ".stp" || extension == ".p21";
 }
 
@@ -160,7 +160,8 @@ class TreeWalker {
     node.name = nameOf(node.definition);
     if (node.name.empty()) node.name = instance;
     if (instance != node.name) node.instance = instance;
-    if (node.name.empty()) node.name = parent < 0 ? stem_ : node.assembly ? "assembly" : "part";
+    if (node.name.empty() && parent < 0) node.name = stem_;
+    if (node.name.empty()) node.name = node.assembly ? "assembly" : "part";
     const auto index = static_cast<int>(nodes.size());
     const TDF_Label definition = node.definition;
     const bool assembly = node.assembly;

@@ -55,8 +55,8 @@ class FacetBuilder {
       BRepBuilderAPI_MakeEdge make(vertices_[std::min(from, to)], vertices_[std::max(from, to)]);
       if (make.IsDone()) known->second = make.Edge();
     }
-    return known->second.IsNull() ? known->second
-                                  : TopoDS::Edge(known->second.Oriented(turned ? TopAbs_REVERSED : TopAbs_FORWARD));
+    if (known->second.IsNull()) return known->second;
+    return TopoDS::Edge(known->second.Oriented(turned ? TopAbs_REVERSED : TopAbs_FORWARD));
   }
 
   TopoDS_Face faceOf(const geometry::Triangle& t) {

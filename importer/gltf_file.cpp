@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "geometry/system/nesting_limit.h"
+#include "importer/damaged_file.h"
 #include "workcell/text/file_content.h"
 #include "workcell/text/package_path.h"
 
@@ -23,8 +24,7 @@ constexpr std::size_t kMostElements = 200'000'000;
 constexpr std::size_t kMostZeros = 1'000'000;  ///< That a sparse accessor starts from.
 
 Error fault(std::string place, std::string found, std::string expected = "the content of a glTF file") {
-  return {
-      .place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = "Export it again."};
+  return damagedFile(std::move(place), std::move(found), std::move(expected));
 }
 
 std::uint32_t word(std::string_view bytes, std::size_t at) {
@@ -51,17 +51,21 @@ Expected<std::pair<std::string_view, std::string_view>> chunksOf(std::string_vie
   return std::pair(json, binary);
 }
 
+/// 0 to 63 for a sign of base 64, its variant for addresses too; -1 for any other.
+int valueOfBase64(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  if (c == '+' || c == '-') return 62;
+  return c == '/' || c == '_' ? 63 : -1;
+}
+
 std::string decodedBase64(std::string_view text) {
   std::string bytes;
   std::uint32_t bits = 0;
   int count = 0;
   for (const char c : text) {
-    const int value = c >= 'A' && c <= 'Z'   ? c - 'A'
-                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52
-                      : c == '+' || c == '-' ? 62
-                      : c == '/' || c == '_' ? 63
-                                             : -1;
+    const int value = valueOfBase64(c);
     if (value < 0) continue;
     bits = (bits << 6) | static_cast<std::uint32_t>(value);
     if ((count += 6) >= 8) bytes += static_cast<char>((bits >> (count -= 8)) & 0xffu);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "geometry/system/unfolding.h"
+#include "importer/damaged_file.h"
 #include "importer/draco_mesh.h"
 #include "importer/gltf_file.h"
 #include "workcell/text/content_rules.h"
@@ -20,11 +21,6 @@ namespace {
 constexpr std::size_t kNoIndex = static_cast<std::size_t>(-1);
 constexpr std::size_t kMostNodes = 200'000;
 constexpr int kDeepestNode = 500;
-
-Error gltfFault(std::string place, std::string found, std::string expected) {
-  return {
-      .place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = "Export it again."};
-}
 
 std::vector<float> gltfFloats(const json& object, const char* key, std::vector<float> otherwise) {
   const json& list = gltfMember(object, key);
@@ -67,7 +63,7 @@ class GltfReader {
       HAPTICELL_TRY(node);
       roots.push_back(std::move(*node));
     }
-    if (roots.empty()) return makeError(gltfFault("", "a scene without nodes", "nodes with meshes"));
+    if (roots.empty()) return makeError(damagedFile("", "a scene without nodes", "nodes with meshes"));
     ModelScene result;
     std::unique_ptr<aiNode> root;
     if (roots.size() == 1) {
@@ -170,8 +166,8 @@ class GltfReader {
     }
     const std::size_t vertices = positions.size() / 3;
     if (std::any_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return i >= vertices; })) {
-      return makeError(gltfFault("mesh '" + name + "'", "a corner beyond the last of " + std::to_string(vertices),
-                                 "corners of the mesh"));
+      return makeError(damagedFile("mesh '" + name + "'", "a corner beyond the last of " + std::to_string(vertices),
+                                   "corners of the mesh"));
     }
     return indices.empty() ? nullptr : newMesh(name, positions, indices, used);
   }
@@ -248,15 +244,15 @@ class GltfReader {
     const json& nodes = gltfMember(file_.json(), "nodes");
     const std::string place = "node " + std::to_string(index);
     if (!nodes.is_array() || index >= nodes.size()) {
-      return makeError(gltfFault(place, "no such node", "a node of the file"));
+      return makeError(damagedFile(place, "no such node", "a node of the file"));
     }
-    if (depth > kDeepestNode) return makeError(gltfFault(place, "more than 500 levels below each other", "a tree"));
+    if (depth > kDeepestNode) return makeError(damagedFile(place, "more than 500 levels below each other", "a tree"));
     const json& source = nodes[index];
     const std::size_t number = gltfNumber(source, "mesh", kNoIndex);
     const json& mesh = gltfElement(gltfMember(file_.json(), "meshes"), number);
     if (number != kNoIndex && number >= of_mesh_.size()) {
       return makeError(
-          gltfFault(place, "mesh " + std::to_string(number) + ", which is not there", "a mesh of the file"));
+          damagedFile(place, "mesh " + std::to_string(number) + ", which is not there", "a mesh of the file"));
     }
     std::string name = gltfText(source, "name");
     if (name.empty()) name = gltfText(mesh, "name");
@@ -306,7 +302,7 @@ class GltfReader {
     }
     if ((made_ += count) > kMostNodes)
       return makeError(
-          gltfFault("node '" + name + "'", "more than " + std::to_string(kMostNodes) + " instances", "fewer"));
+          damagedFile("node '" + name + "'", "more than " + std::to_string(kMostNodes) + " instances", "fewer"));
     for (std::size_t k = 0; k < count; ++k) {
       const auto element = [&](int list, std::vector<float> otherwise) {
         const std::size_t at = k * otherwise.size();

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "geometry/system/regular_file.h"
+#include "geometry/system/text_case.h"
 #include "importer/assimp_reader.h"
 #include "importer/cad_reader.h"
 #include "importer/library_fault.h"
@@ -62,8 +63,7 @@ Call parse(int argc, char** argv) {
 /// STEP and IGES are OpenCASCADE's, told by content; glTF and 3MF have readers of their own, the rest is assimp's.
 bool isCad(const fs::path& file) {
   if (beginsAsStep(hapticell::geometry::headOfFile(file, 65536))) return true;
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = hapticell::lowerExtension(file);
   return extension == ".step" || extension == ".stp" || extension == ".p21" || extension == ".stpz" ||
          extension == ".iges" || extension == ".igs";
 }

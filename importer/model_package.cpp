@@ -5,12 +5,13 @@
 #include <archive_entry.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "geometry/system/regular_file.h"
+#include "geometry/system/text_case.h"
+#include "importer/archive_closer.h"
 
 namespace hapticell::importer {
 
@@ -23,15 +24,9 @@ constexpr std::int64_t kMostFold =
     200;  // Text of coordinates packs to a fifth, of a lattice to a fiftieth, blanks to a thousandth.
 constexpr std::int64_t kHarmless = std::int64_t{64} << 20;
 
-struct Closer {
-  void operator()(archive* a) const { archive_read_free(a); }
-};
-
 /// Only what is read is kept.
 bool isRead(const std::string& name) {
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = lowerCase(name);
   return lower.ends_with(".model") || lower == "_rels/.rels" || lower.ends_with("model_settings.config") ||
          lower.ends_with("_model.config");
 }
@@ -56,7 +51,7 @@ bool leadsOut(const std::string& name) {
 
 Expected<ModelPackage> unpackModel(const fs::path& file) {
   HAPTICELL_TRY(geometry::checkRegularFile(file));
-  const std::unique_ptr<archive, Closer> in(archive_read_new());
+  const std::unique_ptr<archive, ArchiveCloser> in(archive_read_new());
   archive_read_support_format_zip(in.get());
   if (archive_read_open_filename(in.get(), file.c_str(), 65536) != ARCHIVE_OK) {
     return makeError({.found = "no ZIP archive", .expected = "a 3MF file", .fix = "Export it again."});

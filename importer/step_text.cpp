@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "geometry/system/regular_file.h"
+#include "geometry/system/utf8.h"
+#include "importer/archive_closer.h"
 #include "workcell/text/file_content.h"
 
 namespace hapticell::importer {
@@ -31,24 +33,6 @@ bool isHigh(char c) {
 
 unsigned byteAt(const std::string& text, std::size_t at) {
   return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
-}
-
-bool isUtf8(const std::string& text) {
-  for (std::size_t k = 0; k < text.size();) {
-    const unsigned first = byteAt(text, k);
-    const std::size_t more = first < 0x80   ? 0
-                             : first < 0xC2 ? 9
-                             : first < 0xE0 ? 1
-                             : first < 0xF0 ? 2
-                             : first < 0xF5 ? 3
-                                            : 9;
-    if (more == 9) return false;
-    for (std::size_t i = 1; i <= more; ++i) {
-      if ((byteAt(text, k + i) & 0xC0u) != 0x80u) return false;
-    }
-    k += 1 + more;
-  }
-  return true;
 }
 
 bool isShiftJis(const std::string& text) {
@@ -99,9 +83,21 @@ std::string converted(const std::string& text, const char* encoding) {
   return result;
 }
 
-struct ArchiveCloser {
-  void operator()(archive* a) const { archive_read_free(a); }
+/// What guessEncoding() says, for iconv (with what Windows adds to it) and for people.
+struct EncodingWords {
+  const char* guessed;
+  const char* for_iconv;
+  const char* for_people;
 };
+constexpr EncodingWords kEncodings[] = {{"ISO-8859-1", "CP1252", "Latin-1 (Western Europe)"},
+                                        {"SHIFT_JIS", "CP932", "Shift-JIS (Japanese)"},
+                                        {"GB18030", "GB18030", "GB 18030 (Chinese)"}};
+
+const EncodingWords& wordsOf(const std::string& encoding) {
+  for (const EncodingWords& words : kEncodings)
+    if (encoding == words.guessed) return words;
+  return kEncodings[2];
+}
 
 /// The file with its raw names in UTF-8; `encoding` is set to what they were taken for.
 std::string withNamesConverted(const std::string& content, const StepOutline& outline, std::string& encoding) {
@@ -111,13 +107,12 @@ std::string withNamesConverted(const std::string& content, const StepOutline& ou
     if (raw.size() < kMostTexts) raw.push_back(content.substr(begin, length));
   }
   encoding = guessEncoding(raw);
-  const char* const known = encoding == "ISO-8859-1" ? "CP1252" : encoding == "SHIFT_JIS" ? "CP932" : "GB18030";
   std::string result;
   result.reserve(content.size() + content.size() / 64);
   std::size_t done = 0;
   for (const auto& [begin, length] : outline.raw) {
     result.append(content, done, begin - done);
-    result += converted(content.substr(begin, length), known);
+    result += converted(content.substr(begin, length), wordsOf(encoding).for_iconv);
     done = begin + length;
   }
   return result.append(content, done);
@@ -268,7 +263,7 @@ StepOutline outlineOfStep(std::string_view content) {
 }
 
 std::string guessEncoding(const std::vector<std::string>& raw) {
-  const auto all = [&](bool (*is)(const std::string&)) { return std::all_of(raw.begin(), raw.end(), is); };
+  const auto all = [&](auto is) { return std::all_of(raw.begin(), raw.end(), is); };
   if (all(isUtf8)) return "UTF-8";
   bool low_controls = false;  // Bytes that are controls in Latin-1 and common in Shift-JIS.
   std::size_t runs = 0, odd_runs = 0, high = 0, letters = 0;
@@ -321,13 +316,10 @@ Expected<StepText> StepText::open(const std::filesystem::path& file) {
   if (!outline.raw.empty()) {
     std::string encoding;
     *content = withNamesConverted(*content, outline, encoding);
-    const std::string words = encoding == "ISO-8859-1" ? "Latin-1 (Western Europe)"
-                              : encoding == "GB18030"  ? "GB 18030 (Chinese)"
-                                                       : "Shift-JIS (Japanese)";
     result.warnings_.push_back(std::to_string(outline.raw.size()) +
                                " texts, among them perhaps names of parts, are written in bytes "
                                "of no stated encoding; " +
-                               words + " is assumed");
+                               wordsOf(encoding).for_people + " is assumed");
     changed = true;
   }
   std::string_view text = *content;

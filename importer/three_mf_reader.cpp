@@ -11,6 +11,7 @@
 
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/unfolding.h"
+#include "importer/damaged_file.h"
 #include "importer/model_package.h"
 #include "workcell/text/content_rules.h"
 #include "workcell/text/text_cursor.h"
@@ -21,11 +22,6 @@ namespace {
 
 constexpr int kDeepestComponent = 100;
 constexpr std::size_t kMostUses = 200'000;
-
-Error packageFault(std::string place, std::string found, std::string expected) {
-  return {
-      .place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = "Export it again."};
-}
 
 /// A name without the prefix of its namespace.
 std::string_view localName(const char* name) {
@@ -116,7 +112,7 @@ class ThreeMfReader {
       HAPTICELL_TRY(node);
       items.push_back(std::move(*node));
     }
-    if (items.empty()) return makeError(packageFault(root, "no <item> in its <build>", "objects to be built"));
+    if (items.empty()) return makeError(damagedFile(root, "no <item> in its <build>", "objects to be built"));
     auto top = newNode("3MF");
     giveChildren(*top, std::move(items));
     if (materials_.empty()) materials_.push_back(std::make_unique<aiMaterial>());
@@ -159,16 +155,16 @@ class ThreeMfReader {
     if (known) return known.get();
     auto content = package_.parts.find(name);
     if (content == package_.parts.end()) {
-      return makeError(packageFault(name, "that part is not in the package", "a part of the package"));
+      return makeError(damagedFile(name, "that part is not in the package", "a part of the package"));
     }
     if (auto flat = geometry::checkNesting(content->second, geometry::NestedText::kXml, ""); !flat)
-      return makeError(packageFault(name + ", " + flat.error().place, flat.error().found, flat.error().expected));
+      return makeError(damagedFile(name + ", " + flat.error().place, flat.error().found, flat.error().expected));
     auto document = std::make_unique<pugi::xml_document>();
     const auto parsed = document->load_buffer(content->second.data(), content->second.size());
     if (!parsed) {
-      return makeError(packageFault(name + ", byte " + std::to_string(parsed.offset), parsed.description(), "XML"));
+      return makeError(damagedFile(name + ", byte " + std::to_string(parsed.offset), parsed.description(), "XML"));
     }
-    if (!childNamed(*document, "model")) return makeError(packageFault(name, "no <model>", "a 3MF model"));
+    if (!childNamed(*document, "model")) return makeError(damagedFile(name, "no <model>", "a 3MF model"));
     content->second.clear();
     content->second.shrink_to_fit();
     known = std::move(document);
@@ -216,7 +212,8 @@ class ThreeMfReader {
 
   static std::string ownerOf(const pugi::xml_node& use, const std::string& in_part) {
     const std::string path = attributeNamed(use, "path");
-    return path.empty() ? in_part : path.starts_with('/') ? path : "/" + path;
+    if (path.empty()) return in_part;
+    return path.starts_with('/') ? path : "/" + path;
   }
 
   /// What the items unfold to is counted before one of them is made; what is not there is told when it is.
@@ -254,14 +251,14 @@ class ThreeMfReader {
     const std::string id = attributeNamed(source, "objectid"), owner = ownerOf(source, in_part);
     const std::string place = owner + ", object " + id;
     if (depth > kDeepestComponent)
-      return makeError(packageFault(place, "components in a circle", "a tree of components"));
+      return makeError(damagedFile(place, "components in a circle", "a tree of components"));
     const auto document = part(owner);
     HAPTICELL_TRY(document);
     const pugi::xml_node resources = childNamed(childNamed(**document, "model"), "resources");
     const pugi::xml_node object = objectOf(resources, owner, id);
-    if (!object) return makeError(packageFault(place, "no such object", "an object of that part"));
+    if (!object) return makeError(damagedFile(place, "no such object", "an object of that part"));
     const auto matrix = transformOf(source);
-    if (!matrix) return makeError(packageFault(place, "a transform that is none", "12 numbers"));
+    if (!matrix) return makeError(damagedFile(place, "a transform that is none", "12 numbers"));
     auto made = shapeOf(object, resources, {owner, id});
     HAPTICELL_TRY(made);
     auto node = newNode((*made)->name);
@@ -324,7 +321,7 @@ class ThreeMfReader {
       if (!isNamed(vertex, "vertex")) continue;
       for (const char* axis : {"x", "y", "z"}) {
         const auto number = numberOf(vertex, axis);
-        if (!number) return makeError(packageFault("object '" + name + "'", "a vertex that is no point", "x, y and z"));
+        if (!number) return makeError(damagedFile("object '" + name + "'", "a vertex that is no point", "x, y and z"));
         positions.push_back(static_cast<float>(*number));
       }
     }
@@ -335,8 +332,8 @@ class ThreeMfReader {
       for (const char* corner : {"v1", "v2", "v3"}) {
         const auto number = numberOf(triangle, corner);
         if (!number || *number < 0.0 || *number >= static_cast<double>(positions.size() / 3)) {
-          return makeError(packageFault("object '" + name + "'", "a triangle with a corner that is not there",
-                                        "corners from 0 to " + std::to_string(positions.size() / 3)));
+          return makeError(damagedFile("object '" + name + "'", "a triangle with a corner that is not there",
+                                       "corners from 0 to " + std::to_string(positions.size() / 3)));
         }
         corners.push_back(static_cast<std::uint32_t>(*number));
       }

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "geometry/system/utf8.h"
 #include "xacro/call_arguments.h"
 #include "xacro/interpreter.h"
 #include "xacro/operators.h"
@@ -50,8 +51,8 @@ Value length(Call& call) {
   expectArguments(call, "len", 1, 1);
   const Value& value = call.arguments[0];
   if (const std::string* text = value.text())
-    return static_cast<std::int64_t>(std::count_if(
-        text->begin(), text->end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+    return static_cast<std::int64_t>(
+        std::count_if(text->begin(), text->end(), [](char c) { return !continuesCharacter(c); }));
   if (value.list()) return static_cast<std::int64_t>(value.list()->items.size());
   if (value.dict()) return static_cast<std::int64_t>(value.dict()->items.size());
   throw Fault(std::string("len() of ") + kindOf(value), "a list, a dictionary or a text");
@@ -123,9 +124,9 @@ Value extreme(Call& call, bool greatest) {
 Value rounded(Call& call) {
   expectArguments(call, "round", 1, 2, true);
   const auto named = call.named.find("ndigits");
-  const Value digits = call.arguments.size() > 1   ? call.arguments[1]
-                       : named != call.named.end() ? named->second
-                                                   : Value();
+  Value digits;
+  if (named != call.named.end()) digits = named->second;
+  if (call.arguments.size() > 1) digits = call.arguments[1];
   const Value& value = call.arguments[0];
   if (value.isWhole() && digits.as<std::monostate>()) return wholeOf(value);
   const double number = numberOf(value);

@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xacro/expand.h"
 
+#include "geometry/system/markup.h"
 #include "xacro/expander.h"
 
 namespace hapticell::xacro {
 
 namespace {
 
+/// On one line, so that places are lines.
 std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c == '\n' || c == '\r' ? ' ' : c;
-  }
+  std::string result = escapedMarkup(text);
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return result;
 }
 

@@ -64,9 +64,9 @@ class Parser {
     return true;
   }
   [[noreturn]] void fail(const std::string& expected) const {
-    const std::string found = now().kind == Token::Kind::kEnd        ? "the expression ends"
-                              : now().kind == Token::Kind::kConstant ? "a value in the expression"
-                                                                     : "'" + now().text + "' in the expression";
+    std::string found = "'" + now().text + "' in the expression";
+    if (now().kind == Token::Kind::kEnd) found = "the expression ends";
+    if (now().kind == Token::Kind::kConstant) found = "a value in the expression";
     throw Fault(found, expected);
   }
   void need(const char* sign) {

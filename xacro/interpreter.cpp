@@ -193,7 +193,9 @@ bool Interpreter::holds(const std::string& sign, const Value& a, const Value& b)
   }
   if (a.isNumber() && b.isNumber() && (numberOf(a) != numberOf(a) || numberOf(b) != numberOf(b))) return false;
   const int order = compare(a, b, budget_);
-  return sign == "<" ? order < 0 : sign == ">" ? order > 0 : sign == "<=" ? order <= 0 : order >= 0;
+  if (sign == "<") return order < 0;
+  if (sign == ">") return order > 0;
+  return sign == "<=" ? order <= 0 : order >= 0;
 }
 
 Value Interpreter::compareAll(const Expression& node, Scope& scope, Locals& locals) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "geometry/system/listed.h"
 #include "xacro/fault.h"
 
 namespace hapticell::xacro {
@@ -17,8 +18,7 @@ void MacroCall::bindValues(const XmlNode& call) {
     if (attribute.name.starts_with("xmlns:") || attribute.name.starts_with("xacro:")) continue;
     const auto place = std::find(open_.begin(), open_.end(), attribute.name);
     if (place == open_.end()) {
-      std::string known;
-      for (const MacroParameter& parameter : macro_.parameters) known += (known.empty() ? "" : ", ") + parameter.name;
+      const std::string known = listed(macro_.parameters, &MacroParameter::name);
       throw Fault("the macro '" + macro_.name + "' has no parameter '" + attribute.name + "'",
                   known.empty() ? "none" : "one of " + known.substr(0, 400));
     }

@@ -155,9 +155,13 @@ Value partition(const std::string& text, Call& call, bool last) {
   expectArguments(call, "partition", 1, 1);
   const std::string& at = textArgument(call, "partition", 0);
   const std::size_t place = last ? text.rfind(at) : text.find(at);
-  std::vector<Value> parts = place == std::string::npos
-                                 ? (last ? std::vector<Value>{"", "", text} : std::vector<Value>{text, "", ""})
-                                 : std::vector<Value>{text.substr(0, place), at, text.substr(place + at.size())};
+  std::vector<Value> parts;
+  if (place != std::string::npos)
+    parts = {text.substr(0, place), at, text.substr(place + at.size())};
+  else if (last)
+    parts = {"", "", text};
+  else
+    parts = {text, "", ""};
   return makeList(std::move(parts), call.interpreter.budget(), true);
 }
 
@@ -247,8 +251,12 @@ Value dictItems(const DictValue& dict, const std::string& name, Call& call) {
   Budget& budget = call.interpreter.budget();
   budget.step(dict.items.size());
   std::vector<Value> items;
-  for (const auto& [key, value] : dict.items)
-    items.push_back(name == "keys" ? key : name == "values" ? value : makeList({key, value}, budget, true));
+  for (const auto& [key, value] : dict.items) {
+    if (name == "items")
+      items.push_back(makeList({key, value}, budget, true));
+    else
+      items.push_back(name == "keys" ? key : value);
+  }
   return makeList(std::move(items), budget);
 }
 

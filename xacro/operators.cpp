@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/system/utf8.h"
+
 namespace hapticell::xacro {
 
 namespace {
@@ -23,7 +25,8 @@ namespace {
 
 std::int64_t wholePower(std::int64_t base, std::int64_t exponent) {
   std::int64_t result = 1;
-  if (base == 1 || base == 0 || base == -1) return exponent == 0 ? 1 : base == -1 && exponent % 2 == 0 ? 1 : base;
+  if (exponent == 0 || (base == -1 && exponent % 2 == 0)) return 1;
+  if (base == 1 || base == 0 || base == -1) return base;
   for (std::int64_t i = 0; i < exponent; ++i) {  // Overflows after 63 steps.
     if (__builtin_mul_overflow(result, base, &result)) tooLarge();
   }
@@ -56,8 +59,12 @@ std::optional<Value> wholeOperation(const std::string& sign, std::int64_t a, std
     result = b == -1 ? 0 : a - b * floorDivision(a, b);
   } else if (sign == "**" && b >= 0) {
     result = wholePower(a, b);
-  } else if (sign == "|" || sign == "&" || sign == "^") {
-    result = sign == "|" ? (a | b) : sign == "&" ? (a & b) : (a ^ b);
+  } else if (sign == "|") {
+    result = a | b;
+  } else if (sign == "&") {
+    result = a & b;
+  } else if (sign == "^") {
+    result = a ^ b;
   } else if (sign == "<<" || sign == ">>") {
     if (b < 0 || b > 62) throw Fault("a shift by " + std::to_string(b), "0 to 62");
     if (sign == ">>") return Value(a >> b);
@@ -190,7 +197,7 @@ std::vector<std::size_t> placesOf(const Value& first, const Value& last, const V
 std::vector<std::string> lettersOf(const std::string& text) {
   std::vector<std::string> letters;
   for (const char c : text) {
-    if ((static_cast<unsigned char>(c) & 0xC0) == 0x80 && !letters.empty())
+    if (continuesCharacter(c) && !letters.empty())
       letters.back() += c;
     else
       letters.emplace_back(1, c);
@@ -200,10 +207,12 @@ std::vector<std::string> lettersOf(const std::string& text) {
 
 Value binaryOperation(const std::string& sign, const Value& a, const Value& b, Budget& budget) {
   if (a.isWhole() && b.isWhole()) {
-    if (a.as<bool>() && b.as<bool>() && (sign == "|" || sign == "&" || sign == "^"))
-      return sign == "|"   ? *a.as<bool>() || *b.as<bool>()
-             : sign == "&" ? *a.as<bool>() && *b.as<bool>()
-                           : *a.as<bool>() != *b.as<bool>();
+    if (a.as<bool>() && b.as<bool>()) {
+      const bool left = *a.as<bool>(), right = *b.as<bool>();
+      if (sign == "|") return left || right;
+      if (sign == "&") return left && right;
+      if (sign == "^") return left != right;
+    }
     if (auto whole = wholeOperation(sign, wholeOf(a), wholeOf(b))) return *whole;
   }
   if (a.isNumber() && b.isNumber()) return numberOperation(sign, numberOf(a), numberOf(b), a, b);

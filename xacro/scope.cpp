@@ -6,6 +6,7 @@
 #include <charconv>
 #include <limits>
 
+#include "geometry/system/text_case.h"
 #include "xacro/interpreter.h"
 
 namespace hapticell::xacro {
@@ -52,8 +53,7 @@ std::optional<std::int64_t> wholeFromText(const std::string& text) {
 
 std::optional<double> numberFromText(const std::string& text) {
   auto [digits, negative] = unsignedText(text);
-  std::transform(digits.begin(), digits.end(), digits.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  digits = lowerCase(digits);
   const double sign = negative ? -1.0 : 1.0;
   if (digits == "inf" || digits == "infinity") return sign * std::numeric_limits<double>::infinity();
   if (digits == "nan") return std::numeric_limits<double>::quiet_NaN();

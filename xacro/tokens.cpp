@@ -137,7 +137,9 @@ class Tokenizer {
     while (std::isalnum(static_cast<unsigned char>(peek()))) ++at_;
     std::int64_t whole = 0;
     const char *first = text_.data() + begin, *last = text_.data() + at_;
-    const auto [end, problem] = std::from_chars(first, last, whole, kind == 'x' ? 16 : kind == 'o' ? 8 : 2);
+    int base = kind == 'o' ? 8 : 2;
+    if (kind == 'x') base = 16;
+    const auto [end, problem] = std::from_chars(first, last, whole, base);
     if (problem != std::errc() || end != last || first == last)
       throw Fault("a number that is none in the expression", "0x1f");
     return {Token::Kind::kConstant, "", whole};

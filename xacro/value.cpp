@@ -218,7 +218,7 @@ bool equal(const Value& a, const Value& b, Budget& budget) {
 
 int compare(const Value& a, const Value& b, Budget& budget) {
   budget.step();
-  const auto order = [](const auto& x, const auto& y) { return x < y ? -1 : y < x ? 1 : 0; };
+  const auto order = [](const auto& x, const auto& y) { return (y < x ? 1 : 0) - (x < y ? 1 : 0); };
   if (a.isWhole() && b.isWhole()) return order(wholeOf(a), wholeOf(b));
   if (a.isNumber() && b.isNumber()) return order(numberOf(a), numberOf(b));
   if (a.text() && b.text()) return order(*a.text(), *b.text());

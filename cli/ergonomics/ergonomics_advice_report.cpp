@@ -28,7 +28,7 @@ bool judgesParts(PostureMethod method) {
 }
 
 std::string_view zoneName(double score) {
-  return nameOf(score <= 1.0 ? Zone::kAcceptable : score <= 2.0 ? Zone::kConditional : Zone::kNotAcceptable);
+  return nameOf(ergonomics::zoneOfLevel(score));
 }
 
 ordered_json partDrivers(const MethodAdvice& advice) {

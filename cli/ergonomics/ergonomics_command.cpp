@@ -53,6 +53,12 @@ Expected<ordered_json> judge(const std::string& method, const json& input) {
   return lifting(input);
 }
 
+ergonomics::MotionMethod motionMethodOf(const std::string& method) {
+  if (method == "rula") return ergonomics::MotionMethod::kRula;
+  if (method == "reba") return ergonomics::MotionMethod::kReba;
+  return ergonomics::MotionMethod::kOwas;
+}
+
 Expected<ordered_json> judgeMotion(const std::string& method, const ErgonomicsOptions& options) {
   const auto reading = motionReading(options.up, options.markers);
   HAPTICELL_TRY(reading);
@@ -60,9 +66,7 @@ Expected<ordered_json> judgeMotion(const std::string& method, const ErgonomicsOp
   HAPTICELL_TRY(recorded);
   const auto figure = mannequin::makeFigure({});
   HAPTICELL_TRY(figure);
-  const auto kind = method == "rula"   ? ergonomics::MotionMethod::kRula
-                    : method == "reba" ? ergonomics::MotionMethod::kReba
-                                       : ergonomics::MotionMethod::kOwas;
+  const ergonomics::MotionMethod kind = motionMethodOf(method);
   auto scores = ergonomics::scoreMotion(*recorded, *figure, kind, options.task);
   if (!scores) {
     if (scores.error().file.empty()) scores.error().file = options.motion;

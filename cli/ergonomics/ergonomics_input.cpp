@@ -8,6 +8,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "geometry/system/listed.h"
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/regular_file.h"
 #include "mannequin/ergonomics/advice/posture_advice.h"
@@ -28,12 +29,6 @@ namespace {
 using nlohmann::json;
 using namespace ergonomics;
 using Names = std::initializer_list<std::string_view>;
-
-std::string listed(const std::vector<std::string_view>& names) {
-  std::string text;
-  for (const auto name : names) text += (text.empty() ? "" : ", ") + std::string(name);
-  return text;
-}
 
 tl::unexpected<Error> refused(const std::string& field, const std::string& found, const std::string& expected) {
   return makeError({.place = field, .found = found, .expected = expected});
@@ -285,7 +280,9 @@ Expected<ScoredInput> owasInput(const json& input) {
   const Owas method;
   HAPTICELL_TRY(checkNames(input, "", {"code"}));
   const json code = input.value("code", json());
-  const std::string digits = code.is_string() ? code.get<std::string>() : code.is_number_integer() ? code.dump() : "";
+  std::string digits;
+  if (code.is_string()) digits = code.get<std::string>();
+  if (code.is_number_integer()) digits = code.dump();
   if (digits.size() != 4) {
     return refused("code", code.is_null() ? "it is not given" : shortText(code), "four digits: back, arms, legs, load");
   }

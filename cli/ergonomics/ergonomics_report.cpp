@@ -193,9 +193,7 @@ ordered_json motionReport(MotionMethod method, const MotionScores& scores, const
     for (const auto& [value, share] : shares) json[std::to_string(value)] = share;
     return json;
   };
-  ordered_json report{{"method", method == MotionMethod::kRula   ? "RULA"
-                                 : method == MotionMethod::kReba ? "REBA"
-                                                                 : "OWAS"},
+  ordered_json report{{"method", std::string(methodOf(method).name())},
                       {"score", scores.frames[scores.worst].score},
                       {"level", scores.frames[scores.worst].level},
                       {"frame_time", scores.frame_time},

@@ -12,6 +12,7 @@
 #include "geometry/shapes/surface_distance.h"
 #include "geometry/system/promise.h"
 #include "geometry/system/scratch_folder.h"
+#include "geometry/system/text_case.h"
 #include "workcell/files/scene_export.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
@@ -34,16 +35,10 @@ struct ConvertOptions {
   bool allow_miss = false;
 };
 
-std::string extensionOf(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 /// A robot's file, or the one robot of a workcell, as URDF.
 Expected<nlohmann::ordered_json> convertToUrdf(const ConvertOptions& options, Diagnostics& notes) {
   workcell::DocumentState state;
-  if (extensionOf(options.file) == ".hcell") {
+  if (lowerExtension(options.file) == ".hcell") {
     const auto document = workcell::loadDocument(options.file, notes);
     HAPTICELL_TRY(document);
     state = document->state();
@@ -189,7 +184,7 @@ Expected<double> simplifyKept(const geometry::TriangleMesh& given, workcell::Imp
 }
 
 Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnostics& notes) {
-  if (extensionOf(options.output) == ".urdf") return convertToUrdf(options, notes);
+  if (lowerExtension(options.output) == ".urdf") return convertToUrdf(options, notes);
   const auto reading = importOptions(options);
   HAPTICELL_TRY(reading);
   workcell::ExportOptions writing;

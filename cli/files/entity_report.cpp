@@ -78,10 +78,6 @@ const char* wordOf(kinematics::JointType type) {
   return "fixed";
 }
 
-ordered_json finiteOrNull(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
 ordered_json jointsReport(const kinematics::RobotModel& robot) {
   ordered_json joints = ordered_json::array();
   for (const int index : robot.moving) {
@@ -104,7 +100,9 @@ ordered_json chainsReport(const kinematics::RobotModel& robot, int default_tip) 
   for (const kinematics::Joint& joint : robot.joints) carries[static_cast<std::size_t>(joint.parent_link)] = true;
   const std::vector<int> body = kinematics::rigidBodies(robot);
   const auto isListed = [&](int link) {
-    const auto same = [&](int tip) { return body[static_cast<std::size_t>(tip)] == body[static_cast<std::size_t>(link)]; };
+    const auto same = [&](int tip) {
+      return body[static_cast<std::size_t>(tip)] == body[static_cast<std::size_t>(link)];
+    };
     return std::any_of(tips.begin(), tips.end(), same);
   };
   for (std::size_t k = 0; k < robot.links.size() && !robot.closure; ++k) {
@@ -140,7 +138,8 @@ ordered_json robotReport(const workcell::Entity& entity) {
     if (!robot.links[k].visuals.empty()) links.push_back(linkReport(robot.links[k], entity.X_WE * X_BL[k]));
   }
   const bool mannequin = entity.kind == workcell::EntityKind::kMannequin;
-  const char* kind = mannequin ? "mannequin" : entity.mechanism ? "mechanism" : "robot";
+  const char* kind = entity.mechanism ? "mechanism" : "robot";
+  if (mannequin) kind = "mannequin";
   ordered_json report = groupReport(entity.name, kind, std::move(links));
   report["dof"] = mannequin ? mannequin::kDofCount : robot.dof();  // The gaze is not counted.
   report["joints"] = jointsReport(robot);

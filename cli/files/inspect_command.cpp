@@ -187,19 +187,27 @@ Expected<ordered_json> inspectRobot(const InspectOptions& options, Diagnostics& 
   return result;
 }
 
+const char* wordOf(workcell::LoadVerdict verdict) {
+  switch (verdict) {
+    case workcell::LoadVerdict::kNothing:
+      return "none";
+    case workcell::LoadVerdict::kTooHeavy:
+      return "too heavy";
+    case workcell::LoadVerdict::kAllowed:
+      return "allowed";
+    case workcell::LoadVerdict::kOpen:
+      break;
+  }
+  return "not known";
+}
+
 /// What each robot of the cell carries, against what its maker allows.
 ordered_json loadsReport(const workcell::DocumentState& state) {
-  using workcell::LoadVerdict;
   ordered_json loads = ordered_json::array();
   for (const auto& entity : state.entities) {
     if (entity->kind != workcell::EntityKind::kRobot || !entity->robot) continue;
     const workcell::CarriedLoad load = workcell::carriedLoad(state, *entity);
     const double payload = workcell::ratedPayload(entity->source.path).value_or(0.0);
-    const LoadVerdict verdict = workcell::verdictOn(load, payload);
-    const char* word = verdict == LoadVerdict::kNothing    ? "none"
-                       : verdict == LoadVerdict::kTooHeavy ? "too heavy"
-                       : verdict == LoadVerdict::kAllowed  ? "allowed"
-                                                           : "not known";
     ordered_json parts = ordered_json::array(), other = ordered_json::array();
     for (const auto& part : load.parts) parts.push_back(part->name);
     for (const auto& part : load.other) other.push_back(part->name);
@@ -212,7 +220,7 @@ ordered_json loadsReport(const workcell::DocumentState& state) {
                      {"parts", std::move(parts)},
                      {"mass_not_entered", load.starting},
                      {"on_other_links", std::move(other)},
-                     {"verdict", word}});
+                     {"verdict", wordOf(workcell::verdictOn(load, payload))}});
   }
   return loads;
 }
@@ -234,6 +242,14 @@ Expected<ordered_json> inspectDocument(const InspectOptions& options, Diagnostic
   return result;
 }
 
+/// By what the file holds.
+Expected<ordered_json> inspect(const InspectOptions& options, Diagnostics& notes) {
+  if (looksLikeDocument(options.file)) return inspectDocument(options, notes);
+  if (workcell::holdsScene(options.file)) return inspectCad(options, notes);
+  if (isRobot(options.file)) return inspectRobot(options, notes);
+  return inspectMesh(options, notes);
+}
+
 ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer) {
   Diagnostics notes;
   if (!options.arguments.empty() && workcell::robotFormatOf(options.file) != workcell::RobotFormat::kXacro) {
@@ -241,10 +257,7 @@ ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer)
             "no further arguments", ""});
     return ExitStatus::kBadInput;
   }
-  const auto result = looksLikeDocument(options.file)      ? inspectDocument(options, notes)
-                      : workcell::holdsScene(options.file) ? inspectCad(options, notes)
-                      : isRobot(options.file)              ? inspectRobot(options, notes)
-                                                           : inspectMesh(options, notes);
+  const auto result = inspect(options, notes);
   const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
   if (written) return ExitStatus::kDone;
   report(written.error());

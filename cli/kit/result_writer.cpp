@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/kit/result_writer.h"
 
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -29,6 +30,10 @@ Expected<void> ResultWriter::put(const nlohmann::ordered_json& result, int inden
 
 nlohmann::ordered_json toJson(const dvec3& v) {
   return nlohmann::ordered_json::array({v.x, v.y, v.z});
+}
+
+nlohmann::ordered_json finiteOrNull(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
 void report(const Error& error) {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/vector.h"
+#include "geometry/system/error.h"
 #include "workcell/text/file_content.h"
 
 namespace hapticell::cli {
@@ -30,6 +30,8 @@ using workcell::writeFileAtomically;
 
 /// [x, y, z]
 nlohmann::ordered_json toJson(const dvec3& v);
+/// JSON has no infinity: null stands for what is no finite number.
+nlohmann::ordered_json finiteOrNull(double value);
 
 /// Prints "hapticell-cli: SENTENCE" on standard error.
 void report(const Error& error);

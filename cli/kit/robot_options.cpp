@@ -4,6 +4,7 @@
 #include "cli/kit/result_writer.h"
 #include "cli/kit/workcell_arguments.h"
 #include "cli/kit/xacro_arguments.h"
+#include "geometry/system/listed.h"
 #include "kinematics/model/jacobian.h"
 #include "kinematics/model/mounted_robot.h"
 #include "workcell/import/entity_source.h"
@@ -52,12 +53,10 @@ Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::stri
   RobotWithTip robot{std::move(*model), -1, {}};
   robot.tip = tip_name.empty() ? robot.model.defaultTip() : robot.model.findLink(tip_name);
   if (robot.tip < 0) {
-    std::string links;
-    for (const kinematics::Link& link : robot.model.links) links += (links.empty() ? "" : ", ") + link.name;
     return makeError({.file = file,
                       .place = "--tip",
                       .found = "no link is named '" + tip_name + "'",
-                      .expected = "one of " + links});
+                      .expected = "one of " + listed(robot.model.links, &kinematics::Link::name)});
   }
   robot.variables = kinematics::variablesOfChain(robot.model, robot.tip);
   return robot;

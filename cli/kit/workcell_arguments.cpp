@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/kit/xacro_arguments.h"
+#include "geometry/system/listed.h"
 #include "trajectory/motion/csv_table.h"
 #include "workcell/meshes/length_unit.h"
 
@@ -62,12 +63,6 @@ std::string unknownKey(const std::string& what) {
   const std::string word = what.substr(comma + 1, equals - comma - 1);
   const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isalpha(c) || c == '_'; });
   return plain ? word : std::string();
-}
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 /// The first key that is there twice; empty when there is none.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/kit/result_writer.h"
 #include "cli/session/session_commands.h"
 #include "feel/benchmark.h"
 #include "workcell/meshes/mesh_reader.h"
@@ -19,18 +20,14 @@ using nlohmann::ordered_json;
 
 constexpr double kMillimetre = 1e-3;
 
-ordered_json numberOrNull(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
 ordered_json figureJson(const feel::Figure& figure) {
   return {{"id", figure.id},
           {"scene", figure.scene},
           {"rate", figure.rate},
-          {"value", numberOrNull(figure.value)},
-          {"limit", figure.limit ? numberOrNull(*figure.limit) : ordered_json(nullptr)},
+          {"value", finiteOrNull(figure.value)},
+          {"limit", figure.limit ? finiteOrNull(*figure.limit) : ordered_json(nullptr)},
           {"pass", figure.pass()},
-          {"classic", figure.classic ? numberOrNull(*figure.classic) : ordered_json(nullptr)},
+          {"classic", figure.classic ? finiteOrNull(*figure.classic) : ordered_json(nullptr)},
           {"unit", figure.unit},
           {"comparison", figure.at_least ? "at least" : "at most"}};
 }

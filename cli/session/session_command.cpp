@@ -198,7 +198,7 @@ ordered_json contactsJson(const SessionReport& report, const SessionOptions& opt
     return std::string();
   };
   ordered_json contacts = ordered_json::array();
-  for (const manipulation::ContactEvent& event : report.contacts) {
+  for (const manipulation::ContactInterval& event : report.contacts) {
     contacts.push_back({{"entities", {nameOf(event.entity), nameOf(event.other)}},
                         {"parts", {event.moved_part, event.other_part}},
                         {"time_in", event.time_in},
@@ -217,7 +217,7 @@ const kinematics::RobotModel* modelOf(const SessionOptions& options) {
 
 ordered_json limitsJson(const SessionReport& report, const kinematics::RobotModel* model) {
   ordered_json limits = ordered_json::array();
-  for (const manipulation::LimitEvent& event : report.limits) {
+  for (const manipulation::LimitInterval& event : report.limits) {
     ordered_json json = {{"kind", toString(event.kind)}, {"text", event.text}};
     if (model && event.joint >= 0) json["joint"] = model->joints[static_cast<std::size_t>(event.joint)].name;
     json["time_in"] = event.time_in;

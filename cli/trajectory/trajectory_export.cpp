@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/trajectory/trajectory_export.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -12,6 +10,7 @@
 #include "cli/trajectory/motion_of_robot.h"
 #include "cli/trajectory/trajectory_report.h"
 #include "geometry/system/scratch_folder.h"
+#include "geometry/system/text_case.h"
 #include "trajectory/checks/motion_promises.h"
 #include "trajectory/checks/program_promises.h"
 #include "trajectory/files/ros_trajectory.h"
@@ -39,8 +38,7 @@ void noteFileName(const std::string& name, const std::string& file, trajectory::
                   std::vector<std::string>& notes) {
   using trajectory::ProgramFormat;
   const bool is_found_by_name = format != ProgramFormat::kUrScript && format != ProgramFormat::kRapid;
-  const auto isSame = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  if (is_found_by_name && !std::equal(name.begin(), name.end(), file.begin(), file.end(), isSame))
+  if (is_found_by_name && !sameButForCase(name, file))
     notes.push_back("On the controller the file must be named '" + name + "', as its program.");
 }
 
@@ -95,7 +93,8 @@ Expected<void> exportText(const Trajectory& given, const TrajectoryOptions& opti
   if (options.to == "ros") text = toRosText(given);
   HAPTICELL_TRY(text);
   const bool ros = options.to == "ros";
-  const std::string extension = ros ? ".yaml" : options.to == "csv" ? ".csv" : ".htraj";
+  std::string extension = options.to == "csv" ? ".csv" : ".htraj";
+  if (ros) extension = ".yaml";
   const auto measure = [&](const fs::path& written) {
     return trajectory_checks::copyPromises(given, !ros, ros ? 1e-9 : 0.0, written);
   };

@@ -153,7 +153,8 @@ Expected<ordered_json> train(const TrainingOptions& options) {
     return makeError(
         {options.results, "--kind", options.kind,
          practised ? "retention: this exercise was practised" : "transfer: this exercise was not practised", ""});
-  const double help = !led ? 0.0 : options.help >= 0.0 ? std::min(1.0, options.help) : book.nextHelp();
+  double help = 0.0;
+  if (led) help = options.help >= 0.0 ? std::min(1.0, options.help) : book.nextHelp();
   const manipulation::TrainingRun scorer(*exercise, *expert, help);
   auto session = sessionOf(options, *exercise, std::move(*expert), help);
   HAPTICELL_TRY(session);

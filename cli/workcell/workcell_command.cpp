@@ -7,6 +7,7 @@
 
 #include "cli/kit/workcell_arguments.h"
 #include "cli/workcell/workcell_commands.h"
+#include "geometry/system/listed.h"
 #include "workcell/files/document_lock.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
@@ -85,8 +86,7 @@ Expected<void> addCheck(const std::string& text, workcell::Document& document) {
   for (const auto* side : {&set->first, &set->second}) {
     for (const std::string& name : *side) {
       if (document.findByName(name) != nullptr) continue;
-      std::string known;
-      for (const auto& entity : document.state().entities) known += (known.empty() ? "" : ", ") + entity->name;
+      const std::string known = listed(document.state().entities, [](const auto& entity) { return entity->name; });
       return makeError(
           {.place = "--check " + text, .found = "no entity is named '" + name + "'", .expected = "one of " + known});
     }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/queries/triangle_gap.h"
+
 namespace hapticell::collision {
 
 namespace {
@@ -15,13 +17,6 @@ struct Placing {
   dvec3 p{0.0};
   Corners operator*(const Corners& c) const { return {R * c[0] + p, R * c[1] + p, R * c[2] + p}; }
 };
-
-/// The least gap along an axis, from B's triangle up to A's.
-double gapAlong(const dvec3& axis, const Corners& a, const Corners& b) {
-  const double low = std::min({glm::dot(axis, a[0]), glm::dot(axis, a[1]), glm::dot(axis, a[2])});
-  const double high = std::max({glm::dot(axis, b[0]), glm::dot(axis, b[1]), glm::dot(axis, b[2])});
-  return low - high;
-}
 
 /// The share u of a stretch up to which  begin (1 - u) + end u - 4 bend u (1 - u)  keeps `least`: the gap of points on
 /// straight paths is at least the first two terms, paths stray from that by the third, in their middle by `bend`.

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "collision/queries/triangle_gap.h"
 #include "collision/trees/dual_traversal.h"
 
 namespace hapticell::collision {
@@ -12,13 +13,6 @@ namespace hapticell::collision {
 namespace {
 
 constexpr int kMostPairsSwept = 1000;
-
-/// The least gap along an axis, from B's triangle up to A's.
-double gapAlongAxis(const dvec3& axis, const Corners& a, const Corners& b) {
-  const double low = std::min({glm::dot(axis, a[0]), glm::dot(axis, a[1]), glm::dot(axis, a[2])});
-  const double high = std::max({glm::dot(axis, b[0]), glm::dot(axis, b[1]), glm::dot(axis, b[2])});
-  return low - high;
-}
 
 double reachAlong(const dvec3& axis, const OrientedBox& box) {
   return std::abs(glm::dot(axis, box.R[0])) * box.half.x + std::abs(glm::dot(axis, box.R[1])) * box.half.y +
@@ -53,7 +47,7 @@ struct SweptSearch {
     const double length = glm::length(direction);
     if (!(length > 0.0)) return false;
     const dvec3 axis = direction / length;
-    return gapAlongAxis(axis, a0, b0) >= needed && gapAlongAxis(axis, a1, b1) >= needed;
+    return gapAlong(axis, a0, b0) >= needed && gapAlong(axis, a1, b1) >= needed;
   }
 
   bool trianglesStayApart(const Corners& a0, const Corners& b) {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "collision/trees/shells.h"
 #include "collision/surfaces/surface_clusters.h"
+#include "collision/trees/shells.h"
 #include "geometry/shapes/vertex_merge.h"
 
 namespace hapticell::collision {
@@ -237,7 +237,10 @@ void FacingFinder::judgeOpen() {
     angles += kSamples * triangles.size();
     if (angles <= kMostAngles || judged.empty()) {
       const double winding = inFrontOf(surfaces_[i], triangles);
-      kind = std::abs(winding) < kEnclosed ? 0 : std::abs(winding + 1.0) < kEnclosed ? 1 : 2;
+      if (std::abs(winding) < kEnclosed)
+        kind = 0;
+      else
+        kind = std::abs(winding + 1.0) < kEnclosed ? 1 : 2;
       areas[static_cast<std::size_t>(kind)] += surfaces_[i].area;
     }
     judged.emplace_back(i, kind);

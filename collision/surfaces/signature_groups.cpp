@@ -38,7 +38,8 @@ dvec3 nearestBetween(const dvec3& n1, const dvec3& n2, const dvec3& way) {
   const double part1 = (to1 - c * to2) / sine2, part2 = (to2 - c * to1) / sine2;
   const dvec3 within = part1 * n1 + part2 * n2;
   const bool inside = part1 >= 0.0 && part2 >= 0.0 && glm::length(within) > 1e-9;
-  const dvec3 nearest = inside ? glm::normalize(within) : (to1 > to2 ? n1 : n2);
+  const dvec3 nearer_end = to1 > to2 ? n1 : n2;
+  const dvec3 nearest = inside ? glm::normalize(within) : nearer_end;
   return glm::normalize(nearest + 0.02 * middle);
 }
 

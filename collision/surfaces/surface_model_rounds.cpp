@@ -5,10 +5,31 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace hapticell::collision {
 
-namespace {}  // namespace
+namespace {
+
+/// The arc that the turns lie on: all but their widest gap, or the whole circle where that is narrow.
+void setArc(BodyCircle& circle, std::vector<double> turns) {
+  std::sort(turns.begin(), turns.end());
+  double widest = turns.front() + 2.0 * std::numbers::pi - turns.back();
+  circle.from = turns.front();
+  circle.to = turns.back();
+  for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
+    if (turns[i + 1] - turns[i] <= widest) continue;
+    widest = turns[i + 1] - turns[i];
+    circle.from = turns[i + 1];
+    circle.to = turns[i] + 2.0 * std::numbers::pi;
+  }
+  if (widest >= 0.7) return;
+  circle.from = 0.0;
+  circle.to = 2.0 * std::numbers::pi;
+}
+
+}  // namespace
 
 bool ModelBuilder::addRim(std::uint32_t name, const std::vector<const SharpEdge*>& edges) {
   const SurfaceShape& shape = surface_.regions[name].shape;
@@ -34,20 +55,7 @@ bool ModelBuilder::addRim(std::uint32_t name, const std::vector<const SharpEdge*
     }
   }
   circle.center_M = shape.p_M + height * n;
-  std::sort(turns.begin(), turns.end());
-  double widest = turns.front() + 2.0 * std::numbers::pi - turns.back();
-  circle.from = turns.front();
-  circle.to = turns.back();
-  for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
-    if (turns[i + 1] - turns[i] <= widest) continue;
-    widest = turns[i + 1] - turns[i];
-    circle.from = turns[i + 1];
-    circle.to = turns[i] + 2.0 * std::numbers::pi;
-  }
-  if (widest < 0.7) {
-    circle.from = 0.0;
-    circle.to = 2.0 * std::numbers::pi;
-  }
+  setArc(circle, std::move(turns));
   model_.circles_.push_back(circle);
   return true;
 }
@@ -123,17 +131,7 @@ void ModelBuilder::addRing(const SurfaceRegion& region) {
       turns.push_back(std::atan2(glm::dot(w, circle.e2_M), glm::dot(w, circle.e1_M)));
     }
   }
-  std::sort(turns.begin(), turns.end());
-  double widest = turns.front() + 2.0 * std::numbers::pi - turns.back();
-  circle.from = turns.front();
-  circle.to = turns.back();
-  for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
-    if (turns[i + 1] - turns[i] <= widest) continue;
-    widest = turns[i + 1] - turns[i];
-    circle.from = turns[i + 1];
-    circle.to = turns[i] + 2.0 * std::numbers::pi;
-  }
-  if (widest < 0.7) circle.from = 0.0, circle.to = 2.0 * std::numbers::pi;
+  setArc(circle, std::move(turns));
   model_.circles_.push_back(circle);
 }
 

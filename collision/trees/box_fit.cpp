@@ -35,10 +35,10 @@ bool squareAxes(const dvec3& along, const dvec3& across, BuildAxes& axes) {
   // The normal of a needle is rounding: axes that are not square would be no box's.
   if (!(breadth > 0.1 * glm::length(across)) || !std::isfinite(breadth)) return false;
   const dvec3 y = rest / breadth, z = glm::cross(x, y);
-  for (int i = 0; i < 3; ++i) {
-    Float4& row = i == 0 ? axes.x : i == 1 ? axes.y : axes.z;
-    row = Float4{static_cast<float>(x[i]), static_cast<float>(y[i]), static_cast<float>(z[i]), 0.0f};
-  }
+  const auto row = [&](int i) {
+    return Float4{static_cast<float>(x[i]), static_cast<float>(y[i]), static_cast<float>(z[i]), 0.0f};
+  };
+  axes = {row(0), row(1), row(2)};
   return true;
 }
 

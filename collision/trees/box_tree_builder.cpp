@@ -117,11 +117,10 @@ class NodeBuilder {
 
   dvec3 middleOf(const FittedBox& box) const {
     const Float4 middle = 0.5f * (box.extent.low + box.extent.high);
+    const Float4 axes[3]{box.axes.x, box.axes.y, box.axes.z};
     dvec3 p = frame_.middle;
-    for (int i = 0; i < 3; ++i) {
-      const Float4 axes = i == 0 ? box.axes.x : i == 1 ? box.axes.y : box.axes.z;
-      for (int k = 0; k < 3; ++k) p[i] += double{axes[k]} * double{middle[k]};
-    }
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) p[i] += double{axes[i][k]} * double{middle[k]};
     return p;
   }
 
@@ -130,10 +129,10 @@ class NodeBuilder {
   void setLane(BoxNode& node, int lane, const FittedBox& box) const {
     const dvec3 middle = middleOf(box);
     const Float4 half = 0.5f * (box.extent.high - box.extent.low) + frame_.padding;
+    const Float4 axes[3]{box.axes.x, box.axes.y, box.axes.z};
     for (int i = 0; i < 3; ++i) {
-      const Float4 axes = i == 0 ? box.axes.x : i == 1 ? box.axes.y : box.axes.z;
-      node.u[i][lane] = axes[0];
-      node.v[i][lane] = axes[1];
+      node.u[i][lane] = axes[i][0];
+      node.v[i][lane] = axes[i][1];
       node.center[i][lane] = static_cast<float>(middle[i] - double{node.origin[i]});
       node.half[i][lane] = half[i];
     }

@@ -53,7 +53,7 @@ dvec3 heights(const Corners& corners, const dvec3& origin, const dvec3& normal) 
 /// The square of the least height when all corners are on one side of the plane; else 0.
 double clearanceSquared(const dvec3& h, double normal_squared) {
   const double lowest = std::min({h.x, h.y, h.z}), highest = std::max({h.x, h.y, h.z});
-  const double gap = lowest > 0.0 ? lowest : (highest < 0.0 ? -highest : 0.0);
+  const double gap = std::max({lowest, -highest, 0.0});  // One of the two at most is above 0.
   return normal_squared > 0.0 ? gap * gap / normal_squared : 0.0;
 }
 

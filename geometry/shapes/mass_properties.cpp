@@ -67,7 +67,11 @@ MassProperties massProperties(const TriangleMesh& mesh) {
   result.volume = sum.volume;
   const double size = 2.0 * mesh.bounds().radius();
   const bool solid = std::abs(sum.volume) > 1e-12 * size * size * size;
-  const dvec3 p_OC = solid ? sum.first / sum.volume : (result.area > 0.0 ? surface_first / result.area : dvec3(0.0));
+  dvec3 p_OC(0.0);
+  if (solid)
+    p_OC = sum.first / sum.volume;
+  else if (result.area > 0.0)
+    p_OC = surface_first / result.area;
   result.p_MC = origin + p_OC;
   if (solid) {
     const double sign = sum.volume < 0.0 ? -1.0 : 1.0;

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+
+#include "geometry/system/utf8.h"
 
 namespace hapticell {
 
 namespace {
 
-constexpr char32_t kNone = 0xFFFFFFFF;  // No character of UTF-8 begins here.
 constexpr std::string_view kUnknown = "\xEF\xBF\xBD", kCut = "...";
 
 struct Range {
@@ -34,26 +34,6 @@ bool isIn(const std::array<Range, N>& ranges, char32_t character) {
                      [&](const Range& range) { return character >= range.first && character <= range.last; });
 }
 
-bool continues(std::string_view text, std::size_t at) {
-  return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
-}
-
-/// The character at `at` (RFC 3629: shortest form, no surrogates, up to U+10FFFF) and its bytes.
-std::pair<char32_t, std::size_t> characterAt(std::string_view text, std::size_t at) {
-  const auto first = static_cast<unsigned char>(text[at]);
-  if (first < 0x80) return {first, 1};
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4) return {kNone, 1};
-  char32_t character = first & (0x7F >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if (!continues(text, at + i)) return {kNone, i};
-    character = character << 6 | (static_cast<unsigned char>(text[at + i]) & 0x3F);
-  }
-  constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
-  const bool valid = character >= kLeast[length] && character <= 0x10FFFF && (character < 0xD800 || character > 0xDFFF);
-  return {valid ? character : kNone, length};
-}
-
 }  // namespace
 
 std::string plainText(std::string_view text, std::size_t longest) {
@@ -62,7 +42,7 @@ std::string plainText(std::string_view text, std::size_t longest) {
   for (std::size_t at = 0; at < text.size();) {
     const auto [character, length] = characterAt(text, at);
     std::string_view piece = text.substr(at, length);
-    if (character == kNone || isIn(kHidden, character))
+    if (character == kNoCharacter || isIn(kHidden, character))
       piece = kUnknown;
     else if (isIn(kBlanks, character))
       piece = " ";

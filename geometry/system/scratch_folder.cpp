@@ -84,9 +84,11 @@ Expected<void> ScratchFolder::moveContentTo(const fs::path& folder, const fs::pa
 
 Expected<void> ScratchFolder::moveTo(const fs::path& place, bool is_private) {
   struct stat old {};
-  const mode_t rights = is_private                         ? 0700
-                        : ::stat(place.c_str(), &old) == 0 ? old.st_mode & 07777
-                                                           : 0777 & ~unfinished::userMask();
+  mode_t rights = 0700;
+  if (!is_private) {
+    const bool stands = ::stat(place.c_str(), &old) == 0;
+    rights = stands ? old.st_mode & 07777 : 0777 & ~unfinished::userMask();
+  }
   int fault = ::fchmod(lock_, rights) == 0 ? flushBelow(path_) : errno;
   if (fault == 0 && ::rename(path_.c_str(), place.c_str()) != 0) fault = errno;
   if (fault == 0) {

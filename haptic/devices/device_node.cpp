@@ -23,11 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRules = "70-hapticell.rules";
 
-std::string userName() {
-  const passwd* const entry = getpwuid(geteuid());
-  return entry != nullptr ? entry->pw_name : std::to_string(geteuid());
-}
-
 /// The rules beside the program, for the command that copies them.
 std::string rulesFile() {
   std::error_code ignored;
@@ -48,6 +43,11 @@ std::string groupOf(const std::string& path) {
 }
 
 }  // namespace
+
+std::string userName() {
+  const passwd* const entry = getpwuid(geteuid());
+  return entry != nullptr ? entry->pw_name : std::to_string(geteuid());
+}
 
 std::string udevFix() {
   return "sudo cp " + rulesFile() + " /etc/udev/rules.d/ && sudo udevadm control --reload && sudo udevadm trigger";

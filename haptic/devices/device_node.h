@@ -12,6 +12,9 @@ namespace hapticell::driver {
 /// only the access rights are checked.
 Problem nodeProblem(const std::string& path, int error = 0);
 
+/// Who runs the program, for commands that let him do more.
+std::string userName();
+
 /// The command that installs HaptiCell's udev rules.
 std::string udevFix();
 

@@ -17,13 +17,8 @@ namespace {
 constexpr rlim_t kPriority = 80;  // The force loop's.
 constexpr const char* kLimits = "/etc/security/limits.d/90-hapticell.conf";
 
-std::string user() {
-  const passwd* const entry = getpwuid(geteuid());
-  return entry != nullptr ? entry->pw_name : std::to_string(geteuid());
-}
-
 std::string limitFix(const std::string& line) {
-  return "echo '" + user() + " - " + line + "' | sudo tee -a " + kLimits + ", then log in again";
+  return "echo '" + driver::userName() + " - " + line + "' | sudo tee -a " + kLimits + ", then log in again";
 }
 
 SystemGrant priorityGrant() {
@@ -61,8 +56,9 @@ SystemGrant serialGrant() {
     grant.granted =
         getegid() == dialout->gr_gid || std::find(groups.begin(), groups.end(), dialout->gr_gid) != groups.end();
   }
-  grant.found = geteuid() == 0 ? "root may" : grant.granted ? "member of dialout" : "not a member of dialout";
-  if (!grant.granted) grant.fix = "sudo usermod -aG dialout " + user() + ", then log in again";
+  grant.found = grant.granted ? "member of dialout" : "not a member of dialout";
+  if (geteuid() == 0) grant.found = "root may";
+  if (!grant.granted) grant.fix = "sudo usermod -aG dialout " + driver::userName() + ", then log in again";
   return grant;
 }
 

@@ -10,11 +10,13 @@ namespace hapticell::haptic {
 namespace {
 
 constexpr std::size_t kMaxActive = 8;  // Six independent rows and two dependent ones.
+/// Of rows that are nearly parallel. Half: ForceRenderer.NeverPulls fails; twice: ActiveSetSolver.StaysInAnAcuteCorner.
 constexpr double kRegularisation = 1e-7;
+// Of the next four half and twice pass the tests of this folder.
 constexpr double kTolerance = 1e-9;  // Metres a row may stay violated.
 constexpr double kDependent = 1e-6;  // Squared part of a normal that the active rows do not span.
 constexpr double kEntered = 1e-6;    // Metres that no row may be left by.
-constexpr int kMaxSteps = 400;
+constexpr int kMaxSteps = 400;       // So that a tick ends.
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using ActiveVector = std::array<double, kMaxActive>;

@@ -9,9 +9,11 @@ namespace hapticell::haptic {
 
 namespace {
 
+// Half and twice of each pass the tests of this folder.
 constexpr double kQuietFilter = 75.0, kQuickFilter = 100.0;  // Hz, at kSoft and below, and for stiff couplings.
-constexpr double kControllerFilter = 40.0;                   // Hz.
-constexpr double kSoft = 1000.0;                             // N/m.
+constexpr double kControllerFilter =
+    40.0;                         // Hz: at 5 N s/m a step of the encoders would else be 0.04 N (docs/dev/feel.md, 8).
+constexpr double kSoft = 1000.0;  // N/m.
 
 double filterFrequency(double stiffness) {
   return std::clamp(kQuietFilter * stiffness / kSoft, kQuietFilter, kQuickFilter);

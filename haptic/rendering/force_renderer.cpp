@@ -12,12 +12,18 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kNominalTick = 0.001;      // s.
-constexpr double kJumpAllowance = 0.01e-3;  // m the proxy may outrun the stylus in a tick.
-constexpr double kTrustForce = 0.8;         // N,
-constexpr double kTrustShare = 0.3;         // of the stiffness: the zone's edge is no thing to strike.
-constexpr double kStiff = 1000.0;           // N/m, above which a spring trembles.
-constexpr double kMostMade = 0.36e-3;       // J within a second: then nothing unpaid up to kStiff.
+constexpr double kNominalTick = 0.001;  // s.
+/// m the proxy may outrun the stylus in a tick (docs/dev/feel.md, 5). Half and twice pass the tests of this folder.
+constexpr double kJumpAllowance = 0.01e-3;
+/// The zone's edge is no thing to strike (docs/dev/feel.md, 7). N: half and twice fail
+/// ProxyMover.HoldsTheProxyInTheZoneWithLittleForce.
+constexpr double kTrustForce = 0.8;
+/// Of the stiffness. Half passes, twice fails ForceRenderer.MeetsTheEdgeOfAZoneWithoutAStep.
+constexpr double kTrustShare = 0.3;
+constexpr double kStiff = 1000.0;  // N/m, above which a spring trembles. Half and twice pass the tests of this folder.
+/// J within a second: then nothing unpaid up to kStiff (docs/dev/feel.md, 7: a gear's teeth had made 0.56 mJ). Half fails
+/// ForceRendererEnergy.IsTrueAgainAfterTheHandLiftedByWhatWasHeldBack, twice passes the tests of this folder.
+constexpr double kMostMade = 0.36e-3;
 
 bool isFiniteStep(const ProxyStep& step) {
   return step.X_DP.isValid() &&

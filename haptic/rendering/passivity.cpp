@@ -7,14 +7,18 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kTick = 0.001;           // s.
-constexpr double kAllowance = 0.2e-3;     // J made before the controller acts.
-constexpr double kControllerStep = 0.1;   // N s/m per millisecond.
-constexpr double kControllerLimit = 5.0;  // N s/m.
-constexpr double kSlice = 0.05;           // s of the ring of highest balances.
-constexpr double kUnpaidPower = 2.5e-4;   // W that the spring may gain without the hand's work.
-constexpr double kGrantLasts = 0.15;      // s.
-constexpr double kUnpaidBudget = 1.5e-4;  // J, the same at once.
+constexpr double kTick = 0.001;  // s.
+/// J made before the controller acts (docs/dev/feel.md, 8). Half passes the tests of this folder, twice fails
+/// ForceRendererEnergy.DampsWhatAnOverCurvedSetMakes.
+constexpr double kAllowance = 0.2e-3;
+constexpr double kControllerStep = 0.1;  // N s/m per millisecond. Half and twice pass the tests of this folder.
+/// N s/m. Half passes; twice fails ForceRendererEnergy.DampsWhatAnOverCurvedSetMakes.
+constexpr double kControllerLimit = 5.0;
+constexpr double kSlice = 0.05;  // s of the ring of highest balances: kSlices of them are the second that counts.
+/// W that the spring may gain without the hand's work (docs/dev/feel.md, 7), and J at once. Half of either fails
+/// ForceRendererEnergy.IsTrueAgainAfterTheHandLiftedByWhatWasHeldBack, twice .ATurnOfTheWristPaysForNothing.
+constexpr double kUnpaidPower = 2.5e-4, kUnpaidBudget = 1.5e-4;
+constexpr double kGrantLasts = 0.15;  // s. Half and twice pass the tests of this folder.
 
 }  // namespace
 

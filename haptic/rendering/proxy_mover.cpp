@@ -8,10 +8,12 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kLongestMove = 0.002;  // m of one iteration of the proxy.
+/// m of one iteration of the proxy (docs/dev/feel.md, 3). Half of either fails
+/// ForceRenderer.DropsAForceThatANewSetTakesAwaySlowlyThenExactly, twice passes the tests of this folder.
+constexpr double kLongestMove = 0.002;
 constexpr int kIterations = 2;
-constexpr double kLargestOutrun = 3.0;
-constexpr double kTouches = 2e-5;  // m.
+constexpr double kLargestOutrun = 3.0;  // R / (R - d) of docs/dev/feel.md, 5. Half and twice pass the tests of this folder.
+constexpr double kTouches = 2e-5;       // m. Half and twice pass the tests of this folder.
 
 /// Whether the proxy touched at X_DP any of what holds it now.
 bool touches(const GroupedSet& grouped, const Pose& X_DP, const std::bitset<kMaxConstraints>& pressing) {

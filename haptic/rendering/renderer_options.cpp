@@ -5,16 +5,13 @@
 #include <cmath>
 
 #include "haptic/rendering/coupling_gains.h"
+#include "haptic/rendering/positive_or.h"
 
 namespace hapticell::haptic {
 
 namespace {
 
 constexpr double kStablePerMillisecond = 0.65 * 2300.0;  // N/m at 1 ms of delay.
-
-double positiveOr(double value, double fallback) {
-  return std::isfinite(value) && value > 0.0 ? value : fallback;
-}
 
 }  // namespace
 

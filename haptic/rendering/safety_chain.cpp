@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include "haptic/rendering/constraint_set.h"
+#include "haptic/rendering/positive_or.h"
 
 namespace hapticell::haptic {
 
 namespace {
 
+// Of these three half and twice pass the tests of this folder.
 constexpr double kImplausible = 1e4;     // N; nothing on a desk makes such a force.
 constexpr double kLongestTick = 0.1;     // s that one call can stand for.
 constexpr double kShortestLever = 1e-3;  // m: an implausible torque.
@@ -33,26 +35,23 @@ dvec3 walk(const dvec3& from, const dvec3& to, double step) {
   return glm::length(way) <= step ? to : from + insideBall(way, step);
 }
 
-double saneOr(double value, double fallback) {
-  return std::isfinite(value) && value > 0.0 ? value : fallback;
-}
-
 SafetyOptions sane(const SafetyOptions& wanted) {
   const SafetyOptions defaults;
   SafetyOptions options = wanted;
-  options.peak_force = saneOr(wanted.peak_force, defaults.peak_force);
-  options.continuous_force = std::min(saneOr(wanted.continuous_force, defaults.continuous_force), options.peak_force);
-  options.peak_torque = saneOr(wanted.peak_torque, 0.0);
-  options.slew = saneOr(wanted.slew, defaults.slew);
-  options.thermal_time = saneOr(wanted.thermal_time, defaults.thermal_time);
-  options.gate_force = saneOr(wanted.gate_force, defaults.gate_force);
-  options.ramp_time = saneOr(wanted.ramp_time, defaults.ramp_time);
-  options.silence_limit = saneOr(wanted.silence_limit, defaults.silence_limit);
-  options.silence_decay = saneOr(wanted.silence_decay, defaults.silence_decay);
-  options.set_silence_limit = saneOr(wanted.set_silence_limit, defaults.set_silence_limit);
-  options.set_silence_decay = saneOr(wanted.set_silence_decay, defaults.set_silence_decay);
-  options.close_decay = saneOr(wanted.close_decay, defaults.close_decay);
-  options.speed_limit = saneOr(wanted.speed_limit, defaults.speed_limit);
+  options.peak_force = positiveOr(wanted.peak_force, defaults.peak_force);
+  options.continuous_force =
+      std::min(positiveOr(wanted.continuous_force, defaults.continuous_force), options.peak_force);
+  options.peak_torque = positiveOr(wanted.peak_torque, 0.0);
+  options.slew = positiveOr(wanted.slew, defaults.slew);
+  options.thermal_time = positiveOr(wanted.thermal_time, defaults.thermal_time);
+  options.gate_force = positiveOr(wanted.gate_force, defaults.gate_force);
+  options.ramp_time = positiveOr(wanted.ramp_time, defaults.ramp_time);
+  options.silence_limit = positiveOr(wanted.silence_limit, defaults.silence_limit);
+  options.silence_decay = positiveOr(wanted.silence_decay, defaults.silence_decay);
+  options.set_silence_limit = positiveOr(wanted.set_silence_limit, defaults.set_silence_limit);
+  options.set_silence_decay = positiveOr(wanted.set_silence_decay, defaults.set_silence_decay);
+  options.close_decay = positiveOr(wanted.close_decay, defaults.close_decay);
+  options.speed_limit = positiveOr(wanted.speed_limit, defaults.speed_limit);
   options.speed_ticks = std::max(1, wanted.speed_ticks);
   if (!std::isfinite(wanted.ramp_damping) || wanted.ramp_damping < 0.0) options.ramp_damping = defaults.ramp_damping;
   return options;

@@ -11,6 +11,8 @@ namespace hapticell::haptic {
 namespace {
 
 constexpr double kMillisecond = 0.001;
+// docs/dev/feel.md, "Faults". Half of the first two fails SampleGate.ADeviceThatSaysEachPlaceSeveralTimesFollows, twice
+// passes the tests of this folder; of the last two half and twice pass.
 constexpr double kOfLate = 0.02;    // s: longer than between two samples of the slowest devices.
 constexpr double kQuicker = 2.0;    // than of late.
 constexpr double kGathering = 4.0;  // A way that grows from rest, tick by tick: 1, 4, 9.

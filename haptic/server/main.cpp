@@ -171,8 +171,7 @@ int run(int count, char** words) {
     std::puts("hapticell-haptic-server " HAPTICELL_VERSION);
     return 0;
   }
-  const auto served =
-      options ? (options->pair ? pair(*options) : serve(*options)) : Expected<void>(tl::unexpected(options.error()));
+  const auto served = options.and_then([](const auto& asked) { return asked.pair ? pair(asked) : serve(asked); });
   if (served) return 0;
   std::fprintf(stderr, "hapticell-haptic-server: %s\n", served.error().message().c_str());
   return 2;

@@ -195,7 +195,7 @@ void ClosureInverse::judge(const Pose& X_BT, const Bounds& bounds, InverseSoluti
     if (margin.kind == ClosureMargin::Kind::kSingularity) solution.singular = solution.singular || margin.value < 1e-3;
     held = held || margin.value < 1e-6;
   }
-  solution.status = solved ? InverseStatus::kSolved : held ? InverseStatus::kLimit : InverseStatus::kUnreachable;
+  solution.status = statusOf(solved, held);
 }
 
 void ClosureInverse::solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,

@@ -156,7 +156,7 @@ HexapodForward HexapodKinematics::forward(const LegLengths& wanted, const Pose& 
   }
   result.X_BP = {p, glm::normalize(glm::quat_cast(R))};
   result.converged = error < kDone;
-  result.handedness = determinant > 0.0 ? 1 : determinant < 0.0 ? -1 : 0;
+  result.handedness = (determinant > 0.0 ? 1 : 0) - (determinant < 0.0 ? 1 : 0);
   return result;
 }
 

@@ -19,9 +19,8 @@ Pose alongLeg(const dvec3& p, const dvec3& direction) {
   const dvec3 z(0, 0, 1);
   const dvec3 axis = glm::cross(z, direction);
   const double s = glm::length(axis), c = glm::dot(z, direction);
-  const dquat q = s > 1e-12 ? glm::angleAxis(std::atan2(s, c), axis / s)
-                  : c > 0   ? dquat(1, 0, 0, 0)
-                            : dquat(0, 1, 0, 0);
+  dquat q = c > 0 ? dquat(1, 0, 0, 0) : dquat(0, 1, 0, 0);
+  if (s > 1e-12) q = glm::angleAxis(std::atan2(s, c), axis / s);
   return {p, glm::normalize(q)};
 }
 

@@ -23,7 +23,8 @@ Error refusal(const RobotModel& model, const std::string& found, const std::stri
 }
 
 int equationsOf(LoopConstraint::Kind kind) {
-  return kind == LoopConstraint::Kind::kPoint ? 3 : kind == LoopConstraint::Kind::kAxis ? 5 : 6;
+  if (kind == LoopConstraint::Kind::kPoint) return 3;
+  return kind == LoopConstraint::Kind::kAxis ? 5 : 6;
 }
 
 }  // namespace

@@ -138,7 +138,8 @@ struct OffsetSearch {
     const double f0 = at.f[i], f1 = at.f[i + 1], a = f0 < 0.0 ? -f0 : f0, b = f1 < 0.0 ? -f1 : f1;
     const bool change = (f0 < 0.0) != (f1 < 0.0);
     const bool swings = at.c1[i] * at.c1[i + 1] + at.s1[i] * at.s1[i + 1] < 0.8;
-    const bool suspicious = change ? bend > 0.35 * (a + b) : (a < b ? a : b) < 3.0 * bend;
+    const double nearer = a < b ? a : b;
+    const bool suspicious = change ? bend > 0.35 * (a + b) : nearer < 3.0 * bend;
     if (depth == 0 || !(suspicious || swings)) {
       if (change) add(branch, at.u[i], f0, at.u[i + 1], f1);
       return;

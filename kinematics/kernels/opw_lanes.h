@@ -61,20 +61,31 @@ inline ThreeAngles zyz(const ZyzRows& R, const JointMap& map, int joint, const d
   return {{s1, c1}, {c1 * R.xz + s1 * R.yz, R.zz}, {c1 * R.yx - s1 * R.xx, c1 * R.yy - s1 * R.xy}};
 }
 
-inline void opw(const OpwArm& arm, const ArmPose& pose, const double* previous, Solutions& solutions) {
-  const double *R = pose.R, *p = pose.p;
+/// Sine and cosine of joint 1 with the wrist before the arm and behind it, in turn, and how far it then lies ahead; the
+/// arm's plane passes joint 1's axis at `beside`, and the wrist may lie too near to that for any turn.
+struct ShoulderLanes {
+  Lanes s1, c1, ahead;
+  bool far_enough;
+};
+inline ShoulderLanes shoulder(const double* p, double beside, const JointMap& map, const double* previous) {
   const double flat = p[0] * p[0] + p[1] * p[1];
-  const double ahead_squared = flat - arm.b * arm.b;
+  const double ahead_squared = flat - beside * beside;
   const double ahead = __builtin_sqrt(ahead_squared > 0.0 ? ahead_squared : 0.0);
+  const bool far_enough = ahead_squared >= -kStretched * (1.0 + flat);
   const Lanes X(ahead, -ahead, ahead, -ahead);
-  Lanes c1 = (p[0] * X + p[1] * arm.b) / flat, s1 = (p[1] * X - p[0] * arm.b) / flat;
   if (flat < kFree * kFree) {
     Lanes c0, s0;
-    previousAngle(arm.map, 0, previous, c0, s0);
+    previousAngle(map, 0, previous, c0, s0);
     const Lanes side(1.0, -1.0, 1.0, -1.0);
-    c1 = side * c0;
-    s1 = side * s0;
+    return {side * s0, side * c0, X, far_enough};
   }
+  return {(p[1] * X - p[0] * beside) / flat, (p[0] * X + p[1] * beside) / flat, X, far_enough};
+}
+
+inline void opw(const OpwArm& arm, const ArmPose& pose, const double* previous, Solutions& solutions) {
+  const double *R = pose.R, *p = pose.p;
+  const ShoulderLanes turn = shoulder(p, arm.b, arm.map, previous);
+  const Lanes s1 = turn.s1, c1 = turn.c1, X = turn.ahead;
   const Lanes x = X - arm.a1;
   const Lanes z = p[2];
   const Lanes r2 = x * x + z * z;
@@ -107,8 +118,7 @@ inline void opw(const OpwArm& arm, const ArmPose& pose, const double* previous, 
   storeJoint(arm.map, 3, 1, halfTurned(wrist.first), solutions);
   storeJoint(arm.map, 4, 1, -wrist.second, solutions);
   storeJoint(arm.map, 5, 1, halfTurned(wrist.third), solutions);
-  const bool beside = ahead_squared >= -kStretched * (1.0 + flat);
-  const unsigned lanes = beside ? bitsOf(reached) : 0u;
+  const unsigned lanes = turn.far_enough ? bitsOf(reached) : 0u;
   solutions.valid = lanes | lanes << 4;
 }
 

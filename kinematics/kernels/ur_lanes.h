@@ -9,18 +9,8 @@ namespace {
 // Lanes: shoulder x wrist; the two groups are the elbows.
 inline void ur(const UrArm& arm, const ArmPose& pose, const double* previous, Solutions& solutions) {
   const double *R = pose.R, *p = pose.p;
-  const double flat = p[0] * p[0] + p[1] * p[1];
-  const double ahead_squared = flat - arm.d4 * arm.d4;
-  const double ahead = __builtin_sqrt(ahead_squared > 0.0 ? ahead_squared : 0.0);
-  const Lanes h(ahead, -ahead, ahead, -ahead);
-  Lanes c1 = (p[0] * h + p[1] * arm.d4) / flat, s1 = (p[1] * h - p[0] * arm.d4) / flat;
-  if (flat < kFree * kFree) {
-    Lanes c0, s0;
-    previousAngle(arm.map, 0, previous, c0, s0);
-    const Lanes side(1.0, -1.0, 1.0, -1.0);
-    c1 = side * c0;
-    s1 = side * s0;
-  }
+  const ShoulderLanes turn = shoulder(p, arm.d4, arm.map, previous);
+  const Lanes s1 = turn.s1, c1 = turn.c1;
   // The row y1^T R = (s5 c6, -s5 s6, c5).
   const Lanes X = c1 * R[3] - s1 * R[0], Y = c1 * R[4] - s1 * R[1], Z = c1 * R[5] - s1 * R[2];
   const Lanes size = squareRoot(X * X + Y * Y);
@@ -57,8 +47,7 @@ inline void ur(const UrArm& arm, const ArmPose& pose, const double* previous, So
     storeJoint(arm.map, 4, group, theta5, solutions);
     storeJoint(arm.map, 5, group, theta6, solutions);
   }
-  const bool beside = ahead_squared >= -kStretched * (1.0 + flat);
-  const unsigned lanes = beside ? bitsOf(reached) : 0u;
+  const unsigned lanes = turn.far_enough ? bitsOf(reached) : 0u;
   solutions.valid = lanes | lanes << 4;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinematics/model/configuration_flags.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "geometry/system/text_case.h"
 
 namespace hapticell::kinematics {
 
@@ -62,8 +63,10 @@ ArmShapes::ArmShapes(const Chain& chain) : rails_(chain.size() < 6 ? 0 : chain.s
   const dvec3 forward = glm::normalize(glm::cross(axis_B[1], up_B_));
   const double offset = glm::dot(origin_B[1] - origin_B[0], forward);
   const double ahead = glm::dot(zero.p_BT - origin_B[0], forward);
-  const double sign = std::abs(offset) > kNearlyMeeting ? offset : (std::abs(ahead) > kNearlyMeeting ? ahead : 1.0);
-  forward_sign_ = sign < 0.0 ? -1.0 : 1.0;
+  double way = 1.0;
+  if (std::abs(ahead) > kNearlyMeeting) way = ahead;
+  if (std::abs(offset) > kNearlyMeeting) way = offset;
+  forward_sign_ = way < 0.0 ? -1.0 : 1.0;
 }
 
 std::optional<ArmShape> ArmShapes::at(const Chain& chain, const ChainPositions& x) const {
@@ -108,8 +111,7 @@ Maker makerOf(const RobotModel& model) {
     names += ' ' + link.name;
     for (const LinkShape& shape : link.visuals) names += ' ' + shape.source;
   }
-  std::transform(names.begin(), names.end(), names.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  names = lowerCase(names);
   const auto has = [&](const char* word) { return names.find(word) != std::string::npos; };
   if (has("kuka")) return Maker::kKuka;
   if (has("abb_") || has("abb ") || has("irb")) return Maker::kAbb;

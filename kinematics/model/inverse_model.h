@@ -16,6 +16,12 @@ enum class InverseStatus {
   kUnreachable,  ///< No joint positions bring the tip there, limits or not (or none was found).
 };
 
+/// `held`: limits hold the positions that were found.
+constexpr InverseStatus statusOf(bool solved, bool held) {
+  if (solved) return InverseStatus::kSolved;
+  return held ? InverseStatus::kLimit : InverseStatus::kUnreachable;
+}
+
 /// "solved", "limit" or "unreachable", as files and the command line say it.
 const char* toString(InverseStatus status);
 

@@ -56,13 +56,16 @@ Text reasonAt(const RobotModel& model, const std::vector<double>& q, const Inver
   return Text("the arm is at the edge of its reach");
 }
 
+dquat turnOfFrame(const Pose& X_WT, const Pose& X_WB, const JogStep& step) {
+  if (step.frame == JogFrame::kTool) return X_WT.q;
+  if (step.frame == JogFrame::kBase) return X_WB.q;
+  return step.frame == JogFrame::kGiven ? step.R_WF : dquat(1.0, 0.0, 0.0, 0.0);
+}
+
 }  // namespace
 
 Pose jogged(const Pose& X_WT, const Pose& X_WB, const JogStep& step) {
-  const dquat R_WF = step.frame == JogFrame::kTool    ? X_WT.q
-                     : step.frame == JogFrame::kBase  ? X_WB.q
-                     : step.frame == JogFrame::kGiven ? step.R_WF
-                                                      : dquat(1.0, 0.0, 0.0, 0.0);
+  const dquat R_WF = turnOfFrame(X_WT, X_WB, step);
   return {X_WT.p + R_WF * step.along, glm::normalize(quaternionFromRotationVector(R_WF * step.turn) * X_WT.q)};
 }
 

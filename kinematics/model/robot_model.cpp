@@ -2,10 +2,10 @@
 #include "kinematics/model/robot_model.h"
 
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 
 #include "geometry/system/assertion.h"
+#include "geometry/system/text_case.h"
 #include "kinematics/model/link_pose.h"
 
 namespace hapticell::kinematics {
@@ -32,9 +32,7 @@ Depth depthOf(const RobotModel& model, int link) {
 }
 
 bool namedAsTool(const std::string& name) {
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = lowerCase(name);
   const auto matches = [&](const std::string& word) {
     return lower == word ||
            (lower.size() > word.size() && lower.ends_with(word) && lower[lower.size() - word.size() - 1] == '_');

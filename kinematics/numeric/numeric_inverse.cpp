@@ -132,8 +132,7 @@ void NumericInverse::fill(const FitResult& fit, const std::vector<double>& q_sta
   solution.position_error = fit.position_error;
   solution.orientation_error = fit.orientation_error;
   solution.singular = false;
-  solution.status =
-      fit.converged ? InverseStatus::kSolved : (fit.held ? InverseStatus::kLimit : InverseStatus::kUnreachable);
+  solution.status = statusOf(fit.converged, fit.held);
 }
 
 NumericInverse::Shot NumericInverse::shoot(const Pose& X_BT, const ChainPositions& x, double duration_s, double lever_m,

@@ -240,7 +240,7 @@ FitResult Descent::run(const ChainPositions& x_start) {
     const double before = residual_.cost;
     fresh = tryStep(gain(*H));
     if (!fresh && largest < 1e-10) break;
-    slow = fresh && residual_.cost > 0.6 * before ? slow + 1 : (fresh ? 0 : slow);
+    if (fresh) slow = residual_.cost > 0.6 * before ? slow + 1 : 0;
     if (options_.give_up_when_slow && slow >= 4) break;
   }
   result.x = x_;

@@ -26,7 +26,7 @@ Expected<const workcell::Entity*> robotOf(const PreparedScene& scene, workcell::
   if (!entity->robot) return makeError(jointRefusal(place, "it has no joints", "a robot or a mechanism"));
   if (joints.size() != entity->robot->dof()) {
     return makeError(jointRefusal(place, std::to_string(joints.size()) + " joint positions",
-                             std::to_string(entity->robot->dof()) + " of them"));
+                                  std::to_string(entity->robot->dof()) + " of them"));
   }
   if (!std::all_of(joints.begin(), joints.end(), [](double q) { return std::isfinite(q); }))
     return makeError(jointRefusal(place, "a joint position that is no number", "finite numbers"));

@@ -140,8 +140,8 @@ Expected<RobotManipulator::Tool> heldTool(const Taking& taking) {
   int tip = named >= 0 ? named : entity.robot->findLink(entity.tip_link);
   if (tip < 0) tip = entity.robot->defaultTip();
   if (tip < 0) return makeError(takingRefused(entity, "the robot has no tip", "a robot with a moving link"));
-  const Pose X_LT = named < 0 ? entity.X_LT : entity.mechanism ? middleOf(*entity.robot, tip) : Pose::identity();
-  return RobotManipulator::Tool{tip, X_LT};
+  if (named < 0) return RobotManipulator::Tool{tip, entity.X_LT};
+  return RobotManipulator::Tool{tip, entity.mechanism ? middleOf(*entity.robot, tip) : Pose::identity()};
 }
 
 Expected<std::unique_ptr<kinematics::InverseModel>> inverseOf(const Taking& taking,

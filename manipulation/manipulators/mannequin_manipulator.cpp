@@ -152,7 +152,8 @@ std::vector<EntityConfiguration> MannequinManipulator::uprightBefore(const Entit
   const dvec3 middle = 0.5 * (feet[0].p + feet[1].p), facing = facing_W(from);
   const dvec3 way(p_WM.x - middle.x, p_WM.y - middle.y, 0.0);
   const double length = glm::length(way);
-  const double to_the_side = isBoth() ? 0.0 : (driven() == Side::kLeft ? -kHandAside : kHandAside);
+  const double aside = driven() == Side::kLeft ? -kHandAside : kHandAside;
+  const double to_the_side = isBoth() ? 0.0 : aside;
   std::vector<EntityConfiguration> places;
   for (const dvec3& ahead : {length > kStandOff ? way / length : facing, facing}) {
     const dvec3 left = glm::cross(dvec3(0.0, 0.0, 1.0), ahead);

@@ -121,10 +121,10 @@ double MannequinManipulator::mindingTheHand(double turn, const Pose& X_WM, const
 double MannequinManipulator::turnToFace(const Pose& X_WM, const Feet& X_WF) const {
   const dvec3 away = (isBoth() ? X_WM.p : wantedHand(X_WM)) - 0.5 * (X_WF[0].p + X_WF[1].p);
   const double beside = std::remainder(std::atan2(away.y, away.x) - aheadOf(X_WF), 2.0 * std::numbers::pi);
-  const bool near = std::hypot(away.x, away.y) < kNear, left = driven() == Side::kLeft;
-  const double facing = near       ? 0.0
-                        : isBoth() ? beyond(beside, -kAcross, kAcross)
-                                   : beyond(beside, left ? -kAcross : -kOutward, left ? kOutward : kAcross);
+  const bool outward_left = !isBoth() && driven() == Side::kLeft, outward_right = !isBoth() && !outward_left;
+  double facing = 0.0;
+  if (std::hypot(away.x, away.y) >= kNear)
+    facing = beyond(beside, outward_right ? -kOutward : -kAcross, outward_left ? kOutward : kAcross);
   return mindingTheHand(facing, X_WM, X_WF);
 }
 

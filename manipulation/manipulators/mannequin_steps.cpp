@@ -52,7 +52,8 @@ struct Gait {
     heading = mean;
     // Feet that stand too far askew are brought beside each other.
     const bool askew = wish.turn == 0.0 && std::abs(yaw[0] - yaw[1]) > kAskew;
-    goal = askew ? (std::abs(yaw[0]) > std::abs(yaw[1]) ? yaw[0] : yaw[1]) : mean + wish.turn;
+    const double farther = std::abs(yaw[0]) > std::abs(yaw[1]) ? yaw[0] : yaw[1];
+    goal = askew ? farther : mean + wish.turn;
     turns = askew || wish.turn != 0.0;
     const dvec3 level(wish.missing_W.x, wish.missing_W.y, 0.0);
     const double length = glm::length(level);
@@ -115,14 +116,13 @@ struct Gait {
   /// The foot that is in the air, else the one that begins: to turn, behind the other, or on the side that it goes to.
   std::optional<std::size_t> next() const {
     if (std::max(height(0), height(1)) > 0.0) return height(0) > height(1) ? 0 : 1;
-    const std::size_t lags = std::abs(std::abs(lag(0)) - std::abs(lag(1))) > kTurned
-                                 ? (std::abs(lag(0)) > std::abs(lag(1)) ? 0 : 1)
-                                 : (goal > heading ? 0 : 1);
+    const double lags_more = std::abs(lag(0)) - std::abs(lag(1));
+    const bool first_lags = std::abs(lags_more) > kTurned ? lags_more > 0.0 : goal > heading;
+    const std::size_t lags = first_lags ? 0 : 1;
     if (std::abs(lag(lags)) > kTurnFrom) return lags;
     if (along == dvec3(0.0)) return std::nullopt;
-    const std::size_t foot = std::abs(ahead(0)) > kLeastStride  ? (ahead(0) < 0.0 ? 0 : 1)
-                             : glm::dot(stance(0), along) > 0.0 ? 0
-                                                                : 1;
+    const bool first_begins = std::abs(ahead(0)) > kLeastStride ? ahead(0) < 0.0 : glm::dot(stance(0), along) > 0.0;
+    const std::size_t foot = first_begins ? 0 : 1;
     for (const std::size_t one : {foot, 1 - foot})
       if (room(one) > kLeastStride) return one;
     return std::nullopt;

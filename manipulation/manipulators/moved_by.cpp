@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::string_view kNamedFrame = "frame:";
 
-tl::unexpected<Error> unknownWord(const std::string& key, const std::string& text, const std::string& choices) {
-  return makeError({.file = {}, .place = key, .found = "'" + text + "'", .expected = choices, .fix = {}});
-}
-
 }  // namespace
+
+tl::unexpected<Error> unknownWord(const std::string& key, const std::string& text, const std::string& choices) {
+  return makeError({.place = key, .found = "'" + text + "'", .expected = choices});
+}
 
 bool isSameWay(const MovedBy& a, const MovedBy& b) {
   if (a.index() != b.index()) return false;
@@ -119,11 +119,9 @@ Expected<void> setLocks(MovedBy& moved_by, const BodyLocks& locks) {
   if (BodyLocks* own = locksOf(moved_by)) {
     *own = locks;
   } else if (locks.any() && !isOfBody(moved_by)) {
-    return unknownWord("lock",
-                       locks.trunk    ? "trunk"
-                       : locks.pelvis ? "pelvis"
-                                      : "seat",
-                       "none, as no part of a mannequin is moved by " + wordOf(moved_by, false));
+    std::string lock = locks.pelvis ? "pelvis" : "seat";
+    if (locks.trunk) lock = "trunk";
+    return unknownWord("lock", lock, "none, as no part of a mannequin is moved by " + wordOf(moved_by, false));
   }
   return {};
 }

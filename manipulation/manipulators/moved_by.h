@@ -105,6 +105,9 @@ const BodyLocks* locksOf(const MovedBy& moved_by);
 /// both_hands, head; anything else is an error that lists them.
 Expected<MovedBy> parseMovedBy(const std::string& text);
 
+/// The error of a choice's `text` that is none of `choices`; `key` names the choice.
+tl::unexpected<Error> unknownWord(const std::string& key, const std::string& text, const std::string& choices);
+
 /// "trunk", "feet", "pelvis", "seat", several with commas between, or "none". Feet stand anyway.
 Expected<BodyLocks> parseLock(const std::string& text);
 

@@ -9,12 +9,15 @@
 #include <memory>
 #include <thread>
 
+#include "geometry/system/listed.h"
 #include "geometry/system/percentile.h"
 #include "haptic/client/tcp_link.h"
 #include "haptic/devices/simulated_device.h"
 #include "haptic/server/configured_loop.h"
 #include "haptic/server/force_loop.h"
 #include "haptic/server/in_memory_link.h"
+#include "manipulation/session/force_extremes.h"
+#include "manipulation/session/penetration_meter.h"
 
 namespace hapticell::manipulation {
 
@@ -30,11 +33,9 @@ double secondsSince(SteadyClock::time_point begin) {
 }
 
 Expected<workcell::EntityId> findEntity(const SessionOptions& options) {
-  std::string names;
-  for (const workcell::Entity& entity : options.entities) {
+  for (const workcell::Entity& entity : options.entities)
     if (entity.name == options.entity) return entity.id;
-    names += (names.empty() ? "" : ", ") + entity.name;
-  }
+  const std::string names = listed(options.entities, &workcell::Entity::name);
   return makeError({.file = {},
                     .place = "--entity",
                     .found = "there is no entity '" + options.entity + "'",
@@ -127,8 +128,8 @@ class WatchedEngine {
     report_.forces.energy_min_j = forces_.leastEnergy();
     report_.forces.penetration_max_m = penetration_.worst();
     report_.forces.penetration_blocked_m = penetration_.worstBlocked();
-    report_.contacts = contacts_.events();
-    report_.limits = limits_.events();
+    report_.contacts = contacts_.contacts();
+    report_.limits = limits_.limits();
     report_.joints = joints_.joints();
     for (const LimitState& limit : engine_.nearLimits()) {
       if (limit.holds) report_.end.limits.push_back(english(limit.text));
@@ -212,9 +213,9 @@ class WatchedEngine {
   std::shared_ptr<HeldEntity> start_;
   std::optional<TrainingRun> training_;
   SessionReport report_;
-  ForceMeter forces_;
-  ContactLog contacts_;
-  LimitLog limits_;
+  ForceExtremes forces_;
+  ContactTracker contacts_;
+  LimitTracker limits_;
   JointMeter joints_;
   PenetrationMeter penetration_;
   SceneSnapshot snapshot_;

@@ -12,8 +12,10 @@
 #include "geometry/system/error.h"
 #include "haptic/devices/hand_path.h"
 #include "manipulation/engine/manipulation_command.h"
+#include "manipulation/session/contact_tracker.h"
 #include "manipulation/session/exercise.h"
-#include "manipulation/session/session_meter.h"
+#include "manipulation/session/joint_meter.h"
+#include "manipulation/session/limit_tracker.h"
 #include "trajectory/motion/recorder.h"
 #include "workcell/entity/entity.h"
 
@@ -97,9 +99,9 @@ struct SessionReport {
   std::uint64_t ticks = 0, ticks_missed = 0, steps = 0;
   SessionDelays delays;
   SessionForces forces;
-  std::vector<ContactEvent> contacts;
-  std::vector<LimitEvent> limits;  ///< What of the entity itself held it, in the order of their beginning.
-  std::vector<JointUse> joints;    ///< One a variable of a robot; empty for others.
+  std::vector<ContactInterval> contacts;
+  std::vector<LimitInterval> limits;  ///< What of the entity itself held it, in the order of their beginning.
+  std::vector<JointUse> joints;       ///< One a variable of a robot; empty for others.
   std::vector<std::string> notices;
   SessionEnd end;
   double training_share = 0.0;       ///< Of the expert's way that was gone.

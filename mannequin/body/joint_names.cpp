@@ -6,6 +6,8 @@
 #include <cctype>
 #include <map>
 
+#include "geometry/system/text_case.h"
+
 namespace hapticell::mannequin {
 
 namespace {
@@ -24,20 +26,14 @@ bool isSeparator(char c) {
   return c == ' ' || c == '_' || c == '-' || c == '.';
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
 /// Words between separators, small letters.
 std::vector<std::string> wordsOf(std::string_view text) {
   std::vector<std::string> words(1);
-  for (const char c : text) {
-    if (isSeparator(c)) {
-      if (!words.back().empty()) words.emplace_back();
-    } else {
-      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char c : lowerCase(text)) {
+    if (!isSeparator(c)) {
+      words.back() += c;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
     }
   }
   if (words.back().empty()) words.pop_back();
@@ -112,7 +108,7 @@ std::vector<JointName> jointNames(const std::vector<std::string>& names) {
   std::map<std::string, std::size_t> first;
   for (const std::string& name : names) {
     words.push_back(wordsOf(withoutNamespace(name)));
-    if (words.back().empty()) words.back().push_back(lower(name));
+    if (words.back().empty()) words.back().push_back(lowerCase(name));
     if (words.back().size() > 1 && sideOf(words.back().front()) == Of::kMiddle) ++first[words.back().front()];
   }
   std::string shared;

@@ -21,6 +21,11 @@ inline dmat3 aboutZ(double a) {
   return {dvec3(c, s, 0), dvec3(-s, c, 0), dvec3(0, 0, 1)};
 }
 
+/// From 0 to pi; of any lengths above 0, exact for small angles too.
+inline double angleBetween(const dvec3& a, const dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
 /// The least turn from unit vector a to unit vector b (not opposite: then some half turn's neighbour).
 inline dmat3 leastTurn(const dvec3& a, const dvec3& b) {
   const dvec3 v = glm::cross(a, b);

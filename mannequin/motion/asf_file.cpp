@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "geometry/system/text_case.h"
 #include "mannequin/motion/motion_clip.h"
 #include "mannequin/motion/word_reader.h"
 
@@ -293,9 +294,8 @@ class AmcReader {
   Expected<void> readHead() {
     std::optional<double> degrees;
     while (words_.peek().starts_with('#') || words_.peek().starts_with(':')) {
-      std::string word(words_.next());
+      const std::string word = upperCase(words_.next());
       words_.restOfLine();
-      for (char& c : word) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
       if (word != ":RADIANS" && word != ":DEGREES") continue;
       const double said = word == ":RADIANS" ? 180.0 / std::numbers::pi : 1.0;
       if (degrees && *degrees != said) return fail(":RADIANS and :DEGREES", "one of the two");

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <functional>
 
+#include "geometry/system/listed.h"
+#include "mannequin/body/rotations.h"
+
 namespace hapticell::mannequin {
 
 namespace {
@@ -26,9 +29,6 @@ struct Wish {
   double weight;
 };
 
-double angleOf(const dvec3& a, const dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 dvec3 across(const dvec3& v, const dvec3& axis) {
   return v - glm::dot(v, axis) * axis;
 }
@@ -72,14 +72,14 @@ std::optional<dmat3> restFrame(const MotionClip& clip, const ClipMap& map) {
   placeJoints(clip, rest, pose);
   const auto p = [&](int joint) { return pose.p[static_cast<std::size_t>(joint)]; };
   const auto along = [](const dvec3& v, const dvec3& axis, double degrees) {
-    return glm::length(v) > 1e-6 && angleOf(v, axis) < degrees * kDegree;
+    return glm::length(v) > 1e-6 && angleBetween(v, axis) < degrees * kDegree;
   };
   dvec3 up = unit(neckBase(map, pose) - 0.5 * (p(map.hip[0]) + p(map.hip[1])));
   if (glm::length(up) < 0.5) return std::nullopt;
-  if (angleOf(up, nearestAxis(up)) < 25.0 * kDegree) up = nearestAxis(up);
+  if (angleBetween(up, nearestAxis(up)) < 25.0 * kDegree) up = nearestAxis(up);
   dvec3 left = unit(across(p(map.hip[0]) - p(map.hip[1]), up));
   if (glm::length(left) < 0.5) return std::nullopt;
-  if (angleOf(left, nearestAxis(left)) < 20.0 * kDegree) left = nearestAxis(left);
+  if (angleBetween(left, nearestAxis(left)) < 20.0 * kDegree) left = nearestAxis(left);
   if (!along(p(map.shoulder[0]) - p(map.shoulder[1]), left, 50.0)) return std::nullopt;
   if (!along(p(map.head) - neckBase(map, pose), up, 60.0) && map.neck >= 0) return std::nullopt;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -179,8 +179,8 @@ class BodyFrames::Finder {
   /// A head that leans at rest does so because it is built so where its neck leans too; else its frame was turned.
   std::optional<dvec3> headAxis() const {
     const std::optional<dvec3> bone = boneTo(map_.head, map_.head_end);
-    if (!bone || !rest_ || map_.neck < 0 || angleOf(*bone, (*rest_)[2]) < kSmallTilt) return bone;
-    return angleOf(*bone, atRest(map_.head) - atRest(map_.neck)) < kNearNeck ? (*rest_)[2] : *bone;
+    if (!bone || !rest_ || map_.neck < 0 || angleBetween(*bone, (*rest_)[2]) < kSmallTilt) return bone;
+    return angleBetween(*bone, atRest(map_.head) - atRest(map_.neck)) < kNearNeck ? (*rest_)[2] : *bone;
   }
   std::optional<dvec3> boneTo(int joint, int next) const {
     if (joint < 0 || next < 0) return std::nullopt;
@@ -210,8 +210,8 @@ class BodyFrames::Finder {
     if (glm::length(up) < 1e-9 || glm::length(left) < 1e-9) return rest.value_or(dmat3(1.0));
     const dmat3 mean = frameOf(up, left);
     // Some programs write an end of a bone where none is: along x, as of all other bones.
-    const bool as_at_rest = bone && rest && angleOf(*bone, (*rest)[2]) < kLargeTilt;
-    if (bone && !as_at_rest && angleOf(*bone, mean[2]) > kNoBone) bone.reset();
+    const bool as_at_rest = bone && rest && angleBetween(*bone, (*rest)[2]) < kLargeTilt;
+    if (bone && !as_at_rest && angleBetween(*bone, mean[2]) > kNoBone) bone.reset();
     const dvec3 z = joint == map_.head && bone ? *bone : upOf(mean, bone, rest);
     return frameOf(z, leftOf(what, mean, z, trust, rest));
   }
@@ -220,27 +220,29 @@ class BodyFrames::Finder {
     if (bone && !rest) return *bone;
     if (bone) {
       const dvec3 axis = (*rest)[2];
-      const double tilt = angleOf(axis, *bone);
+      const double tilt = angleBetween(axis, *bone);
       if (tilt < kSmallTilt) return *bone;
-      if (tilt < kLargeTilt) return angleOf(axis, mean[2]) < 35.0 * kDegree ? axis : *bone;
-      return angleOf(axis, mean[2]) < angleOf(*bone, mean[2]) ? axis : *bone;
+      if (tilt < kLargeTilt) return angleBetween(axis, mean[2]) < 35.0 * kDegree ? axis : *bone;
+      return angleBetween(axis, mean[2]) < angleBetween(*bone, mean[2]) ? axis : *bone;
     }
-    if (rest && angleOf((*rest)[2], mean[2]) < 25.0 * kDegree) return (*rest)[2];
+    if (rest && angleBetween((*rest)[2], mean[2]) < 25.0 * kDegree) return (*rest)[2];
     const dvec3 axis = nearestAxis(mean[2]);
-    return angleOf(axis, mean[2]) < 20.0 * kDegree ? axis : mean[2];
+    return angleBetween(axis, mean[2]) < 20.0 * kDegree ? axis : mean[2];
   }
 
   dvec3 leftOf(const char* what, const dmat3& mean, const dvec3& z, double trust, const std::optional<dmat3>& rest) {
     const dvec3 y = unit(across(mean[1], z));
     const auto near = [&](const dvec3& axis, double degrees) {
       const dvec3 level = across(axis, z);
-      return glm::length(level) > 0.7 && angleOf(level, y) < degrees * kDegree;
+      return glm::length(level) > 0.7 && angleBetween(level, y) < degrees * kDegree;
     };
     if (rest && near((*rest)[1], trust)) return (*rest)[1];
     if (std::find(turned_.begin(), turned_.end(), what) == turned_.end()) turned_.push_back(what);
-    const bool aligned = angleOf(z, nearestAxis(z)) < kSmallTilt;
+    const bool aligned = angleBetween(z, nearestAxis(z)) < kSmallTilt;
     const dvec3 axis = nearestAxis(y);
-    return near(axis, trust == kSeen ? 6.0 : aligned ? 30.0 : 10.0) ? axis : y;
+    double within = aligned ? 30.0 : 10.0;
+    if (trust == kSeen) within = 6.0;
+    return near(axis, within) ? axis : y;
   }
 
   void findLimbs(std::size_t i) {
@@ -273,7 +275,7 @@ class BodyFrames::Finder {
     sum = unit(sum);
     const std::optional<dvec3> bone = boneTo(joint, next);
     const auto near = [&](const dvec3& axis, double degrees) {
-      return angleOf(axis, sum) < degrees * kDegree && (!bone || std::abs(glm::dot(axis, *bone)) < 0.7);
+      return angleBetween(axis, sum) < degrees * kDegree && (!bone || std::abs(glm::dot(axis, *bone)) < 0.7);
     };
     if (rest_ && near((*rest_)[0], 60.0)) return (*rest_)[0];
     return near(nearestAxis(sum), 30.0) ? nearestAxis(sum) : sum;
@@ -336,7 +338,7 @@ class BodyFrames::Finder {
     if (!bone) return settle("feet", foot, wish, std::nullopt, kLikely);
     if (rest_) {
       const dvec3 toes = glm::transpose(*rest_) * *bone;
-      if (angleOf(toes, {1, 0, 0}) < 50.0 * kDegree) return *rest_;
+      if (angleBetween(toes, {1, 0, 0}) < 50.0 * kDegree) return *rest_;
     }
     const dmat3 seen = settle("feet", foot, wish, std::nullopt, kLikely);
     const dvec3 left = unit(across(seen[1], *bone)), over = glm::cross(*bone, left);
@@ -364,9 +366,8 @@ class BodyFrames::Finder {
           "the file has no rest position of a standing person; how its joints' frames lie is found from where "
           "the joints are in the motion");
     } else if (!turned_.empty()) {
-      std::string list;
-      for (const char* what : turned_) list += (list.empty() ? "" : ", ") + std::string(what);
-      said.push_back("the frames of " + list + " do not lie as at the rest position; found from where the joints are");
+      said.push_back("the frames of " + listed(turned_) +
+                     " do not lie as at the rest position; found from where the joints are");
     }
     if (map_.neck < 0) {
       said.push_back(std::string("there is no joint for the neck; its base is taken midway between the ") +

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/system/text_case.h"
 #include "mannequin/motion/clip_map.h"
 #include "mannequin/motion/motion_clip.h"
 #include "mannequin/motion/word_reader.h"
@@ -21,12 +22,6 @@ struct Channel {
   bool turns = false;
 };
 
-bool sameWord(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
-    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
-  });
-}
-
 class BvhReader {
  public:
   BvhReader(std::string_view text, const std::string& name) : words_(text), text_(text), name_(name) {}
@@ -35,8 +30,8 @@ class BvhReader {
     if (const std::string why = whyNoText(text_); !why.empty())
       return makeError(
           {.file = name_, .found = why, .expected = "a BVH file in UTF-8", .fix = "Save it as plain text (UTF-8)."});
-    if (!sameWord(words_.next(), "HIERARCHY")) return fail("no HIERARCHY", "a BVH file");
-    if (!sameWord(words_.next(), "ROOT")) return fail("no ROOT", "ROOT and a name");
+    if (!sameButForCase(words_.next(), "HIERARCHY")) return fail("no HIERARCHY", "a BVH file");
+    if (!sameButForCase(words_.next(), "ROOT")) return fail("no ROOT", "ROOT and a name");
     HAPTICELL_TRY(readTree());
     clip_.metres_per_unit = metres_per_unit > 0.0 ? metres_per_unit : guessedUnit();
     HAPTICELL_TRY(readMotion());
@@ -69,12 +64,12 @@ class BvhReader {
     if (auto done = openJoint(false, open); !done) return done;
     while (!open.empty()) {
       const std::string_view word = words_.next();
-      if (sameWord(word, "JOINT") || sameWord(word, "End")) {
+      if (sameButForCase(word, "JOINT") || sameButForCase(word, "End")) {
         if (clip_.joints.size() >= kMostJoints) return fail("more than 1000 joints", "a skeleton");
-        if (auto done = openJoint(sameWord(word, "End"), open); !done) return done;
+        if (auto done = openJoint(sameButForCase(word, "End"), open); !done) return done;
       } else if (word == "}") {
         open.pop_back();
-      } else if (sameWord(word, "OFFSET")) {
+      } else if (sameButForCase(word, "OFFSET")) {
         dvec3& offset = clip_.joints[static_cast<std::size_t>(open.back())].p_Parent;
         for (int k = 0; k < 3; ++k) {
           const std::string_view number = words_.next();
@@ -82,7 +77,7 @@ class BvhReader {
           if (!value) return fail("no number in OFFSET: " + quoted(number), "three numbers", fixOf(number));
           offset[k] = *value;
         }
-      } else if (sameWord(word, "CHANNELS")) {
+      } else if (sameButForCase(word, "CHANNELS")) {
         if (auto done = readChannels(static_cast<std::size_t>(open.back())); !done) return done;
       } else {
         return fail(word.empty() ? "the end of the file" : quoted(word), "JOINT, End Site, OFFSET, CHANNELS or }");
@@ -111,10 +106,10 @@ class BvhReader {
       const std::string_view word = words_.next();
       const std::string_view kind = word.empty() ? word : word.substr(1);
       const int axis = word.empty() ? -1 : std::toupper(static_cast<unsigned char>(word[0])) - 'X';
-      if (axis < 0 || axis > 2 || (!sameWord(kind, "position") && !sameWord(kind, "rotation"))) {
+      if (axis < 0 || axis > 2 || (!sameButForCase(kind, "position") && !sameButForCase(kind, "rotation"))) {
         return fail("the channel " + quoted(word), "Xposition ... Zrotation");
       }
-      channels_.push_back({joint, axis, sameWord(kind, "rotation")});
+      channels_.push_back({joint, axis, sameButForCase(kind, "rotation")});
       moves_ = moves_ || (joint > 0 && !channels_.back().turns);
     }
     return {};
@@ -132,7 +127,9 @@ class BvhReader {
     }
     const double size = high.y - low.y > 0.0 ? high.y - low.y : std::max(high.x - low.x, high.z - low.z);
     if (size <= 3.0) return 1.0;
-    return size < 50.0 ? 0.0254 / 0.45 : size < 90.0 ? 0.0254 : size < 300.0 ? 0.01 : 0.001;
+    if (size < 50.0) return 0.0254 / 0.45;
+    if (size < 90.0) return 0.0254;
+    return size < 300.0 ? 0.01 : 0.001;
   }
   /// By the legs, where they are known: their length does not depend on how the file lays its rest position.
   void guessAgain() {
@@ -150,14 +147,14 @@ class BvhReader {
 
   Expected<void> readMotion() {
     const std::string_view motion = words_.next();
-    if (sameWord(motion, "ROOT"))
+    if (sameButForCase(motion, "ROOT"))
       return fail("a second ROOT " + quoted(words_.nextLine()), "one skeleton a file", "Export one person a file.");
-    if (!sameWord(motion, "MOTION") || !sameWord(words_.next(), "Frames:"))
+    if (!sameButForCase(motion, "MOTION") || !sameButForCase(words_.next(), "Frames:"))
       return fail("no MOTION with Frames:", "MOTION");
     const auto count = words_.number();
     if (!count || *count < 0.0 || *count > static_cast<double>(kMostFrames))
       return fail("no count of frames", "a number");
-    const bool timed = sameWord(words_.next(), "Frame") && sameWord(words_.next(), "Time:");
+    const bool timed = sameButForCase(words_.next(), "Frame") && sameButForCase(words_.next(), "Time:");
     const std::string_view time = timed ? words_.next() : std::string_view();
     const auto period = WordReader::numberOf(time);
     if (!period || !(*period > 0.0)) return fail("no Frame Time:", "seconds, above 0", fixOf(time));

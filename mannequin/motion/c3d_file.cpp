@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
 #include <system_error>
 
 #include "geometry/system/regular_file.h"
+#include "geometry/system/text_case.h"
 #include "mannequin/motion/c3d_layout.h"
 #include "mannequin/motion/c3d_parameters.h"
 #include "mannequin/motion/marker_clip.h"
@@ -61,10 +61,7 @@ class C3dReader {
 
  private:
   tl::unexpected<Error> fail(std::size_t at, std::string found, std::string expected) const {
-    return makeError({.file = name_,
-                      .place = "byte " + std::to_string(at),
-                      .found = std::move(found),
-                      .expected = std::move(expected)});
+    return c3d::fault(name_, at, std::move(found), std::move(expected));
   }
 
   Expected<void> readRate() {
@@ -82,8 +79,7 @@ class C3dReader {
 
   Expected<void> readUnit() {
     const std::vector<std::string> words = parameters_.texts("POINT:UNITS");
-    std::string unit = words.empty() ? "" : words.front();
-    for (char& c : unit) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string unit = words.empty() ? "" : lowerCase(words.front());
     if (unit.empty()) {
       clip_.warnings.emplace_back("the file names no unit; its numbers are taken as millimetres");
       return {};

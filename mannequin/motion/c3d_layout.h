@@ -35,6 +35,13 @@ namespace c3d {
 inline constexpr std::size_t kBlockBytes = C3dParameters::kBlock;
 inline constexpr std::size_t kMostPoints = 10'000, kMostRows = 2'000'000, kMostAnalog = 1'000'000;
 
+inline tl::unexpected<Error> fault(std::string name, std::size_t at, std::string found, std::string expected) {
+  return makeError({.file = std::move(name),
+                    .place = "byte " + std::to_string(at),
+                    .found = std::move(found),
+                    .expected = std::move(expected)});
+}
+
 /// Values that a thing may have, the likeliest first, none twice.
 template <typename T>
 class Choices {
@@ -63,10 +70,7 @@ class LayoutFinder {
 
  private:
   tl::unexpected<Error> fail(std::size_t at, std::string found, std::string expected) const {
-    return makeError({.file = name_,
-                      .place = "byte " + std::to_string(at),
-                      .found = std::move(found),
-                      .expected = std::move(expected)});
+    return c3d::fault(name_, at, std::move(found), std::move(expected));
   }
 
   Expected<void> collect() {

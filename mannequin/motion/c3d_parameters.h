@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/system/error.h"
+#include "geometry/system/text_case.h"
 #include "mannequin/motion/c3d_numbers.h"
 
 namespace hapticell::mannequin {
@@ -54,15 +55,6 @@ class C3dParameters {
 
 /// Without blanks and zeros at its ends; what is no letter of ASCII is a question mark.
 inline std::string printable(std::string_view text);
-
-namespace c3d {
-
-inline std::string upper(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
-
-}  // namespace c3d
 
 inline std::string printable(std::string_view text) {
   while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.remove_suffix(1);
@@ -108,7 +100,7 @@ inline void C3dParameters::readAll(std::size_t begin) {
     const int group = static_cast<int>(static_cast<std::int8_t>(*bytes_.byte(at + 1)));
     const std::size_t link = at + 2 + letters;
     if (letters == 0 || link + 2 > last) break;
-    const std::string name = c3d::upper(printable(bytes_.text(at + 2, letters)));
+    const std::string name = upperCase(printable(bytes_.text(at + 2, letters)));
     const std::size_t step = *bytes_.word(link);
     const auto parameter = group > 0 ? parameterAt(link + 2) : std::nullopt;
     if (group < 0) {

@@ -15,29 +15,28 @@ constexpr std::array<std::size_t, 4> kOuterJoints = {6, 9, 13, 17};
 constexpr std::size_t kWristPitch = 20, kWristYaw = 21;
 
 /// The second pose that fixes a sensor, with its angle in both, degrees.
-enum class Pose2 { kFist, kSpread, kThumbUnder };
 struct SensorRule {
-  Pose2 second;
+  GloveReadings GloveCalibrationPoses::*second;
   double flat, other;
 };
 SensorRule ruleOf(std::size_t sensor) {
   switch (sensor) {
     case 0:
-      return {Pose2::kThumbUnder, 0.0, 60.0};
+      return {&GloveCalibrationPoses::thumb_under, 0.0, 60.0};
     case 1:
-      return {Pose2::kThumbUnder, 0.0, 50.0};
+      return {&GloveCalibrationPoses::thumb_under, 0.0, 50.0};
     case 2:
-      return {Pose2::kThumbUnder, 0.0, 80.0};
+      return {&GloveCalibrationPoses::thumb_under, 0.0, 80.0};
     case 3:
-      return {Pose2::kSpread, 5.0, 50.0};
+      return {&GloveCalibrationPoses::spread, 5.0, 50.0};
     case 10:
     case 14:
     case 18:
-      return {Pose2::kSpread, 0.0, 20.0};
+      return {&GloveCalibrationPoses::spread, 0.0, 20.0};
     case 19:
-      return {Pose2::kThumbUnder, 0.0, 40.0};
+      return {&GloveCalibrationPoses::thumb_under, 0.0, 40.0};
     default:
-      return {Pose2::kFist, 0.0, 90.0};
+      return {&GloveCalibrationPoses::fist, 0.0, 90.0};
   }
 }
 
@@ -68,9 +67,7 @@ std::optional<GloveCalibration> calibrateGlove(const GloveCalibrationPoses& pose
       continue;
     }
     const SensorRule rule = ruleOf(i);
-    const GloveReadings& second = rule.second == Pose2::kFist     ? poses.fist
-                                  : rule.second == Pose2::kSpread ? poses.spread
-                                                                  : poses.thumb_under;
+    const GloveReadings& second = poses.*rule.second;
     const double change = second[i] - poses.flat[i];
     if (!(std::abs(change) >= kLeastChange)) {
       if (bad_sensor != nullptr) *bad_sensor = i;

@@ -142,7 +142,10 @@ class MarkerBody {
       while (end < way.size() && !seen[end]) ++end;
       for (std::size_t k = f; k < end; ++k) {
         const double s = static_cast<double>(k - f + 1) / static_cast<double>(end - f + 1);
-        way[k] = f == 0 ? way[end] : end == way.size() ? way[f - 1] : (1.0 - s) * way[f - 1] + s * way[end];
+        if (f == 0)
+          way[k] = way[end];
+        else
+          way[k] = end == way.size() ? way[f - 1] : (1.0 - s) * way[f - 1] + s * way[end];
       }
       const auto first = blind_.begin() + static_cast<std::ptrdiff_t>(f);
       const auto last = blind_.begin() + static_cast<std::ptrdiff_t>(end);
@@ -201,13 +204,10 @@ class MarkerBody {
     } else {
       said.emplace_back("there are no markers on the head; it follows the chest, and the neck's score with it");
     }
-    for (const char* landmark : {"finger", "heel", "toe"}) {
-      if (!both(landmark))
-        said.push_back(std::string("there are no markers on ") +
-                       (landmark[0] == 'f'   ? "the fingers; wrists"
-                        : landmark[0] == 'h' ? "the heels; feet"
-                                             : "the toes; feet") +
-                       " are taken as straight");
+    constexpr std::pair<const char*, const char*> kStraight[] = {
+        {"finger", "the fingers; wrists"}, {"heel", "the heels; feet"}, {"toe", "the toes; feet"}};
+    for (const auto& [landmark, words] : kStraight) {
+      if (!both(landmark)) said.push_back(std::string("there are no markers on ") + words + " are taken as straight");
     }
     if (!both("wrist_thumb_side") || !both("wrist_little_finger_side"))
       said.emplace_back("the wrists have one marker; the forearms are taken to be neither pronated nor supinated");
@@ -253,10 +253,9 @@ class MarkerBody {
               ? at(sided(i, "shoulder_joint"))
               : shoulderMark(i) - body.R_thorax * dvec3(0.0, out * kInsideAcromion, kBelowAcromion + kMarkerRadius);
     }
-    const dvec3 middle_of_shoulders = shoulderMarks();
-    body.neck = !has("c7")        ? middle_of_shoulders
-                : has("clavicle") ? at("c7") + kIntoNeck * (at("clavicle") - at("c7"))
-                                  : at("c7") + 0.045 * body.R_thorax[0];
+    body.neck = shoulderMarks();
+    if (has("c7"))
+      body.neck = at("c7") + (has("clavicle") ? kIntoNeck * (at("clavicle") - at("c7")) : 0.045 * body.R_thorax[0]);
   }
 
   void head(RecordedBody& body) const {
@@ -364,7 +363,8 @@ class MarkerBody {
     if (has(sided(i, "wrist_joint"))) return at(sided(i, "wrist_joint"));
     const std::string a = sided(i, "wrist_thumb_side"), b = sided(i, "wrist_little_finger_side");
     if (has(a) && has(b)) return 0.5 * (at(a) + at(b));
-    return has(sided(i, "wrist")) ? at(sided(i, "wrist")) : at(has(a) ? a : b);
+    if (has(sided(i, "wrist"))) return at(sided(i, "wrist"));
+    return at(has(a) ? a : b);
   }
 
   void arm(std::size_t i, RecordedBody& body) const {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/system/listed.h"
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/regular_file.h"
 
@@ -100,12 +101,6 @@ MarkerSet found(const char* name, const KnownLandmark (&known)[N], const MarkerC
     look(std::string("right_") + each.landmark, each, "R");
   }
   return set;
-}
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 std::string namesOf(const MarkerClip& clip) {

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mannequin/motion/motion_clip.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include "geometry/system/regular_file.h"
+#include "geometry/system/text_case.h"
 
 namespace hapticell::mannequin {
 
 namespace {
 
 constexpr std::uintmax_t kMostBytes = 256u << 20;
-
-bool sameName(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
-    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
-  });
-}
 
 Expected<std::string> contentOf(const std::filesystem::path& file) {
   return geometry::readRegularFile(file, kMostBytes);
@@ -26,7 +18,7 @@ Expected<std::string> contentOf(const std::filesystem::path& file) {
 
 int MotionClip::find(std::string_view name) const {
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    if (sameName(joints[i].name, name)) return static_cast<int>(i);
+    if (sameButForCase(joints[i].name, name)) return static_cast<int>(i);
   }
   return -1;
 }
@@ -49,8 +41,7 @@ void placeJoints(const MotionClip& clip, const ClipFrame& frame, ClipPose& pose)
 }
 
 Expected<MotionClip> readMotionFile(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = lowerExtension(file);
   const Expected<std::string> text = contentOf(file);
   HAPTICELL_TRY(text);
   if (ending == ".bvh") return readBvh(*text, file.string());

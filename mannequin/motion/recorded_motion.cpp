@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "geometry/system/text_case.h"
 #include "mannequin/motion/body_frames.h"
 #include "mannequin/motion/clip_map.h"
 #include "mannequin/motion/marker_body.h"
@@ -104,8 +105,7 @@ Expected<RecordedMotion> recordedSkeleton(const std::filesystem::path& file, con
 }  // namespace
 
 Expected<RecordedMotion> readRecordedMotion(const std::filesystem::path& file, const MotionReading& reading) {
-  std::string ending = file.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = lowerExtension(file);
   Expected<RecordedMotion> motion = ending == ".c3d" ? recordedMarkers(file, reading) : recordedSkeleton(file, reading);
   if (!motion && motion.error().file.empty()) motion.error().file = file.string();
   return motion;

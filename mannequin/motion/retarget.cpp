@@ -23,10 +23,6 @@ dmat3 hingeFrame(const dvec3& from, const dvec3& middle, const dvec3& to, double
   return {x, glm::cross(-bone, x), -bone};
 }
 
-double angleBetween(const dvec3& a, const dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
 /// Sets the three angles of a spine joint from its segment's turn in its parent.
 void setSpine(Posture& posture, Dof first, const dmat3& R_parent, const dmat3& R) {
   const dvec3 angles = anglesYXZ(glm::transpose(R_parent) * R);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -11,6 +10,7 @@
 
 #include "geometry/shapes/vector.h"
 #include "geometry/system/error.h"
+#include "geometry/system/text_case.h"
 
 namespace hapticell::mannequin {
 
@@ -39,8 +39,7 @@ inline constexpr double kClearlyMore = 1.3;  ///< Than along the second axis.
 }  // namespace up_axis
 
 inline Expected<UpAxis> parseUpAxis(std::string_view text) {
-  std::string word;
-  for (const char c : text) word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::string word = lowerCase(text);
   if (word.starts_with('+')) word.erase(0, 1);
   for (std::size_t i = 0; i < up_axis::kUpNames.size(); ++i) {
     if (word == up_axis::kUpNames[i]) return static_cast<UpAxis>(i);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mannequin/posture/body_solver.h"
 #include "mannequin/body/rotations.h"
+#include "mannequin/posture/body_solver.h"
 
 namespace hapticell::mannequin {
 
@@ -20,7 +20,10 @@ constexpr double kMostPull = 0.25, kMostTurn = 1.0;
 constexpr Variables makeWeights() {
   Variables D{};
   for (std::size_t i = 0; i < kVariables; ++i) {
-    D[i] = i < 3 ? 14.0 : i < 6 ? 4.0 : i < 15 ? 3.0 : 0.3;
+    D[i] = 0.3;
+    if (i < 15) D[i] = 3.0;
+    if (i < 6) D[i] = 4.0;
+    if (i < 3) D[i] = 14.0;
     if (i >= 15 && i < 33) {
       constexpr double kArm[9] = {3.0, 3.0, 0.8, 0.8, 0.8, 0.8, 0.5, 1.0, 1.0};
       D[i] = kArm[(i - 15) % 9];
@@ -146,7 +149,8 @@ void BodySolver::fillBalance(const VariableAxes& axes, StepProblem& problem) con
     const glm::dvec2 inward(-edge.y / length, edge.x / length);
     const double gap = glm::dot(inward, com - hull.points[i]) - task_->balance_margin;
     if (gap > kEdgeZone) continue;
-    const std::size_t slot = count < 2 ? static_cast<std::size_t>(count) : (gaps[0] > gaps[1] ? 0u : 1u);
+    const std::size_t wider = gaps[0] > gaps[1] ? 0 : 1;
+    const std::size_t slot = count < 2 ? static_cast<std::size_t>(count) : wider;
     if (count == 2 && gap >= gaps[slot]) continue;
     normals[slot] = inward;
     gaps[slot] = gap;

@@ -71,8 +71,8 @@ double shareOf(const StepProblem& p, const DualPoint& at, const DualPoint& way) 
 void takeSides(const StepProblem& p, const Variables& pull, ActiveSet& active) {
   for (std::size_t i = 0; i < kVariables; ++i) {
     const double free = p.wish[i] + pull[i] / p.D[i];
-    active[i] = static_cast<std::int8_t>(free >= p.upper[i] ? 1 : free <= p.lower[i] ? -1 : 0);
-    if (p.lower[i] == p.upper[i]) active[i] = 1;
+    active[i] = free <= p.lower[i] ? -1 : 0;
+    if (free >= p.upper[i] || p.lower[i] == p.upper[i]) active[i] = 1;
   }
 }
 

@@ -62,7 +62,8 @@ class DualSystem {
 
  private:
   double startOf(std::size_t i) const {
-    return known_[i] == 0 ? p_.wish[i] : known_[i] < 0 ? p_.lower[i] : p_.upper[i];
+    if (known_[i] == 0) return p_.wish[i];
+    return known_[i] < 0 ? p_.lower[i] : p_.upper[i];
   }
 
   void build() {

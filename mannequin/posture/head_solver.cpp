@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/body/rotations.h"
+#include "mannequin/posture/forward_kinematics.h"
 
 namespace hapticell::mannequin {
 namespace {
@@ -77,8 +77,8 @@ Posture stepped(const HeadWish& wish, const Posture& posture, const FigurePose& 
   const HeadRows error = errorOf(wish, pose);
   const Jacobian J = jacobianOf(wish, posture, pose);
   std::array<double, kTurns> weight{};
-  for (int i = 0; i < kTurns; ++i)
-    weight[static_cast<std::size_t>(i)] = i >= kFirstNeck ? 1.0 : trunk_locked ? 0.0 : 1.0 / kSpineWeight;
+  weight.fill(1.0);
+  std::fill_n(weight.begin(), kFirstNeck, trunk_locked ? 0.0 : 1.0 / kSpineWeight);
   Posture result = posture;
   for (int pass = 0; pass < 4; ++pass) {
     Jacobian JW = J;

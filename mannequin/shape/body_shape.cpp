@@ -46,7 +46,8 @@ double Flesh::distance(const dvec3& p, dvec3& outward) const {
   outward = dvec3(0.0);
   for (const Blob& blob : blobs) {
     const double own = distanceTo(blob, p, across);
-    d = d > 1e8 ? own : blended(d, own, blob.blend < 0.0 ? blend : blob.blend);
+    const double softness = blob.blend < 0.0 ? blend : blob.blend;
+    d = d > 1e8 ? own : blended(d, own, softness);
     if (own >= least) continue;
     least = own;
     outward = across / blob.stretch;

@@ -198,13 +198,15 @@ class ModelBuilder {
     const Flesh& flesh = flesh_[body];
     const bool head = body == indexOf(S::kHead);
     kinematics::LinkShape checked;
-    checked.mesh = std::make_shared<const geometry::TriangleMesh>(bodyMesh(flesh, finger ? kCoarseFinger
-                                                                                  : hand ? 0.5 * kCoarseCell
-                                                                                         : kCoarseCell));
+    double coarse = hand ? 0.5 * kCoarseCell : kCoarseCell;
+    double fine = head ? kHeadCell : kFineCell;
+    if (finger) coarse = kCoarseFinger;
+    if (finger || hand) fine = kFineFinger;
+    checked.mesh = std::make_shared<const geometry::TriangleMesh>(bodyMesh(flesh, coarse));
     checked.color = {flesh.color[0], flesh.color[1], flesh.color[2], 1.0f};
     checked.source = "body";
     model_.links[static_cast<std::size_t>(link)].collisions.push_back(std::move(checked));
-    wear(link, flesh.color, bodyMesh(flesh, finger || hand ? kFineFinger : head ? kHeadCell : kFineCell));
+    wear(link, flesh.color, bodyMesh(flesh, fine));
     if (!head) return;
     wear(link, kHairColor, hairMesh(figure_, kHeadCell));
     for (FacePiece& piece : facePieces(figure_)) wear(link, piece.color, std::move(piece.mesh));

@@ -156,7 +156,8 @@ double SkinShape::hand(Side side, const dvec3& p) const {
       const std::size_t body = phalanxBody(side, i, j), own = 1 + i * kPhalanges + j;
       d[own] = fleshAt(body, p);
       // The knuckles of a hand are webbed, those of a finger hardly thicker than its bones.
-      const double over = j == 0 ? (i == 0 ? 0.014 : 0.007) : 0.0025;
+      const double knuckle = i == 0 ? 0.014 : 0.007;
+      const double over = j == 0 ? knuckle : 0.0025;
       all = std::min(all, blended(d[own], j == 0 ? d[0] : d[own - 1], over * k_));
     }
   }

@@ -54,7 +54,8 @@ float SkinWeights::straight() const {
 
 SkinWeighing::SkinWeighing(const Figure& figure, const SkinShape& shape)
     : figure_(figure), shape_(shape), k_(figure.body[Dimension::kStature] / 1.755) {
-  for (const Side side : {Side::kLeft, Side::kRight}) bones_[static_cast<std::size_t>(side)] = phalangesOf(figure, side);
+  for (const Side side : {Side::kLeft, Side::kRight})
+    bones_[static_cast<std::size_t>(side)] = phalangesOf(figure, side);
 }
 
 double SkinWeighing::along(Segment first, const dvec3& p) const {
@@ -93,7 +94,8 @@ void SkinWeighing::addTrunk(const dvec3& p, double share, Shares& shares) const 
   // The head keeps its shape: what is nearer to it than to the neck is its own.
   const dvec3 skull = origin(S::kHead);
   const double from_neck = shape_.neck().distance(p) - shape_.skull(p);
-  const double head = rising(from_neck, -0.016 * k_, 0.020 * k_) * rising(p.z, skull.z - 0.11 * k_, skull.z - 0.05 * k_);
+  const double head =
+      rising(from_neck, -0.016 * k_, 0.020 * k_) * rising(p.z, skull.z - 0.11 * k_, skull.z - 0.05 * k_);
   shares[indexOf(S::kHead)] += share * head;
   double rest = share * (1.0 - head);
   for (std::size_t i = kSpine.size(); i-- > 0;) {
@@ -105,8 +107,8 @@ void SkinWeighing::addTrunk(const dvec3& p, double share, Shares& shares) const 
     if (kSpine[i].above == S::kThorax) {
       // Collar bones take the sides of the shoulders with them.
       const double shoulder = std::abs(origin(S::kLeftUpperArm).y), top = origin(S::kLeftUpperArm).z;
-      const double girdle = rising(std::abs(p.y), 0.25 * shoulder, 1.02 * shoulder) *
-                            rising(p.z, top - 0.16 * k_, top - 0.01 * k_);
+      const double girdle =
+          rising(std::abs(p.y), 0.25 * shoulder, 1.02 * shoulder) * rising(p.z, top - 0.16 * k_, top - 0.01 * k_);
       shares[indexOf(p.y > 0.0 ? S::kLeftClavicle : S::kRightClavicle)] += above * girdle;
       shares[indexOf(S::kThorax)] += above * (1.0 - girdle);
     } else {
@@ -145,8 +147,10 @@ void SkinWeighing::addHand(Side side, const dvec3& p, double share, Shares& shar
       const double t = glm::dot(local, bone.along), on = std::clamp(t, 0.0, bone.length);
       nearness[d] = std::min(nearness[d], glm::length(local - on * bone.along) - bone.radius);
       const double r = bone.radius;
-      past[d][i] = i > 0 ? rising(t, -0.75 * r, 0.75 * r)
-                         : (d == 0 ? rising(t, -0.2 * r, 2.4 * r) : rising(t, -0.9 * r, 1.3 * r));
+      if (i > 0)
+        past[d][i] = rising(t, -0.75 * r, 0.75 * r);
+      else
+        past[d][i] = d == 0 ? rising(t, -0.2 * r, 2.4 * r) : rising(t, -0.9 * r, 1.3 * r);
     }
     nearest = std::min(nearest, nearness[d]);
   }

@@ -173,7 +173,7 @@ void differentiate(const Samples& samples, std::size_t order, std::ptrdiff_t str
   when.assign(d, 0.0);
   std::array<std::vector<double>, 4> x;
   for (auto& values : x) values.resize(d);
-  const double factorial = order == 3 ? 6.0 : order == 2 ? 2.0 : 1.0;
+  const double factorial = std::array{1.0, 1.0, 2.0, 6.0}[static_cast<std::size_t>(order)];
   const auto span = static_cast<std::ptrdiff_t>(order) * stride;
   for (std::ptrdiff_t first = -span; first < static_cast<std::ptrdiff_t>(samples.size()); ++first) {
     std::array<double, 4> t{};

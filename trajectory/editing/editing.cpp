@@ -213,7 +213,8 @@ Expected<Trajectory> withFrameAt(const Trajectory& trajectory, std::size_t i, co
   result.reserve(trajectory.size());
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
     Trajectory::Frame frame = trajectory[k];
-    const double away = reach > 0.0 ? std::abs(frame.t - trajectory[i].t) / reach : (k == i ? 0.0 : 1.0);
+    double away = k == i ? 0.0 : 1.0;
+    if (reach > 0.0) away = std::abs(frame.t - trajectory[i].t) / reach;
     const double share = away < 1.0 ? std::pow(1.0 - away * away, 2) : 0.0;
     frame.X_WT = displaced(frame.X_WT, Twist{share * way_W.linear, share * way_W.angular});
     if (k == i) frame.by_hand = true;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trajectory/editing/farthest_split.h"
 #include "trajectory/editing/segment_distance.h"
 
 namespace hapticell::trajectory {
@@ -29,23 +30,8 @@ std::vector<std::size_t> framesToKeep(const Trajectory& trajectory, const PathTo
     first = i;
   }
   const SegmentDistance distance(trajectory, trajectory, tolerance);
-  while (!open.empty()) {
-    const FrameSpan span = open.back();
-    open.pop_back();
-    double worst = 1.0;
-    std::size_t at = 0;
-    for (std::size_t i = span.first + 1; i < span.last; ++i) {
-      const double share = distance.of(i, span).shareOf(tolerance);
-      if (share <= worst) continue;
-      worst = share;
-      at = i;
-    }
-    if (at == 0) continue;
-    kept.push_back(at);
-    open.push_back({span.first, at});
-    open.push_back({at, span.last});
-  }
-  std::sort(kept.begin(), kept.end());
+  const auto off = [&](std::size_t i, const FrameSpan& span) { return distance.of(i, span).shareOf(tolerance); };
+  splitAtFarthest(std::move(open), off, kept);
   return kept;
 }
 

@@ -11,6 +11,7 @@
 
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/regular_file.h"
+#include "geometry/system/text_case.h"
 #include "trajectory/files/ros_yaml_reader.h"
 #include "trajectory/motion/csv_table.h"
 #include "trajectory/motion/number_text.h"
@@ -313,9 +314,7 @@ Expected<Trajectory> readTrajectory(const fs::path& file, std::vector<std::strin
     return makeError({.file = file.string(), .found = "a folder", .expected = "a trajectory file"});
   if (!fs::exists(file, ignored))
     return makeError({.file = file.string(), .found = "there is no such file", .expected = "a trajectory"});
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = lowerExtension(file);
   if (extension == ".csv") return readCsv(file);
   if (extension == ".yaml" || extension == ".yml") return readRosYaml(file);
   if (extension == ".htraj" || extension == ".json") return readJson(file);

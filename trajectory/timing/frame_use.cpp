@@ -62,7 +62,9 @@ double useOfOrder(const LimitedFrames& frames, std::size_t count, double step, c
     if (order > 1) frames.step(i - stride, stride, b);
     if (order > 2) frames.step(i - 2 * stride, stride, c);
     for (std::size_t j = 0; j < a.size(); ++j) {
-      const double change = order == 1 ? a[j] : order == 2 ? a[j] - b[j] : a[j] - 2.0 * b[j] + c[j];
+      double change = a[j];
+      if (order == 2) change = a[j] - b[j];
+      if (order == 3) change = a[j] - 2.0 * b[j] + c[j];
       most = std::max(most, std::abs(change) * scale / limits[j]);
     }
   }

@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "geometry/system/assertion.h"
-#include "trajectory/timing/motion_path.h"
+#include "trajectory/editing/farthest_split.h"
 #include "trajectory/editing/segment_distance.h"
+#include "trajectory/timing/motion_path.h"
 
 namespace hapticell::trajectory {
 
@@ -234,24 +235,10 @@ std::vector<std::size_t> cornersOf(const Trajectory& frames, const PathTolerance
                                    double angle) {
   const auto points = scaledPoints(frames, tolerance, by);
   std::vector<std::size_t> kept{0, frames.size() - 1}, corners;
-  std::vector<FrameSpan> open{{0, frames.size() - 1}};
-  while (!open.empty()) {
-    const FrameSpan span = open.back();
-    open.pop_back();
-    double worst = 1.0;
-    std::size_t at = 0;
-    for (std::size_t i = span.first + 1; i < span.last; ++i) {
-      const double off = offSquared(points[span.first], points[i], points[span.last]);
-      if (off <= worst) continue;
-      worst = off;
-      at = i;
-    }
-    if (at == 0) continue;
-    kept.push_back(at);
-    open.push_back({span.first, at});
-    open.push_back({at, span.last});
-  }
-  std::sort(kept.begin(), kept.end());
+  const auto off = [&](std::size_t i, const FrameSpan& span) {
+    return offSquared(points[span.first], points[i], points[span.last]);
+  };
+  splitAtFarthest({{0, frames.size() - 1}}, off, kept);
   const double cosine = std::cos(angle);
   for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
     const Point &a = points[kept[k - 1]], &b = points[kept[k]], &c = points[kept[k + 1]];

@@ -63,7 +63,8 @@ Felt forceOf(const Trajectory& motion) {
 
 /// 1 at `good`, falling to 0 at `bad`.
 double shareOf(double value, double good, double bad) {
-  return bad > good ? std::clamp(1.0 - (value - good) / (bad - good), 0.0, 1.0) : (value <= good ? 1.0 : 0.0);
+  if (bad > good) return std::clamp(1.0 - (value - good) / (bad - good), 0.0, 1.0);
+  return value <= good ? 1.0 : 0.0;
 }
 
 double pointsOf(const TrainingScore& score, const TrainingScore& expert, const ScoringRule& rule) {

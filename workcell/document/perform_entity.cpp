@@ -28,8 +28,8 @@ Expected<void> checkNew(const Entity& entity, const DocumentState& state) {
   return checkProperties(entity);
 }
 
-/// What an assembly's properties mean for those below it.
-void handDown(const SetProperties& command, Entity& target) {
+/// What an entity's own properties are, and an assembly's mean for those below it.
+void setShared(const SetProperties& command, Entity& target) {
   if (command.color) target.color = *command.color;
   if (command.visible) target.visible = *command.visible;
   if (command.locked) target.locked = *command.locked;
@@ -186,13 +186,7 @@ Expected<EntityId> perform(const SetProperties& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   HAPTICELL_TRY(entity);
   Entity changed = **entity;
-  if (command.color) changed.color = *command.color;
-  if (command.visible) changed.visible = *command.visible;
-  if (command.locked) changed.locked = *command.locked;
-  if (command.checked) changed.checked = *command.checked;
-  if (command.on_contact) changed.on_contact = *command.on_contact;
-  if (command.force_class) changed.force_class = *command.force_class;
-  if (command.material) changed.material = *command.material;
+  setShared(command, changed);
   if (command.mass) changed.mass = *command.mass;
   if (command.parent) changed.parent = *command.parent;
   HAPTICELL_TRY(checkProperties(changed));
@@ -204,7 +198,7 @@ Expected<EntityId> perform(const SetProperties& command, StateEdit& edit) {
     }
   }
   if (changed.kind == EntityKind::kAssembly) {
-    for (EntityId id : family) edit.change(id, [&](Entity& target) { handDown(command, target); });
+    for (EntityId id : family) edit.change(id, [&](Entity& target) { setShared(command, target); });
   }
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }

@@ -4,7 +4,8 @@
 namespace hapticell::workcell {
 
 const char* axisName(UpAxis axis) {
-  return axis == UpAxis::kX ? "x" : axis == UpAxis::kY ? "y" : "z";
+  if (axis == UpAxis::kX) return "x";
+  return axis == UpAxis::kY ? "y" : "z";
 }
 
 Expected<UpAxis> parseAxis(std::string_view text) {

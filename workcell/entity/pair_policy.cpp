@@ -85,7 +85,8 @@ std::optional<EffectivePair> pairOf(const Entity& moved, const Names& moved_name
 /// How closely the rule names the side: 0 not at all, 1 by the entity, 2 by the link.
 int closeness(const std::string& entity, const std::string& part, const PairSide& side) {
   if (entity != side.entity) return 0;
-  return part.empty() ? 1 : part == side.part ? 2 : 0;
+  if (part.empty()) return 1;
+  return part == side.part ? 2 : 0;
 }
 
 }  // namespace

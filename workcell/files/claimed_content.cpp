@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <string_view>
 
 #include "geometry/system/regular_file.h"
+#include "geometry/system/text_case.h"
 
 namespace hapticell::workcell {
 
@@ -60,8 +60,7 @@ std::string_view firstWord(std::string_view text) {
 bool isWhatItClaims(const fs::path& file) {
   std::error_code fault;
   if (!fs::is_regular_file(file, fault)) return false;
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lowerExtension(file);
   constexpr std::size_t kHead = 64 * 1024;
   const std::string head = geometry::headOfFile(file, kHead);
   std::string_view text = head;

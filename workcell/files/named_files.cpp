@@ -2,11 +2,11 @@
 #include "workcell/files/named_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <string>
 #include <string_view>
 
+#include "geometry/system/text_case.h"
 #include "workcell/text/file_content.h"
 #include "workcell/text/text_cursor.h"
 
@@ -17,12 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostFiles = 10'000;
-
-std::string lowerExtension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 bool isStep(const fs::path& file) {
   const std::string extension = lowerExtension(file);

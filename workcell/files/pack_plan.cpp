@@ -14,6 +14,7 @@
 #include "workcell/import/entity_source.h"
 #include "workcell/robots/robot_reader.h"
 #include "workcell/scenes/sdf_cell_reader.h"
+#include "workcell/text/package_path.h"
 #include "workcell/text/read_record.h"
 
 namespace hapticell::workcell {
@@ -24,11 +25,6 @@ namespace {
 
 constexpr std::uintmax_t kMostPackedBytes = std::uintmax_t{2} << 30;
 constexpr const char* kPackages[] = {"package.xml", "model.config", "manifest.xml"};
-
-bool isBelow(const fs::path& file, const fs::path& folder) {
-  const fs::path relative = file.lexically_relative(folder);
-  return !relative.empty() && *relative.begin() != "..";
-}
 
 fs::path wholePath(const fs::path& file) {
   std::error_code fault;

@@ -6,6 +6,8 @@
 #include <map>
 #include <unordered_map>
 
+#include "geometry/system/listed.h"
+#include "geometry/system/text_case.h"
 #include "kinematics/model/robot_model.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/entity_source.h"
@@ -21,12 +23,6 @@ namespace hapticell::workcell {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string lowerExtension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 /// Turns entities into nodes, parents first whatever the order of the document.
 class SceneCollector {
@@ -254,10 +250,8 @@ Expected<void> exportScene(const ImportedScene& scene, const fs::path& file, con
   const std::string extension = lowerExtension(file);
   const auto& known = writableExtensions();
   if (std::find(known.begin(), known.end(), extension) == known.end()) {
-    std::string list;
-    for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
     return makeError(
-        {.file = file.string(), .found = "the extension '" + extension + "'", .expected = "one of " + list});
+        {.file = file.string(), .found = "the extension '" + extension + "'", .expected = "one of " + listed(known)});
   }
   const bool any = std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const SceneNode& n) { return n.mesh >= 0; });
   if (!any)

@@ -162,7 +162,8 @@ Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const Imp
   HAPTICELL_TRY(entity);
   ImportResult result;
   const std::optional<RobotFormat> format = robotFormatOf(file);
-  result.report.format = format ? formatName(*format) : entity->robot ? "library" : "shape";
+  result.report.format = entity->robot ? "library" : "shape";
+  if (format) result.report.format = formatName(*format);
   result.report.parts = 1;
   result.report.arguments = declared_;
   if (entity->mesh) result.report.triangles = entity->mesh->triangles.size();

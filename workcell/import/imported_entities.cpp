@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "geometry/system/utf8.h"
 #include "workcell/meshes/mesh_care.h"
 
 namespace hapticell::workcell {
@@ -23,7 +24,7 @@ std::string usableName(const std::string& name, const std::string& otherwise) {
     usable += byte < 0x20 || byte == 0x7F ? ' ' : c;
   }
   std::size_t end = std::min(usable.size(), kLongest);
-  while (end > 0 && end < usable.size() && (static_cast<unsigned char>(usable[end]) & 0xC0) == 0x80) --end;
+  while (end > 0 && end < usable.size() && continuesCharacter(usable[end])) --end;
   usable.resize(end);
   const std::size_t first = usable.find_first_not_of(' ');
   if (first == std::string::npos) return otherwise;

@@ -24,7 +24,8 @@ void ColorChannels::set(std::size_t index, const std::array<double, 3>& channels
 std::vector<Color> ColorChannels::take(std::size_t count, std::optional<double> full) && {
   if (channels_.empty()) return {};
   channels_.resize(count, kNoColor);
-  const float whole = full ? static_cast<float>(*full) : greatest_ > 1.0f ? 255.0f : 1.0f;
+  const float guessed = greatest_ > 1.0f ? 255.0f : 1.0f;
+  const float whole = full ? static_cast<float>(*full) : guessed;
   for (Color& color : channels_) {
     if (!isColor(color)) continue;
     for (float& channel : color) channel = std::min(channel / whole, 1.0f);

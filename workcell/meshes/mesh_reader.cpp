@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/system/assertion.h"
+#include "geometry/system/text_case.h"
 #include "workcell/meshes/length_unit.h"
 #include "workcell/meshes/mesh_care.h"
 #include "workcell/meshes/mesh_formats.h"
@@ -42,12 +43,6 @@ bool isObjKeyword(std::string_view word) {
   constexpr std::array<std::string_view, 11> kKeywords = {"v", "vn", "vt", "vp", "f",     "o",
                                                           "g", "s",  "l",  "p",  "mtllib"};
   return word == "usemtl" || std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
-}
-
-std::string lowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
 }
 
 /// What an unreadable file seems to be, for the message.

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "workcell/text/file_content.h"
+#include "workcell/text/package_path.h"
 #include "workcell/text/text_cursor.h"
 
 namespace hapticell::workcell {
@@ -30,11 +31,6 @@ std::optional<Color> readColor(TextCursor& cursor) {
     color[k] = static_cast<float>(std::min(*value, 1.0));
   }
   return color;
-}
-
-bool isBelow(const fs::path& file, const fs::path& folder) {
-  const fs::path relative = file.lexically_relative(folder);
-  return !relative.empty() && *relative.begin() != "..";
 }
 
 /// The file that a name means, if it stands in or below `folder` (which is canonical).

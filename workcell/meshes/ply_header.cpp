@@ -40,7 +40,8 @@ std::optional<PlyType> findType(std::string_view name) {
 std::uint64_t leastBytes(const PlyElement& element, PlyEncoding encoding) {
   std::uint64_t bytes = 0;
   for (const PlyProperty& property : element.properties) {
-    bytes += encoding == PlyEncoding::kAscii ? 2 : sizeOf(property.is_list ? property.count_type : property.type);
+    const auto type = property.is_list ? property.count_type : property.type;
+    bytes += encoding == PlyEncoding::kAscii ? 2 : sizeOf(type);
   }
   return bytes;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cctype>
 
+#include "geometry/system/text_case.h"
 #include "workcell/meshes/byte_source.h"
 #include "workcell/meshes/mesh_formats.h"
 #include "workcell/meshes/unit_statement.h"
@@ -15,11 +15,6 @@ constexpr std::size_t kHeaderBytes = 84;  // 80 of text, 4 of count.
 constexpr std::size_t kTriangleBytes = 50;
 constexpr const char* kTruncatedStl = "The file is truncated: export it again.";
 
-bool sameWord(std::string_view word, std::string_view lower) {
-  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
-                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
-}
-
 std::string triangleOf(std::size_t triangle, std::size_t count) {
   return "triangle " + std::to_string(triangle + 1) + " of " + std::to_string(count);
 }
@@ -29,7 +24,8 @@ std::uint32_t countInHeader(std::string_view content) {
 }
 
 Error wrongWord(const TextCursor& cursor, std::string_view word, const std::string& expected) {
-  if (word.empty()) return {.place = cursor.place(), .found = "the file ends", .expected = expected, .fix = kTruncatedStl};
+  if (word.empty())
+    return {.place = cursor.place(), .found = "the file ends", .expected = expected, .fix = kTruncatedStl};
   return {.place = cursor.place(), .found = inQuotes(word), .expected = expected};
 }
 
@@ -38,19 +34,19 @@ Expected<void> readFacet(TextCursor& cursor, geometry::TriangleMesh& mesh) {
   cursor.restOfLine();
   for (const char* expected : {"outer", "loop"}) {
     const std::string_view word = cursor.nextWordOfText();
-    if (!sameWord(word, expected)) return makeError(wrongWord(cursor, word, "'outer loop'"));
+    if (!sameButForCase(word, expected)) return makeError(wrongWord(cursor, word, "'outer loop'"));
   }
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (int corner = 0; corner < 3; ++corner) {
     const std::string_view word = cursor.nextWordOfText();
-    if (!sameWord(word, "vertex")) return makeError(wrongWord(cursor, word, "'vertex' (three of them a facet)"));
+    if (!sameButForCase(word, "vertex")) return makeError(wrongWord(cursor, word, "'vertex' (three of them a facet)"));
     const Expected<dvec3> point = readPoint(cursor, "vertex");
     HAPTICELL_TRY(point);
     mesh.vertices.push_back(*point);
   }
   for (const char* expected : {"endloop", "endfacet"}) {
     const std::string_view word = cursor.nextWordOfText();
-    if (!sameWord(word, expected)) return makeError(wrongWord(cursor, word, inQuotes(expected)));
+    if (!sameButForCase(word, expected)) return makeError(wrongWord(cursor, word, inQuotes(expected)));
   }
   mesh.triangles.push_back({first, first + 1, first + 2});
   return {};
@@ -70,13 +66,13 @@ Expected<RawMesh> readStlAscii(std::string_view content, Diagnostics&) {
   while (true) {
     const std::string_view word = cursor.nextWordOfText();
     if (word.empty()) break;
-    if (!in_solid && sameWord(word, "solid")) {
+    if (!in_solid && sameButForCase(word, "solid")) {
       const std::string_view name = cursor.restOfLine();
       if (mesh.triangles.empty()) raw.metres_per_unit = statedUnit(name);
       in_solid = true;
-    } else if (in_solid && sameWord(word, "facet")) {
+    } else if (in_solid && sameButForCase(word, "facet")) {
       HAPTICELL_TRY(readFacet(cursor, mesh));
-    } else if (in_solid && sameWord(word, "endsolid")) {
+    } else if (in_solid && sameButForCase(word, "endsolid")) {
       cursor.restOfLine();
       in_solid = false;
     } else {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workcell/robots/robot_reader.h"
 
-#include <algorithm>
 #include <cctype>
 #include <map>
 #include <span>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "geometry/system/regular_file.h"
+#include "geometry/system/text_case.h"
 #include "workcell/robots/srdf.h"
 #include "workcell/robots/xacro_file.h"
 #include "workcell/scenes/sdf_reader.h"
@@ -19,12 +19,6 @@ namespace hapticell::workcell {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string lowerExtension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 constexpr std::size_t kRobotHead = 65536;
 
@@ -83,7 +77,8 @@ std::map<std::string, int> freeLegs(const kinematics::RobotModel& model) {
   for (const kinematics::Joint& joint : model.joints) {
     const auto parent = static_cast<std::size_t>(joint.parent_link);
     carries[parent] = true;
-    const char* kind = joint.variable < 0 ? "" : joint.type == kinematics::JointType::kPrismatic ? "p" : "r";
+    const char* kind = joint.type == kinematics::JointType::kPrismatic ? "p" : "r";
+    if (joint.variable < 0) kind = "";
     way[static_cast<std::size_t>(joint.child_link)] = way[parent] + kind;
   }
   std::map<std::string, int> legs;

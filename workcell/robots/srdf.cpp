@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "geometry/system/listed.h"
 #include "geometry/system/nesting_limit.h"
 #include "workcell/text/file_content.h"
 #include "workcell/text/text_cursor.h"
@@ -40,9 +41,7 @@ class SrdfReader {
       readState(*child);
     }
     if (unknown_.empty()) return;
-    std::string names;
-    for (const std::string& name : unknown_) names += (names.empty() ? "" : ", ") + name;
-    diagnostics_.warn(file_ + ": it names links or joints that the robot does not have: " + names);
+    diagnostics_.warn(file_ + ": it names links or joints that the robot does not have: " + listed(unknown_));
   }
 
  private:

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "geometry/shapes/shapes.h"
+#include "geometry/system/listed.h"
+#include "geometry/system/text_case.h"
 #include "workcell/robots/urdf_lines.h"
 #include "workcell/scenes/whole_mesh.h"
 
@@ -16,18 +18,11 @@ namespace {
 using kinematics::LinkShape;
 using Kind = UrdfShape::Kind;
 
-std::string lowerMeshExtension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 bool readable(const std::string& extension) {
   return extension == ".stl" || extension == ".obj" || extension == ".ply" || extension == ".off";
 }
 
-std::string listed(const std::vector<std::string>& names) {
+std::string quotedNames(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i == 8) return text + " and " + std::to_string(names.size() - i) + " more";
@@ -58,10 +53,9 @@ geometry::TriangleMesh primitiveOf(const UrdfShape& shape) {
 }
 
 const char* nameOf(Kind kind) {
-  return kind == Kind::kBox        ? "box"
-         : kind == Kind::kCylinder ? "cylinder"
-         : kind == Kind::kCapsule  ? "capsule"
-                                   : "sphere";
+  if (kind == Kind::kBox) return "box";
+  if (kind == Kind::kCylinder) return "cylinder";
+  return kind == Kind::kCapsule ? "capsule" : "sphere";
 }
 
 }  // namespace
@@ -124,7 +118,7 @@ std::shared_ptr<const geometry::TriangleMesh> UrdfShapes::fileMesh(const UrdfSha
   }
   if (!found->taken_for_package.empty())
     reportOnce(source.line, found->taken_for_package.string(), takenForPackage(name, *found));
-  const std::string extension = lowerMeshExtension(found->path);
+  const std::string extension = lowerExtension(found->path);
   const std::string format = extension.empty() ? "no extension" : extension.substr(1);
   if (!readable(extension) && !holdsScene(found->path)) {
     unreadable_formats_.insert(format);
@@ -199,15 +193,15 @@ Expected<void> UrdfShapes::fill(const UrdfLink& source, kinematics::Link& link) 
 }
 
 void UrdfShapes::reportReplacements() {
-  std::string formats;
-  for (const std::string& format : unreadable_formats_) formats += (formats.empty() ? "" : ", ") + format;
+  const std::string formats = listed(unreadable_formats_);
   const std::string reason = "shapes that cannot be had" + (formats.empty() ? "" : " (" + formats + ")") + ": ";
   if (!shown_by_collision_.empty())
-    diagnostics_.warn(reason + "the collision shape is shown instead for " + listed(shown_by_collision_));
+    diagnostics_.warn(reason + "the collision shape is shown instead for " + quotedNames(shown_by_collision_));
   if (!checked_by_visual_.empty())
-    diagnostics_.warn(reason + "the visual shape is checked instead for " + listed(checked_by_visual_));
-  if (!partly_.empty()) diagnostics_.warn(reason + "not wholly drawn and checked are " + listed(partly_));
-  if (!without_shape_.empty()) diagnostics_.warn(reason + "not drawn and not checked are " + listed(without_shape_));
+    diagnostics_.warn(reason + "the visual shape is checked instead for " + quotedNames(checked_by_visual_));
+  if (!partly_.empty()) diagnostics_.warn(reason + "not wholly drawn and checked are " + quotedNames(partly_));
+  if (!without_shape_.empty())
+    diagnostics_.warn(reason + "not drawn and not checked are " + quotedNames(without_shape_));
   if (!unreadable_formats_.empty() && (!without_shape_.empty() || !partly_.empty()))
     diagnostics_.warn("meshes that cannot be read: convert them to STL, OBJ or PLY");
   if (package_missing_)

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "geometry/system/markup.h"
 #include "workcell/meshes/mesh_writer.h"
 #include "workcell/text/file_content.h"
 
@@ -24,23 +25,6 @@ std::string number(double value) {
 
 std::string numbers(const dvec3& v) {
   return number(v.x) + " " + number(v.y) + " " + number(v.z);
-}
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
 }
 
 /// Roll, pitch, yaw about the fixed axes x, y, z, as URDF turns.
@@ -63,7 +47,7 @@ class UrdfText {
   }
 
   std::string write() {
-    text_ = "<?xml version=\"1.0\"?>\n<robot name=\"" + escaped(robot_.name) + "\">\n";
+    text_ = "<?xml version=\"1.0\"?>\n<robot name=\"" + escapedMarkup(robot_.name) + "\">\n";
     writeBase();
     for (const kinematics::Link& link : model_.links) writeLink(link);
     for (const kinematics::Joint& joint : model_.joints) writeJoint(joint);
@@ -80,9 +64,9 @@ class UrdfText {
     if (model_.findLink(base) >= 0) base = "cell";
     while (model_.findLink(base) >= 0) base += '_';
     const std::string root = model_.links[0].name;
-    text_ += "  <link name=\"" + base + "\"/>\n  <joint name=\"" + base + "_to_" + escaped(root) +
+    text_ += "  <link name=\"" + base + "\"/>\n  <joint name=\"" + base + "_to_" + escapedMarkup(root) +
              "\" type=\"fixed\">\n    " + origin(robot_.X_WE) + "\n    <parent link=\"" + base +
-             "\"/>\n    <child link=\"" + escaped(root) + "\"/>\n  </joint>\n";
+             "\"/>\n    <child link=\"" + escapedMarkup(root) + "\"/>\n  </joint>\n";
   }
 
   std::string fileOf(const geometry::TriangleMesh& mesh, const std::string& wanted) {
@@ -104,14 +88,14 @@ class UrdfText {
       std::string rgba;
       for (float part : shape.color)
         rgba += (rgba.empty() ? "" : " ") + number(std::round(1e4 * static_cast<double>(part)) / 1e4);
-      text_ += "      <material name=\"" + escaped(link) + "_" + std::to_string(++materials_) + "\"><color rgba=\"" +
-               rgba + "\"/></material>\n";
+      text_ += "      <material name=\"" + escapedMarkup(link) + "_" + std::to_string(++materials_) +
+               "\"><color rgba=\"" + rgba + "\"/></material>\n";
     }
     text_ += std::string("    </") + kind + ">\n";
   }
 
   void writeLink(const kinematics::Link& link) {
-    text_ += "  <link name=\"" + escaped(link.name) + "\">\n";
+    text_ += "  <link name=\"" + escapedMarkup(link.name) + "\">\n";
     for (const auto& shape : link.visuals) writeShape("visual", shape, link.name);
     for (const auto& shape : link.collisions) writeShape("collision", shape, link.name);
     text_ += "  </link>\n";
@@ -119,8 +103,8 @@ class UrdfText {
 
   void writeJoint(const kinematics::Joint& joint) {
     const char* const types[] = {"fixed", "revolute", "continuous", "prismatic"};
-    const auto link = [&](int index) { return escaped(model_.links[static_cast<std::size_t>(index)].name); };
-    text_ += "  <joint name=\"" + escaped(joint.name) + "\" type=\"" + types[static_cast<int>(joint.type)] +
+    const auto link = [&](int index) { return escapedMarkup(model_.links[static_cast<std::size_t>(index)].name); };
+    text_ += "  <joint name=\"" + escapedMarkup(joint.name) + "\" type=\"" + types[static_cast<int>(joint.type)] +
              "\">\n    " + origin(joint.X_PJ) + "\n    <parent link=\"" + link(joint.parent_link) +
              "\"/>\n    <child link=\"" + link(joint.child_link) + "\"/>\n";
     if (joint.type != kinematics::JointType::kFixed) writeMotion(joint);
@@ -134,7 +118,7 @@ class UrdfText {
     text_ += " effort=\"0\" velocity=\"" + number(joint.velocity) + "\"/>\n";
     if (!joint.mimic || joint.mimic->joint < 0) return;
     const std::string& followed = model_.joints[static_cast<std::size_t>(joint.mimic->joint)].name;
-    text_ += "    <mimic joint=\"" + escaped(followed) + "\" multiplier=\"" + number(joint.mimic->multiplier) +
+    text_ += "    <mimic joint=\"" + escapedMarkup(followed) + "\" multiplier=\"" + number(joint.mimic->multiplier) +
              "\" offset=\"" + number(joint.mimic->offset) + "\"/>\n";
   }
 

@@ -11,6 +11,7 @@
 
 #include "geometry/system/plain_number.h"
 #include "geometry/system/regular_file.h"
+#include "geometry/system/text_case.h"
 #include "workcell/scenes/import_process.h"
 #include "workcell/scenes/scene_call.h"
 #include "workcell/scenes/scene_exchange.h"
@@ -21,12 +22,6 @@ namespace hapticell::workcell {
 namespace {
 
 constexpr std::size_t kSceneHead = 4096;
-
-std::string lowerExtension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 std::string number(double value) {
   return plainNumber(value, std::chars_format::general, 17);

@@ -2,10 +2,10 @@
 #include "workcell/scenes/sdf_cell_reader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <sdf/sdf.hh>
 
+#include "geometry/system/text_case.h"
 #include "workcell/scenes/sdf_robot.h"
 #include "workcell/scenes/sdf_shapes.h"
 #include "workcell/scenes/sdf_tidier.h"
@@ -153,9 +153,7 @@ class CellReader {
 }  // namespace
 
 bool isSdfCell(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  const std::string extension = lowerExtension(file);
   if (extension != ".sdf" && extension != ".world") return false;
   const std::optional<SdfOutline> outline = outlineOf(file);
   if (!outline || (!outline->world && outline->models == 0)) return false;

@@ -78,12 +78,13 @@ Population populationOf(const TiXmlElement& population) {
   }
   const Pose X_WP = poseOfPopulation(population);
   const dvec3 size = pointOr(box, "size", dvec3(1.0));
-  const int along = kind == "linear-x" ? 0 : kind == "linear-y" ? 1 : kind == "linear-z" ? 2 : -1;
+  const bool in_line = kind == "linear-x" || kind == "linear-y" || kind == "linear-z";
+  const int along = in_line ? kind.back() - 'x' : -1;
   Population result;
   for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
     if (along < 0 && cylinder) {
-      result.positions.push_back(X_WP * spreadInCylinder(k + 1, numberOr(cylinder, "radius", 1.0),
-                                                         numberOr(cylinder, "length", 1.0)));
+      result.positions.push_back(
+          X_WP * spreadInCylinder(k + 1, numberOr(cylinder, "radius", 1.0), numberOr(cylinder, "length", 1.0)));
       continue;
     }
     dvec3 place = 0.5 * size;

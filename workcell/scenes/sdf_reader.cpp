@@ -220,7 +220,8 @@ class SdfModelReader {
       joint.upper = axes[k].upper;
       joint.velocity = axes[k].velocity;
       const bool endless = std::isinf(joint.lower) && std::isinf(joint.upper);
-      joint.type = slides ? JointType::kPrismatic : endless ? JointType::kContinuous : JointType::kRevolute;
+      joint.type = endless ? JointType::kContinuous : JointType::kRevolute;
+      if (slides) joint.type = JointType::kPrismatic;
     }
   }
 

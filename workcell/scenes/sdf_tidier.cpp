@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/system/plain_number.h"
+#include "geometry/system/text_case.h"
 #include "workcell/scenes/sdf_files.h"
 #include "workcell/scenes/sdf_population.h"
 #include "workcell/text/file_content.h"
@@ -293,11 +294,10 @@ bool SdfTidier::keepNumbers(TiXmlElement& element, const TiXmlElement& of, const
     return true;
   }
   if (color) return false;
-  const std::string assumed = kind == "scale"                           ? "; 1 is assumed"
-                              : kind == "lower" || kind == "upper"      ? "; no limit is assumed"
-                              : kind == "multiplier"                    ? "; 1 is assumed"
-                              : kind == "offset" || kind == "reference" ? "; 0 is assumed"
-                                                                        : "";
+  std::string assumed;
+  if (kind == "scale" || kind == "multiplier") assumed = "; 1 is assumed";
+  if (kind == "lower" || kind == "upper") assumed = "; no limit is assumed";
+  if (kind == "offset" || kind == "reference") assumed = "; 0 is assumed";
   tell(of, place,
        "<" + kind + "> is '" + text + "' instead of " + std::to_string(wanted) + " number" + (wanted > 1 ? "s" : "") +
            assumed);
@@ -306,9 +306,7 @@ bool SdfTidier::keepNumbers(TiXmlElement& element, const TiXmlElement& of, const
 
 /// "true" or "false"; what is neither is taken as its default.
 bool SdfTidier::keepWord(TiXmlElement& element) {
-  std::string word = textOf(element);
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string word = lowerCase(textOf(element));
   if (word != "true" && word != "false" && word != "1" && word != "0") return false;
   setText(element, word == "true" || word == "1" ? "true" : "false");
   return true;

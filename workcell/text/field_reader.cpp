@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/system/listed.h"
+
 namespace hapticell::workcell {
 
 namespace {
@@ -151,9 +153,7 @@ void FieldReader::readWord(const char* key, const std::vector<std::string>& word
     target = static_cast<int>(it - words.begin());
     return;
   }
-  std::string expected;
-  for (const std::string& word : words) expected += (expected.empty() ? "" : ", ") + word;
-  fail(key, excerpt(*value), "one of " + expected);
+  fail(key, excerpt(*value), "one of " + listed(words));
 }
 
 const Json* FieldReader::array(const char* key) {

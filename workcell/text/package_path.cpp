@@ -241,6 +241,11 @@ std::optional<FoundFile> findReference(const std::string& uri, const fs::path& d
   return std::nullopt;
 }
 
+bool isBelow(const fs::path& file, const fs::path& folder) {
+  const fs::path relative = file.lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
 std::string takenForPackage(const std::string& uri, const FoundFile& found) {
   return "the package of " + uri + " is not found by its name; the folder " + found.taken_for_package.string() +
          ", which holds the rest of the path, is taken for it";

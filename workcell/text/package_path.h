@@ -31,6 +31,9 @@ struct FoundFile {
 /// consist of such links, while "part.stl" that leads to somebody's "id_rsa" is no part of a package.
 std::optional<FoundFile> findReference(const std::string& uri, const std::filesystem::path& description_folder);
 
+/// By the names alone: both whole, without "..".
+bool isBelow(const std::filesystem::path& file, const std::filesystem::path& folder);
+
 /// For reports: that the folder `found.taken_for_package` was taken for the package of `uri`.
 std::string takenForPackage(const std::string& uri, const FoundFile& found);
 

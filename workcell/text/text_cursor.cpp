@@ -104,7 +104,9 @@ bool isUsable(const dvec3& point) {
 }
 
 Error unusableCoordinate(std::string place, std::string_view what, const dvec3& point) {
-  const double bad = !isUsable(point.x) ? point.x : !isUsable(point.y) ? point.y : point.z;
+  double bad = point.x;
+  if (isUsable(bad)) bad = point.y;
+  if (isUsable(bad)) bad = point.z;
   return {.place = std::move(place),
           .found = std::string(what) + " with the coordinate " + numberText(bad),
           .expected = "finite numbers of a believable size",

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/system/listed.h"
+
 namespace hapticell::workcell {
 
 namespace {
@@ -192,9 +194,7 @@ void TomlFields::refuseOthers() {
   if (error_) return;
   for (const auto& [key, node] : table_) {
     if (asked_.count(std::string(key.str()))) continue;
-    std::string known;
-    for (const std::string& name : asked_) known += (known.empty() ? "" : ", ") + name;
-    return fail(&node, "the key '" + std::string(key.str()) + "', which is not known here", "one of " + known);
+    return fail(&node, "the key '" + std::string(key.str()) + "', which is not known here", "one of " + listed(asked_));
   }
 }
 

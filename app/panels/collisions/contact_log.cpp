@@ -63,33 +63,29 @@ void ContactLog::clear() {
   dropped_ = 0;
 }
 
-void ContactLog::follow(std::map<Key, State>& states, const Key& key, const Now& now, const Namer& name_of,
+void ContactLog::follow(Tracker& tracker, const Key& key, const Now& now, const Namer& name_of,
                         ContactEvent::Kind began) {
   const manipulation::PairState& pair = *now.pair;
-  const auto [at, fresh] = states.try_emplace(key);
-  State& state = at->second;
-  if (fresh) {
-    state = {name_of(pair.moved, pair.moved_part),
-             name_of(pair.other, pair.other_part),
-             now.time_s,
-             now.time_s,
-             pair.distance,
-             now.force_n};
+  const auto [interval, begins] = tracker.see(key, now.time_s);
+  State& state = interval.data;
+  if (begins) {
+    state = {name_of(pair.moved, pair.moved_part), name_of(pair.other, pair.other_part), pair.distance, now.force_n};
     add({began, now.time_s, state.moved, state.other, pair.distance, now.force_n, 0.0});
   }
-  state.seen_s = now.time_s;
   state.least_distance = std::min(state.least_distance, pair.distance);
   state.greatest_force = std::max(state.greatest_force, now.force_n);
 }
 
-void ContactLog::endThose(std::map<Key, State>& states, double time_s, bool all, ContactEvent::Kind ended) {
-  std::erase_if(states, [&](const auto& entry) {
-    const State& state = entry.second;
-    if (!all && time_s - state.seen_s < kPause) return false;
-    add({ended, state.seen_s, state.moved, state.other, state.least_distance, state.greatest_force,
-         state.seen_s - state.began_s});
-    return true;
-  });
+void ContactLog::endThose(Tracker& tracker, double time_s, bool all, ContactEvent::Kind ended) {
+  const auto end = [&](const Tracker::Interval& interval) {
+    const State& state = interval.data;
+    add({ended, interval.seen, state.moved, state.other, state.least_distance, state.greatest_force,
+         interval.seen - interval.began});
+  };
+  if (all)
+    tracker.endAll(end);
+  else
+    tracker.endOlder(time_s, kPause, end);
 }
 
 void ContactLog::take(const manipulation::SceneSnapshot& snapshot, const Namer& name_of) {

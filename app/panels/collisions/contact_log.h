@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
-#include <map>
 #include <string>
 #include <tuple>
 
 #include "manipulation/engine/scene_snapshot.h"
+#include "manipulation/session/interval_tracker.h"
 
 namespace hapticell::app {
 
@@ -50,19 +50,18 @@ class ContactLog {
   using Key = std::tuple<workcell::EntityId, std::string, workcell::EntityId, std::string>;
   struct State {
     std::string moved, other;
-    double began_s = 0.0, seen_s = 0.0;
     double least_distance = 0.0, greatest_force = 0.0;
   };
+  using Tracker = manipulation::IntervalTracker<Key, State>;
   struct Now {
     const manipulation::PairState* pair = nullptr;
     double time_s = 0.0, force_n = 0.0;
   };
-  void follow(std::map<Key, State>& states, const Key& key, const Now& now, const Namer& name_of,
-              ContactEvent::Kind began);
-  void endThose(std::map<Key, State>& states, double time_s, bool all, ContactEvent::Kind ended);
+  void follow(Tracker& tracker, const Key& key, const Now& now, const Namer& name_of, ContactEvent::Kind began);
+  void endThose(Tracker& tracker, double time_s, bool all, ContactEvent::Kind ended);
   void add(ContactEvent event);
   std::deque<ContactEvent> events_;
-  std::map<Key, State> near_, touching_;
+  Tracker near_, touching_;
   std::size_t dropped_ = 0;
   double last_s_ = -1.0;
 };

@@ -102,10 +102,7 @@ std::string pointsWords(double points, Language language) {
 /// What a driver would make of it: of a part its zone, else the score.
 std::string afterWords(PostureMethod method, const MethodDriver& driver, Language language) {
   if (driver.part.empty()) return scoreWords(method, {driver.score, driver.level}, language);
-  return word(nameOf(driver.score <= 1.0   ? Zone::kAcceptable
-                     : driver.score <= 2.0 ? Zone::kConditional
-                                           : Zone::kNotAcceptable),
-              language);
+  return word(nameOf(zoneOfLevel(driver.score)), language);
 }
 
 std::string listed(const std::vector<FieldChange>& changes, Language language) {
@@ -137,8 +134,7 @@ std::string scoreWords(PostureMethod method, const MethodScore& score, Language 
     case PostureMethod::kIso11226:
       break;
   }
-  const Zone zone = score.level <= 1 ? Zone::kAcceptable : score.level == 2 ? Zone::kConditional : Zone::kNotAcceptable;
-  return phrase("%1: %2", {name, word(nameOf(zone), language)}, language);
+  return phrase("%1: %2", {name, word(nameOf(zoneOfLevel(score.level)), language)}, language);
 }
 
 std::string changeWords(const FieldChange& change, Language language) {
@@ -169,13 +165,13 @@ std::string placeWords(const BetterPlace& place, const mannequin::Posture& postu
                        Language language) {
   const double far = glm::length(place.shift_W);
   const double ahead = glm::dot(place.shift_W, posture.X_WR.rotate({1.0, 0.0, 0.0}));
-  const std::string way = word(place.shift_W.z < -0.5 * far  ? "lower"
-                               : place.shift_W.z > 0.5 * far ? "higher"
-                               : ahead < -0.5 * far          ? "nearer"
-                               : ahead > 0.5 * far           ? "further away"
-                                                             : "to the side",
-                               language);
-  return phrase("%1: %2", {number(1000.0 * far) + " mm " + way, scoreWords(method, place.score, language)}, language);
+  std::string_view way = "to the side";
+  if (std::abs(place.shift_W.z) > 0.5 * far)
+    way = place.shift_W.z < 0.0 ? "lower" : "higher";
+  else if (std::abs(ahead) > 0.5 * far)
+    way = ahead < 0.0 ? "nearer" : "further away";
+  return phrase("%1: %2",
+                {number(1000.0 * far) + " mm " + word(way, language), scoreWords(method, place.score, language)}, language);
 }
 
 std::string liftingDriverWords(const LiftingAdvice& advice) {

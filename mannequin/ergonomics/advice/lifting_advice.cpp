@@ -116,7 +116,8 @@ std::vector<LiftingChange> together(LiftingTask task, const LiftingAdvice& advic
 
 int liftingLevel(const std::optional<double>& index) {
   if (!index) return 3;
-  return *index <= 1.0 ? 1 : *index <= 3.0 ? 2 : 3;
+  if (*index <= 1.0) return 1;
+  return *index <= 3.0 ? 2 : 3;
 }
 
 std::string_view liftingLevelName(int level) {

@@ -19,7 +19,8 @@ bool isGiven(const PostureField& field, const PostureAngles& angles) {
 }
 
 double valueOf(const PostureField& field, const PostureAngles& angles) {
-  return field.angle != nullptr ? *(angles.*field.angle) : (*(angles.*field.flag) ? 1.0 : 0.0);
+  if (field.angle != nullptr) return *(angles.*field.angle);
+  return *(angles.*field.flag) ? 1.0 : 0.0;
 }
 
 void set(const PostureField& field, PostureAngles& angles, double value) {

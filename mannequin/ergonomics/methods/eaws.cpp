@@ -141,7 +141,8 @@ std::vector<EawsShift> eawsNextLevel(const std::array<double, kEawsPostureCount>
 }
 
 int eawsLevel(double points) {
-  return points <= 25.0 ? 1 : points <= 50.0 ? 2 : 3;
+  if (points <= 25.0) return 1;
+  return points <= 50.0 ? 2 : 3;
 }
 
 }  // namespace hapticell::ergonomics

@@ -136,7 +136,8 @@ std::vector<std::string> assumptionsFor(const LiftingTask& task) {
 
 double frequencyMultiplier(double frequency_per_min, double duration_h, double v_cm) {
   if (frequency_per_min > kFrequencies.back().per_minute) return 0.0;
-  const std::size_t column = duration_h <= 1.0 ? 0 : duration_h <= 2.0 ? 1 : 2;
+  std::size_t column = duration_h <= 2.0 ? 1 : 2;
+  if (duration_h <= 1.0) column = 0;
   const auto value = [&](const FrequencyRow& row) { return v_cm < 75.0 ? row.low[column] : row.high[column]; };
   const double frequency = std::max(frequency_per_min, kFrequencies.front().per_minute);
   const auto after = std::find_if(kFrequencies.begin(), kFrequencies.end(),

@@ -99,7 +99,7 @@ Owas::Values owasValues(const OwasPosture& posture) {
   values[Owas::kBack] = 1 + (is_bent ? 1 : 0) + (is_turned ? 2 : 0);
   values[Owas::kArms] = 1 + std::clamp(posture.arms_at_or_above_shoulder, 0, 2);
   values[Owas::kLegs] = legs(posture);
-  values[Owas::kLoad] = posture.load_kg > 20.0 ? 3 : posture.load_kg > 10.0 ? 2 : 1;
+  values[Owas::kLoad] = 1 + (posture.load_kg > 10.0 ? 1 : 0) + (posture.load_kg > 20.0 ? 1 : 0);
   return values;
 }
 

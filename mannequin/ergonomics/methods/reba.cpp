@@ -2,6 +2,7 @@
 #include "mannequin/ergonomics/methods/reba.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hapticell::ergonomics {
@@ -114,7 +115,8 @@ Evaluation Reba::evaluate(std::span<const int> values) const {
 }
 
 int Reba::levelOf(int score) const {
-  return score <= 1 ? 0 : score <= 3 ? 1 : score <= 7 ? 2 : score <= 10 ? 3 : 4;
+  constexpr std::array kHighest{1, 3, 7, 10};  // Of the levels 0 to 3.
+  return static_cast<int>(std::lower_bound(kHighest.begin(), kHighest.end(), score) - kHighest.begin());
 }
 
 std::string_view Reba::levelName(int level) const {
@@ -142,9 +144,8 @@ Reba::Values rebaValues(const PostureAngles& angles, std::vector<std::string_vie
   if (is_seated) {
     values[Reba::kLegs] = 1;
   } else if (angles.legs_bilateral && angles.knee_flexion) {
-    values[Reba::kLegs] = (*angles.legs_bilateral ? 1 : 2) + (*angles.knee_flexion > 60.0    ? 2
-                                                              : *angles.knee_flexion >= 30.0 ? 1
-                                                                                             : 0);
+    const double knee = *angles.knee_flexion;
+    values[Reba::kLegs] = (*angles.legs_bilateral ? 1 : 2) + (knee >= 30.0 ? 1 : 0) + (knee > 60.0 ? 1 : 0);
     if (angles.off_seat) values[Reba::kLegs] = std::min(*values[Reba::kLegs], nearSeated(*angles.off_seat));
   }
   if (angles.upper_arm_flexion) {

@@ -2,6 +2,7 @@
 #include "mannequin/ergonomics/methods/rula.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hapticell::ergonomics {
@@ -109,7 +110,8 @@ Evaluation Rula::evaluate(std::span<const int> values) const {
 }
 
 int Rula::levelOf(int score) const {
-  return score <= 2 ? 1 : score <= 4 ? 2 : score <= 6 ? 3 : 4;
+  constexpr std::array kHighest{2, 4, 6};  // Of the levels 1 to 3.
+  return 1 + static_cast<int>(std::lower_bound(kHighest.begin(), kHighest.end(), score) - kHighest.begin());
 }
 
 std::string_view Rula::levelName(int level) const {
@@ -136,7 +138,8 @@ Rula::Values rulaValues(const PostureAngles& angles, std::vector<std::string_vie
   }
   if (angles.wrist_flexion) {
     const double size = std::abs(neutralSettled(angles, *angles.wrist_flexion));
-    values[Rula::kWrist] = (size >= 15.0 ? 3 : size > 0.0 ? 2 : 1) + is(angles.wrist_deviated, "wrist_deviated");
+    values[Rula::kWrist] =
+        1 + (size > 0.0 ? 1 : 0) + (size >= 15.0 ? 1 : 0) + is(angles.wrist_deviated, "wrist_deviated");
   }
   if (angles.wrist_twist_at_end) values[Rula::kWristTwist] = *angles.wrist_twist_at_end ? 2 : 1;
   if (angles.neck_flexion) {

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "mannequin/ergonomics/advice/advice_words.h"
-#include "mannequin/ergonomics/scores/hand_force.h"
 #include "mannequin/ergonomics/report/report_findings.h"
+#include "mannequin/ergonomics/scores/hand_force.h"
 #include "mannequin/shape/figure_outline.h"
 
 namespace hapticell::ergonomics {
@@ -16,12 +16,6 @@ namespace {
 using mannequin::Dimension;
 using mannequin::Side;
 using Cell = ReportBlock::Cell;
-
-std::string format(const char* form, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, form, value);
-  return text;
-}
 
 /// Writes one report; keeps the language.
 class Writer {
@@ -89,14 +83,14 @@ class Writer {
     const auto& figure = input_.figure;
     const double stature = figure.body[Dimension::kStature];
     block.lines.push_back(say(figure.sex == mannequin::Sex::kMale ? "man" : "woman") + ", P" +
-                          format("%.0f", mannequin::percentileOfStature(figure.sex, stature)) + ", ANSUR II");
-    block.lines.push_back(say("Stature") + " " + format("%.0f mm", 1000.0 * stature) + ", " +
-                          format("%.0f kg", figure.totalMass()));
+                          numberWords("%.0f", mannequin::percentileOfStature(figure.sex, stature)) + ", ANSUR II");
+    block.lines.push_back(say("Stature") + " " + numberWords("%.0f mm", 1000.0 * stature) + ", " +
+                          numberWords("%.0f kg", figure.totalMass()));
     return block;
   }
 
   std::string known(const std::optional<double>& value, const char* form) const {
-    return value ? format(form, *value) : say("not entered");
+    return value ? numberWords(form, *value) : say("not entered");
   }
 
   ReportBlock task() const {
@@ -106,7 +100,8 @@ class Writer {
         say("Load left %1, right %2", {known(task.load_kg[0], "%.1f kg"), known(task.load_kg[1], "%.1f kg")}));
     block.lines.push_back(say("Repetitions %1, shift %2",
                               {known(task.repetitions_per_min, "%.1f / min"), known(task.duration_h, "%.1f h")}));
-    const std::string held = !task.is_static ? say("not entered") : say(*task.is_static ? "yes" : "no");
+    std::string held = say("not entered");
+    if (task.is_static) held = say(*task.is_static ? "yes" : "no");
     block.lines.push_back(say("Held for over a minute: %1", {held}));
     if (!task.note.empty()) block.lines.push_back(task.note);
     return block;
@@ -137,20 +132,15 @@ class Writer {
                           zoneCell(left.iso11226),
                           zoneCell(right.iso11226),
                           {zoneWord(std::max(left.iso11226.worst, right.iso11226.worst))}});
-    const int eaws = eawsLevel(scores_.eaws_points) - 1;
-    block.rows.push_back({{"EAWS"},
-                          {format("%.0f", scores_.eaws_points), eaws == 0   ? 0
-                                                                : eaws == 1 ? 1
-                                                                            : 3},
-                          {},
-                          {say(nameOf(scores_.eaws))}});
+    block.rows.push_back(
+        {{"EAWS"},
+         {numberWords("%.0f", scores_.eaws_points), bandOf(zoneOfLevel(eawsLevel(scores_.eaws_points)))},
+         {},
+         {say(nameOf(scores_.eaws))}});
     return block;
   }
 
-  Cell zoneCell(const PartVerdicts& verdicts) const {
-    const int band = verdicts.worst == Zone::kAcceptable ? 0 : verdicts.worst == Zone::kConditional ? 1 : 3;
-    return {"", band};
-  }
+  Cell zoneCell(const PartVerdicts& verdicts) const { return {"", bandOf(verdicts.worst)}; }
   std::string zoneWord(Zone zone) const { return say(nameOf(zone)); }
 
   ReportBlock bodies() const {
@@ -160,9 +150,9 @@ class Writer {
     for (const BodyAtTask& body : input_.bodies) {
       const MainDriver driver = mainDriver(body.scores, language());
       const std::string reach = body.is_reached
-                                    ? format("%.0f mm", 1000.0 * body.reach_left_m)
-                                    : say("not reached, short by") + format(" %.0f mm", 1000.0 * body.short_m);
-      block.rows.push_back({{body.name + format(", %.0f mm", 1000.0 * body.figure.body[Dimension::kStature])},
+                                    ? numberWords("%.0f mm", 1000.0 * body.reach_left_m)
+                                    : say("not reached, short by") + numberWords(" %.0f mm", 1000.0 * body.short_m);
+      block.rows.push_back({{body.name + numberWords(", %.0f mm", 1000.0 * body.figure.body[Dimension::kStature])},
                             {std::to_string(body.scores.rula()), bandOfRula(body.scores.rula())},
                             {std::to_string(body.scores.reba()), bandOfReba(body.scores.reba())},
                             {std::to_string(body.scores.owasCode()), bandOfOwas(body.scores.owas_category)},
@@ -199,7 +189,7 @@ class Writer {
     ReportBlock block{say("Over the recorded motion"), {}};
     block.strips = input_.history;
     block.scale_first = "0 s";
-    block.scale_last = format("%.1f s", input_.history_seconds);
+    block.scale_last = numberWords("%.1f s", input_.history_seconds);
     if (input_.phase) block.lines.push_back(phaseWords(*input_.phase, false, language()));
     return block;
   }
@@ -265,10 +255,9 @@ class Writer {
   void addZone(const PartVerdict* part, std::vector<Cell>& row) const {
     if (part == nullptr) return void(row.insert(row.end(), 4, Cell{}));
     std::string condition = say(part->condition);
-    if (part->holding_time_min) condition = format("%.1f min", *part->holding_time_min);
-    const int band = part->zone == Zone::kAcceptable ? 0 : part->zone == Zone::kConditional ? 1 : 3;
-    row.insert(row.end(), {Cell{say(part->part)}, Cell{format("%.0f°", part->angle)}, Cell{zoneWord(part->zone), band},
-                           Cell{condition}});
+    if (part->holding_time_min) condition = numberWords("%.1f min", *part->holding_time_min);
+    row.insert(row.end(), {Cell{say(part->part)}, Cell{numberWords("%.0f°", part->angle)},
+                           Cell{zoneWord(part->zone), bandOf(part->zone)}, Cell{condition}});
   }
 
   struct Lifted {
@@ -294,22 +283,22 @@ class Writer {
       return block;
     }
     const LiftingResult& result = found->result;
-    block.lines.push_back("NIOSH (DHHS 94-110, rev. 9/2021): RWL " +
-                          format("%.1f kg", result.recommended_weight_limit_kg) +
-                          (result.lifting_index ? ", LI " + format("%.2f", *result.lifting_index) : std::string()));
+    block.lines.push_back(
+        "NIOSH (DHHS 94-110, rev. 9/2021): RWL " + numberWords("%.1f kg", result.recommended_weight_limit_kg) +
+        (result.lifting_index ? ", LI " + numberWords("%.2f", *result.lifting_index) : std::string()));
     if (const auto next = liftingNextWords(found->advice, language()); !next.empty())
       block.lines.push_back(say("What would bring it down: %1", {next}));
     block.columns = {"H", "V", "D", "A", "HM", "VM", "DM", "AM", "FM", "CM"};
-    block.rows.push_back({{format("%.0f cm", found->task.h_cm)},
-                          {format("%.0f cm", found->task.v_cm)},
-                          {format("%.0f cm", found->task.d_cm)},
-                          {format("%.0f°", found->task.asymmetry_deg)},
-                          {format("%.3f", result.hm)},
-                          {format("%.3f", result.vm)},
-                          {format("%.3f", result.dm)},
-                          {format("%.3f", result.am)},
-                          {format("%.3f", result.fm)},
-                          {format("%.3f", result.cm)}});
+    block.rows.push_back({{numberWords("%.0f cm", found->task.h_cm)},
+                          {numberWords("%.0f cm", found->task.v_cm)},
+                          {numberWords("%.0f cm", found->task.d_cm)},
+                          {numberWords("%.0f°", found->task.asymmetry_deg)},
+                          {numberWords("%.3f", result.hm)},
+                          {numberWords("%.3f", result.vm)},
+                          {numberWords("%.3f", result.dm)},
+                          {numberWords("%.3f", result.am)},
+                          {numberWords("%.3f", result.fm)},
+                          {numberWords("%.3f", result.cm)}});
     return block;
   }
 
@@ -318,11 +307,12 @@ class Writer {
     ReportBlock block{say("Forces on the hands"), {}, {say("Method"), say("Part"), say("Force"), say("Limit")}};
     for (const ForceLimit& limit : found.limits) {
       const bool own = limit.method == "own";
-      const std::string hand = say(limit.hand < 0 ? "both hands" : limit.hand == 0 ? "left" : "right");
+      std::string hand = say("both hands");
+      if (limit.hand >= 0) hand = say(limit.hand == 0 ? "left" : "right");
       block.rows.push_back({{own ? say("own table") : std::string(limit.method)},
                             {hand},
-                            {format("%.0f N", limit.force_n)},
-                            {limit.limit_n ? format("%.0f N", *limit.limit_n) : say("heaviest class"), limit.band}});
+                            {numberWords("%.0f N", limit.force_n)},
+                            {limit.limit_n ? numberWords("%.0f N", *limit.limit_n) : say("heaviest class"), limit.band}});
     }
     if (!input_.own_limits.isEmpty()) block.lines.push_back(say("Own limits:") + " " + input_.own_limits.source);
     for (const std::string_view name : found.missing) {
@@ -347,7 +337,7 @@ class Writer {
     ReportBlock block{say("Joint angles"), {}, {say("Joint"), "°"}, true};
     for (std::size_t i = 0; i < mannequin::kDofCount; ++i) {
       block.rows.push_back({{mannequin::dofInfo(static_cast<mannequin::Dof>(i)).name},
-                            {format("%.1f", 57.295779513082323 * input_.posture.angles[i] + 0.0)}});
+                            {numberWords("%.1f", 57.295779513082323 * input_.posture.angles[i] + 0.0)}});
     }
     return block;
   }

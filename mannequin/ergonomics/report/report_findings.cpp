@@ -3,16 +3,15 @@
 
 #include <cstdio>
 
+#include "geometry/system/listed.h"
+
 namespace hapticell::ergonomics {
-namespace {
 
 std::string numberWords(const char* form, double value) {
   char text[64];
   std::snprintf(text, sizeof text, form, value);
   return text;
 }
-
-}  // namespace
 
 std::string phaseWords(const MotionPhase& phase, bool with_frame, Language language) {
   const std::string words = phrase("Worst phase: %1 s to %2 s (%3 s), RULA %4",
@@ -24,9 +23,7 @@ std::string phaseWords(const MotionPhase& phase, bool with_frame, Language langu
 
 ReportBlock workplaceBlock(const WorkplaceFinding& found, Language language) {
   ReportBlock block{word("Search of the workplace", language), {}};
-  std::string names;
-  for (const std::string& name : found.moves) names += (names.empty() ? "" : ", ") + name;
-  block.lines.push_back(phrase("Moved, and nothing else: %1", {names}, language));
+  block.lines.push_back(phrase("Moved, and nothing else: %1", {listed(found.moves)}, language));
   if (!found.is_found) {
     block.lines.push_back(word("No place was found that suits all four bodies.", language));
     return block;

@@ -26,6 +26,9 @@ struct MotionPhase {
   int rula = 0;
 };
 
+/// A number in printf's form, of up to 60 letters.
+std::string numberWords(const char* form, double value);
+
 /// "Worst phase: 1.20 s to 2.40 s (1.20 s), RULA 7; shown at 1.80 s", the last with `with_frame`.
 std::string phaseWords(const MotionPhase& phase, bool with_frame, Language language);
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/system/atomic_file.h"
+#include "geometry/system/markup.h"
 #include "geometry/system/plain_number.h"
 #include "mannequin/ergonomics/report/report.h"
 
@@ -21,29 +22,6 @@ std::string quoted(const std::string& text) {
     result += c;
   }
   return result + '"';
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
 }
 
 std::string hex(int band) {
@@ -132,7 +110,7 @@ std::string pictureHtml(const ReportPicture& picture, const std::string& kind) {
 }
 
 std::string stripHtml(const ReportBlock::Strip& strip) {
-  std::string text = "<tr><td>" + escaped(strip.name) +
+  std::string text = "<tr><td>" + escapedMarkup(strip.name) +
                      "</td><td><svg class=\"strip\" viewBox=\"0 0 1000 24\" preserveAspectRatio=\"none\">";
   double at = 0.0;
   const auto units = [](double part) { return plainNumber(1000.0 * part, std::chars_format::fixed, 1); };
@@ -149,26 +127,26 @@ std::string flowHtml(const ReportBlock& block) {
   std::string text;
   for (const auto& row : block.rows) {
     if (row.size() < 2 || row[1].text == "0.0") continue;
-    text += (text.empty() ? "" : ", ") + escaped(row[0].text) + "&nbsp;" + escaped(row[1].text);
+    text += (text.empty() ? "" : ", ") + escapedMarkup(row[0].text) + "&nbsp;" + escapedMarkup(row[1].text);
   }
   return "<p>" + text + "</p>";
 }
 
 std::string blockHtml(const ReportBlock& block) {
-  std::string text = block.heading.empty() ? "<section>" : "<section><h2>" + escaped(block.heading) + "</h2>";
-  for (const std::string& line : block.lines) text += "<p>" + escaped(line) + "</p>";
+  std::string text = block.heading.empty() ? "<section>" : "<section><h2>" + escapedMarkup(block.heading) + "</h2>";
+  for (const std::string& line : block.lines) text += "<p>" + escapedMarkup(line) + "</p>";
   if (block.flows) {
     text += flowHtml(block);
   } else if (!block.rows.empty()) {
     text += "<table>";
     if (!block.columns.empty()) {
       text += "<tr>";
-      for (const std::string& column : block.columns) text += "<th>" + escaped(column) + "</th>";
+      for (const std::string& column : block.columns) text += "<th>" + escapedMarkup(column) + "</th>";
       text += "</tr>";
     }
     for (const auto& row : block.rows) {
       text += "<tr>";
-      for (const auto& cell : row) text += "<td>" + patch(cell.band) + escaped(cell.text) + "</td>";
+      for (const auto& cell : row) text += "<td>" + patch(cell.band) + escapedMarkup(cell.text) + "</td>";
       text += "</tr>";
     }
     text += "</table>";
@@ -176,8 +154,8 @@ std::string blockHtml(const ReportBlock& block) {
   if (!block.strips.empty()) {
     text += "<table class=\"strips\">";
     for (const auto& strip : block.strips) text += stripHtml(strip);
-    text += "<tr><td></td><td class=\"scale\"><span>" + escaped(block.scale_first) + "</span><span>" +
-            escaped(block.scale_last) + "</span></td></tr></table>";
+    text += "<tr><td></td><td class=\"scale\"><span>" + escapedMarkup(block.scale_first) + "</span><span>" +
+            escapedMarkup(block.scale_last) + "</span></td></tr></table>";
   }
   return text + "</section>";
 }
@@ -272,20 +250,20 @@ std::string reportJson(const Report& report) {
 
 std::string reportHtml(const Report& report) {
   std::string text = "<!DOCTYPE html>\n<html lang=\"" + report.language + "\"><head><meta charset=\"utf-8\"><title>" +
-                     escaped(report.title) + "</title><style>" + kStyle + "</style></head><body>" + patterns();
-  const std::string company = report.company.empty() ? "" : "<b>" + escaped(report.company) + "</b>";
-  text += "<header><div>" + company + "<h1>" + escaped(report.title) + "</h1>" + escaped(report.subtitle) +
-          "</div><div>" + escaped(report.date) + " " + pictureHtml(report.logo, "logo") +
+                     escapedMarkup(report.title) + "</title><style>" + kStyle + "</style></head><body>" + patterns();
+  const std::string company = report.company.empty() ? "" : "<b>" + escapedMarkup(report.company) + "</b>";
+  text += "<header><div>" + company + "<h1>" + escapedMarkup(report.title) + "</h1>" + escapedMarkup(report.subtitle) +
+          "</div><div>" + escapedMarkup(report.date) + " " + pictureHtml(report.logo, "logo") +
           "</div></header><div class=\"top\"><div class=\"pictures\">" + pictureHtml(report.scene, "scene") +
           pictureSvg(report.picture) + "</div><div>";
   for (const ReportBlock& block : report.beside) text += blockHtml(block);
-  text += "<p><span class=\"result\">" + escaped(report.result) + "</span> " + patch(report.result_band) +
-          escaped(report.result_words) + "</p>";
+  text += "<p><span class=\"result\">" + escapedMarkup(report.result) + "</span> " + patch(report.result_band) +
+          escapedMarkup(report.result_words) + "</p>";
   for (const ReportBlock& block : report.under_result) text += blockHtml(block);
   text += "</div></div>";
   for (const ReportBlock& block : report.blocks) text += blockHtml(block);
   text += "<footer>";
-  for (const std::string& name : report.signatures) text += "<div>" + escaped(name) + "</div>";
+  for (const std::string& name : report.signatures) text += "<div>" + escapedMarkup(name) + "</div>";
   return text + "</footer></body></html>\n";
 }
 

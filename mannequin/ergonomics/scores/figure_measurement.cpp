@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "mannequin/body/rotations.h"
+
 namespace hapticell::ergonomics {
 namespace {
 
@@ -23,8 +25,8 @@ constexpr double kDegrees = 57.295779513082323;
 constexpr double kLiftedFoot = 0.04;   ///< m
 constexpr double kKneelingKnee = 0.2;  ///< m
 
-double angleBetween(const dvec3& a, const dvec3& b) {
-  return kDegrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+double degreesBetween(const dvec3& a, const dvec3& b) {
+  return kDegrees * mannequin::angleBetween(a, b);
 }
 
 /// The trunk's planes: up along its line, forward out of the chest, left.
@@ -79,7 +81,7 @@ void measureArm(const Posture& posture, const FigurePose& pose, Side side, Measu
   measured.upper_arm_elevation = upper.elevation;
   measured.upper_arm_rotation = degreesOf(posture, armDof(side, Dof::kLeftShoulderInternalRotation));
   measured.girdle_elevation = degreesOf(posture, armDof(side, Dof::kLeftClavicleElevation));
-  measured.lower_arm_flexion = angleBetween(elbow - shoulder, wrist - elbow);
+  measured.lower_arm_flexion = degreesBetween(elbow - shoulder, wrist - elbow);
   const dvec3 chest = pose[Segment::kThorax].p_WS;
   measured.wrist_past_midline = glm::dot(wrist - chest, trunk.outward) < 0.0;
   const double outward = glm::dot(glm::normalize(wrist - elbow), trunk.outward);

@@ -12,7 +12,7 @@ namespace hapticell::ergonomics {
 namespace {
 
 constexpr std::array<std::string_view, 6> kForceNames{"hand",         "height_from_m", "height_to_m",
-                                                 "reach_from_m", "reach_to_m",    "limit_n"};
+                                                      "reach_from_m", "reach_to_m",    "limit_n"};
 constexpr double kMostForce = 5000.0;  ///< N
 constexpr std::size_t kMostRows = 10000;
 
@@ -105,7 +105,8 @@ class TableReader {
     if (column == 0) {
       if (text != "left" && text != "right" && text != "any")
         return refused("hand", "'" + std::string(text) + "'", "left, right or any");
-      row.hand = text == "left" ? 0 : text == "right" ? 1 : -1;
+      row.hand = -1;
+      if (text != "any") row.hand = text == "left" ? 0 : 1;
       return {};
     }
     double value = 0.0;

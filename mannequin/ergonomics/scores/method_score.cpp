@@ -16,7 +16,12 @@ int leastLevel(PostureMethod method) {
 }
 
 int levelOf(Zone zone) {
-  return zone == Zone::kAcceptable ? 1 : zone == Zone::kConditional ? 2 : 3;
+  return 1 + static_cast<int>(zone);
+}
+
+Zone zoneOfLevel(double level) {
+  if (level <= 1.0) return Zone::kAcceptable;
+  return level <= 2.0 ? Zone::kConditional : Zone::kNotAcceptable;
 }
 
 MethodScore scoreBy(const PostureScores& scores, PostureMethod method, Side side) {
@@ -45,7 +50,8 @@ MethodScore scoreBy(const PostureScores& scores, PostureMethod method, Side side
 Side worseSide(const PostureScores& scores, PostureMethod method) {
   const double left = scoreBy(scores, method, Side::kLeft).score;
   const double right = scoreBy(scores, method, Side::kRight).score;
-  return left == right ? scores.worseSide() : left > right ? Side::kLeft : Side::kRight;
+  if (left == right) return scores.worseSide();
+  return left > right ? Side::kLeft : Side::kRight;
 }
 
 MethodScore scoreBy(const PostureScores& scores, PostureMethod method) {

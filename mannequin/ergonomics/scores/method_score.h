@@ -34,5 +34,7 @@ int leastLevel(PostureMethod method);
 
 /// 1 acceptable, 2 conditionally, 3 not.
 int levelOf(Zone zone);
+/// The other way round.
+Zone zoneOfLevel(double level);
 
 }  // namespace hapticell::ergonomics

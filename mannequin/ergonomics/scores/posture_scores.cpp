@@ -237,14 +237,19 @@ int bandOfSubScore(const SubScore& sub_score, int value) {
   if (sub_score.greatest - sub_score.least <= 1) return 1;
   const double share =
       static_cast<double>(value - sub_score.least) / static_cast<double>(sub_score.greatest - sub_score.least);
-  return share <= 0.5 ? 1 : share <= 0.75 ? 2 : 3;
+  if (share <= 0.5) return 1;
+  return share <= 0.75 ? 2 : 3;
 }
 
 int bandOfRula(int score) {
   return std::clamp((score - 1) / 2, 0, 3);
 }
 int bandOfReba(int score) {
-  return score <= 3 ? 0 : score <= 7 ? 1 : score <= 10 ? 2 : 3;
+  return std::max(0, Reba().levelOf(score) - 1);
+}
+int bandOf(Zone zone) {
+  if (zone == Zone::kAcceptable) return 0;
+  return zone == Zone::kConditional ? 1 : 3;
 }
 int bandOfOwas(int category) {
   return std::clamp(category - 1, 0, 3);
@@ -316,11 +321,10 @@ void addOwas(Bands& bands, const PostureScores& scores) {
 }
 
 void addEn1005(Bands& bands, const SideScores& scores, Side side) {
-  const auto band = [](Zone zone) { return zone == Zone::kAcceptable ? 0 : zone == Zone::kConditional ? 1 : 3; };
   for (const PartVerdict& part : scores.en1005.parts) {
-    if (part.part.substr(0, 5) == "trunk") raiseTrunk(bands, band(part.zone));
-    if (part.part == "line of sight") raiseNeck(bands, band(part.zone));
-    if (part.part == "upper arm") raiseArm(bands, side, {band(part.zone), 0, 0});
+    if (part.part.substr(0, 5) == "trunk") raiseTrunk(bands, bandOf(part.zone));
+    if (part.part == "line of sight") raiseNeck(bands, bandOf(part.zone));
+    if (part.part == "upper arm") raiseArm(bands, side, {bandOf(part.zone), 0, 0});
   }
 }
 

@@ -85,6 +85,7 @@ int bandOfSubScore(const SubScore& sub_score, int value);
 int bandOfRula(int score);
 int bandOfReba(int score);
 int bandOfOwas(int category);
+int bandOf(Zone zone);
 
 enum class ColourMethod { kRula, kReba, kOwas, kEn1005 };
 

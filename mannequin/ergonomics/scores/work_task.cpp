@@ -90,7 +90,7 @@ std::optional<int> rulaMuscleUse(const WorkTask& task) {
 std::optional<int> rebaLoad(const WorkTask& task) {
   const auto load = task.totalLoad();
   if (!load) return std::nullopt;
-  const int level = *load < 5.0 ? 0 : *load <= 10.0 ? 1 : 2;
+  const int level = (*load < 5.0 ? 0 : 1) + (*load <= 10.0 ? 0 : 1);
   return level + (task.has_shock.value_or(false) ? 1 : 0);
 }
 

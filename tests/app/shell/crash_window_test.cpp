@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <cstdlib>
+#include <map>
 #include <stdexcept>
 #include <thread>
 
@@ -110,10 +111,9 @@ TEST_P(CrashedWindow, KeepsTheWorkToTheLastEditAndSaysWhatBroke) {
   const QString words = page.words();
   const std::string way = GetParam();
   EXPECT_TRUE(words.contains("New workcell")) << words.toStdString();
-  const char* const why = way == "memory"     ? "SIGSEGV"
-                          : way == "uncaught" ? "the worker gave up"
-                          : way == "twice"    ? "What broke"
-                                              : "crash_window_test.cpp";
+  const std::map<std::string, const char*> reasons{
+      {"memory", "SIGSEGV"}, {"uncaught", "the worker gave up"}, {"twice", "What broke"}};
+  const char* const why = reasons.contains(way) ? reasons.at(way) : "crash_window_test.cpp";
   EXPECT_TRUE(words.contains(why)) << words.toStdString();
   page.press("buttonRestoreLeft");
   ASSERT_TRUE(WindowPage::until([&] { return page.entities() == 1u; }, 60000));

@@ -14,8 +14,8 @@
 #include <QStyleOption>
 #include <QToolButton>
 
-#include "app/host/language.h"
 #include "app/controls/joint_row.h"
+#include "app/host/language.h"
 #include "app/style/fonts.h"
 #include "app/style/live_label.h"
 #include "app/style/proxy_style.h"
@@ -101,9 +101,8 @@ class Look {
     const auto* tool = qobject_cast<const QToolButton*>(&button);
     if (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly) return;
     const bool beside = !button.icon().isNull() && !(tool && tool->toolButtonStyle() == Qt::ToolButtonTextUnderIcon);
-    const int mark = qobject_cast<const QCheckBox*>(&button) ? markOf(button)
-                     : beside                                ? button.iconSize().width() + 4
-                                                             : 0;
+    int mark = beside ? button.iconSize().width() + 4 : 0;
+    if (qobject_cast<const QCheckBox*>(&button)) mark = markOf(button);
     need(button, text, button.width() - mark);
   }
   void look(const QComboBox& combo) {

@@ -106,9 +106,8 @@ GeneratedPart roundedBox(std::string name, const dvec3& size, double radius, int
     for (std::size_t i = 0; i < around.size(); ++i) {
       const Place &a = around[i], &b = around[(i + 1) % around.size()];
       const bool flat_around = std::abs(std::remainder(a.angle - b.angle, 2.0 * std::numbers::pi)) < 1e-9;
-      const SurfaceType type = flat_up && flat_around   ? SurfaceType::kPlane
-                               : flat_up || flat_around ? SurfaceType::kCylinder
-                                                        : SurfaceType::kSphere;
+      SurfaceType type = flat_up || flat_around ? SurfaceType::kCylinder : SurfaceType::kSphere;
+      if (flat_up && flat_around) type = SurfaceType::kPlane;
       addQuad(part, {at(a, up[j]), at(b, up[j]), at(b, up[j + 1]), at(a, up[j + 1])}, type);
     }
   }

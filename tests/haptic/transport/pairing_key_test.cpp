@@ -26,7 +26,10 @@ TEST(PairingKey, ItsCodeReadsBackHoweverItIsTyped) {
     std::string typed;
     for (const char sign : code) {
       if (sign == '-') continue;
-      typed += sign == '0' ? 'o' : sign == '1' ? 'l' : static_cast<char>(std::tolower(sign));
+      char key = static_cast<char>(std::tolower(sign));
+      if (sign == '0') key = 'o';
+      if (sign == '1') key = 'l';
+      typed += key;
       if (typed.size() % 7 == 0) typed += ' ';
     }
     EXPECT_EQ(PairingKey::parse(typed + "\n"), key) << typed;

@@ -35,7 +35,8 @@ RobotModel drawnArm(std::mt19937& random) {
     dvec3 axis(0.0);
     axis[std::uniform_int_distribution<int>(0, 2)(random)] = 1.0;
     const double kind = between(random, 0.0, 1.0);
-    const JointType type = kind < 0.1 ? JointType::kPrismatic : kind < 0.15 ? JointType::kContinuous : JointType::kRevolute;
+    JointType type = kind < 0.15 ? JointType::kContinuous : JointType::kRevolute;
+    if (kind < 0.1) type = JointType::kPrismatic;
     Joint& joint = addJoint(model, i, test::numbered("j", static_cast<std::size_t>(i)), type, axis,
                             Pose::translation(offset(random)));
     if (type == JointType::kContinuous) continue;
@@ -88,8 +89,8 @@ TEST(RandomArms, EveryPoseMadeWithinLimitsIsSolved) {
         ASSERT_NO_FATAL_FAILURE(expectMet(model, solution.q, X_BL.back())) << (*inverse)->name() << ", arm " << arm;
       } else {
         ++missed;
-        ADD_FAILURE() << (*inverse)->name() << ", arm " << arm << " of " << model.dof() << " joints, pose " << pose << ": "
-                      << toString(solution.status) << ", off by " << solution.position_error << " m, "
+        ADD_FAILURE() << (*inverse)->name() << ", arm " << arm << " of " << model.dof() << " joints, pose " << pose
+                      << ": " << toString(solution.status) << ", off by " << solution.position_error << " m, "
                       << solution.orientation_error << " rad";
       }
     }
@@ -157,8 +158,9 @@ TEST(RandomArms, SlidesWithoutLimitsAreSolved) {
   for (const double wrist : {0.0, 0.1}) {  // With a closed form and without.
     RobotModel arm = emptyModel();
     slide(arm, 0, x);
-    const std::vector<std::pair<dvec3, dvec3>> joints = {{z, {0, 0, 0.4}},   {y, {0.1, 0, 0}},       {y, {0, 0, 0.5}},
-                                                         {x, {0.1, 0, 0.1}}, {y, {0.4, wrist, 0.0}}, {x, {wrist, 0, 0}}};
+    const std::vector<std::pair<dvec3, dvec3>> joints = {{z, {0, 0, 0.4}},       {y, {0.1, 0, 0}},
+                                                         {y, {0, 0, 0.5}},       {x, {0.1, 0, 0.1}},
+                                                         {y, {0.4, wrist, 0.0}}, {x, {wrist, 0, 0}}};
     for (std::size_t i = 0; i < joints.size(); ++i) {
       addJoint(arm, static_cast<int>(i) + 1, test::numbered("j", i), JointType::kRevolute, joints[i].first,
                Pose::translation(joints[i].second));

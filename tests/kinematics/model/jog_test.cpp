@@ -41,10 +41,10 @@ TEST(Jog, StepsGoAlongTheAxesOfTheFrameChosen) {
   // A turn about an axis of the frame leaves that axis where it is, and the point.
   for (const JogFrame frame : {JogFrame::kBase, JogFrame::kTool, JogFrame::kWorld, JogFrame::kGiven}) {
     const dvec3 axis_F(0, 1, 0);
-    const dvec3 axis_W = frame == JogFrame::kWorld   ? axis_F
-                         : frame == JogFrame::kBase  ? X_WB.rotate(axis_F)
-                         : frame == JogFrame::kGiven ? R_WF * axis_F
-                                                     : X_WT.rotate(axis_F);
+    dvec3 axis_W = axis_F;
+    if (frame == JogFrame::kBase) axis_W = X_WB.rotate(axis_F);
+    if (frame == JogFrame::kGiven) axis_W = R_WF * axis_F;
+    if (frame == JogFrame::kTool) axis_W = X_WT.rotate(axis_F);
     const Pose after = jogged(X_WT, X_WB, {frame, {}, 0.3 * axis_F, R_WF});
     EXPECT_EQ(after.p, X_WT.p);
     const Twist turned = difference(after, X_WT);

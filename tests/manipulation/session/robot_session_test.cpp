@@ -72,7 +72,7 @@ TEST(RobotSession, NoJointIsEverFasterThanItCanBeThroughTheWristSingularity) {
         EXPECT_LT(off, 2e-4) << choice << " " << rate;
       }
       if (choice == std::string("keep_position")) {
-        EXPECT_TRUE(std::any_of(report->limits.begin(), report->limits.end(), [](const LimitEvent& event) {
+        EXPECT_TRUE(std::any_of(report->limits.begin(), report->limits.end(), [](const LimitInterval& event) {
           return event.kind == LimitKind::kSpeed;
         })) << "it is told why the tool lags";
       }
@@ -88,7 +88,7 @@ TEST(RobotSession, SingularitiesAreWallsWhereTheUserWantsThat) {
     ASSERT_TRUE(report) << report.error().message();
     EXPECT_GT(lowest(*report, 4), 0.005) << "joint 5 never passes zero";
     const auto told = std::find_if(report->limits.begin(), report->limits.end(),
-                                   [](const LimitEvent& event) { return event.kind == LimitKind::kSingularity; });
+                                   [](const LimitInterval& event) { return event.kind == LimitKind::kSingularity; });
     ASSERT_NE(told, report->limits.end());
     EXPECT_EQ(told->text, "The arm is near a singularity");
     EXPECT_NEAR(report->end.configuration.joints[4], 0.1, 0.01) << "and it comes back, " << rate;
@@ -109,7 +109,7 @@ TEST(RobotSession, TellsWhichJointsLimitHoldsIt) {
   const auto report = runSession(options);
   ASSERT_TRUE(report) << report.error().message();
   EXPECT_LE(report->joints.at(4).highest, robot.robot->joints[4].upper);
-  const auto told = std::find_if(report->limits.begin(), report->limits.end(), [](const LimitEvent& event) {
+  const auto told = std::find_if(report->limits.begin(), report->limits.end(), [](const LimitInterval& event) {
     return event.kind == LimitKind::kJoint && event.joint == 4;
   });
   ASSERT_NE(told, report->limits.end());
@@ -154,7 +154,7 @@ TEST(RobotSession, ForearmRestsOnItsOwnColumn) {
     options.configuration.robot.self_collision = checked;
     const auto report = runSession(options);
     ASSERT_TRUE(report) << report.error().message();
-    const bool met = std::any_of(report->contacts.begin(), report->contacts.end(), [](const ContactEvent& event) {
+    const bool met = std::any_of(report->contacts.begin(), report->contacts.end(), [](const ContactInterval& event) {
       return event.entity == event.other && event.moved_part == "base_link" && event.other_part == "j2_link";
     });
     EXPECT_EQ(met, checked);

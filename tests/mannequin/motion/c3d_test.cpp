@@ -64,7 +64,10 @@ std::string smallFile(int processor, bool real, const char* up = "+Z", const std
     for (int marker = 0; marker < 2; ++marker) {
       for (double v : {1.0 * frame, 1.0 * marker, 100.0 * frame + marker}) value(v);
       const bool seen = !(frame == 1 && marker == 1);
-      real ? file.real(seen ? 0.3f : -1.0f) : file.word(seen ? 0x0101u : 0xffffu);
+      if (real)
+        file.real(seen ? 0.3f : -1.0f);
+      else
+        file.word(seen ? 0x0101u : 0xffffu);
     }
     for (int analog = 0; analog < 3; ++analog) real ? file.real(7.0f) : file.word(7u);
   }

@@ -107,7 +107,10 @@ struct C3dFile {
       for (int m = 0; m < points; ++m) {
         const std::optional<dvec3> p = place ? place(f, m) : std::optional(dvec3(10.0 * f, 100.0 * m, 1500.0));
         for (int k = 0; k < 3; ++k) number(p ? (*p)[k] : 0.0);
-        real ? file.real(p ? 0.0f : -1.0f) : file.word(p ? 0u : 0xffffu);
+        if (real)
+          file.real(p ? 0.0f : -1.0f);
+        else
+          file.word(p ? 0u : 0xffffu);
       }
       for (int a = 0; a < analog; ++a) real ? file.real(5.0f) : file.word(5u);
     }

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/mannequin/motion/c3d_text.h"
-#include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/motion/retarget.h"
+#include "mannequin/posture/forward_kinematics.h"
+#include "tests/mannequin/motion/c3d_text.h"
 #include "tests/support/test_data.h"
 
 namespace hapticell::mannequin {
@@ -162,9 +162,8 @@ TEST(MarkerBody, NamesUnitsAndAxesOfOtherProgramsGiveTheSame) {
   cmu.processor = 86;
   EXPECT_LT(worstJoint(read(fileOf(figure, postures, cmu,
                                    [](const std::string& name) {
-                                     return name.ends_with("ASI")   ? name.substr(0, 1) + "FWT"
-                                            : name.ends_with("PSI") ? name.substr(0, 1) + "BWT"
-                                                                    : name;
+                                     if (name.ends_with("ASI")) return name.substr(0, 1) + "FWT";
+                                     return name.ends_with("PSI") ? name.substr(0, 1) + "BWT" : name;
                                    })),
                        figure, postures),
             0.04);

@@ -142,7 +142,8 @@ class BvhText {
   }
   void addJoint(int j) {
     const ClipJoint& joint = clip_.joints[static_cast<std::size_t>(j)];
-    text_ += joint.is_end ? "End Site\n{\n" : (j == 0 ? "ROOT " : "JOINT ") + joint.name + "\n{\n";
+    const std::string kind = j == 0 ? "ROOT " : "JOINT ";
+    text_ += (joint.is_end ? "End Site" : kind + joint.name) + "\n{\n";
     text_ += "OFFSET";
     add(places_ && !joint.is_end && j > 0 ? dvec3(0.0) : joint.p_Parent / unit_);
     if (!joint.is_end) {

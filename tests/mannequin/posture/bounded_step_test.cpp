@@ -42,7 +42,8 @@ StepProblem randomProblem(std::mt19937_64& random, double hand_regularisation) {
   }
   for (std::size_t r = 0; r < kTaskRows; ++r) {
     problem.e[r] = r < kHandRow ? uniform(random, -0.01, 0.01) : uniform(random, -0.4, 0.4);
-    problem.R[r] = r < kBalanceRow ? 1e-5 : r < kHandRow ? 1e-4 : hand_regularisation;
+    problem.R[r] = r < kHandRow ? 1e-4 : hand_regularisation;
+    if (r < kBalanceRow) problem.R[r] = 1e-5;
   }
   return problem;
 }

@@ -136,7 +136,8 @@ TEST(Retiming, RestsAtDwellsAndPassesStillFramesOver) {
   Trajectory trajectory;
   for (int i = 0; i <= 300; ++i) {
     // Still at the start, a dwell in the middle, nearly repeated frames after it.
-    const double x = i < 50 ? 0.0 : 0.002 * (i - 50) + (i % 2 == 0 ? 1e-13 : 0.0);
+    const double jitter = i % 2 == 0 ? 1e-13 : 0.0;
+    const double x = i < 50 ? 0.0 : 0.002 * (i - 50) + jitter;
     trajectory.addFrame({0.01 * i, Pose::translation({x, 0, 0}), false, i == 175 ? 1.5 : 0.0});
   }
   RetimingOptions options;

@@ -140,9 +140,10 @@ class DrawnCell {
     std::string body = link(inside, shapes);
     for (int k = 0; k < 4; ++k) {
       const double kind = draw(0, 1);
-      body += kind < 0.35                ? frame(inside)
-              : kind < 0.75 || depth > 1 ? link(inside, shapes)
-                                         : model(inside, {}, depth + 1);
+      if (kind < 0.35)
+        body += frame(inside);
+      else
+        body += kind < 0.75 || depth > 1 ? link(inside, shapes) : model(inside, {}, depth + 1);
     }
     Place placed;
     std::string placement;

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <utility>
 
+#include "geometry/system/text_case.h"
 #include "trajectory/motion/csv_table.h"
 #include "trajectory/programs/reading/robot_angles.h"
 
@@ -15,11 +16,6 @@ namespace {
 
 constexpr double kJointDegree = 0.017453292519943295;  // rad
 constexpr double kFanucMillimetre = 1e-3;              // m
-
-std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
-  return text;
-}
 
 class FanucParser {
  public:
@@ -34,7 +30,7 @@ class FanucParser {
       const auto first = line.find_first_not_of(" \t\r");
       if (first == std::string::npos) continue;
       if (line[first] == '/') {
-        part = upper(line.substr(first, line.find_first_of(" \t\r", first) - first));
+        part = upperCase(line.substr(first, line.find_first_of(" \t\r", first) - first));
         if (part == "/PROG") file_.name = nameIn(line);
       } else if (part == "/MN") {
         addStatement(line, number);
@@ -96,7 +92,7 @@ class FanucParser {
   }
 
   void endPosition() {
-    const std::string text = upper(std::exchange(text_, {}));
+    const std::string text = upperCase(std::exchange(text_, {}));
     const auto open = text.find("P[");
     if (open == std::string::npos) return;
     const auto number = parseNumber(text.substr(open + 2, text.find_first_of(":]", open) - open - 2));

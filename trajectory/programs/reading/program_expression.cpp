@@ -44,13 +44,17 @@ Value ExpressionReader::expression() {
   return either();
 }
 
-Value ExpressionReader::either() {
-  Value value = both();
-  while (next().is("or") || next().is("xor") || next().is("exor") || next().is("b_or") || next().is("b_exor")) {
+Value ExpressionReader::chain(Value (ExpressionReader::*operand)(), std::initializer_list<const char*> signs) {
+  Value value = (this->*operand)();
+  while (std::any_of(signs.begin(), signs.end(), [this](const char* sign) { return next().is(sign); })) {
     const std::string sign = tokens_[at_++].text;
-    value = binary(sign, value, both());
+    value = binary(sign, value, (this->*operand)());
   }
   return value;
+}
+
+Value ExpressionReader::either() {
+  return chain(&ExpressionReader::both, {"or", "xor", "exor", "b_or", "b_exor"});
 }
 
 Value ExpressionReader::both() {
@@ -83,21 +87,11 @@ Value ExpressionReader::compared() {
 }
 
 Value ExpressionReader::sum() {
-  Value value = product();
-  while (next().is("+") || next().is("-")) {
-    const std::string sign = tokens_[at_++].text;
-    value = binary(sign, value, product());
-  }
-  return value;
+  return chain(&ExpressionReader::product, {"+", "-"});
 }
 
 Value ExpressionReader::product() {
-  Value value = composed();
-  while (next().is("*") || next().is("/") || next().is("%") || next().is("div") || next().is("mod")) {
-    const std::string sign = tokens_[at_++].text;
-    value = binary(sign, value, composed());
-  }
-  return value;
+  return chain(&ExpressionReader::composed, {"*", "/", "%", "div", "mod"});
 }
 
 Value ExpressionReader::composed() {

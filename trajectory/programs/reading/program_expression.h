@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,8 @@ class ExpressionReader {
   bool take(std::string_view sign);
 
  private:
+  /// Operands with one of the signs between them, from left to right: a - b + c.
+  Value chain(Value (ExpressionReader::*operand)(), std::initializer_list<const char*> signs);
   Value either();
   Value both();
   Value negated();

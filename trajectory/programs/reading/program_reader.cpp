@@ -2,9 +2,9 @@
 #include "trajectory/programs/reading/program_reader.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "geometry/system/regular_file.h"
+#include "geometry/system/text_case.h"
 #include "trajectory/programs/reading/program_readers.h"
 
 namespace hapticell::trajectory {
@@ -14,15 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestProgram = 256U << 20U;
-
-std::string lowerText(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
-std::string extensionOf(const fs::path& file) {
-  return lowerText(file.extension().string());
-}
 
 bool isAmong(const std::string& word, std::initializer_list<const char*> words) {
   return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
@@ -46,7 +37,7 @@ fs::path besides(const fs::path& folder, const std::string& name) {
   std::error_code problem;
   for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, problem), end; !problem && entry != end;
        entry.increment(problem)) {
-    if (lowerText(entry->path().filename().string()) == lowerText(name)) return entry->path();
+    if (lowerCase(entry->path().filename().string()) == lowerCase(name)) return entry->path();
   }
   return {};
 }
@@ -54,7 +45,7 @@ fs::path besides(const fs::path& folder, const std::string& name) {
 Expected<ReadProgram> readKrlFiles(const fs::path& file, const ProgramReadOptions& options) {
   fs::path source = file;
   const std::string stem = file.stem().string();
-  if (extensionOf(file) == ".dat") source = besides(file.parent_path(), stem + ".src");
+  if (lowerExtension(file) == ".dat") source = besides(file.parent_path(), stem + ".src");
   if (source.empty()) {
     return makeError({.file = file.string(),
                       .found = "points without a program",
@@ -83,12 +74,12 @@ Expected<ReadProgram> readKrlFiles(const fs::path& file, const ProgramReadOption
 }  // namespace
 
 bool isProgramFile(const fs::path& file) {
-  return isAmong(extensionOf(file),
+  return isAmong(lowerExtension(file),
                  {".src", ".dat", ".mod", ".modx", ".prg", ".sys", ".ls", ".script", ".urscript", ".jbi"});
 }
 
 Expected<ReadProgram> readProgram(const fs::path& file, const ProgramReadOptions& options) {
-  const std::string extension = extensionOf(file);
+  const std::string extension = lowerExtension(file);
   Expected<ReadProgram> program =
       makeError({.found = "the extension '" + extension + "'", .expected = ".src, .mod, .ls or .script"});
   if (extension == ".src" || extension == ".dat") {

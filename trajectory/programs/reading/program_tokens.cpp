@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 
+#include "geometry/system/text_case.h"
 #include "trajectory/motion/csv_table.h"
 
 namespace hapticell::trajectory {
@@ -83,8 +84,7 @@ class Scanner {
   void takeWord() {
     std::string word(1, text_[at_++]);
     while (isWordStart(peek()) || isDigit(peek())) word += text_[at_++];
-    if (dialect_.ignores_case)
-      for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (dialect_.ignores_case) word = lowerCase(word);
     add(Token::Kind::kWord, std::move(word));
   }
 

@@ -41,7 +41,8 @@ class RapidParser {
     return at_ < tokens_.size() && tokens_[at_].isWord() && tokens_[at_].text == word;
   }
   std::size_t line() const {
-    return at_ < tokens_.size() ? tokens_[at_].line : tokens_.empty() ? 1 : tokens_.back().line;
+    if (tokens_.empty()) return 1;
+    return tokens_[std::min(at_, tokens_.size() - 1)].line;
   }
   void skipTo(const char* word) {
     while (at_ < tokens_.size() && !is(word)) ++at_;

@@ -17,6 +17,14 @@ namespace {
 constexpr double kFanucDegree = 0.017453292519943295;  // rad
 constexpr std::size_t kMostSteps = 500'000;
 
+bool compared(double a, std::string_view sign, double b) {
+  if (sign == "<>") return a != b;
+  if (sign == "<=") return a <= b;
+  if (sign == ">=") return a >= b;
+  if (sign == "=") return a == b;
+  return sign == "<" ? a < b : a > b;
+}
+
 /// Runs the lines of /MN.
 class FanucRun {
  public:
@@ -240,13 +248,7 @@ class FanucRun {
       if (at == std::string::npos) continue;
       const auto a = number(text.substr(0, at)), b = number(text.substr(at + std::string(sign).size()));
       if (!a || !b) return std::nullopt;
-      const std::string s = sign;
-      return s == "<>"   ? *a != *b
-             : s == "<=" ? *a <= *b
-             : s == ">=" ? *a >= *b
-             : s == "="  ? *a == *b
-             : s == "<"  ? *a < *b
-                         : *a > *b;
+      return compared(*a, sign, *b);
     }
     return std::nullopt;
   }

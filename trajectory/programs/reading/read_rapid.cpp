@@ -314,7 +314,8 @@ class RapidRun final : public ProgramRun {
       ExpressionReader reader(tokens, 1, rapid(), meaning_);
       std::vector<AccessStep> steps;
       const std::string name = reader.path(steps);
-      const double step = word == "incr" ? 1.0 : word == "decr" ? -1.0 : numberAt(given, 1).value_or(0.0);
+      double step = numberAt(given, 1).value_or(0.0);
+      if (word == "incr" || word == "decr") step = word == "incr" ? 1.0 : -1.0;
       if (!name.empty())
         assign(name, steps, word == "clear" ? Value::of(0.0) : binary("+", given.front().value, Value::of(step)));
       return Flow::kNext;

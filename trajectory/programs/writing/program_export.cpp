@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "geometry/system/text_case.h"
 #include "trajectory/motion/csv_table.h"
 #include "trajectory/motion/number_text.h"
 #include "trajectory/programs/writing/program_names.h"
@@ -70,8 +71,7 @@ std::vector<double> blendsOf(const Trajectory& trajectory, double wanted, double
 
 /// What became of the name that was wanted; empty where nothing did.
 std::string nameNote(const std::string& wanted, const std::string& name, ProgramFormat format) {
-  const auto isSame = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  if (wanted.empty() || std::equal(wanted.begin(), wanted.end(), name.begin(), name.end(), isSame)) return {};
+  if (wanted.empty() || sameButForCase(wanted, name)) return {};
   const std::string language = programNumbers(format).language;
   const std::string why = isReservedName(wanted, format)
                               ? "is a word of " + language + " itself"

@@ -37,7 +37,8 @@ Expected<ReadProgram> readFiles(const std::vector<ProgramFile>& files, ProgramFo
 
 /// A base by numbers is the user's own text: in the program's own base targets are those of the frames.
 std::vector<ProgramFile> inOwnBase(std::vector<ProgramFile> files, ProgramFormat format, const std::string& base) {
-  const char* numbers = format == ProgramFormat::kKrl ? "{" : format == ProgramFormat::kUrScript ? "[(" : "";
+  const char* numbers = format == ProgramFormat::kUrScript ? "[(" : "";
+  if (format == ProgramFormat::kKrl) numbers = "{";
   if (base.find_first_of(numbers) == std::string::npos) return files;
   const std::string own = format == ProgramFormat::kKrl ? "{X 0,Y 0,Z 0,A 0,B 0,C 0}" : "p[0,0,0,0,0,0]";
   for (ProgramFile& file : files) {

@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <set>
 
+#include "geometry/system/text_case.h"
+#include "geometry/system/utf8.h"
+
 namespace hapticell::trajectory {
 
 namespace {
@@ -132,25 +135,6 @@ std::string letterOf(std::uint32_t sign) {
   return std::string(1, base == '*' ? '_' : base);
 }
 
-/// One sign of UTF-8 at `i`, which moves on; a byte that is none counts as one.
-std::uint32_t takeSign(const std::string& text, std::size_t& i) {
-  const auto first = static_cast<unsigned char>(text[i++]);
-  if (first < 0xC0) return first < 128 ? first : 0xFFFD;
-  const int more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : 1;
-  std::uint32_t sign = first & (0x3FU >> more);
-  for (int k = 0; k < more; ++k) {
-    if (i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return 0xFFFD;
-    sign = (sign << 6U) | (static_cast<unsigned char>(text[i++]) & 0x3FU);
-  }
-  return sign;
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return std::tolower(c); });
-  return result;
-}
-
 }  // namespace
 
 std::size_t longestProgramName(ProgramFormat format) {
@@ -171,7 +155,7 @@ std::size_t longestProgramName(ProgramFormat format) {
 }
 
 bool isReservedName(std::string_view name, ProgramFormat format) {
-  const std::string word = lower(name);
+  const std::string word = lowerCase(name);
   if (wordsOf(format).contains(word)) return true;
   if (format == ProgramFormat::kKrl) return isNumbered(word, "xp");
   return format == ProgramFormat::kRapid && isNumbered(word, "p");
@@ -179,7 +163,11 @@ bool isReservedName(std::string_view name, ProgramFormat format) {
 
 std::string programName(const std::string& wanted, ProgramFormat format) {
   std::string name;
-  for (std::size_t i = 0; i < wanted.size();) name += letterOf(takeSign(wanted, i));
+  for (std::size_t i = 0; i < wanted.size();) {
+    const auto [character, length] = characterAt(wanted, i);
+    name += letterOf(character);
+    i += length;
+  }
   const auto isLetter = [](unsigned char c) { return std::isalpha(c) != 0; };
   if (std::none_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0; })) name = "program";
   if (!isLetter(static_cast<unsigned char>(name.front()))) name.insert(0, "p");
@@ -190,7 +178,7 @@ std::string programName(const std::string& wanted, ProgramFormat format) {
     name.resize(std::min(name.size(), longestProgramName(format)));
   }
   if (format == ProgramFormat::kFanuc || format == ProgramFormat::kInform) {
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+    name = upperCase(name);
   }
   return name;
 }

@@ -56,7 +56,8 @@ class WebSocket::Connection : public std::enable_shared_from_this<WebSocket::Con
     thread_ = std::thread([this] { io_.run(); });
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, milliseconds(wait_ms), [this] { return open_ || !why_.empty(); });
-    why = open_ ? "" : why_.empty() ? "it did not answer in time" : why_;
+    why = why_.empty() ? "it did not answer in time" : why_;
+    if (open_) why.clear();
     return open_;
   }
   void close() {

@@ -150,9 +150,13 @@ void OpenHapticsDevice::calibrateIfAsked(Sample& sample) {
   // "Needs update": the device has found its reference by itself (its inkwell, its stops) and waits to be told so.
   const bool found = calibration == hd::kCalibrationUpdate || (calibration != hd::kCalibrationOk && docked);
   if (!found && !asked) return;
-  hd_.hdUpdateCalibration(style & hd::kStyleInkwell ? hd::kStyleInkwell
-                          : style & hd::kStyleAuto  ? hd::kStyleAuto
-                                                    : style);
+  // The styles are bits: the device names those that it knows, and takes one.
+  unsigned taken = style;
+  if ((style & hd::kStyleInkwell) != 0)
+    taken = hd::kStyleInkwell;
+  else if ((style & hd::kStyleAuto) != 0)
+    taken = hd::kStyleAuto;
+  hd_.hdUpdateCalibration(taken);
 }
 
 void OpenHapticsDevice::command() {

@@ -96,7 +96,10 @@ std::uint32_t SpaceMouseDriver::find(Found* found, std::uint32_t room, Problem&)
         seen.empty() ? nullptr : findSpaceMouseModel(seen.front().vendor, seen.front().product);
     found[0].kind = Kind::kSpaceMouse;
     copyText(found[0].id, kSpacenavId);
-    copyText(found[0].name, model != nullptr ? model->name : seen.empty() ? own : seen.front().name);
+    if (model != nullptr)
+      copyText(found[0].name, model->name);
+    else
+      copyText(found[0].name, seen.empty() ? own : seen.front().name);
     copyText(found[0].place, daemon_->place());
     return 1;
   }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace hapticell::app {
@@ -40,7 +41,7 @@ TEST(ContactLog, EventsComeInTheirOrderWithLeastDistanceGreatestForceAndLength) 
   for (int i = 0; i <= 100; ++i) {
     // Comes down from 20 mm, stays from 1 s to 2 s with a force that swells to 1.5 N, goes up again.
     const double t = 0.03 * i;
-    const double gap = t < 1.0 ? 0.02 * (1.0 - t) : t < 2.0 ? 0.0 : 0.02 * (t - 2.0);
+    const double gap = 0.02 * std::max({1.0 - t, 0.0, t - 2.0});
     log.take(at(t, gap, gap > 0.0 ? 0.0 : 1.5 - 2.0 * std::abs(t - 1.5)), nameOf);
   }
   ASSERT_EQ(kinds(log),

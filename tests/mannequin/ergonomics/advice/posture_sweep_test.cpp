@@ -81,7 +81,7 @@ void compareZones(const PostureScores& before, const PostureScores& now, const s
 int changedObservations(const EawsObservation& a, const EawsObservation& b) {
   const auto bend = [](const EawsObservation& o) {
     const double trunk = std::abs(o.trunk_flexion);
-    return trunk > 60.0 ? 2 : trunk > 20.0 ? 1 : 0;
+    return (trunk > 20.0 ? 1 : 0) + (trunk > 60.0 ? 1 : 0);
   };
   return std::abs(bend(a) - bend(b)) + (a.hands_above_head != b.hands_above_head ? 1 : 0) +
          (a.elbow_at_shoulder != b.elbow_at_shoulder ? 1 : 0) + (a.seated != b.seated ? 1 : 0) +

@@ -177,9 +177,9 @@ TEST(ProgramLanguages, ANumberThatALanguageCannotHoldIsRefused) {
     }
     ParsedProgram program;
     ASSERT_EQ(parsed(*files, c.format, program), "") << what;
-    const double speed = program.settings.contains("$VEL.CP") ? program.settings["$VEL.CP"]
-                         : program.settings.contains("Lv")    ? program.settings["Lv"]
-                                                              : program.settings["speed"] / 1000.0;
+    double speed = program.settings["speed"] / 1000.0;
+    for (const char* setting : {"Lv", "$VEL.CP"})
+      if (program.settings.contains(setting)) speed = program.settings[setting];
     EXPECT_NEAR(speed, c.speed, 1e-3 * c.speed) << what;
     EXPECT_NEAR(program.moves[2].dwell, c.dwell, 5e-4 * c.dwell) << what;
   }

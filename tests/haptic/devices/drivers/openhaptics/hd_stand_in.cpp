@@ -153,7 +153,8 @@ void hdGetIntegerv(unsigned what, int* value) {
   }
 }
 const char* hdGetString(unsigned what) {
-  return what == 0x2501 ? "Stand-in Touch" : what == 0x2505 ? "192" : "";
+  if (what == 0x2501) return "Stand-in Touch";
+  return what == 0x2505 ? "192" : "";
 }
 void hdSetDoublev(unsigned what, const double* values) {
   if (what == 0x2700)
@@ -170,7 +171,8 @@ HdStandIn::Error hdGetError() {
   return error;
 }
 const char* hdGetErrorString(unsigned code) {
-  return code == 0x302 ? "Communication error between device and host" : code == 0x300 ? "Device fault" : "";
+  if (code == 0x302) return "Communication error between device and host";
+  return code == 0x300 ? "Device fault" : "";
 }
 unsigned hdCheckCalibration() {
   return state.calibration;
