@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "geometry/shapes/shapes.h"
+#include "mannequin/shape/figure_model.h"
+#include "workcell/import/entity_source.h"
+
+namespace hapticell::manipulation::test {
+
+/// A median man in a posture of the library.
+inline workcell::Entity worker(const char* posture) {
+  Diagnostics diagnostics;
+  workcell::Entity entity = *workcell::EntityLoader(".").load("mannequin:male:50", 1.0, diagnostics);
+  entity.id = 7;
+  entity.name = "worker";
+  const auto model = mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, posture));
+  entity.X_WE = model.X_WE;
+  entity.joints = model.joints;
+  return entity;
+}
+
+inline workcell::Entity box(workcell::EntityId id, const char* name, const dvec3& size, const dvec3& p_W) {
+  workcell::Entity entity;
+  entity.id = id;
+  entity.name = name;
+  entity.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox(size));
+  entity.X_WE.p = p_W;
+  return entity;
+}
+
+}  // namespace hapticell::manipulation::test
