@@ -22,7 +22,7 @@ class C3dParameters {
  public:
   static constexpr std::size_t kBlock = 512;
 
-  /// Errors: no C3D header, parameters beyond the file, a processor that is none.
+  /// Errors: no C3D header, parameters beyond the end of the file, an unknown processor type.
   static Expected<C3dParameters> read(std::string_view bytes, const std::string& name);
 
   const C3dBytes& bytes() const { return bytes_; }

@@ -8,7 +8,7 @@
 
 namespace hapticell::mannequin {
 
-/// Which joints of a clip stand for which of the figure's; -1 where there is none. Arrays: left, right.
+/// Which joint of a clip corresponds to which of the figure's; -1: no joint. Arrays: left, right.
 struct ClipMap {
   int root = -1;    ///< The pelvis: what both legs and the spine hang on.
   int thorax = -1;  ///< What both arms and the head hang on; the pelvis where there is no spine.

@@ -79,7 +79,7 @@ Expected<void> writeReportPdf(const Report& report, const std::filesystem::path&
 ReportPicture drawReportPage(const Report& report, int page, int width);
 int reportPages(const Report& report);
 
-/// A PNG file's bytes, and a picture out of a PNG file (refused: what is none, or larger than 8192 pixels).
+/// The bytes of a PNG file, and a picture from a PNG file (errors: not a PNG file, or larger than 8192 pixels).
 std::string pngOf(const ReportPicture& picture);
 Expected<ReportPicture> readPng(const std::filesystem::path& file);
 
