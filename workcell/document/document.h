@@ -20,7 +20,7 @@ namespace hapticell::workcell {
 class Document {
  public:
   Document() = default;
-  /// A document as it was read; nothing to undo, not dirty. Ids are given anew, in order.
+  /// A document as read: nothing to undo, not dirty. Ids are assigned again, in order.
   explicit Document(DocumentState state);
 
   /// Where documents follow each other: ids and revision go on from those of the one before, so that none of them means
@@ -52,7 +52,7 @@ class Document {
   bool redo();
   bool canUndo() const { return !inCompound() && !undo_.empty(); }
   bool canRedo() const { return !inCompound() && !redo_.empty(); }
-  /// What the step is called; empty where there is none.
+  /// Name of the undo step; empty if there is no step.
   std::string undoText() const { return undo_.empty() ? "" : undo_.back().text; }
   std::string redoText() const { return redo_.empty() ? "" : redo_.back().text; }
 

@@ -12,7 +12,7 @@ namespace hapticell::workcell {
 /// no robot. A pose's name is to be shown as it is.
 std::vector<kinematics::NamedPose> namedPosesOf(const Entity& entity);
 
-/// A pose by its name as namedPosesOf() lists it; empty where there is none.
+/// A pose by its name in namedPosesOf(); empty if it does not exist.
 std::vector<double> findNamedPose(const Entity& entity, const std::string& name);
 
 /// The user's poses of `before` for another model, number by number where joints have the same name, others at rest.

@@ -73,8 +73,8 @@ struct LeftWork {
   std::filesystem::file_time_type time{};  ///< Of the copy, or of the note.
 };
 
-/// What runs left that are over, newest first. A copy that holds what the document's file holds is none: nothing of it
-/// is lost, and it is removed.
+/// Recovery copies left by earlier runs, newest first. A copy equal to the document's file is not listed but removed,
+/// because nothing is lost.
 std::vector<LeftWork> findLeftWork();
 
 /// It was restored and saved, or is not wanted.

@@ -39,8 +39,8 @@ Expected<void> exportState(const DocumentState& state, const std::filesystem::pa
 /// colours, placements; exact shapes where a node has an origin, else a plane face a triangle. glTF: tree, names,
 /// colours, placements. OBJ: names and colours. PLY, OFF: colours. STL: triangles alone.
 ///
-/// Errors: an extension that is none of these, nothing to write, an origin's file that is gone or changed, a file that
-/// cannot be written, and what the importer's process says; the old file then still stands.
+/// Errors: another extension, nothing to write, an original file that is missing or changed, a file that cannot be
+/// written, and errors of the importer's process. The old file is then unchanged.
 Expected<void> exportScene(const ImportedScene& scene, const std::filesystem::path& file, const ExportOptions& options,
                            Diagnostics& diagnostics);
 

@@ -13,7 +13,7 @@ namespace hapticell::workcell {
 /// Where the models of an SDF <population> stand, in the world.
 struct Population {
   std::vector<dvec3> positions;
-  std::string remark;  ///< What was assumed, or why there is none; empty where the file says it all.
+  std::string remark;  ///< What was assumed, or why there is no population; empty if the file states everything.
 };
 
 /// As Gazebo places them (its class physics::Population): a grid about the pose, rows along x and y turned with it; rows
