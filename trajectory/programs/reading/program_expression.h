@@ -45,7 +45,7 @@ class ExpressionReader {
   Value expression();
   /// KRL's place of a target: no comparison or sum, so that what follows a target is not taken into it.
   Value term() { return composed(); }
-  /// "name", "name.field", "name[2].x": for assignments. An empty name where there is none.
+  /// "name", "name.field", "name[2].x": for assignments. An empty name if there is no path.
   std::string path(std::vector<AccessStep>& steps);
   /// Arguments up to a closing bracket (which is taken) or the end of the statement.
   std::vector<Argument> arguments();
