@@ -16,7 +16,7 @@ namespace hapticell::xacro {
 struct Files {
   /// The text of a file. Error: it is not there, is no regular file, is too large.
   std::function<Expected<std::string>(const std::filesystem::path&)> read;
-  /// The file that "package://NAME/rest", a path, or a path relative to `folder` stands for; nothing: there is none.
+  /// The file that "package://NAME/rest", a path, or a path relative to `folder` refers to; empty: it does not exist.
   std::function<std::optional<std::filesystem::path>(const std::string& reference, const std::filesystem::path& folder)>
       find;
 };
@@ -28,7 +28,7 @@ using Arguments = std::map<std::string, std::string>;
 struct DeclaredArgument {
   std::string name;
   std::string value;                     ///< What was given, else the default.
-  std::optional<std::string> otherwise;  ///< The default; nothing where there is none: a value must be given.
+  std::optional<std::string> otherwise;  ///< The default; empty: a value must be given.
   std::string file;
   int line = 0;
 

@@ -27,7 +27,7 @@ struct XmlNode {
   int line = 0;
 
   bool isElement() const { return !name.empty(); }
-  /// Null where there is none.
+  /// Null if it does not exist.
   const Attribute* attribute(const std::string& wanted) const;
 };
 
