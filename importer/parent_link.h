@@ -22,7 +22,7 @@ class ParentLink {
   static std::string flatParts(const Error& error);
   void done();
 
-  /// The scene that the parent left; empty where there is none.
+  /// The scene written by the parent; empty if there is no scene.
   std::string readScene();
   /// Leaves a scene for the parent; false where there is no room.
   bool writeScene(const std::string& bytes);
