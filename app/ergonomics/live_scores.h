@@ -33,7 +33,7 @@ class LiveScores : public QObject {
   /// The document's task of this mannequin; where it has none, one in which nothing is entered.
   const ergonomics::WorkTask& task() const { return task_; }
   bool hasTask() const { return has_task_; }
-  /// The user's own limits of the hands' force, of the file that was chosen last; empty where there is none.
+  /// The user's own limits of the hands' force, from the last chosen file; empty without such a file.
   const ergonomics::ForceTable& ownLimits() const { return own_limits_; }
   /// Reads a table and keeps its name for the next start; an empty name forgets it. What cannot be read changes
   /// nothing.

@@ -22,7 +22,7 @@ class MotionScoresModel : public QObject {
   /// Begins to read a BVH, AMC (the ASF beside it) or C3D file and to score it with the task. `figure` is the
   /// mannequin's.
   void open(const QString& path, std::shared_ptr<const mannequin::Figure> figure, const ergonomics::WorkTask& task);
-  /// Scores the motion anew where it was scored for another figure or task.
+  /// Scores the motion again if it was scored for another figure or task.
   void follow(const std::shared_ptr<const mannequin::Figure>& figure, const ergonomics::WorkTask& task);
   /// As before the first motion; one that is being read is not taken.
   void clear();

@@ -55,7 +55,7 @@ class ReportPanel : public QWidget {
   /// Once nothing has changed for a moment: a page that changes while a hand is drawn is not read, and costs frames.
   void drawLater();
   void chooseFile();
-  /// Takes the picture of the figure in its cell anew, smooth or quick.
+  /// Renders the picture of the figure in its cell again, smooth or quick.
   void takeScene(int samples);
   MannequinContext& context_;
   const LiveScores& scores_;

@@ -19,7 +19,7 @@ class CarriedPart : public QObject {
  public:
   /// The context must outlive it.
   CarriedPart(MannequinContext& context, QVBoxLayout& section, QObject* parent = nullptr);
-  /// 0: there is none.
+  /// 0: no part is chosen.
   workcell::EntityId chosen() const;
   void show();
 

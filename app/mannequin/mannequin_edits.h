@@ -31,7 +31,7 @@ mannequin::BodyRequest requestOf(const workcell::Entity& entity);
 Expected<std::vector<workcell::Command>> resizeCommands(const workcell::Entity& entity,
                                                         const mannequin::BodyRequest& request);
 
-/// A new mannequin, standing; its name is none of `taken`. Takes a tenth of a second; any thread.
+/// A new standing mannequin; its name is not in `taken`. Takes a tenth of a second; any thread.
 Expected<workcell::Entity> newMannequin(const mannequin::BodyRequest& request, const Pose& X_WE,
                                         const std::vector<std::string>& taken);
 

@@ -73,7 +73,7 @@ class MainWindow : public QMainWindow, public Host {
   /// The page with samples and recent files, over the scene.
   void showStartPage();
   RecentFiles& recentFiles();
-  /// Starts the module of that name; false when there is none.
+  /// Starts the module of that name; false if it does not exist.
   bool startModule(const QString& name);
   void setTheme(bool dark);
   Actions& actions() { return *actions_; }

@@ -35,7 +35,7 @@ class SavedViews {
   QString cell_;
 };
 
-/// The camera as one line, and back; nothing where the line is none.
+/// The camera as one line, and back; empty if the line is invalid.
 QString cameraText(const Camera& camera);
 std::optional<Camera> cameraFromText(const QString& text);
 

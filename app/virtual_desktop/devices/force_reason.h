@@ -30,13 +30,13 @@ struct ForceFacts {
   bool passes = false;        ///< On contact it passes: contacts are only shown.
 };
 
-/// The state of the forces in two words, one line that says why, and what mends it.
+/// The state of the forces in two words, one line with the reason, and how to fix it.
 struct ForceReason {
   enum class Mend { kNone, kConnect, kStartServer, kTakeStylus, kCheck, kSlide };
   QString state;
   QString why;
   Mend mend = Mend::kNone;
-  QString button;  ///< Words of the mending button; empty for kNone.
+  QString button;  ///< Text of the button that fixes it; empty for kNone.
 };
 
 ForceReason forceReason(const ForceFacts& facts);

@@ -15,7 +15,7 @@ namespace hapticell::app {
 /// key B, presses the stylus's button: as long as the mouse leads the pen it has no other meaning. When the mouse lets go, the hand stays where it is. GUI thread; no widgets.
 class MouseStylus final : public PointerTool {
  public:
-  /// What it has to know of the cell, given anew each frame.
+  /// The data of the cell that it needs, passed each frame.
   struct State {
     bool usable = false;          ///< A simulated device is connected.
     bool holding_entity = false;  ///< Something is held by the stylus.
