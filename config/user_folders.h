@@ -40,8 +40,8 @@ Expected<void> makeOwnFolder(const std::filesystem::path& folder);
 /// out and, where `refused` is given, told there.
 std::vector<std::filesystem::path> absoluteEntries(const char* list, std::vector<std::string>* refused = nullptr);
 
-/// A program of the system by its name, such as "ffmpeg": the first one in absoluteEntries($PATH) that may be run and
-/// that nobody but this user and root can have put there. Empty: there is none.
+/// A program of the system by its name, such as "ffmpeg": the first one in absoluteEntries($PATH) that is executable
+/// and that only this user or root can have put there. Empty: not found.
 std::filesystem::path systemProgram(const std::string& name);
 
 /// Takes out of $PATH and of the variables by which libraries find plug-ins what is no absolute path. Called first

@@ -82,14 +82,14 @@ class PreparedScene {
   /// What is checked against the entity, its own choice on contact being `on_contact`.
   std::vector<workcell::EffectivePair> pairsOf(workcell::EntityId moved, workcell::OnContact on_contact) const;
 
-  /// The user's rule for two of its parts; null where there is none.
+  /// The user's rule for two of its parts; null without a rule.
   const workcell::PairRule* ruleFor(const ScenePart& a, const ScenePart& b) const;
 
   /// Whether these two are ever checked against each other: no rule of the user leaves them out, and they can move
   /// against each other (what is attached is one body with the link it is attached to).
   bool isChecked(const ScenePart& a, const ScenePart& b) const;
 
-  /// A frame by its name: a frame of an entity, or an entity's own. Null entity when there is none.
+  /// A frame by its name: a frame of an entity, or an entity's own. Null entity if it does not exist.
   struct FoundFrame {
     const workcell::Entity* entity = nullptr;
     Pose X_EF;
