@@ -12,7 +12,7 @@
 
 namespace hapticell::manipulation {
 
-/// What one tick of the force loop tells the meter. Device frame, SI.
+/// Data of one tick of the force loop for the meter. Device frame, SI.
 struct MeteredTick {
   double t = 0.0;
   dvec3 force_D{0.0};               ///< Commanded, N.
@@ -105,8 +105,8 @@ class JointMeter {
   workcell::EntityId id_ = 0;
 };
 
-/// Measures how deep the shown entity is in anything, by exact distance queries of its own that share nothing with the
-/// engine but the meshes.
+/// Measures how deep the shown entity is in anything, by its own exact distance queries, which share only the meshes
+/// with the engine.
 class PenetrationMeter {
  public:
   /// Depth of the held entity now, m: 0 when it is free; else an upper bound (the shortest translation found that frees
