@@ -14,8 +14,8 @@ namespace hapticell::mannequin {
 /// posture, whose vertices each move with a few bodies (dual quaternions: L. Kavan and others, "Geometric skinning with
 /// approximate dual quaternion blending", 2008). The mesh stays the same while it moves, so details do not crawl.
 ///
-/// It is only looked at: collisions know the bodies' own meshes (body_shape.h); tests/mannequin/shape/figure_skin_test.cpp
-/// keeps both within the distance that docs/mannequin.md states.
+/// It is for drawing only: collisions use the bodies' own meshes (body_shape.h).
+/// tests/mannequin/shape/figure_skin_test.cpp keeps both within the distance that docs/mannequin.md states.
 class FigureSkin {
  public:
   /// Takes about 2 s.

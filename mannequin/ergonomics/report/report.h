@@ -28,7 +28,7 @@ struct ReportBlock {
   std::vector<std::string> lines{};  ///< Text; wrapped.
   struct Cell {
     std::string text;
-    int band = -1;  ///< A patch of the score's colour and pattern beside the text; -1: none.
+    int band = -1;  ///< A patch of the score's colour and pattern next to the text; -1: none.
   };
   std::vector<std::string> columns{};  ///< Of a table.
   bool flows = false;                  ///< Pages show the rows (name, value) as running text, without those at 0.0.
