@@ -44,7 +44,8 @@ Expected<void> checkTool(const Entity& entity);
 /// Errors: tools on a link that does not exist, duplicate names, or an invalid pose.
 Expected<void> checkTools(const Entity& entity);
 
-/// Refused: poses with one name twice, or without a finite number for each joint; poses of what is no robot.
+/// Refused: poses with one name twice, or without a finite number for each joint; poses of an entity that is not a
+/// robot.
 Expected<void> checkNamedPoses(const Entity& entity);
 
 /// Errors: frames with duplicate names or an invalid pose.

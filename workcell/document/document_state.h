@@ -42,7 +42,7 @@ struct DocumentState {
   std::optional<SavedView> view;
   std::vector<TrajectoryReference> trajectories;
 
-  /// What is checked against what, whole: for whoever prepares a scene of it.
+  /// All choices of the pairs to check: for preparing a scene.
   PairPolicy pairPolicy() const { return PairPolicy(pair_sets, pair_rules); }
 
   /// Null if it does not exist.

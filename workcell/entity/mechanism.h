@@ -49,7 +49,7 @@ struct MechanismJoint {
 
 /// A door, a clamp, a gripper, a slide: parts and the joints between them.
 struct MechanismDefinition {
-  std::vector<MechanismPart> parts;  ///< The first stands still in M.
+  std::vector<MechanismPart> parts;  ///< The first does not move in M.
   std::vector<MechanismJoint> joints;
 };
 

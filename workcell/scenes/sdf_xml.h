@@ -18,7 +18,7 @@ Expected<TiXmlElement*> parseSdf(const std::filesystem::path& file, TiXmlDocumen
 std::string textOf(const TiXmlElement* parent, const char* name);
 /// The element's own text, trimmed.
 std::string textOf(const TiXmlElement& element);
-/// Replaces all that stands in the element.
+/// Replaces the content of the element.
 void setText(TiXmlElement& element, const std::string& text);
 std::string attributeOf(const TiXmlElement& element, const char* name);
 
