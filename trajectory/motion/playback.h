@@ -6,8 +6,8 @@
 
 namespace hapticell::trajectory {
 
-/// Where a play of one or more motions on one clock stands: time, direction of steps, speed, loop. No clock of its own:
-/// who plays tells how much time has gone by. A value.
+/// State of playing one or more motions on one clock: time, direction of steps, speed, loop. It has no clock: the
+/// caller passes the elapsed time. A value.
 class Playback {
  public:
   /// Times (s, increasing) at which the motions have frames, all in one list; the play runs from the first to the last.

@@ -16,7 +16,7 @@ struct Argument {
   Value value;
 };
 
-/// A step into a variable: a field, or an index as it stands in the text.
+/// A step into a variable: a field, or an index as written in the text.
 struct AccessStep {
   std::string field;  ///< Empty for an index.
   double index = 0.0;
@@ -36,7 +36,7 @@ struct ExpressionMeaning {
 
 /// Reads expressions of KRL, RAPID and URScript from tokens and works out their value at once.
 ///
-/// Stops before the first token that cannot belong to the expression. What is no expression gives an unknown value.
+/// Stops before the first token that cannot belong to the expression. Invalid expressions give an unknown value.
 class ExpressionReader {
  public:
   ExpressionReader(const Tokens& tokens, std::size_t at, const Dialect& dialect, const ExpressionMeaning& meaning)
