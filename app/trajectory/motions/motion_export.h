@@ -38,7 +38,8 @@ class MotionExport : public QObject {
   void exportTo(const QString& path, const QString& format, const trajectory::ProgramOptions& options,
                 const std::optional<trajectory::PathTolerance>& simplify = {});
   void askImport();
-  /// .htraj, .json, .csv, .yaml and robots' programs, whose notes become messages; a motion that names no entity is that of `entity`.
+  /// .htraj, .json, .csv, .yaml and robots' programs, whose notes become messages; a motion that names no entity is
+  /// that of `entity`.
   void importFrom(const QStringList& paths, const std::string& entity);
 
  signals:
