@@ -9,7 +9,7 @@
 
 namespace hapticell::xacro {
 
-/// A node of a parsed expression. What stands in the fields depends on the kind.
+/// A node of a parsed expression. The meaning of the fields depends on the kind.
 struct Expression {
   enum class Kind {
     kConstant,       ///< value

@@ -12,7 +12,7 @@
 
 namespace hapticell::xacro {
 
-/// What stands behind $(…) and the functions of xacro's own that look outside: the expander.
+/// Provides $(…) and those functions of xacro that access files: implemented by the expander.
 class Surroundings {
  public:
   virtual ~Surroundings() = default;

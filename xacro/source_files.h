@@ -16,8 +16,8 @@
 
 namespace hapticell::xacro {
 
-/// The files of one expansion: finds and reads them, each description once, and knows which is expanded now.
-/// Throws Fault for a file that is not there or cannot be read.
+/// The files of one expansion: finds and reads them, each description once, and knows which is expanded now. Throws
+/// Fault for a file that does not exist or cannot be read.
 class SourceFiles {
  public:
   SourceFiles(const Files& files, Budget& budget) : files_(files), budget_(budget) {}

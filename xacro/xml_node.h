@@ -13,7 +13,7 @@ namespace hapticell::xacro {
 struct XmlNode;
 using XmlPointer = std::shared_ptr<const XmlNode>;
 
-/// An element or a text, with where it stands.
+/// An element or a text, with its place in the file.
 struct XmlNode {
   struct Attribute {
     std::string name, value;
