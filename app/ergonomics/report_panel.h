@@ -42,7 +42,7 @@ class ReportPanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
-  /// All that the page is made of, as it stands now.
+  /// All present data of the page.
   ergonomics::PostureReportInput input() const;
   bool isOfTask() const;
   bool isOfPhase() const;

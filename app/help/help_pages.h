@@ -13,7 +13,7 @@ struct HelpChapter {
   QStringList pages;  ///< Names, see helpPage().
 };
 
-/// The manual's contents: every page stands in one chapter.
+/// The manual's contents: every page is in one chapter.
 std::vector<HelpChapter> helpContents();
 
 /// A page as Markdown, by its name (a panel's, "dockMove", or "firstSteps") and language ("en"). If no page has that

@@ -13,7 +13,7 @@ namespace hapticell::app {
 
 class MannequinContext;
 
-/// The row *In the hand*: which solid, and the button that takes it or lets it go. GUI thread.
+/// The row *In the hand*: which solid, and the button that takes or releases it. GUI thread.
 class CarriedPart : public QObject {
   Q_OBJECT
  public:

@@ -18,7 +18,7 @@ mannequin::Posture postureOf(const workcell::Entity& entity);
 /// Takes the figure into a posture.
 workcell::Command postureCommand(const workcell::Entity& entity, const mannequin::Posture& posture);
 
-/// A built-in posture where the figure stands now: same place and heading, standing or sitting on the floor under it.
+/// A built-in posture at the figure's present place: same place and heading, standing or sitting on the floor under it.
 std::optional<mannequin::Posture> libraryPostureAt(const workcell::Entity& entity, std::string_view name);
 /// A posture of a file (its root is placed as above unless `has_root`).
 mannequin::Posture placedHere(const workcell::Entity& entity, mannequin::Posture posture);

@@ -11,7 +11,7 @@
 
 namespace hapticell::app {
 
-/// The bottom line: one sentence of state, three loop rates, device, units. A new message stands there for 8 seconds.
+/// The bottom line: one sentence of state, three loop rates, device, units. A new message is shown for 8 seconds.
 class StatusLine : public QStatusBar {
   Q_OBJECT
  public:

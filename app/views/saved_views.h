@@ -11,8 +11,8 @@ namespace hapticell::app {
 
 class UserSettings;
 
-/// Views of a cell with names, kept in the user's settings by the cell's path: a view is how one looks, not what stands
-/// there. Those of a cell that has no file yet go with it, or to its file once it is saved. GUI thread.
+/// Views of a cell with names, kept in the user's settings by the cell's path: a view is not part of the document.
+/// Those of a cell that has no file yet go with it, or to its file once it is saved. GUI thread.
 class SavedViews {
  public:
   explicit SavedViews(UserSettings& settings) : settings_(settings) {}

@@ -16,7 +16,7 @@ class Host;
 /// may be empty. GUI thread.
 void fillEntityMenu(QMenu& menu, Host& host, const Entities& ids, const std::function<void()>& rename);
 
-/// What can be done where nothing stands: insert, paste (at `p_W`), select, show and fit all, views.
+/// Actions at an empty place: insert, paste (at `p_W`), select, show and fit all, views.
 void fillFloorMenu(QMenu& menu, Host& host, const dvec3& p_W);
 
 /// Copy and paste of entities (Ctrl+C, Ctrl+V) for the Edit menu; the copies outlive their cell. Made once a window.

@@ -16,8 +16,8 @@ class PreparedScene;
 
 namespace hapticell::app {
 
-/// Measures the cell as it stands in a thread of the pool, while nothing is held: distances of the chosen entity, and
-/// what touches. Asked again and again by its owner (GUI thread); never waits, never outlives what it needs.
+/// Measures the present cell in a thread of the pool while nothing is held: distances of the chosen entity, and what
+/// touches. Asked again and again by its owner (GUI thread); never waits, never outlives what it needs.
 class RestCheck {
  public:
   static constexpr double kMeasured = 0.3;  ///< m: what is farther is not told.

@@ -23,8 +23,8 @@ struct MotionFormat {
 };
 const std::vector<MotionFormat>& motionFormats();
 
-/// Writes the current motion as a file or a robot's program and reads motions from files, beside the window; a message
-/// tells what came of it. GUI thread.
+/// Writes the current motion as a file or a robot's program and reads motions from files, in the background; a message
+/// reports the result. GUI thread.
 class MotionExport : public QObject {
   Q_OBJECT
  public:

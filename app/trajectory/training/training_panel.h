@@ -35,8 +35,8 @@ class TrainingPanel : public QWidget {
   bool openExercise(const QString& path);
   /// Makes an exercise of the current motion, in the cell as it is.
   void useCurrentMotion();
-  /// Another document follows: a run that goes on is given up, and an exercise of the cell goes; one whose own cell it
-  /// is that follows stays.
+  /// Another document follows: a running run is given up, and the exercise is closed unless the new document is its own
+  /// cell.
   void forgetCell();
   /// Takes what was recorded while a run went on; false where none does.
   bool takeRecorded(const std::vector<trajectory::Trajectory>& recorded);
