@@ -106,7 +106,7 @@ void FigureDrawings::addSwitches(QVBoxLayout& column) {
     if (i == kSizesReach)
       button->setToolTip(tr("How far the arms of three people of its sex reach who stand as it does"));
     connect(button, &QCheckBox::clicked, this, [this] {
-      figure_.reset();  // Looks at it anew.
+      figure_.reset();  // Reads it again.
       showNow();
     });
     column.addWidget(button);

@@ -54,7 +54,8 @@ Arguments splitOptions(const std::string& text, const std::vector<std::string>& 
   return result;
 }
 
-/// A word in front of '=' behind a comma of WHAT, which is no key; empty when there is none, or a file is named so.
+/// A word in front of '=' behind a comma of WHAT, which is not a key; empty if there is no such word, or a file is
+/// named so.
 std::string unknownKey(const std::string& what) {
   const std::size_t comma = what.find(','), equals = what.find('=', comma);
   std::error_code ignored;
@@ -70,7 +71,7 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
-/// The first key that is there twice; empty when there is none.
+/// The first key that occurs twice; empty if all are unique.
 std::string saidTwice(const Arguments& arguments) {
   std::set<std::string> seen;
   for (const auto& [key, value] : arguments.options) {

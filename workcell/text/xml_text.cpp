@@ -14,7 +14,7 @@ std::size_t followers(unsigned char first) {
   return first >= 0xF0 && first <= 0xF4 ? 3 : 0;
 }
 
-/// Bytes of the UTF-8 character that begins at `at`; 0: there is none.
+/// Bytes of the UTF-8 character that begins at `at`; 0: not found.
 std::size_t characterLength(const std::string& text, std::size_t at) {
   const auto first = static_cast<unsigned char>(text[at]);
   const std::size_t more = followers(first);

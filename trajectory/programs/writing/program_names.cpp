@@ -132,7 +132,7 @@ std::string letterOf(std::uint32_t sign) {
   return std::string(1, base == '*' ? '_' : base);
 }
 
-/// One sign of UTF-8 at `i`, which moves on; a byte that is none counts as one.
+/// One sign of UTF-8 at `i`, which moves on; an invalid byte counts as one.
 std::uint32_t takeSign(const std::string& text, std::size_t& i) {
   const auto first = static_cast<unsigned char>(text[i++]);
   if (first < 0xC0) return first < 128 ? first : 0xFFFD;
