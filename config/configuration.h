@@ -38,7 +38,7 @@ struct Configuration {
     std::string force_class = "contact";  ///< constant, contact, dynamics: for entities that do not say.
     double safety_distance = 0.001;       ///< Metres; felt as the boundary where no pair set says otherwise.
     double near_miss = 0.010;             ///< Metres; shown and heard.
-    double gravity_compensation = 1.0;    ///< Part of a held part's weight that is not felt: 1 nothing of it is.
+    double gravity_compensation = 1.0;    ///< Share of a held part's weight that is not felt; 1: none is felt.
     double edge_drift = 0.0;              ///< m/s of hand at the edge of the device's workspace; 0: none.
     double felt_mass = 0.5;               ///< kg whose inertia is felt at most, for the class dynamics.
     double load_damping = 0.5;            ///< N s/m against the motion of what is held, for the class dynamics.
@@ -49,7 +49,7 @@ struct Configuration {
     std::string at_singularity = "keep_position";
     bool self_collision = true;  ///< A robot's links are checked against each other.
   } robot;
-  struct Scale {  ///< Metres of the cell a metre of hand.
+  struct Scale {  ///< Metres in the cell per metre of hand motion.
     double rough = 4.0;
     double medium = 1.0;
     double fine = 0.25;
@@ -81,7 +81,7 @@ struct Configuration {
 /// One setting as text, for listing and documentation.
 struct Setting {
   std::string key;    ///< "manipulation.rate_hz"
-  std::string value;  ///< As it would stand in the file.
+  std::string value;  ///< As written in the file.
   std::string range;  ///< "10 .. 1000" or "stop, slide, pass"
 };
 
@@ -96,7 +96,7 @@ Expected<void> setValue(Configuration& configuration, std::string_view key, std:
 /// All settings in the order of the shipped file.
 std::vector<Setting> settings(const Configuration& configuration);
 
-/// Where shipped files stand: the folder named by HAPTICELL_CONFIG_DIR, else share/hapticell beside the folders of
+/// Finds shipped files: in the folder named by HAPTICELL_CONFIG_DIR, else share/hapticell beside the folders of
 /// program_folders.h, else the source tree's config/. The path of `relative` in the first of them that has it.
 Expected<std::string> findShippedFile(const std::string& relative);
 

@@ -60,11 +60,11 @@ struct DeviceProfile {
   bool operator==(const DeviceProfile&) const = default;
 };
 
-/// Reads a profile. Keys that are missing keep the default; an unknown key, a wrong type or a value out of range is
-/// refused with line, key, what stands there and the range.
+/// Reads a profile. Keys that are missing keep the default; an unknown key, a wrong type or a value out of range is an
+/// error with line, key, found value and range.
 Expected<DeviceProfile> readDeviceProfile(const std::filesystem::path& file);
 
-/// The same of a text; `name` stands for the file in errors.
+/// The same of a text; errors use `name` as the file.
 Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::string& name);
 
 }  // namespace hapticell::config

@@ -6,9 +6,9 @@
 
 namespace hapticell::config {
 
-/// The folders of programs beside which files of an installation are looked for, in this order: that of the running
-/// program, and those of the installation whose library holds this function, where a program of somebody else links it.
-/// Absolute paths of folders that exist, each once. From any thread.
+/// The program folders next to which an installation's files are searched, in this order: that of the running program,
+/// then those of the installation whose library contains this function (if another program links it). Absolute paths of
+/// folders that exist, each once. From any thread.
 std::vector<std::filesystem::path> programFolders();
 
 }  // namespace hapticell::config

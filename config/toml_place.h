@@ -6,7 +6,7 @@
 
 namespace hapticell::config {
 
-/// "line 12": where the node stands in its file, as errors name it.
+/// "line 12": the place of the node in its file, for errors.
 inline std::string lineOf(const toml::node& node) {
   return "line " + std::to_string(node.source().begin.line);
 }

@@ -116,7 +116,7 @@ void FeelSession::tick(bool measured) {
   readings_.push_back(reading.X_DS.p);
   if (exact_result_.active_rows != exact_rows_) last_change_ = time_;
   exact_rows_ = exact_result_.active_rows;
-  // What a moving obstacle does to the hand is none of the renderer's making.
+  // What a moving obstacle does to the hand is not caused by the renderer.
   const haptic::MetricVector step = exact_.way(reading.X_DS, X_DSBefore_) - together(kTick * result_.v_DO, dvec3(0.0));
   energy_.add(step, commanded_before, result_.stiffness);
   X_DSBefore_ = reading.X_DS;

@@ -59,7 +59,7 @@ class FeelSession {
   void letGo(double duration);
   /// Largest excursion of the encoder's readings on any axis over the last `seconds`, m.
   double wobble(double seconds) const;
-  /// From now on the figures begin anew.
+  /// Restarts the figures.
   void forgetFigures();
 
   FeelFigures figures() const;

@@ -39,7 +39,7 @@ class ProxyWay final : public RenderingWay {
 };
 
 /// The classic way (Y. Adachi et al., 1995, "intermediate representation"): the client sends the one tangent plane that
-/// is nearest to the stylus, the force loop pushes the stylus out of it; a new plane simply replaces the old one.
+/// is nearest to the stylus, the force loop pushes the stylus out of it; a new plane replaces the old one.
 class ClassicWay final : public RenderingWay {
  public:
   explicit ClassicWay(const haptic::RendererOptions& options) : options_(haptic::limitedByDelay(options)) {}

@@ -80,7 +80,7 @@ Expected<std::unique_ptr<FeelScene>> linkContactScene();
 ConstraintSet emptySet(const Pose& X_DP);
 /// Appends an entry; there is room for it (contract).
 void add(ConstraintSet& set, const Constraint& constraint);
-/// To and fro between -1 and 1 at constant speed; `rate` in ways per second.
+/// Back and forth between -1 and 1 at constant speed; `rate` in strokes per second.
 double triangleWave(double t, double rate);
 
 /// A plane patch through `point` with the normal, as seen from X_DR: exact for a point stylus.

@@ -42,7 +42,7 @@ std::vector<dvec2> flattened(const std::vector<std::vector<dvec3>>& loops) {
   return points;
 }
 
-/// Joins a hole to the outline by the shortest bridge that crosses nothing; false where there is none.
+/// Joins a hole to the outline by the shortest bridge that crosses nothing; false if there is no such bridge.
 bool bridge(std::vector<int>& outline, const std::vector<int>& hole, const std::vector<std::vector<int>>& others,
             const std::vector<dvec2>& points) {
   const auto at = [&](int index) { return points[static_cast<std::size_t>(index)]; };

@@ -21,8 +21,8 @@ struct ColladaText {
 
 /// Reads the file as XML. Taken out or rewritten is what assimp would refuse the whole file for though it plays no part
 /// or has a plain meaning: cameras and lights, blanks before a colour's first number, a geometry that stands twice at a
-/// node, polygons with holes (cut into triangles); nodes without a name get their id, since names go before ids. Errors:
-/// no XML, with its line.
+/// node, polygons with holes (cut into triangles); nodes without a name get their id, since names go before ids.
+/// Errors: no XML, with its line.
 Expected<ColladaText> readColladaText(const std::filesystem::path& file);
 
 }  // namespace hapticell::importer

@@ -53,7 +53,7 @@ class GltfFile {
 
 /// A member as a whole number not below 0, or `otherwise`.
 std::size_t gltfNumber(const nlohmann::json& object, const char* key, std::size_t otherwise);
-/// A member that is an object or list; an empty one where it is none.
+/// A member that is an object or list; an empty one if it does not exist or is of another kind.
 const nlohmann::json& gltfMember(const nlohmann::json& object, const char* key);
 /// Element of a list, or an empty object.
 const nlohmann::json& gltfElement(const nlohmann::json& list, std::size_t index);

@@ -7,11 +7,11 @@
 
 namespace hapticell::importer {
 
-/// The importer's end of what workcell/scenes/import_process.h describes: lines to the parent, the scene's bytes both ways.
-/// One thread.
+/// The importer's end of the protocol in workcell/scenes/import_process.h: lines to the parent, the scene's bytes in
+/// both directions. One thread.
 class ParentLink {
  public:
-  /// Share of the whole work, 0 to 1, and what is going on. Told at most a hundred times.
+  /// Share of the whole work, 0 to 1, and what is going on. Reported at most a hundred times.
   void progress(double share, const std::string& stage);
   /// From here on 0 to 1 of progress() are these shares of the whole: one of several files.
   void setRange(double from, double to);
@@ -22,7 +22,7 @@ class ParentLink {
   static std::string flatParts(const Error& error);
   void done();
 
-  /// The scene that the parent left; empty where there is none.
+  /// The scene written by the parent; empty if there is no scene.
   std::string readScene();
   /// Leaves a scene for the parent; false where there is no room.
   bool writeScene(const std::string& bytes);

@@ -75,7 +75,7 @@ std::string converted(const std::string& text, const char* encoding) {
     const std::size_t done = ::iconv(converter, &in, &left, &out, &room);
     result.append(block.data(), block.size() - room);
     if (done != static_cast<std::size_t>(-1) || errno == E2BIG) continue;
-    result += '?';  // A byte that is none of that encoding.
+    result += '?';  // A byte that is invalid in that encoding.
     ++in;
     --left;
   }

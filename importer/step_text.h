@@ -17,7 +17,8 @@ bool beginsAsStep(std::string_view head);
 /// What stands in the text of a STEP file, told without building anything of it.
 struct StepOutline {
   std::size_t exact_faces = 0;   ///< Faces of exact shapes.
-  std::size_t tessellated = 0;   ///< Tessellated solids, shells and surfaces (AP242) without an exact shape behind them.
+  std::size_t tessellated = 0;   ///< Tessellated solids, shells and surfaces (AP242) without an exact shape behind
+                                 ///< them.
   std::size_t joints = 0;        ///< Of a mechanism.
   /// Texts with bytes of 0x80 and above that are no UTF-8: where they begin and how long they are.
   std::vector<std::pair<std::size_t, std::size_t>> raw;

@@ -52,7 +52,7 @@ class SourceParts {
 
   double metresPerUnit() const { return cad_.metres_per_unit; }
 
-  /// The shape of a part in its own frame; of everything where `path` is empty. Null where there is none.
+  /// The shape of a part in its own frame; of everything where `path` is empty. Null if there is no shape.
   TopoDS_Shape find(const std::string& path) const {
     if (path.empty()) return whole();
     const auto found = parts_.find(path);

@@ -15,8 +15,8 @@
 
 namespace hapticell::xacro {
 
-/// Evaluates the texts of a description: the interpreter with what $(…) stands for, the arguments of the expansion, and
-/// warnings at the element that is worked on. Throws Fault.
+/// Evaluates the texts of a description: the interpreter with the substitutions $(…), the arguments of the expansion,
+/// and warnings at the current element. Throws Fault.
 class Evaluator : public Surroundings {
  public:
   Evaluator(const Arguments& arguments, SourceFiles& sources, std::vector<DeclaredArgument>& declared,

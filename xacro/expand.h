@@ -14,9 +14,9 @@ namespace hapticell::xacro {
 
 /// How the reader reaches files: it opens none by itself.
 struct Files {
-  /// The text of a file. Error: it is not there, is no regular file, is too large.
+  /// The text of a file. Error: it does not exist, is not a regular file, is too large.
   std::function<Expected<std::string>(const std::filesystem::path&)> read;
-  /// The file that "package://NAME/rest", a path, or a path relative to `folder` stands for; nothing: there is none.
+  /// The file that "package://NAME/rest", a path, or a path relative to `folder` refers to; empty: it does not exist.
   std::function<std::optional<std::filesystem::path>(const std::string& reference, const std::filesystem::path& folder)>
       find;
 };
@@ -28,7 +28,7 @@ using Arguments = std::map<std::string, std::string>;
 struct DeclaredArgument {
   std::string name;
   std::string value;                     ///< What was given, else the default.
-  std::optional<std::string> otherwise;  ///< The default; nothing where there is none: a value must be given.
+  std::optional<std::string> otherwise;  ///< The default; empty: a value must be given.
   std::string file;
   int line = 0;
 
@@ -52,8 +52,8 @@ struct Expanded {
 /// The file runs no code: see interpreter.h. Everything is bounded (budget.h), so that any file ends within a second.
 /// `declared` gets the arguments that were met, also where the file is refused. What cannot be evaluated inside of
 /// <gazebo>, <transmission> or <ros2_control>, which move nothing, is left out with a warning. Errors name file, line,
-/// and the macros on the way: a name that is not defined, an unknown macro, parameter or substitution, a file that is
-/// not there, what is passed over a bound. Any thread.
+/// and the macros on the way: an undefined name, an unknown macro, parameter or substitution, a missing file, an
+/// exceeded limit. Any thread.
 Expected<Expanded> expand(const std::filesystem::path& file, const Arguments& arguments, const Files& files,
                           std::vector<DeclaredArgument>& declared, Diagnostics& diagnostics);
 

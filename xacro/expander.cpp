@@ -303,7 +303,7 @@ const Macro* Expander::findMacro(const std::string& full_name, Scope*& caller, M
 void Expander::callMacro(const XmlNode& node, const std::string& full_name, const Context& context, Nodes& out) {
   Scope* caller = &context.symbols;
   MacroScope* macros = &context.macros;
-  const Macro kept = *findMacro(full_name, caller, macros);  // A copy: it may define itself anew.
+  const Macro kept = *findMacro(full_name, caller, macros);  // A copy: it may redefine itself.
   budget_.step(10 + kept.parameters.size());
   Scope& inside = evaluator_.scopes().make(caller);
   MacroScope& inside_macros = macro_scopes_.emplace_back(macros);

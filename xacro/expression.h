@@ -9,7 +9,7 @@
 
 namespace hapticell::xacro {
 
-/// A node of a parsed expression. What stands in the fields depends on the kind.
+/// A node of a parsed expression. The meaning of the fields depends on the kind.
 struct Expression {
   enum class Kind {
     kConstant,       ///< value
@@ -49,7 +49,7 @@ using ExpressionPointer = std::shared_ptr<const Expression>;
 
 /// Parses an expression in the part of Python's language that has no statements: literals, lists, tuples, dictionaries,
 /// arithmetic, comparisons, and/or/not, a if b else c, indices and slices, attributes, calls, lambda and
-/// comprehensions. Fault where it is none, uses another part of the language, is over 64 kB, or nests deeper than 100
+/// comprehensions. Fault if it is invalid, uses another part of the language, is over 64 kB, or nests deeper than 100
 /// levels.
 ExpressionPointer parseExpression(const std::string& text);
 

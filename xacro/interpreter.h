@@ -12,7 +12,7 @@
 
 namespace hapticell::xacro {
 
-/// What stands behind $(…) and the functions of xacro's own that look outside: the expander.
+/// Provides $(…) and those functions of xacro that access files: implemented by the expander.
 class Surroundings {
  public:
   virtual ~Surroundings() = default;
@@ -41,7 +41,7 @@ class Interpreter {
   Value evaluateText(const std::string& text, Scope& scope);
   std::string textOfText(const std::string& text, Scope& scope) { return textOf(evaluateText(text, scope), budget_); }
   Value evaluateExpression(const std::string& text, Scope& scope);
-  /// Calls a function's value; Fault where it is none.
+  /// Calls a function value; Fault if the value is not a function.
   Value call(const Value& function, std::vector<Value> arguments, std::map<std::string, Value> named = {});
   /// What a "for" goes through: items of lists, keys of dictionaries, letters of texts.
   std::vector<Value> itemsOf(const Value& value);

@@ -12,8 +12,8 @@
 namespace hapticell::xacro {
 
 /// Gives the parameters of one call of a macro their values, in the scope of its body: first those of the call, then
-/// its blocks, then the defaults. Throws Fault for parameters that are unknown or missing. What it is made of must
-/// outlive it.
+/// its blocks, then the defaults. Throws Fault for parameters that are unknown or missing. The constructor's arguments
+/// must outlive it.
 class MacroCall {
  public:
   MacroCall(const Macro& macro, Scope& caller, Scope& inside, Evaluator& evaluator);

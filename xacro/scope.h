@@ -55,7 +55,7 @@ Value literalOf(const std::string& text);
 /// What a condition's value says: true, false, 1, 0 as texts, else whether it is something. Fault for other texts.
 bool conditionOf(const Value& value, const std::string& written);
 
-/// As Python's int() and float() read texts, blanks around allowed; nothing where it is none.
+/// Reads numbers like Python's int() and float(), with blanks around them; empty if the text is not a number.
 std::optional<std::int64_t> wholeFromText(const std::string& text);
 std::optional<double> numberFromText(const std::string& text);
 

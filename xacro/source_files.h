@@ -16,8 +16,8 @@
 
 namespace hapticell::xacro {
 
-/// The files of one expansion: finds and reads them, each description once, and knows which is expanded now.
-/// Throws Fault for a file that is not there or cannot be read.
+/// The files of one expansion: finds and reads them, each description once, and knows which is expanded now. Throws
+/// Fault for a file that does not exist or cannot be read.
 class SourceFiles {
  public:
   SourceFiles(const Files& files, Budget& budget) : files_(files), budget_(budget) {}
@@ -26,7 +26,7 @@ class SourceFiles {
   XmlPointer parsed(const std::filesystem::path& file, int& index);
   /// The text of another file. It is found as an include is; `file` becomes its path.
   std::string textOf(const std::string& reference, std::string& file);
-  /// What a reference from the file that is expanded now stands for; nothing where there is none.
+  /// The file that a reference in the file being expanded refers to; empty if it does not exist.
   std::optional<std::filesystem::path> find(const std::string& reference) const {
     return files_.find(reference, folder());
   }

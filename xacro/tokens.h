@@ -16,8 +16,8 @@ struct Token {
   Value value;       ///< Of numbers and texts.
 };
 
-/// Splits an expression into its words, with an end at the end. Fault for what is none: a text without its closing
-/// quote, a number with letters behind it, a sign that Python does not have.
+/// Splits an expression into tokens, with an end token last. Fault for invalid tokens: a text without its closing
+/// quote, a number followed by letters, a character that Python does not have.
 std::vector<Token> tokensOf(const std::string& text);
 
 }  // namespace hapticell::xacro

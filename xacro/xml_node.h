@@ -13,7 +13,7 @@ namespace hapticell::xacro {
 struct XmlNode;
 using XmlPointer = std::shared_ptr<const XmlNode>;
 
-/// An element or a text, with where it stands.
+/// An element or a text, with its place in the file.
 struct XmlNode {
   struct Attribute {
     std::string name, value;
@@ -27,7 +27,7 @@ struct XmlNode {
   int line = 0;
 
   bool isElement() const { return !name.empty(); }
-  /// Null where there is none.
+  /// Null if it does not exist.
   const Attribute* attribute(const std::string& wanted) const;
 };
 

@@ -15,9 +15,9 @@ namespace hapticell::app {
 class Host;
 class PlaceFields;
 
-/// What is about to be added, as a ghost in the scene: it stands on the face under the pointer where that looks up,
-/// else on the floor (z = 0), turned as the fields say. A click gives the place to the fields and adds it; Escape, the
-/// right button, or another pick ends it. An open pick of the viewport all the while. GUI thread.
+/// A new entity before it is added, as a ghost in the scene: it stands on the face under the pointer where that looks
+/// up, else on the floor (z = 0), turned as the fields say. A click gives the place to the fields and adds it; Escape,
+/// the right button, or another pick ends it. An open pick of the viewport all the while. GUI thread.
 class GhostPlacer : public QObject {
  public:
   /// `add` adds the thing where `place` says; it is called once a click.

@@ -14,8 +14,8 @@ namespace hapticell::app {
 class Host;
 class ValueField;
 
-/// Where something new shall stand: X, Y, Z, a turn about Z, and a button that takes a point of the scene. Two rows for
-/// a section of a panel.
+/// Fields for the place of a new entity: X, Y, Z, a turn about Z, and a button that takes a point of the scene. Two
+/// rows for a section of a panel.
 class PlaceFields : public QWidget {
   Q_OBJECT
  public:

@@ -7,8 +7,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// The one clock by which docks show numbers anew, ten times a second: connect to its timeout(). One for all, so that a
-/// window at rest wakes ten times a second and not ten times for each dock. Owned by the window. GUI thread.
+/// The shared timer for refreshing numbers in panels, ten times a second: connect to its timeout(). All panels share
+/// it, so that an idle window wakes only ten times a second. Owned by the window. GUI thread.
 QTimer& refreshTimer(Host& host);
 
 }  // namespace hapticell::app

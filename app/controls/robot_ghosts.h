@@ -8,8 +8,8 @@
 
 namespace hapticell::app {
 
-/// The robot at other joints, and with it all that hangs on it (grippers, gripped parts), as they would stand then.
-/// Empty where the document has no such robot.
+/// The robot at other joints, with everything attached to it (grippers, gripped parts). Empty where the document has no
+/// such robot.
 std::vector<GhostPose> robotGhosts(const workcell::DocumentState& state, workcell::EntityId robot,
                                    const std::vector<double>& joints, bool touches = false);
 

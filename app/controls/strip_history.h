@@ -22,7 +22,8 @@ struct StripSample {
 class StripHistory {
  public:
   explicit StripHistory(double length_s = 20.0, double step_s = 0.025) : length_s_(length_s), step_s_(step_s) {}
-  /// Takes a snapshot; one that is not newer than the last is ignored, one that is older begins anew (a new loop).
+  /// Adds a snapshot. If it has the same time as the last one, it is ignored; if it is older, the history restarts (a
+  /// new loop).
   void add(const manipulation::SceneSnapshot& snapshot);
   void clear() { samples_.clear(); }
   const std::deque<StripSample>& samples() const { return samples_; }

@@ -5,7 +5,7 @@ namespace hapticell::app {
 
 class Host;
 
-/// The gizmo of what is selected, its keys and its dock.
+/// The gizmo of the selection, its keys and its panel.
 void addEditDocks(Host& host);
 
 }  // namespace hapticell::app

@@ -11,7 +11,7 @@ namespace hapticell::app {
 /// Whose axes a move follows; kFrame: those of a frame that is chosen.
 enum class EditAxes { kWorld, kParent, kOwn, kFrame };
 
-/// What an entity stands in: the link or solid that carries it, else the entity it stands below in the tree; identity
+/// The parent of an entity: the link or solid that carries it, else the entity it stands below in the tree; identity
 /// where there is neither.
 Pose parentPose_W(const workcell::DocumentState& state, const workcell::Entity& entity);
 

@@ -15,8 +15,9 @@ namespace hapticell::app {
 
 class MannequinContext;
 
-/// The scores of the mannequin as it stands, at every frame in which it moves: all methods, both sides, four bodies at
-/// the same task; and, once it rests, what would bring the score down. GUI thread; what takes long runs beside it.
+/// The scores of the mannequin's present posture, at every frame in which it moves: all methods, both sides, four
+/// bodies at the same task; and, when it stops moving, suggestions to lower the score. GUI thread; what takes long runs
+/// beside it.
 class LiveScores : public QObject {
   Q_OBJECT
  public:
@@ -33,7 +34,7 @@ class LiveScores : public QObject {
   /// The document's task of this mannequin; where it has none, one in which nothing is entered.
   const ergonomics::WorkTask& task() const { return task_; }
   bool hasTask() const { return has_task_; }
-  /// The user's own limits of the hands' force, of the file that was chosen last; empty where there is none.
+  /// The user's own limits of the hands' force, from the last chosen file; empty without such a file.
   const ergonomics::ForceTable& ownLimits() const { return own_limits_; }
   /// Reads a table and keeps its name for the next start; an empty name forgets it. What cannot be read changes
   /// nothing.
@@ -55,7 +56,7 @@ class LiveScores : public QObject {
   const std::optional<Advice>& advice() const { return advice_; }
   /// "Nearest: upper arm 97° to 45° gives RULA 4. Lowering the work by 70 mm gives RULA 4."
   QString adviceText(ergonomics::PostureMethod method) const;
-  /// What costs the lift's index most and what would bring it down; empty where there is no lift.
+  /// The main drivers of the lifting index and how to lower it; empty where there is no lift.
   QString liftAdviceText() const;
 
  signals:

@@ -14,7 +14,7 @@
 namespace hapticell::app {
 
 /// A recorded motion on the four bodies and on the mannequin itself, scored frame by frame. GUI thread; reading and
-/// scoring run beside it.
+/// scoring run in the background.
 class MotionScoresModel : public QObject {
   Q_OBJECT
  public:
@@ -22,7 +22,7 @@ class MotionScoresModel : public QObject {
   /// Begins to read a BVH, AMC (the ASF beside it) or C3D file and to score it with the task. `figure` is the
   /// mannequin's.
   void open(const QString& path, std::shared_ptr<const mannequin::Figure> figure, const ergonomics::WorkTask& task);
-  /// Scores the motion anew where it was scored for another figure or task.
+  /// Scores the motion again if it was scored for another figure or task.
   void follow(const std::shared_ptr<const mannequin::Figure>& figure, const ergonomics::WorkTask& task);
   /// As before the first motion; one that is being read is not taken.
   void clear();
@@ -47,7 +47,7 @@ class MotionScoresModel : public QObject {
   double shareAbove(std::size_t body) const;
   /// Where RULA of the own body stays at its highest; only while there is a motion.
   const ergonomics::ScorePhase& worstPhase() const { return motion_->phase; }
-  /// The frame that stands for it.
+  /// The frame that represents it.
   int worstFrame() const { return motion_ ? static_cast<int>(motion_->phase.shown) : 0; }
   /// The same with its time span; empty while there is no motion.
   std::optional<ergonomics::MotionPhase> phase() const;

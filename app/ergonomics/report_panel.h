@@ -42,7 +42,7 @@ class ReportPanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
-  /// All that the page is made of, as it stands now.
+  /// All present data of the page.
   ergonomics::PostureReportInput input() const;
   bool isOfTask() const;
   bool isOfPhase() const;
@@ -55,7 +55,7 @@ class ReportPanel : public QWidget {
   /// Once nothing has changed for a moment: a page that changes while a hand is drawn is not read, and costs frames.
   void drawLater();
   void chooseFile();
-  /// Takes the picture of the figure in its cell anew, smooth or quick.
+  /// Renders the picture of the figure in its cell again, smooth or quick.
   void takeScene(int samples);
   MannequinContext& context_;
   const LiveScores& scores_;

@@ -23,7 +23,7 @@ class TimePanel : public QWidget {
   void open(const QString& path);
   /// Asks for a recording and opens it.
   void choose();
-  /// The motion on this mannequin as BVH; what is wrong stands in the messages.
+  /// The motion on this mannequin as BVH; errors are shown in the messages.
   bool saveMotion(const QString& path);
   int frame() const { return frame_; }
   void setFrame(int frame);

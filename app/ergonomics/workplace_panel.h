@@ -23,9 +23,9 @@ class MannequinContext;
 class ValueField;
 class WorkplaceView;
 
-/// Finds where a table (and what is on it) should stand so that the worst score over four bodies is least: the parts
-/// that are ticked may move, with what is attached to them, and nothing else; how far, standing or sitting; a map of
-/// the result, and a button that puts it there as one step of undo.
+/// Finds the place of a table (and what is on it) for which the worst score of four bodies is least: the parts that are
+/// ticked may move, with what is attached to them, and nothing else; how far, standing or sitting; a map of the result,
+/// and a button that puts it there as one step of undo.
 class WorkplacePanel : public QWidget {
   Q_OBJECT
  public:

@@ -12,7 +12,7 @@ namespace hapticell::app {
 
 namespace {
 
-/// SI of one such unit; 0 for a word that is none.
+/// SI of one such unit; 0 for an unknown word.
 double unitNamed(const QString& word, bool turns) {
   static const std::map<QString, double> angles{{"°", kDegree}, {"deg", kDegree}, {"rad", 1.0}};
   static const std::map<QString, double> lengths{{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}};

@@ -12,8 +12,8 @@ namespace hapticell::app {
 /// plane, path and rings of a tube, locked and free axes. Dash-dot in the guide's colour; ends that are stops are
 /// marked.
 ///
-/// `p_WMoved` is where the guided entity's moved frame stands: a hinge's arc runs through it. `named`: the guide's name
-/// stands beside it.
+/// `p_WMoved` is the origin of the guided entity's moved frame: a hinge's arc runs through it. `named`: the guide's
+/// name stands beside it.
 std::vector<SceneCurve> guideCurves(const workcell::Guide& guide, const dvec3& p_WMoved, bool named);
 
 }  // namespace hapticell::app

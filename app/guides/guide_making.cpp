@@ -33,7 +33,7 @@ bool hasDirection(const PickedFeature& feature) {
          (feature.kind == FeatureKind::kEdge && feature.edge == EdgeShape::kLine);
 }
 
-/// Radius of what is round; 0 where there is none.
+/// Radius of what is round; 0 if it is not round.
 double radiusOf(const PickedFeature& feature) {
   if (feature.kind == FeatureKind::kEdge) return feature.edge == EdgeShape::kCircle ? feature.radius : 0.0;
   if (feature.surface_W.type == SurfaceType::kTorus) return feature.surface_W.major_radius;

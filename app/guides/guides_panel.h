@@ -20,14 +20,14 @@ struct PickedFeature;
 
 /// The guides of the cell: the list with its switches, and the editor of the chosen one. A guide is made by choosing
 /// its kind and picking its geometry in the scene; every edit is a command of the document, so it is felt at once and
-/// can be undone. The guides stand in the scene as dash-dot lines.
+/// can be undone. The guides are drawn in the scene as dash-dot lines.
 class GuidesPanel : public QWidget {
   Q_OBJECT
  public:
   explicit GuidesPanel(Host& host, QWidget* parent = nullptr);
   /// The chosen guide's name; empty: none.
   QString current() const { return current_; }
-  /// Puts the lines into the scene as things stand now; called a few times a second.
+  /// Updates the lines in the scene; called a few times a second.
   void showCurves();
 
  private:

@@ -13,11 +13,11 @@ struct HelpChapter {
   QStringList pages;  ///< Names, see helpPage().
 };
 
-/// The manual's contents: every page stands in one chapter.
+/// The manual's contents: every page is in one chapter.
 std::vector<HelpChapter> helpContents();
 
-/// A page as Markdown, by its name (a dock's, "dockMove", or "firstSteps") and language ("en"); the page about the
-/// scene where there is none of that name, the English one where it is not translated.
+/// A page as Markdown, by its name (a panel's, "dockMove", or "firstSteps") and language ("en"). If no page has that
+/// name, the page about the scene; if it is not translated, the English page.
 QString helpPage(const QString& name, const QString& language);
 /// What the page's heading says.
 QString helpTitle(const QString& name, const QString& language);

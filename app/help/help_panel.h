@@ -22,7 +22,7 @@ class HelpPanel : public QWidget {
   void showPage(const QString& name);
   /// The name of the page that is shown.
   QString page() const;
-  /// Writes the page anew, where the reader is.
+  /// Writes the page again and keeps the reading position.
   void refresh();
 
  private:

@@ -13,7 +13,7 @@
 
 namespace hapticell::app {
 
-/// Work on files beside the window that ends in a sentence or in a change of the document: exports, reports, reading
+/// Work on files in the background that ends with a sentence or a change of the document: exports, reports, reading
 /// shapes again. One piece after the other. GUI thread, but for the work itself.
 class BackgroundWork : public QObject {
   Q_OBJECT
@@ -24,7 +24,7 @@ class BackgroundWork : public QObject {
   using Failed = std::function<void(const Error&)>;
 
   explicit BackgroundWork(QObject* parent = nullptr);
-  /// Ends what is under way within a second, where that asks its monitor.
+  /// Ends running work within a second, if that work checks its monitor.
   ~BackgroundWork() override;
 
   /// `name` is shown while it lasts. What the work throws becomes an error.

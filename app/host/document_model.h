@@ -28,7 +28,7 @@ class DocumentModel : public QObject {
   /// Where it was read from: its own path, or that of the sample that it is a copy of; empty for a new one.
   const std::filesystem::path& origin() const { return origin_; }
 
-  /// Does a command as one step of undo; what was refused is told by refused().
+  /// Does a command as one step of undo; refused() reports refused commands.
   bool execute(const workcell::Command& command);
   /// Several commands as one step of undo, and one changed(); where one is refused, none is done.
   bool executeAll(const QString& text, const std::vector<workcell::Command>& commands);
@@ -45,8 +45,8 @@ class DocumentModel : public QObject {
   void endStep();
   void cancelStep();
 
-  /// From here to endTrial() what is moved is only tried: a trainee's run. The cell does not count as changed, and at
-  /// the end all stands where it stood, with no step of undo. Whatever else changes the cell, saves it or closes it
+  /// From here to endTrial() what is moved is only tried: a trainee's run. The cell does not count as changed; at the
+  /// end everything returns to its place, without an undo step. Whatever else changes the cell, saves it or closes it
   /// ends the trial first.
   void beginTrial();
   void endTrial();
@@ -67,12 +67,12 @@ class DocumentModel : public QObject {
  signals:
   void changed();  ///< The document differs from before; undo and redo included.
   void refused(const QString& sentence);
-  /// Another document will stand in its place. Whoever keeps something of this one (what was picked, measured, played,
+  /// Another document will replace this one. Whoever keeps something of this one (what was picked, measured, played,
   /// scored, drawn, chosen of it) drops it now, so that nothing of it is in the next; ids of its entities mean nothing
   /// there.
   void closing();
-  void trialEnded();  ///< All stands again where it stood before the trial.
-  void opened();      ///< Another document stands in its place.
+  void trialEnded();  ///< Everything is back at its place before the trial.
+  void opened();      ///< Another document has replaced it.
   /// Saving put recordings beside the document (old to new path); before changed().
   void recordingsMoved(const std::map<std::string, std::string>& places);
 
@@ -82,7 +82,7 @@ class DocumentModel : public QObject {
     bool dirty = false;            ///< Before it.
     std::optional<Entities> step;  ///< Where all stood when the step that is open began.
   };
-  /// What is no motion ends the trial.
+  /// Commands that are not motions end the trial.
   void endTrialFor(const std::vector<workcell::Command>& commands);
   void goBackTo(const Entities& before);
   void replaceBy(workcell::Document document, std::filesystem::path origin);

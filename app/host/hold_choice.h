@@ -74,7 +74,7 @@ class HoldChoice : public QObject {
     emit changed();
   }
 
-  /// Whoever holds something lets it go; it stays where it is.
+  /// Held entities are released; it stays where it is.
   void letGo() { emit letGoWanted(); }
 
  signals:

@@ -60,7 +60,7 @@ class Host {
   /// frame.
   virtual void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) = 0;
   virtual const std::optional<manipulation::SceneSnapshot>& snapshot() const = 0;
-  /// Where whoever needs the cell for queries asks for it, in any thread (manipulation/scene/scene_service.h). Never null.
+  /// The owner of prepared scenes, for all queries, in any thread (manipulation/scene/scene_service.h). Never null.
   virtual std::shared_ptr<manipulation::SceneService> scenes() = 0;
   /// The cell as a running module has prepared it for queries; null: none does. Newer than the document it never is.
   virtual void setPreparedScene(std::shared_ptr<const manipulation::PreparedScene> scene) = 0;

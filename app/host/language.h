@@ -12,7 +12,7 @@ class Translator : public QTranslator {
  public:
   using QTranslator::QTranslator;
   static constexpr const char* kContext = "HaptiCell";
-  /// False where there is none for that language ("en" needs none).
+  /// False if there is no translation for that language ("en" needs no translation).
   bool loadLanguage(const QString& language);
   bool isEmpty() const override { return QTranslator::isEmpty(); }
   QString translate(const char* context, const char* text, const char* meaning, int count) const override;

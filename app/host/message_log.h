@@ -35,7 +35,7 @@ struct Message {
   std::vector<MessageLine> lines = {};  ///< Where there are any, panels list them instead of `text`.
 };
 
-/// What was told so far, newest last. Never a window in front of the scene. GUI thread.
+/// The messages so far, newest last. Never a window in front of the scene. GUI thread.
 class MessageLog : public QObject {
   Q_OBJECT
  public:

@@ -28,7 +28,7 @@ class MotionMemory {
   using Places = std::map<workcell::EntityId, Place>;
   static constexpr double kKept = 60.0;  ///< Seconds of motion.
 
-  /// `places` tells where all entities stand now, as drawn.
+  /// `places` gives the present placements of all entities, as drawn.
   MotionMemory(DocumentModel& document, std::function<Places()> places);
   /// Keeps what moved since the last look; `seconds` lie between the two (longer pauses count as 0.2).
   void look(double seconds);

@@ -10,8 +10,8 @@
 
 namespace hapticell::app {
 
-/// What the user chose for the window, by key ("units/length"), kept in a file from one start to the next. Nothing of a
-/// workcell stands here. GUI thread.
+/// What the user chose for the window, by key ("units/length"), kept in a file from one start to the next. It contains
+/// no data of a workcell. GUI thread.
 class UserSettings : public QObject {
   Q_OBJECT
  public:

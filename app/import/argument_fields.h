@@ -13,13 +13,13 @@ class QVBoxLayout;
 
 namespace hapticell::app {
 
-/// A field for each argument of a xacro file: its name, its default as the field's hint, and what the user enters.
-/// Hidden where there is none.
+/// A field for each argument of a xacro file: its name, its default as the field's hint, and the user's value. Hidden
+/// if the file has no arguments.
 class ArgumentFields : public QWidget {
   Q_OBJECT
  public:
   explicit ArgumentFields(QWidget* parent = nullptr);
-  /// Fields are made anew where the file or its arguments are others than before.
+  /// If the file or its arguments have changed, the fields are made again.
   void setArguments(int file, const std::vector<xacro::DeclaredArgument>& arguments,
                     const std::map<std::string, std::string>& values);
 

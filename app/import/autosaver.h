@@ -14,8 +14,8 @@
 
 namespace hapticell::app {
 
-/// Keeps a copy of the unsaved document against a crash (workcell/files/autosave.h): twice a minute where something changed,
-/// written by another thread, and at once where the program breaks. GUI thread, but for keepNow().
+/// Keeps a copy of the unsaved document against a crash (workcell/files/autosave.h): twice a minute where something
+/// changed, written by another thread, and at once where the program breaks. GUI thread, but for keepNow().
 class Autosaver : public QObject {
   Q_OBJECT
  public:

@@ -12,7 +12,8 @@ namespace hapticell::app {
 class DocumentModel;
 
 /// Keeps two programs on one file from undoing each other's work: says that this window has the open document
-/// (workcell/files/document_lock.h), and whether saving should be asked about. It goes by content, not by clocks. GUI thread.
+/// (workcell/files/document_lock.h), and whether saving should be asked about. It goes by content, not by clocks. GUI
+/// thread.
 class DocumentGuard : public QObject {
   Q_OBJECT
  public:

@@ -22,7 +22,7 @@ struct OpenedDocument {
       {};  ///< What its file held (contentName()), or the one that a copy is a copy of; empty: unknown.
 };
 
-/// Reads workcell documents, with all the meshes they name, beside the window. One at a time: another begins by giving
+/// Reads workcell documents, with all the meshes they name, in the background. One at a time: another begins by giving
 /// the first one up. GUI thread.
 class DocumentOpener : public QObject {
   Q_OBJECT
@@ -43,7 +43,7 @@ class DocumentOpener : public QObject {
   bool isBusy() const { return run_ != nullptr; }
   QString name() const;
   workcell::ImportProgress progress() const;
-  /// Ends it within a second; ended() tells of it as of a failure.
+  /// Ends it within a second; ended() reports it like a failure.
   void cancel();
 
  signals:

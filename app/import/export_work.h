@@ -11,8 +11,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// What the window gives back: exports, packs and change reports, written beside the window; messages tell what came of
-/// it. The functions that ask for a file end in those that take its name. GUI thread.
+/// What the window gives back: exports, packs and change reports, written in the background; messages report the
+/// result. The functions that ask for a file end in those that take its name. GUI thread.
 class ExportWork : public QObject {
   Q_OBJECT
  public:

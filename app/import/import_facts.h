@@ -9,7 +9,7 @@
 
 namespace hapticell::app {
 
-/// What is known of a file once it was read, and how it looks.
+/// Facts of a file after reading, and its preview.
 struct ImportFacts {
   QString format;                       ///< "STEP AP214", "STL" ...
   qint64 bytes = 0;                     ///< Of the file.
@@ -17,7 +17,7 @@ struct ImportFacts {
   double metres_per_unit = 1.0;         ///< As it was read.
   bool unit_is_stated = false;          ///< The file names it.
   double likely_metres_per_unit = 1.0;  ///< Guessed from the size where the file names none.
-  bool unit_is_open = false;            ///< It names none, and the size does not tell either.
+  bool unit_is_open = false;            ///< It has no unit, and the size does not suggest one.
   workcell::UpAxis up_axis = workcell::UpAxis::kZ;
   std::size_t parts = 0, triangles = 0;
   bool can_be_cut_finer = false;                   ///< STEP and IGES; others hold triangles.

@@ -36,8 +36,8 @@ struct FileImport {
   double seconds = 0.0;  ///< That the examination took.
 };
 
-/// Files that are being imported: each is read beside the window (workcell::Importer), shown, and handed over when the
-/// user says so; several wait for each other. Nothing here reads a file in the caller's thread. GUI thread.
+/// Files that are being imported: each is read in the background (workcell::Importer), shown, and imported when the
+/// user confirms; several wait for each other. Nothing here reads a file in the caller's thread. GUI thread.
 class ImportSession : public QObject {
   Q_OBJECT
  public:

@@ -16,7 +16,7 @@ class Segmented;
 class ValueField;
 
 /// Care for the mesh of the selected solid: what is odd about it, fewer triangles, faces turned outwards, and what it
-/// is checked by. Each change is one step of undo, made beside the window, with the deviation told.
+/// is checked by. Each change is one undo step, made in the background; the deviation is shown.
 class MeshCarePanel : public QWidget {
   Q_OBJECT
  public:

@@ -10,7 +10,8 @@
 
 namespace hapticell::app {
 
-/// The commands that give entities the shapes that their files hold now, proxies made anew, and what could not be read.
+/// The commands that load the shapes again from the files, with new collision shapes, and the files that could not be
+/// read.
 struct ShapeReload {
   std::vector<workcell::Command> commands;
   std::vector<std::string> problems;  ///< A sentence each; those entities stay as they are.

@@ -10,8 +10,7 @@
 
 namespace hapticell::app {
 
-/// Watches the files that the document's entities came from and tells when some of them hold something else. GUI
-/// thread.
+/// Watches the source files of the document's entities and reports when their content changes. GUI thread.
 class SourceWatch : public QObject {
   Q_OBJECT
  public:

@@ -6,8 +6,8 @@
 
 namespace hapticell::app {
 
-/// The small picture of a cell that was kept when the cell was left or saved last; null where there is none. It lies in
-/// the user's cache, under a name made of the cell's path.
+/// The thumbnail of a cell from when it was last saved or left; null if there is no thumbnail. It is in the user's
+/// cache, under a name made from the cell's path.
 QImage keptPicture(const QString& path);
 /// Keeps the picture of the cell at `path` in place of an older one; nothing where that cannot be written.
 void storePicture(const QString& path, const QImage& picture);

@@ -76,7 +76,7 @@ void setTabWidths(QTabBar& bar, int room) {
   if (bar.property("iconTab").toInt() == icon_tab && bar.property("chosenTab").toInt() == chosen) return;
   bar.setProperty("iconTab", icon_tab);
   bar.setProperty("chosenTab", chosen);
-  if (bar.count() > 0) bar.setTabText(0, bar.tabText(0));  // Lays it out anew.
+  if (bar.count() > 0) bar.setTabText(0, bar.tabText(0));  // Lays it out again.
 }
 
 /// Names in place of icons, and icons where there is no room for all names (the chosen tab keeps its name).
@@ -90,7 +90,7 @@ void fitTabs(QTabBar& bar, int room) {
     // NOLINTNEXTLINE(performance-no-int-to-ptr): so Qt keeps the docks of its tabs.
     const auto* dock = reinterpret_cast<const QDockWidget*>(bar.tabData(i).value<quintptr>());
     if (bar.tabToolTip(i) != bar.tabText(i)) bar.setTabToolTip(i, bar.tabText(i));
-    // Each icon that is set lays the bar out anew.
+    // Each icon that is set lays the bar out again.
     const bool wants_icon = compact && dock;
     if (bar.tabIcon(i).isNull() == wants_icon)
       bar.setTabIcon(i, wants_icon ? icon(iconNameOf(dock->objectName())) : QIcon());

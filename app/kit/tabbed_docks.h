@@ -36,7 +36,7 @@ class TabbedDocks : public QObject {
   bool arranging_ = false;
 };
 
-/// A tab's text with a count, drawn as a badge: "Collisions (2)". Nought has no badge but keeps its room.
+/// A tab's text with a count, drawn as a badge: "Collisions (2)". A count of 0 has no badge, but its space is kept.
 QString tabTextWithCount(const QString& text, int count);
 
 }  // namespace hapticell::app

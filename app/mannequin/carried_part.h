@@ -13,13 +13,13 @@ namespace hapticell::app {
 
 class MannequinContext;
 
-/// The row *In the hand*: which solid, and the button that takes it or lets it go. GUI thread.
+/// The row *In the hand*: which solid, and the button that takes or releases it. GUI thread.
 class CarriedPart : public QObject {
   Q_OBJECT
  public:
   /// The context must outlive it.
   CarriedPart(MannequinContext& context, QVBoxLayout& section, QObject* parent = nullptr);
-  /// 0: there is none.
+  /// 0: no part is chosen.
   workcell::EntityId chosen() const;
   void show();
 

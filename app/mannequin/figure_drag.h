@@ -13,9 +13,9 @@ namespace hapticell::app {
 
 class MannequinContext;
 
-/// Draws the mannequin by a hand, both hands or the head to where the mouse wants it, in a thread of its own: through
-/// the same held entity that the stylus moves, so that nothing is entered and limits, feet and balance hold. All
-/// between begin() and end() is one step of undo. GUI thread.
+/// Drags the mannequin by a hand, both hands or the head to the mouse's target, in a separate thread: through the same
+/// held entity that the stylus moves, so that nothing is entered and limits, feet and balance hold. All between begin()
+/// and end() is one step of undo. GUI thread.
 class FigureDrag : public QObject {
   Q_OBJECT
  public:
@@ -23,11 +23,11 @@ class FigureDrag : public QObject {
   ~FigureDrag() override;
 
   using Turn = manipulation::FigureWay::Turn;
-  /// Takes the mannequin as it stands. `text` names the step.
+  /// Takes the mannequin in its present posture. `text` names the step.
   void begin(const QString& text, const manipulation::MovedBy& moved_by, Turn turn = Turn::kAsWanted);
   /// Where the moved frame shall be; the newest counts, and is reached even when end() follows at once.
   void moveTo(const Pose& X_WM);
-  /// Ends it where it stands; `keep` false takes all back.
+  /// Ends it in its present posture; `keep` false takes all back.
   void end(bool keep = true);
   bool isOpen() const { return open_; }
   bool isBusy() const { return busy_; }

@@ -105,7 +105,7 @@ void FigureDrawings::addSwitches(QVBoxLayout& column) {
     button->setObjectName(QStringLiteral("draw%1").arg(i));
     if (i == kSizesReach) button->setToolTip(tr("Reach of people of the same sex in the same stance"));
     connect(button, &QCheckBox::clicked, this, [this] {
-      figure_.reset();  // Looks at it anew.
+      figure_.reset();  // Reads it again.
       showNow();
     });
     column.addWidget(button);

@@ -11,8 +11,8 @@ namespace hapticell::app {
 
 class Host;
 
-/// Sees to it that every mannequin is drawn in its skin (mannequin/shape/figure_skin.h) in place of its links. It is made
-/// beside the window once for each size; until it is there, some seconds, the links are seen. GUI thread.
+/// Sees to it that every mannequin is drawn in its skin (mannequin/shape/figure_skin.h) in place of its links. It is
+/// made beside the window once for each size; until it is there, some seconds, the links are seen. GUI thread.
 class FigureSkins : public QObject {
  public:
   explicit FigureSkins(Host& host, QObject* parent = nullptr);

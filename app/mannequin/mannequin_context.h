@@ -19,11 +19,11 @@ class MannequinContext : public QObject {
   explicit MannequinContext(Host& host, QObject* parent = nullptr);
 
   Host& host() const { return host_; }
-  /// As the document has it; null while there is none.
+  /// The mannequin of the document; null without a mannequin.
   const workcell::Entity* entity() const;
   /// The posture now, a running hold or a played motion included. Only while there is one.
   mannequin::Posture posture() const;
-  /// The solid or robot that was selected last: what it looks at. Null while there is none.
+  /// The solid or robot selected last, at which the mannequin looks. Null if there is no such entity.
   const workcell::Entity* target() const;
   bool isHeld() const;
   /// False while it is held or locked: nothing may be set then.

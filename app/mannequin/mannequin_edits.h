@@ -18,7 +18,7 @@ mannequin::Posture postureOf(const workcell::Entity& entity);
 /// Takes the figure into a posture.
 workcell::Command postureCommand(const workcell::Entity& entity, const mannequin::Posture& posture);
 
-/// A built-in posture where the figure stands now: same place and heading, standing or sitting on the floor under it.
+/// A built-in posture at the figure's present place: same place and heading, standing or sitting on the floor under it.
 std::optional<mannequin::Posture> libraryPostureAt(const workcell::Entity& entity, std::string_view name);
 /// A posture of a file (its root is placed as above unless `has_root`).
 mannequin::Posture placedHere(const workcell::Entity& entity, mannequin::Posture posture);
@@ -31,7 +31,7 @@ mannequin::BodyRequest requestOf(const workcell::Entity& entity);
 Expected<std::vector<workcell::Command>> resizeCommands(const workcell::Entity& entity,
                                                         const mannequin::BodyRequest& request);
 
-/// A new mannequin, standing; its name is none of `taken`. Takes a tenth of a second; any thread.
+/// A new standing mannequin; its name is not in `taken`. Takes a tenth of a second; any thread.
 Expected<workcell::Entity> newMannequin(const mannequin::BodyRequest& request, const Pose& X_WE,
                                         const std::vector<std::string>& taken);
 

@@ -158,7 +158,7 @@ void MannequinPanel::addHolding(QVBoxLayout& column) {
   for (std::size_t i = 0; i < locks_.size(); ++i) {
     auto* lock = locks_[i] = new QCheckBox(locks[i]);
     lock->setObjectName(QStringLiteral("lock%1").arg(i));
-    lock->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);  // What is beside its words is none of it.
+    lock->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);  // The space next to its text is not part of it.
     connect(lock, &QCheckBox::clicked, this, [this, i](bool on) { setLock(static_cast<int>(i), on); });
     choices->addWidget(lock);
   }

@@ -38,7 +38,7 @@ class MannequinPanel : public QWidget {
   /// Asks for a file, beginning with the user's own postures.
   void openPosture();
   void savePosture();
-  /// Takes a posture of a file; what is wrong with it stands in the messages.
+  /// Takes a posture of a file; errors are shown in the messages.
   bool openPostureFile(const QString& path);
   /// Where the user's own postures are: those there stand in the menu.
   static QString postureFolder();

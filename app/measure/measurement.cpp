@@ -19,7 +19,7 @@ bool isPoint(const PickedFeature& f) {
   return f.kind == FeatureKind::kVertex || (f.kind == FeatureKind::kFace && f.surface_W.type == SurfaceType::kFreeForm);
 }
 
-/// The direction that an angle is taken of; nothing where there is none.
+/// The direction that an angle is taken of; empty if there is no direction.
 std::optional<dvec3> directionOf(const PickedFeature& f) {
   if (f.kind == FeatureKind::kVertex) return std::nullopt;
   if (f.kind == FeatureKind::kEdge) return f.edge == EdgeShape::kCurve ? std::nullopt : std::optional<dvec3>(f.axis_W);

@@ -13,7 +13,7 @@
 
 namespace hapticell::app {
 
-/// A mesh where it stands.
+/// A mesh at its present pose.
 struct PlacedMesh {
   std::shared_ptr<const geometry::TriangleMesh> mesh;
   Pose X_WM;
@@ -27,7 +27,7 @@ using ColliderCache =
     std::map<std::shared_ptr<const geometry::TriangleMesh>, std::shared_ptr<const collision::MeshCollider>>;
 
 /// The least distance of two parts, exactly; nothing where one has no mesh or `cancelled` answers true. Builds the
-/// trees that `cache` lacks, so it belongs into a thread of its own.
+/// trees that `cache` lacks, so call it in a separate thread.
 std::optional<collision::DistanceResult> partDistance(const std::vector<PlacedMesh>& a,
                                                       const std::vector<PlacedMesh>& b, ColliderCache& cache,
                                                       const std::function<bool()>& cancelled = {});

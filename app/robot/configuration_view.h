@@ -27,7 +27,7 @@ class ConfigurationView : public QWidget {
   void take();
 
  signals:
-  void listed();  ///< A new list stands there.
+  void listed();  ///< A new list is shown.
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

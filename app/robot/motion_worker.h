@@ -15,10 +15,10 @@ namespace hapticell::app {
 
 class Host;
 
-/// Checks motions of robots in a thread of its own, so that the window never waits for the collision engine.
+/// Checks motions of robots in a separate thread, so that the window never waits for the collision engine.
 ///
-/// Each question is about the document as it stands when it is asked; its meshes are prepared once and kept. Answers
-/// come in the GUI thread, in the order of the questions.
+/// Each question uses the document at the time of the call; its meshes are prepared once and kept. Answers come in the
+/// GUI thread, in the order of the questions.
 class MotionWorker : public QObject {
   Q_OBJECT
  public:

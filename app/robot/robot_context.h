@@ -20,7 +20,7 @@ class RobotContext : public QObject {
   explicit RobotContext(Host& host, QObject* parent = nullptr);
 
   Host& host() const { return host_; }
-  /// As the document has it; null while there is none.
+  /// The robot of the document; null without a robot.
   const workcell::Entity* robot() const;
   /// True for a mechanism: it has joints, but no tool centre point to bring somewhere.
   bool isMechanism() const;

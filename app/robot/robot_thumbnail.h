@@ -11,7 +11,7 @@ namespace hapticell::app {
 
 class RobotContext;
 
-/// The robot of the dock, small, as it stands; drawn a little after it moved, never while it is held.
+/// A small picture of the panel's robot in its present pose; drawn a little after it moved, never while it is held.
 class RobotThumbnail : public QWidget {
   Q_OBJECT
  public:

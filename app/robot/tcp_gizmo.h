@@ -14,8 +14,8 @@ class JointMover;
 class RobotContext;
 
 /// Drags the robot's tool centre point with the mouse, along or about the axes of base, tool, world or a frame. The arm
-/// follows in its configuration, stops where something stands in the way, and says which limit holds it. One drag is
-/// one step of undo; Escape takes it back.
+/// follows in its configuration, stops at obstacles, and shows which limit holds it. One drag is one step of undo;
+/// Escape takes it back.
 class TcpGizmo final : public QObject, public PointerTool {
   Q_OBJECT
  public:

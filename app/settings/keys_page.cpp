@@ -18,7 +18,7 @@
 namespace hapticell::app {
 namespace {
 
-/// All actions with their keys; the chosen one's can be pressed anew.
+/// All actions with their keys; the chosen one's can be pressed again.
 class KeysPage : public QWidget {
  public:
   explicit KeysPage(KeyMap& keys) : keys_(keys) {

@@ -33,7 +33,7 @@ class ToolFit final : public QObject {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
-    // Queued: the style of the buttons lays the bar out anew.
+    // Queued: the style of the buttons lays the bar out again.
     if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)
       QTimer::singleShot(0, this, [this] { fit(); });
     return QObject::eventFilter(watched, event);

@@ -271,7 +271,7 @@ void MainWindow::updateTitle() {
                         : dirty   ? tr("changed")
                                   : tr("saved")));
   menuBar()->cornerWidget(Qt::TopRightCorner)->adjustSize();
-  // Told anew, the menu bar lays its corner out again.
+  // Set again, the menu bar lays its corner out again.
   menuBar()->setCornerWidget(menuBar()->cornerWidget(Qt::TopRightCorner), Qt::TopRightCorner);
 }
 

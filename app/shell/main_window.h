@@ -64,16 +64,17 @@ class MainWindow : public QMainWindow, public Host {
   void setGuiRate(double hertz) override;
   void openCell(const QString& path, QObject* context, const std::function<void()>& opened) override;
 
-  /// Begins to open a workcell; files().opened() tells when it is there. Problems stand in the messages.
+  /// Begins to open a workcell; files().opened() reports when it is open. Problems are shown in the messages.
   void openFile(const QString& path);
-  /// Begins to import files, each one step of undo; `ask`: after showing what they are. files().imported() tells.
+  /// Begins to import files, each one step of undo; `ask`: after showing what they are. files().imported() reports the
+  /// result.
   void importFiles(const QStringList& paths, bool ask = true);
   FileWork& files() { return *files_; }
   void loadModules(const QStringList& folders);
   /// The page with samples and recent files, over the scene.
   void showStartPage();
   RecentFiles& recentFiles();
-  /// Starts the module of that name; false when there is none.
+  /// Starts the module of that name; false if it does not exist.
   bool startModule(const QString& name);
   void setTheme(bool dark);
   Actions& actions() { return *actions_; }

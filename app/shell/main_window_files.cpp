@@ -94,7 +94,7 @@ void MainWindow::connectLeftWork() {
   connect(files_.get(), &FileWork::leftWorkChanged, this, &MainWindow::showStartPage);
   connect(start_, &StartPage::restoreWanted, this,
           [this](const workcell::LeftWork& left) { replaceDocument([this, left] { files_->restore(left); }); });
-  // Queued: the page is made anew, and the button that was clicked goes with it.
+  // Queued: the page is made again, and the button that was clicked goes with it.
   const auto after = [this](auto signal, auto act) {
     connect(
         start_, signal, this,

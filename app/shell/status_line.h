@@ -11,7 +11,7 @@
 
 namespace hapticell::app {
 
-/// The bottom line: one sentence of state, three loop rates, device, units. A new message stands there for 8 seconds.
+/// The bottom line: one sentence of state, three loop rates, device, units. A new message is shown for 8 seconds.
 class StatusLine : public QStatusBar {
   Q_OBJECT
  public:
@@ -23,7 +23,8 @@ class StatusLine : public QStatusBar {
     bool idle = false;  ///< Nothing is to be done: collision and window are said to be idle.
   };
   void setSentence(Mark mark, const QString& sentence);
-  /// Shown anew where they differ visibly, twice a second at most; at once where a loop begins, ends or is idle.
+  /// Updates the display if the rates differ visibly, at most twice a second; at once if a loop starts, ends or becomes
+  /// idle.
   void setRates(const Rates& rates);
   void setDevice(const QString& text, bool works);
   const QString& device() const { return device_; }
@@ -44,7 +45,7 @@ class StatusLine : public QStatusBar {
   QString sentence_, device_, message_, sound_;
   bool sound_on_ = false, device_works_ = true;
   Severity severity_ = Severity::kInformation;
-  static constexpr double kShare = 0.05;  ///< A rate is shown anew when it differs by so much.
+  static constexpr double kShare = 0.05;  ///< A rate is updated if it differs by this share.
   Rates rates_;
   QElapsedTimer rates_shown_;
   SteadyNumber haptic_{kShare}, collision_{kShare}, window_{kShare};

@@ -14,9 +14,9 @@ namespace hapticell::app {
 class RecentFiles;
 class UserSettings;
 
-/// What stands over the empty scene at the start: unsaved work after a crash, three sample cells with pictures, what
-/// was opened last, and how to begin with one's own. A part of the viewport, not a window: it goes when a cell is
-/// opened, when something is picked or placed in the scene, or by Escape. GUI thread.
+/// The page over the empty scene at the start: unsaved work after a crash, three sample cells with pictures, what was
+/// opened last, and how to begin with one's own. A part of the viewport, not a window: it goes when a cell is opened,
+/// when something is picked or placed in the scene, or by Escape. GUI thread.
 class StartPage : public QFrame {
   Q_OBJECT
  public:

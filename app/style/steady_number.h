@@ -5,8 +5,8 @@
 
 namespace hapticell::app {
 
-/// A measured number as it is shown: it stays until it differs enough to matter, so that a trembling last digit neither
-/// dances before the eyes nor has the window painted anew. GUI thread.
+/// A measured number for display: it changes only if the difference matters, so that noise in the last digit neither
+/// distracts the user nor repaints the window. GUI thread.
 class SteadyNumber {
  public:
   /// `share`: what it must differ by, as a part of the shown value; `least`: and by this much at the least.

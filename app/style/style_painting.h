@@ -34,8 +34,8 @@ void drawIndicator(QPainter* painter, const QStyleOption* option, bool round);
 /// A tab with a line on top while it is the current one.
 void drawTabShape(QPainter* painter, const QStyleOptionTab* option);
 
-/// A tab's words; a number in brackets at the end becomes a badge, nought none.
-/// `compact`: only the chosen tab has its name, the others their icon.
+/// Draws a tab's text; a number in brackets at the end becomes a badge, except 0. `compact`: only the current tab shows
+/// its name, the others their icon.
 void drawTabLabel(QPainter* painter, const QStyleOptionTab* option, bool compact);
 /// The name without the count at its end.
 QString plainTabText(const QString& text);

@@ -108,7 +108,7 @@ ValueField::ValueField(const Format& format, QWidget* parent)
   setFixedHeight(kFieldHeight);
   setLocale(QLocale::c());
   unitsChanged();
-  // Not QLineEdit::isModified(): the box writes the typed number anew before it tells that editing has ended.
+  // Not QLineEdit::isModified(): the box writes the typed number again before it reports that editing has ended.
   connect(lineEdit(), &QLineEdit::textEdited, this, [this] { typed_ = true; });
   connect(lineEdit(), &QLineEdit::textChanged, this, &ValueField::fitUnit);
   new ChosenByClick(*this, *lineEdit());
@@ -150,7 +150,7 @@ void ValueField::resizeEvent(QResizeEvent* event) {
 }
 
 void ValueField::setValue(double value) {
-  // It would be rounded to what is there: a pose that was worked out anew differs far behind the last kept decimal.
+  // It would be rounded to what is there: a pose that was computed again differs far behind the last kept decimal.
   const double same = 0.5 * std::pow(10.0, -decimals());
   if (std::abs(value - this->value()) <= same && lineEdit()->text() == textFromValue(this->value())) return;
   QDoubleSpinBox::setValue(value);

@@ -24,7 +24,7 @@ class ValueField : public QDoubleSpinBox {
   };
   explicit ValueField(const Format& format, QWidget* parent = nullptr);
 
-  /// What shows the same number already is not painted anew: panels tell their numbers ten times a second.
+  /// Does not repaint if the shown number is the same, because panels set their numbers ten times a second.
   void setValue(double value);
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;

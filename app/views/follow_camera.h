@@ -22,7 +22,7 @@ class FollowCamera : public QObject {
   What what() const { return what_; }
   /// kNothing, or where there is no such entity, ends it.
   void follow(What what);
-  /// The entity that can be followed so: the selected one, else the first of its kind; nothing where there is none.
+  /// Whether there is an entity to follow in this way: the selected one, else the first of its kind.
   bool canFollow(What what) const;
   /// One look; the timer calls it while something is followed.
   void look();

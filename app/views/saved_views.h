@@ -11,8 +11,8 @@ namespace hapticell::app {
 
 class UserSettings;
 
-/// Views of a cell with names, kept in the user's settings by the cell's path: a view is how one looks, not what stands
-/// there. Those of a cell that has no file yet go with it, or to its file once it is saved. GUI thread.
+/// Views of a cell with names, kept in the user's settings by the cell's path: a view is not part of the document.
+/// Those of a cell that has no file yet go with it, or to its file once it is saved. GUI thread.
 class SavedViews {
  public:
   explicit SavedViews(UserSettings& settings) : settings_(settings) {}
@@ -35,7 +35,7 @@ class SavedViews {
   QString cell_;
 };
 
-/// The camera as one line, and back; nothing where the line is none.
+/// The camera as one line, and back; empty if the line is invalid.
 QString cameraText(const Camera& camera);
 std::optional<Camera> cameraFromText(const QString& text);
 

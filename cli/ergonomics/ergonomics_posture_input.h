@@ -28,7 +28,7 @@ nlohmann::ordered_json liftOfPosture(const mannequin::Figure& figure, const mann
                                      const ergonomics::PostureScores& scores, const ergonomics::WorkTask& task);
 /// The best place has its four postures, as posture files have them.
 nlohmann::ordered_json workplaceReport(const manipulation::WorkplaceMap& map);
-/// The best place of such a report as it was written. Error: there is none, or it cannot be read.
+/// The best placement in such a report. Error: the report has no placement, or cannot be read.
 Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& file);
 
 }  // namespace hapticell::cli

@@ -20,8 +20,9 @@ struct RobotWithTip {
   std::vector<std::string> jointNames() const;  ///< Of these variables.
 };
 
-/// Reads a robot from a file, a xacro with its arguments ("FILE,NAME:=VALUE,…") or "library:NAME" and finds its tip by name (empty: RobotModel::defaultTip()). Warnings go
-/// to standard error. With kKinematics no mesh is read where the format allows it.
+/// Reads a robot from a file, a xacro with its arguments ("FILE,NAME:=VALUE,…") or "library:NAME" and finds its tip by
+/// name (empty: RobotModel::defaultTip()). Warnings go to standard error. With kKinematics no mesh is read where the
+/// format allows it.
 Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::string& tip_name,
                                         workcell::RobotContent content = workcell::RobotContent::kAll);
 

@@ -55,7 +55,8 @@ Arguments splitOptions(const std::string& text, const std::vector<std::string>& 
   return result;
 }
 
-/// A word in front of '=' behind a comma of WHAT, which is no key; empty when there is none, or a file is named so.
+/// A word in front of '=' behind a comma of WHAT, which is not a key; empty if there is no such word, or a file is
+/// named so.
 std::string unknownKey(const std::string& what) {
   const std::size_t comma = what.find(','), equals = what.find('=', comma);
   std::error_code ignored;

@@ -17,7 +17,7 @@ struct FileWithArguments {
 };
 FileWithArguments splitXacroArguments(const std::string& text);
 
-/// Words "NAME:=VALUE"; an error names one that is none.
+/// Parses words "NAME:=VALUE"; an error names an invalid one.
 Expected<std::map<std::string, std::string>> parseXacroArguments(const std::vector<std::string>& words);
 
 }  // namespace hapticell::cli

@@ -12,7 +12,7 @@ namespace hapticell::cli {
 /// Writes a trajectory as .csv, .htraj or .json; nothing for an empty path. Other endings are refused.
 Expected<void> saveTrajectory(const trajectory::Trajectory& trajectory, const std::string& path);
 
-/// Writes a command's result, or tells why there is none; 1 where its field "found" is true.
+/// Writes a command's result, or reports the error; 1 if its field "found" is true.
 ExitStatus finishTrajectory(const ResultWriter& writer, const Expected<nlohmann::ordered_json>& result);
 
 /// "trim", "split", "join", "reverse", "mirror", "insert", "move", "delete", "dwell", "approach", "retract" and

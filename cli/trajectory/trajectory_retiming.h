@@ -9,8 +9,7 @@
 
 namespace hapticell::cli {
 
-/// `trajectory retime`: new times along the same path. Errors: a mode, a limit or a step that is none, a promise
-/// missed.
+/// `trajectory retime`: new times along the same path. Errors: an invalid mode, limit or step, a missed promise.
 Expected<nlohmann::ordered_json> retimeTrajectory(const trajectory::Trajectory& given,
                                                   const TrajectoryOptions& options);
 

@@ -22,8 +22,8 @@ struct RobotLimitOptions {
 Expected<trajectory::MotionLimits> limitsFor(const trajectory::Trajectory& trajectory, const RobotLimitOptions& options,
                                              std::vector<std::string>& assumptions);
 
-/// Gives `program` the configuration data of `robot` in the words of `format`, and says in `notes`
-/// where there is none. Nothing without a robot or without joints.
+/// Gives `program` the configuration data of `robot` in the notation of `format`, and adds a note to `notes` if there
+/// are no such data. Does nothing without a robot or without joints.
 Expected<void> addConfigurations(const trajectory::Trajectory& trajectory, const std::string& robot,
                                  trajectory::ProgramFormat format, trajectory::ProgramOptions& program,
                                  std::vector<std::string>& notes);

@@ -100,8 +100,8 @@ class Advancement {
     return known >= rest || known >= std::max(worth, kListWorn * anew) ? std::min(rest, known) : 0.0;
   }
 
-  /// How far the list of near pairs is good for from here, where it is made anew if it does not reach `enough`; 0 where
-  /// there are too many for one that would be worth having.
+  /// How far the list of near pairs is good for from here, where it is made again if it does not reach `enough`; 0
+  /// where there are too many for one that would be worth having.
   double listedStretch(double from, double enough, double worth) {
     const double rest = until_ - from;
     const Pose X_AB = a_.at(from).inverse() * b_.at(from);

@@ -47,7 +47,7 @@ DistanceResult resultOf(const NearestSearch& search, const Pose& X_WA) {
   return result;
 }
 
-/// A point of a piece of `inner` that lies inside `outer`'s solid, in inner's frame; false when there is none.
+/// A point of a piece of `inner` that lies inside `outer`'s solid, in inner's frame; false if there is no such point.
 bool pieceInside(const MeshCollider& inner, const MeshCollider& outer, const Pose& X_OuterInner, dvec3& p_Inner) {
   if (!outer.shells().anyClosed()) return false;
   const geometry::Bounds& box = outer.shells().closedBounds();

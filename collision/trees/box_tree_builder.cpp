@@ -188,8 +188,8 @@ class NodeBuilder {
     return used;
   }
 
-  /// The largest part of those that need more than a node below; when there is none, the one that needs the fewest
-  /// leaves, so that nodes are filled. -1 when all are leaves.
+  /// The largest part of those that need more than a node below; if there is no such part, the one that needs the
+  /// fewest leaves, so that nodes are filled. -1 when all are leaves.
   static int nextToSplit(const std::array<Part, kTreeWidth>& parts, int used) {
     int largest = -1, fewest = -1;
     for (int i = 0; i < used; ++i) {

@@ -85,7 +85,7 @@ class VertexGrid {
   std::vector<std::uint32_t> next_;
 };
 
-/// For each vertex the index of the first kept vertex within tolerance of it; itself where there is none.
+/// For each vertex the index of the first kept vertex within tolerance of it; itself if there is no such vertex.
 std::vector<std::uint32_t> representatives(const std::vector<dvec3>& vertices, double tolerance,
                                            std::uint32_t& merged) {
   const Bounds box = boundsOf(vertices);

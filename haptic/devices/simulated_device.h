@@ -13,11 +13,11 @@ namespace hapticell::haptic {
 
 /// A simulated Phantom: a physical model of the arm, its motors and encoders, and the hand on its stylus.
 ///
-/// Modelled: the linkage (PhantomArm) with its apparent mass at the tip, Coulomb friction with sticking, viscous
-/// friction, weight, hard stops at the edge of the workspace, encoders that count in whole steps, motors driven by a
-/// converter of finite bits, the delay of a tick between write() and the force, motor temperature, buttons. Motion is
-/// integrated in steps of 0.1 ms. Stepped by advance(): by a test in virtual time, by the force loop in real time, once
-/// a tick: advance(0.001), read(), render, write().
+/// The model includes the linkage (PhantomArm) with its apparent mass at the tip, Coulomb friction with sticking,
+/// viscous friction, weight, and hard stops at the edge of the workspace. It also includes encoders that count in whole
+/// steps, motors driven by a converter of finite bits, the delay of a tick between write() and the force, motor
+/// temperature, buttons. Motion is integrated in steps of 0.1 ms. Stepped by advance(): by a test in virtual time, by
+/// the force loop in real time, once a tick: advance(0.001), read(), render, write().
 ///
 /// One thread. advance(), read() and write() neither allocate nor throw.
 class SimulatedDevice final : public Device {

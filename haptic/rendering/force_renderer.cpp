@@ -98,7 +98,7 @@ ProxyStep ForceRenderer::changeSet(const Pose& X_DS, double dt, SetJump& jump) {
   return solved;
 }
 
-/// After a jump of the stylus: returns the proxy's step, which is none.
+/// After a jump of the stylus: returns the proxy's step, which is zero.
 MetricVector ForceRenderer::beginAnew(const ProxyStep& solved, const MetricVector& stretch_D) {
   trust_D_ = solved.trust_D;
   spring_.beginAnew(stretch_D, solved.contact);

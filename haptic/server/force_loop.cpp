@@ -81,7 +81,7 @@ void ForceLoop::takeMessages(std::int64_t now) noexcept {
   if (const ConstraintSet* set = inbox_.takeSet()) {
     // What moves has gone on since: the client's stamp is in this loop's clock.
     const double age = set->stamp_ns != 0 ? kSecondsPerNanosecond * static_cast<double>(now - set->stamp_ns) : 0.0;
-    // One that is refused is none: what is rendered only grows older.
+    // A refused set does not count: the rendered one only grows older.
     if (renderer_.adopt(*set, age) == Adoption::kAdopted) {
       last_set_ns_ = now;
       if (set->stamp_ns != 0) output_.statistics().addSetAge(now - set->stamp_ns);

@@ -33,7 +33,7 @@ bool isHere(std::string_view entry, unsigned port) {
   return value == port && isLoopback(entry.substr(0, colon));
 }
 
-/// The inode of the socket that is bound to `from` and connected to `to`, both here; empty: there is none.
+/// The inode of the socket that is bound to `from` and connected to `to`, both here; empty: not found.
 std::string socketInode(const char* table, unsigned from, unsigned to) {
   std::ifstream file(table);
   std::string line;

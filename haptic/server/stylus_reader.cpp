@@ -56,7 +56,7 @@ StylusReader::Outcome StylusReader::read(double dt, bool engaged) noexcept {
       age_ = 0.0;
       measured_ = true;
     } else {
-      reading.X_DS = reading_.X_DS;  // A pose that is none, or that is not believed, is not passed on.
+      reading.X_DS = reading_.X_DS;  // An invalid or refused pose is not passed on.
     }
     reading_ = reading;
   }

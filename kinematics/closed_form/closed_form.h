@@ -13,7 +13,7 @@ namespace hapticell::kinematics {
 /// All solutions of one arm in closed form (or, for offset wrists, by a search that misses none), limits left out.
 ///
 /// Exact for the nominal arm: the axes as given with what is nearly parallel, square or meeting taken as exactly so. At
-/// zero the nominal tip stands where the true one does. Const functions allocate nothing and run in any thread.
+/// zero the nominal and the true tip coincide. Const functions allocate nothing and run in any thread.
 class ClosedForm {
  public:
   virtual ~ClosedForm() = default;
@@ -29,8 +29,8 @@ class ClosedForm {
   virtual void solve(const dmat3& R_BT, const dvec3& p_BT, double redundant, const double* previous,
                      kernels::Solutions& solutions) const = 0;
 
-  /// Solutions for kernels::kRingSize values of the free parameter all round, beginning with `first`, at once; false
-  /// where the form has no such way.
+  /// Solutions for kernels::kRingSize values of the free parameter all round, beginning with `first`, at once; false if
+  /// this form does not support it.
   virtual bool ring(const dmat3& /*R_BT*/, const dvec3& /*p_BT*/, double /*first*/, const double* /*previous*/,
                     kernels::SwivelRing& /*ring*/) const {
     return false;
@@ -50,7 +50,7 @@ std::unique_ptr<const ClosedForm> makeClosedForm(RobotClass robot_class, const A
 class CanonicalFrames {
  public:
   CanonicalFrames() = default;
-  /// R_BN and p_BN are where the last joint's frame stands at zero.
+  /// R_BN and p_BN are the pose of the last joint's frame at zero.
   CanonicalFrames(const ArmAxes& axes, const dmat3& R_B0, const dvec3& p_B0, const dmat3& R_BN, const dvec3& p_BN);
   void map(const dmat3& R_BT, const dvec3& p_BT, kernels::ArmPose& pose) const;
 

@@ -9,11 +9,11 @@
 
 namespace hapticell::kinematics {
 
-/// What yields while an arm is dragged where its joints are too slow to follow, through a wrist singularity above all.
+/// What yields if a dragged arm's joints are too slow to follow, above all at a wrist singularity.
 enum class SingularityChoice {
   kKeepOrientation,  ///< The orientation is kept, the position yields.
   kKeepPosition,     ///< The position is kept, the orientation yields.
-  kKeepJoint4,       ///< As kKeepPosition; the first joint of the wrist stands still meanwhile: see wristJoint().
+  kKeepJoint4,       ///< As kKeepPosition; the first joint of the wrist does not move: see wristJoint().
 };
 
 struct InverseOptions {

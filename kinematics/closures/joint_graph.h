@@ -10,7 +10,7 @@
 
 namespace hapticell::kinematics {
 
-/// A body with its shapes, and where its frame stands in the model's frame M while all joints are at 0.
+/// A body with its shapes, and the pose of its frame in the model's frame M with all joints at 0.
 struct GraphLink {
   Link link;
   Pose X_ML;

@@ -45,7 +45,7 @@ class LoopClosure final : public Closure {
   /// prismatic joints first, then those nearest to the root, so that the others follow from them. `home` of the model
   /// becomes the assembly nearest to `options.start`.
   ///
-  /// Errors: loops that cannot be closed from the start, an actuated or started joint that is not there, actuated
+  /// Errors: loops that cannot be closed from the start, an actuated or started joint that does not exist, actuated
   /// joints that do not determine the rest or are not independent (too many).
   static Expected<void> close(RobotModel& tree, std::vector<LoopConstraint> loops, const LoopOptions& options);
 

@@ -332,7 +332,7 @@ class Fit {
     return sum;
   }
 
-  // Fixes what stands on a bound and is pushed out; false when nothing is left that could gain.
+  // Fixes variables that are on a bound and pushed outwards; false if no variable is left that could improve.
   bool fixBlocked() {
     double steepest = 0.0;
     for (int i = 0; i < n_; ++i) {

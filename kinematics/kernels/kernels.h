@@ -15,15 +15,15 @@ struct ArmPose {
   double p[3];
 };
 
-/// What takes a tip's pose to an ArmPose: columns of R_0B (each with a fourth number, zero), rows of R_TN, and where 0
-/// stands in B and N in T.
+/// What takes a tip's pose to an ArmPose: columns of R_0B (each with a fourth number, zero), rows of R_TN, and the
+/// origins of 0 in B and of N in T.
 struct ArmFrames {
   double R_0B[3][4] = {};
   double R_TN[9] = {};
   double p_B0[3] = {}, p_TN[3] = {};
 };
 
-/// Joint positions, joint by joint; bit k of `valid` tells whether solution k is one.
+/// Joint positions, joint by joint; bit k of `valid` is set if solution k is valid.
 struct alignas(32) Solutions {
   double q[kMaxJoints][kMaxSolutions];
   unsigned valid = 0;
@@ -128,7 +128,7 @@ struct Choice {
   double distance_squared = 0.0;
 };
 
-/// Where the joints of four arms stand, one a lane; axes are unit.
+/// Joint axes and origins of four arms, one per lane; axes are unit.
 struct FourAxes {
   double axis[kMaxJoints][3][4], origin[kMaxJoints][3][4];
 };
@@ -172,7 +172,7 @@ struct Table {
   /// and angle), nearest first.
   void (*nearestSeeds)(const SeedPoses& seeds, const float* wanted, float scale, int* order);
   /// Turns each joint of each solution to the full turn nearest to `previous` within the bounds (a solution outside
-  /// stays where it is nearest), and finds the nearest one. `groups` of four solutions are looked at.
+  /// stays where it is nearest), and finds the nearest one. `groups`: number of groups of four solutions.
   Choice (*choose)(const JointBounds& bounds, const double* previous, int groups, Solutions& solutions);
 };
 

@@ -15,7 +15,7 @@ inline constexpr std::size_t kMaxChainJoints = 24;
 /// Positions of a chain's variables, base to tip; the first `Chain::size()` numbers count.
 using ChainPositions = std::array<double, kMaxChainVariables>;
 
-/// Where the joints and the tip of a chain stand, in the root link's frame B.
+/// Poses of the joints and the tip of a chain, in the root link's frame B.
 struct ChainState {
   dmat3 R_BT{1.0};
   dvec3 p_BT{0.0};
@@ -39,7 +39,7 @@ class Chain {
     double offset = 0.0;
   };
 
-  /// The chain to `tip_link` and the tool centre point X_LT on it. Refused: nothing moves the tip, or more than 16
+  /// The chain to `tip_link` and the tool centre point X_LT on it. Errors: nothing moves the tip, or more than 16
   /// variables or 24 moving joints do.
   static Expected<Chain> create(const RobotModel& model, int tip_link, const Pose& X_LT);
 
@@ -48,7 +48,7 @@ class Chain {
   const std::vector<int>& variables() const { return variables_; }  ///< Of the model, base to tip.
   const ChainPositions& lower() const { return lower_; }
   const ChainPositions& upper() const { return upper_; }
-  const ChainPositions& velocity() const { return velocity_; }  ///< Where the file says none: 1 m/s, pi rad/s.
+  const ChainPositions& velocity() const { return velocity_; }  ///< If the file has no value: 1 m/s, pi rad/s.
   /// True when a full turn of the variable changes nothing at the tip.
   bool turns(std::size_t variable) const { return turns_[variable]; }
   /// An upper bound (m) of the tip's distance from the first joint's origin.

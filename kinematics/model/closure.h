@@ -13,15 +13,15 @@ namespace hapticell::kinematics {
 class InverseModel;
 struct RobotModel;
 
-/// How far something that no user sets (a passive joint, a rod's ball joint, a singularity) is from where it must not
-/// go; negative beyond.
+/// Distance to a limit that no variable sets directly (a passive joint, a rod's ball joint, a singularity); negative
+/// beyond.
 struct ClosureMargin {
   std::string what;    ///< "rod 3's ball joint", for a sentence such as "... is 2.1 deg from its limit".
   double value = 0.0;  ///< rad, m or (singularities) dimensionless.
   enum class Kind { kAngle, kLength, kSingularity } kind = Kind::kAngle;
 };
 
-/// What closes the loops of a robot that is no tree of joints: it poses all links for the positions of the variables.
+/// Closes the loops of a robot that is not a tree of joints: computes the poses of all links from the variables.
 ///
 /// A model with a closure names only the joints that users set among its variables (the motors of a Delta, the legs of
 /// a hexapod). Immutable; const methods may be called from several threads at once.
@@ -36,7 +36,7 @@ class Closure {
   /// position. False where the loops cannot be closed at `q`: the poses are then the nearest that were found.
   virtual bool pose(const std::vector<double>& q, std::vector<Pose>& X_BL) const = 0;
 
-  /// Limits besides those of the variables, at `q`. Always the same number of them in the same order.
+  /// Additional limits at `q`, apart from those of the variables. Always the same number of them in the same order.
   virtual void margins(const std::vector<double>& q, std::vector<ClosureMargin>& out) const = 0;
 
   /// The inverse model for the tool centre point X_LT on `tip_link`. Errors: nothing moves that link.

@@ -10,7 +10,7 @@
 
 namespace hapticell::kinematics {
 
-/// Which of the eight branches of its inverse a six-axis arm with parallel axes 2 and 3 stands on.
+/// The configuration, one of eight, of a six-axis arm with parallel axes 2 and 3.
 struct ArmShape {
   bool front = true;     ///< The wrist centre is on the side of axis 1 that the arm faces.
   bool elbow_up = true;  ///< The elbow is above the line from axis 2 to the wrist centre (for an arm that faces it).
@@ -18,12 +18,12 @@ struct ArmShape {
   bool wrist_forward = true;  ///< The wrist centre is before the lower arm's line (axis 2 to axis 3).
 };
 
-/// Tells the shapes of one chain; what does not depend on its joints is found once.
+/// Computes the shapes of one chain; data that do not depend on its joints are computed once.
 ///
 /// Const functions allocate nothing and run in any thread.
 class ArmShapes {
  public:
-  ArmShapes() = default;  ///< Of nothing: tells no shape.
+  ArmShapes() = default;  ///< Without a chain: never returns a shape.
   explicit ArmShapes(const Chain& chain);
 
   /// The shape at `x` of the chain that this was made for; nothing for chains without such branches (see classify():
@@ -47,7 +47,7 @@ std::optional<ArmShape> armShape(const Chain& chain, const ChainPositions& x);
 /// "front, elbow up, wrist flipped".
 std::string toString(const ArmShape& shape);
 
-/// Who made a robot, as far as the model's and its links' names tell.
+/// Maker of a robot, from the names of the model and its links.
 enum class Maker { kUnknown, kKuka, kAbb, kFanuc };
 Maker makerOf(const RobotModel& model);
 
@@ -76,8 +76,8 @@ struct FanucFlags {
 };
 FanucFlags fanucFlags(const ArmShape& shape, const std::array<double, 6>& q);
 
-/// The maker's own words: "S 2, T 35", "cf1 0, cf4 -1, cf6 0, cfx 1", "N U T, 0, 0, 0"; empty for an unknown maker.
-/// `q` are the six joints of the arm in the file's own count.
+/// The maker's notation: "S 2, T 35", "cf1 0, cf4 -1, cf6 0, cfx 1", "N U T, 0, 0, 0"; empty for an unknown maker. `q`
+/// are the six joints of the arm in the file's own count.
 std::string makerFlags(Maker maker, const ArmShape& shape, const std::array<double, 6>& q);
 
 }  // namespace hapticell::kinematics

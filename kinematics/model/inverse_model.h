@@ -11,9 +11,9 @@
 namespace hapticell::kinematics {
 
 enum class InverseStatus {
-  kSolved,       ///< The tip stands at the pose wanted.
-  kLimit,        ///< Only joint limits are in the way.
-  kUnreachable,  ///< No joint positions bring the tip there, limits or not (or none was found).
+  kSolved,       ///< The tip is at the wanted pose.
+  kLimit,        ///< Only joint limits prevent it.
+  kUnreachable,  ///< No joint positions reach the pose, even without limits (or none were found).
 };
 
 /// `held`: limits hold the positions that were found.
@@ -38,7 +38,7 @@ struct InverseSolution {
 struct AlternativeSolution {
   std::vector<double> q;  ///< The turn of each joint that is nearest to the start, within limits where one is.
   bool within_limits = false;
-  std::string configuration;  ///< What tells it from the others, e.g. "front, elbow up, wrist flipped".
+  std::string configuration;  ///< What distinguishes it from the others, e.g. "front, elbow up, wrist flipped".
 };
 
 /// From a pose of the tip to joint positions. One object a chain; const methods may be called from any one thread.
@@ -49,7 +49,7 @@ class InverseModel {
   /// The class of the model: "numeric", "opw", "rail+ur" and so on; see describe() for serial chains.
   virtual std::string name() const = 0;
 
-  /// The serial chain that it inverts; null for robots that are none.
+  /// The serial chain that it inverts; null for robots that are not serial chains.
   virtual const Chain* chain() const { return nullptr; }
 
   /// Indices of the variables that move the tip, from base to tip.
@@ -66,12 +66,12 @@ class InverseModel {
   virtual void solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
                             InverseSolution& solution) const = 0;
 
-  /// The solution nearest to `q_start`, whatever it takes: kSolved whenever a solution within limits exists (for a
+  /// The solution nearest to `q_start`, however long it takes: kSolved whenever a solution within limits exists (for a
   /// numeric model: is found by all its restarts). Full turns are chosen nearest to `q_start`.
   virtual InverseSolution solve(const Pose& X_BT, const std::vector<double>& q_start) const = 0;
 
   /// All solutions (full turns counted once), nearest to `q_start` first; for a chain with more than six variables a
-  /// sample of the infinitely many. Solutions outside the limits are listed too and say so.
+  /// sample of the infinitely many. Solutions outside the limits are included and marked.
   virtual std::vector<AlternativeSolution> solveAll(const Pose& X_BT, const std::vector<double>& q_start) const = 0;
 };
 

@@ -33,13 +33,13 @@ std::vector<int> variablesOfChain(const RobotModel& model, int link);
 
 /// The geometric Jacobian of the point Q fixed on `link`: V_BQ = J * qdot, expressed in the root link's frame B.
 ///
-/// `X_BL` are the links' poses from forwardKinematics() at the joint positions meant; `p_BQ` is where the point stands
-/// now, in B. Mimic joints count for the variable they follow. `J` is resized (no allocation once it has its size).
+/// `X_BL` are the links' poses from forwardKinematics() at the joint positions meant; `p_BQ` is the point's present
+/// position, in B. Mimic joints count for the variable they follow. `J` is resized (no allocation once it has its
+/// size).
 void geometricJacobian(const RobotModel& model, const std::vector<Pose>& X_BL, int link, const dvec3& p_BQ,
                        Jacobian& J);
 
-/// How a Jacobian stands to its singular positions; lengths are divided by a lever (m) so that both kinds of rows
-/// compare.
+/// How near a Jacobian is to a singularity; lengths are divided by a lever (m) so that both kinds of rows compare.
 struct Manipulability {
   double smallest = 0.0;  ///< Least singular value of the min(6, columns that move it) ones.
   double largest = 0.0;
@@ -55,7 +55,7 @@ Manipulability manipulability(const Jacobian& J, double lever_m);
 /// variables the directions that none of them moves give nothing. `out` is resized.
 void dampedPseudoInverse(const Jacobian& J, double lever_m, double threshold, InverseJacobian& out);
 
-/// How far a variable may still move, rad or m; negative when it stands outside; infinite without limit.
+/// How far a variable may still move, rad or m; negative if it is outside; infinite without limit.
 struct LimitDistance {
   double to_lower = 0.0;
   double to_upper = 0.0;

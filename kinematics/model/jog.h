@@ -9,12 +9,12 @@
 
 namespace hapticell::kinematics {
 
-/// Whose axes a Cartesian jog goes along.
+/// The frame whose axes a Cartesian jog uses.
 enum class JogFrame {
   kBase,   ///< The robot's root link.
   kTool,   ///< The tool centre point's own.
   kWorld,  ///< The cell.
-  kGiven,  ///< Any other: JogStep::R_WF says which way it is turned.
+  kGiven,  ///< Any other frame, with the orientation JogStep::R_WF.
 };
 
 /// One step of a jog of the tool centre point. Turns are about the tool centre point, it stays where it is.
@@ -25,20 +25,20 @@ struct JogStep {
   dquat R_WF{1.0, 0.0, 0.0, 0.0};  ///< kGiven only: the axes, a unit quaternion.
 };
 
-/// Where the tool centre point, now at X_WT, stands after the step; the root link is at X_WB.
+/// Pose of the tool centre point, now at X_WT, after the step; the root link is at X_WB.
 Pose jogged(const Pose& X_WT, const Pose& X_WB, const JogStep& step);
 
-/// What a jog came to.
+/// Result of a jog.
 struct JogResult {
-  std::vector<double> q;  ///< As far as it goes: one a variable, within limits.
-  bool complete = true;   ///< False: something held it back.
-  Text reason;            ///< Why, where it is not complete: "A5 is at its upper limit".
+  std::vector<double> q;  ///< As far as possible: one per variable, within limits.
+  bool complete = true;   ///< False: something stopped it.
+  Text reason;            ///< The reason, if it is not complete: "A5 is at its upper limit".
 };
 
 /// Moves one variable by `amount` (rad or m), at most to its limit. `q_now` has one number a variable (contract).
 JogResult jogJoint(const RobotModel& model, const std::vector<double>& q_now, int variable, double amount);
 
-/// Moves the tool centre point from where it stands at `q_now` along a straight step, in this configuration.
+/// Moves the tool centre point from its pose at `q_now` along a straight step, in this configuration.
 ///
 /// The way is walked in pieces of 2 mm and 0.5 degrees at most, so that it never jumps to another configuration; it
 /// ends before a piece that cannot be followed within 1 um and 1e-5 rad, the reason being the joint at its limit, a
@@ -53,8 +53,8 @@ struct JogRobot {
 };
 JogResult jogTool(const JogRobot& robot, const std::vector<double>& q_now, const JogStep& step);
 
-/// "A5 is 1.2 deg from its upper limit", "Z is at its lower limit": what stands nearest to a limit at `q`; empty where
-/// nothing is within `near` of one (rad; a slide's metre counts as a radian).
+/// "A5 is 1.2 deg from its upper limit", "Z is at its lower limit": the joint nearest to a limit at `q`; empty if no
+/// joint is within `near` of one (rad; a slide's metre counts as a radian).
 Text nearestLimitText(const RobotModel& model, const std::vector<double>& q, double near);
 
 /// "A5 is 1.2 deg from its upper limit", or "A5 is at its upper limit" within 0.05 deg (or mm).

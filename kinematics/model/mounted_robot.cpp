@@ -54,7 +54,7 @@ void append(RobotModel& model, const RobotModel& robot, int first_link) {
   }
 }
 
-/// Writes a tree down anew, joint by joint from another root.
+/// Builds a tree again, joint by joint from another root.
 class Rerooting {
  public:
   Rerooting(const RobotModel& from, int root) : from_(from), new_link_(from.links.size(), -1) {

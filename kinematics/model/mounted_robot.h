@@ -6,20 +6,20 @@
 
 namespace hapticell::kinematics {
 
-/// One model of two: the root of `robot` stands at X_LB on link `link` of `carrier` (a rail, a gantry, a rotary table),
-/// whose joints become external axes of the robot.
+/// Combines two models: the root of `robot` is mounted at X_LB on link `link` of `carrier` (a rail, a gantry, a rotary
+/// table), whose joints become external axes of the robot.
 ///
 /// Links, joints and variables of the carrier come first and keep their indices; then one fixed joint; then the robot's
-/// in their order, so that its variable i is carrier.dof() + i. The tip is the robot's. Its names stay; a name of the
-/// carrier that is there twice gets the carrier's name and a slash in front. Home is where both are at home; groups and
-/// named poses are dropped. Refused: a model with closed loops, a link that is not there.
+/// in their order, so that its variable i is carrier.dof() + i. The tip is the robot's. The robot's names stay; if the
+/// carrier uses a name too, that one gets the carrier's name and a slash in front. Home combines both homes; groups and
+/// named poses are dropped. Errors: a model with closed loops, a link that does not exist.
 Expected<RobotModel> mountRobot(const RobotModel& carrier, int link, const Pose& X_LB, const RobotModel& robot);
 
-/// The same mechanism told from another link: that one is the root, and the joints between go the other way round with
-/// the positions that they had. Variables keep their indices. A positioner that carries the part is told so from its
-/// plate: what is mounted on its old root then works in the part's frame.
+/// The same mechanism with another root link: the joints between the two roots are reversed and keep their positions.
+/// Variables keep their indices. With it a positioner that carries the part gets its plate as root, and a robot mounted
+/// on the old root then works in the part's frame.
 ///
-/// A joint that is turned round ends in a link of its own ("NAME seen back"), without shape. Refused: as above.
+/// A reversed joint ends in an additional link ("NAME seen back") without shape. Errors: as above.
 Expected<RobotModel> seenFrom(const RobotModel& model, int link);
 
 /// True where a joint that moves lies between the model's root and that link.

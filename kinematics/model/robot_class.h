@@ -7,7 +7,7 @@
 
 namespace hapticell::kinematics {
 
-/// Which inverse model fits a chain, told from where its joint axes lie, never from its name.
+/// The class of inverse model for a chain, determined from its joint axes, never from its name.
 enum class RobotClass {
   kOpw,             ///< Spherical wrist, axes 2 and 3 parallel, both square to axis 1 (Brandstoetter et al. 2014).
   kUr,              ///< Axes 2, 3 and 4 parallel, each other pair of neighbours square.
@@ -41,7 +41,7 @@ struct Classification {
 /// kNumeric, as is an arm of six joints that leaves a direction unreachable everywhere (armIsDeficient()).
 Classification classify(const Chain& chain, const ClassTolerance& tolerance = {});
 
-/// The class with what stands in front and how exact it is: "opw", "rail+opw", "gantry+ur", "opw (calibrated)".
+/// The class, with leading slides and exactness: "opw", "rail+opw", "gantry+ur", "opw (calibrated)".
 std::string describe(const Classification& classification);
 
 }  // namespace hapticell::kinematics

@@ -76,8 +76,8 @@ struct NamedPose {
   std::vector<double> q;
 };
 
-/// A tree of links and joints, root first: joints are ordered so that each parent link comes before its children.
-/// Where a closure is set, the joints hold the variables and their limits, and it alone says where the links stand.
+/// A tree of links and joints, root first: joints are ordered so that each parent link comes before its children. Where
+/// a closure is set, the joints hold the variables and their limits, and it alone determines the poses of the links.
 struct RobotModel {
   std::string name;
   std::vector<Link> links;    ///< links[0] is the root.
@@ -104,7 +104,7 @@ double jointPosition(const RobotModel& model, const std::vector<double>& q, cons
 /// The joint's greatest speed; where its file says none, 1 m/s or pi rad/s.
 double greatestSpeed(const Joint& joint);
 
-/// Where a robot stands when nobody says otherwise: its home, else zero moved into the limits.
+/// Default joint positions: the robot's home, else zero, moved into the limits.
 std::vector<double> restPositions(const RobotModel& model);
 
 /// For each link the first link of its rigid body: links that fixed joints join are one body. With a closure each link

@@ -13,7 +13,7 @@ namespace hapticell::kinematics {
 
 /// One way to bring the tip to a pose, as a list to choose from shows it.
 struct ListedSolution {
-  std::vector<double> q;  ///< One a variable of the model; those that do not move the tip as they stand now.
+  std::vector<double> q;  ///< One a variable of the model; those that do not move the tip keep their present positions.
   bool within_limits = false;
   Text reason;                ///< Empty, or why it is out: "A5 would be 12.3 deg over its upper limit".
   int limiting_joint = -1;    ///< Index among the model's joints of the worst one; -1 where none is over.
@@ -21,7 +21,7 @@ struct ListedSolution {
   std::string maker_flags;    ///< "S 2, T 35" and the like; empty where the maker or the shape is unknown.
   double distance = 0.0;      ///< From now: the largest joint motion, rad (a slide's metre counts as a radian).
   double time_s = 0.0;        ///< The same with each joint at its greatest speed.
-  bool is_now = false;        ///< The robot stands so already (within 1e-6).
+  bool is_now = false;        ///< The robot already has these positions (within 1e-6).
 };
 
 struct SolutionListOptions {

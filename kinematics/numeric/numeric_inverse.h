@@ -39,7 +39,7 @@ class NumericInverse final : public InverseModel {
     /// cannot be kept, both yield by their weights.
     enum class Keep { kPosition, kOrientation };
     Keep keep = Keep::kPosition;
-    int held = -1;  ///< A variable of the chain that stands still meanwhile, or -1.
+    int held = -1;  ///< A variable of the chain that does not move, or -1.
   };
   /// For solveNearest(); to be called before the model is used.
   void setHurried(const Hurried& hurried) { hurried_ = hurried; }
@@ -50,8 +50,8 @@ class NumericInverse final : public InverseModel {
   /// The pose of least error from `q_start` however far it is, limits kept; no restarts.
   InverseSolution nearestMiss(const Pose& X_BT, const std::vector<double>& q_start) const;
 
-  /// Any solution within limits, the start tried first where it is near: as solve(), but the first one found is the
-  /// answer, and its singularity is not looked at.
+  /// Any solution within limits, the start tried first where it is near: as solve(), but it returns the first one found
+  /// and does not check its singularity.
   InverseSolution solveAny(const Pose& X_BT, const std::vector<double>& q_start) const;
 
   InverseSolution solve(const Pose& X_BT, const std::vector<double>& q_start) const override;
@@ -77,8 +77,8 @@ class NumericInverse final : public InverseModel {
   void makeSeeds();
   struct Shot {
     FitResult fit;
-    bool at_limit = false;  ///< Not met, and a joint stands at its end.
-    bool at_speed = false;  ///< Not met, and a joint goes as fast as it may.
+    bool at_limit = false;  ///< Not reached, and a joint is at its limit.
+    bool at_speed = false;  ///< Not reached, and a joint moves at its greatest speed.
   };
   Shot shoot(const Pose& X_BT, const ChainPositions& x, double duration_s, double lever_m, int held) const;
   bool keepOne(const Pose& X_BT, const ChainPositions& x, double duration_s, Shot& shot) const;

@@ -46,7 +46,7 @@ double HandMapping::scaleInForce(const Device& device, const config::Configurati
 bool HandMapping::update(const Pose& X_WF, const Device& device, const config::Configuration::Scale& levels) {
   const dquat q_WD = deviceAxes(axes_.mode, camera_.X_WCamera, X_WF);
   const double scale = scaleInForce(device, levels);
-  // Turning the view a little all the time must not make sets anew all the time.
+  // Turning the view a little all the time must not make new sets all the time.
   const bool same = std::abs(glm::dot(q_WD, mapping_.axes())) > 1.0 - 1e-12 && scale == mapping_.scale();
   mapping_.setAxes(q_WD);
   mapping_.setScale(scale);

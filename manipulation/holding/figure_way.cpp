@@ -119,10 +119,10 @@ FigureWay::Reach FigureWay::reachNow() const {
   return reach;
 }
 
-/// Goes to a posture found anew on which the target is met, straight or by way of one before the body; true where that
-/// was free. Where no such way is: who may step and is far off walks there upright; else only to a place before the
-/// body, from where the target is drawn to once more. The hands of a standing figure only, and not past what another
-/// entity holds up.
+/// Goes to a newly solved posture at which the target is met, straight or by way of one before the body; true where
+/// that was free. Where no such way is: who may step and is far off walks there upright; else only to a place before
+/// the body, from where the target is drawn to once more. The hands of a standing figure only, and not past what
+/// another entity holds up.
 bool FigureWay::goRound() {
   const PostureFinder* hands = held_->manipulator().postureFinder();
   if (!hands || !(turns_with_[0] || turns_with_[1]) || isHeldUpByOthers()) return false;

@@ -19,8 +19,8 @@ class FigureWay {
   /// How the moved frame rotates on the way.
   enum class Turn {
     kAsWanted,        ///< As the target of aim().
-    kWithTheForearm,  ///< Hands: the wrists keep their angles, so only the position counts and the arms reach it more
-                      ///< easily. Both hands rotate with the mean of both forearms. Head: as kAsWanted.
+    kWithTheForearm,  ///< Hands: the wrists keep their angles, so only the position counts, and the arms can reach more
+                      ///< targets. Both hands rotate with the mean of both forearms. Head: as kAsWanted.
   };
   /// Takes the mannequin in its present posture. Errors: as HeldEntity::take(). Contract: it has a figure.
   static Expected<std::unique_ptr<FigureWay>> take(std::shared_ptr<const PreparedScene> scene,

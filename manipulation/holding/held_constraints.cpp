@@ -52,7 +52,7 @@ ConstraintDraft HeldConstraints::draft(ConstraintInputs& inputs) {
   return draft;
 }
 
-/// The answer's set for where the entity is by now; nothing while there is none.
+/// The answer's set for where the entity is by now; empty while there is no answer.
 std::optional<BuiltConstraints> HeldConstraints::takeAnswer(const MotionMapping& mapping, const Pose& X_DProxy) {
   const std::unique_ptr<ContactSearch::Question> answered = search_->take();
   if (!answered) return std::nullopt;

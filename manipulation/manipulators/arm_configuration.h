@@ -9,9 +9,10 @@
 
 namespace hapticell::manipulation {
 
-/// Which branch a six-axis arm stands on: 1 back, 2 elbow down, 4 wrist flipped, added. Nothing for chains without.
+/// The configuration of a six-axis arm as a sum: 1 back, 2 elbow down, 4 wrist flipped. Empty for chains without these
+/// branches.
 std::optional<int> configurationNumber(const kinematics::Chain& chain, std::span<const double> joints);
-/// The chain of a robot's six joints to its tip; nothing where there are others.
+/// The chain of a robot's six joints to its tip; empty if the robot has other joints.
 std::optional<kinematics::Chain> sixAxisChain(const workcell::Entity& entity);
 
 }  // namespace hapticell::manipulation

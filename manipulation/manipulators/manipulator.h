@@ -12,7 +12,7 @@
 
 namespace hapticell::manipulation {
 
-/// Where an entity stands: its placement, and a robot's joints.
+/// An entity's placement, and a robot's joints.
 struct EntityConfiguration {
   Pose X_WE;
   std::vector<double> joints;
@@ -24,13 +24,13 @@ struct PartSphere {
   double radius = 0.0;
 };
 
-/// What kind of limit it is that holds an entity.
+/// Kind of a limit that holds an entity.
 enum class LimitKind {
   kJoint,        ///< A joint's end.
   kReach,        ///< The edge of the workspace: the arm is stretched or folded.
-  kSingularity,  ///< A position where a direction of the tool centre point is lost, where that is a wall.
+  kSingularity,  ///< A pose at which the tool centre point loses a direction, if that is treated as a wall.
   kLoop,         ///< A passive joint, a leg or a rod of a parallel robot or mechanism.
-  kSpeed,        ///< A joint moves as fast as it can; never a constraint, only told.
+  kSpeed,        ///< A joint moves at its greatest speed; only reported, never a constraint.
 };
 
 /// "joint", "reach", "singularity", "loop", "speed".
@@ -40,22 +40,22 @@ const char* toString(LimitKind kind);
 struct MotionLimit {
   haptic::Constraint constraint_W;  ///< Over the moved frame's xi in the cell; gap in metres of its motion.
   Text text;                        ///< "A5 is 1.2 deg from its upper limit"
-  int joint = -1;                   ///< Index among the robot's joints; -1 for what is no joint's.
+  int joint = -1;                   ///< Index among the robot's joints; -1 if the limit is not a joint's.
   LimitKind kind = LimitKind::kJoint;
 };
 
-/// How long a motion takes at the least, and which joint is the reason.
+/// Least time of a motion, and the joint that determines it.
 struct MotionTime {
   double seconds = 0.0;
-  int joint = -1;  ///< Index among the robot's joints; -1 where nothing has a greatest speed.
+  int joint = -1;  ///< Index among the robot's joints; -1 if no joint has a greatest speed.
 };
 
 class PostureFinder;
 
-/// How an entity follows the hand: which frame M the hand moves, and what the entity's parts do then.
+/// How an entity follows the hand: which frame M the hand moves, and how the entity's parts follow.
 ///
-/// A model of the entity only; it knows nothing of obstacles, of the device or of scale. Its parts are those of the
-/// prepared scene (see ScenePart), in their order. Used by the manipulation thread.
+/// It models the entity only, not obstacles, the device or the scale. Its parts are those of the prepared scene (see
+/// ScenePart), in their order. Used by the manipulation thread.
 class Manipulator {
  public:
   virtual ~Manipulator() = default;
@@ -79,10 +79,10 @@ class Manipulator {
   /// Poses X_WP of all parts, one for each entry of `X_WP`.
   virtual void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const = 0;
 
-  /// The same of one part: cheaper where the other parts are many.
+  /// The same for one part: faster if there are many parts.
   virtual Pose partPose(const EntityConfiguration& configuration, std::size_t part) const = 0;
 
-  /// True where between() and the bounds go along with joints that something else moves (a glove, another hand).
+  /// True if between() and the bounds support joints that something else moves (a glove, another hand).
   virtual bool movesJoints() const { return true; }
 
   /// For each part an upper bound (m) of the length of the path of any of its points along between(from, to, 0..1).
@@ -93,9 +93,9 @@ class Manipulator {
   struct OwnPair {
     std::uint32_t part = 0, other = 0;
   };
-  /// Lowers each of `bounds` (m; one a pair, on entry the sum of both parts' pathBounds()) to the length of the longest
-  /// path of a point of `other` as seen from `part`, where the entity knows that to be less: two parts that one trunk
-  /// carries along do not meet by that.
+  /// Lowers each of `bounds` (m; one per pair, on entry the sum of both parts' pathBounds()) to the length of the
+  /// longest path of a point of `other` relative to `part`, if the entity knows that this is less. For example, the
+  /// motion of a trunk does not bring the parts that it carries nearer to each other.
   virtual void tightenOwnBounds(const EntityConfiguration& /*from*/, const EntityConfiguration& /*to*/,
                                 std::span<const PartSphere> /*spheres*/, std::span<const OwnPair> /*pairs*/,
                                 std::span<double> /*bounds*/) const {}
@@ -110,14 +110,14 @@ class Manipulator {
   virtual std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone,
                                           double lever) const = 0;
 
-  /// What the joints' dry friction (N m or N, one a variable of the entity's joints) holds against a slow motion of the
-  /// moved frame along the direction in which it is hardest, N; 0 where it is not felt by what the hand holds.
+  /// Resistance, N, of the joints' dry friction (N m or N, one per variable) to a slow motion of the moved frame in the
+  /// hardest direction; 0 if the hand does not feel it.
   virtual double resistance(const EntityConfiguration& /*configuration*/, std::span<const double> /*friction*/) const {
     return 0.0;
   }
 
-  /// Who finds postures of the entity that lie on no straight way; null for what is no figure drawn by its hands. It
-  /// lives as long as the manipulator.
+  /// Finds postures that no straight motion reaches; null unless the entity is a figure dragged by its hands. Lives as
+  /// long as the manipulator.
   virtual const PostureFinder* postureFinder() const { return nullptr; }
 };
 

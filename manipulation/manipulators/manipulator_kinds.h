@@ -14,10 +14,10 @@
 
 namespace hapticell::manipulation {
 
-/// An entity that a hand is about to take, and what the hand wants of it.
+/// An entity to take, and how it is to be moved.
 struct Taking {
   const workcell::Entity& entity;     ///< With external axes: all of them as one model.
-  const EntityConfiguration& stands;  ///< How it stands now.
+  const EntityConfiguration& stands;  ///< Its present configuration.
   MovedBy moved_by;                   ///< by::Default and by::Whole are resolved already; see resolved().
   const PreparedScene& scene;
   const config::Configuration& configuration;
@@ -34,19 +34,20 @@ struct Taking {
 /// One way in which an entity follows the hand.
 struct ManipulatorKind {
   const char* name;                                               ///< For messages and tests.
-  bool (*suits)(const Taking&);                                   ///< Whether this is how that entity is moved by that.
-  Expected<std::unique_ptr<Manipulator>> (*make)(const Taking&);  ///< An error says what does not go, and what would.
+  bool (*suits)(const Taking&);                                   ///< Whether this kind moves that entity in that way.
+  Expected<std::unique_ptr<Manipulator>> (*make)(const Taking&);  ///< An error says what is impossible, and what is
+                                                                  ///< possible.
 };
 
-/// All of them, in the order in which they are asked: the first that suits makes the manipulator. A new kind of entity
-/// is one class, a Manipulator, and one line of this list; docs/dev/architecture.md has an example.
+/// All kinds, in order: the first one that suits makes the manipulator. A new kind of entity is one class, a
+/// Manipulator, and one line of this list; docs/dev/architecture.md has an example.
 std::span<const ManipulatorKind> manipulatorKinds();
 
-/// `moved_by` with what is meant by default for that entity. Only what is to be refused stays by::Default: locks of
-/// what is no mannequin.
+/// `moved_by`, with by::Default replaced by the entity's default. by::Default stays only if it must be refused: locks
+/// for an entity that is not a mannequin.
 MovedBy resolved(const MovedBy& moved_by, const workcell::Entity& entity);
 
-/// The first of `kinds` that suits makes it. An error where none does.
+/// The first of `kinds` that suits makes it. Error: no kind suits.
 Expected<std::unique_ptr<Manipulator>> makeManipulator(const Taking& taking, std::span<const ManipulatorKind> kinds);
 
 /// "entity 'X': it is locked; expected an entity that may be moved".

@@ -10,11 +10,11 @@
 
 namespace hapticell::manipulation {
 
-/// What every way of drawing a mannequin has in common: its parts, where they are in a posture, and how far they go
-/// between two. Part poses come from the figure's model (mannequin/shape/figure_model.h).
+/// Common base for all ways to drag a mannequin: its parts, their poses in a posture, and how far they move between two
+/// postures. Part poses come from the figure's model (mannequin/shape/figure_model.h).
 class MannequinBody : public Manipulator {
  public:
-  /// A moved part: a link's own shape, or what hangs on the link (a part in the hand).
+  /// A moved part: a link's own shape, or a part attached to the link (a part in the hand).
   struct Part {
     int link = 0;
     Pose X_LP;
@@ -35,7 +35,7 @@ class MannequinBody : public Manipulator {
   double turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const override;
 
  protected:
-  /// Where a part hangs in the figure: the segment, and for a finger how many of its bones come before.
+  /// Place of a part in the figure: the segment, and for a finger the number of bones before it.
   struct PartPlace {
     mannequin::Segment segment = mannequin::Segment::kPelvis;
     int phalanges = 0;

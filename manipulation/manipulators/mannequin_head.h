@@ -5,8 +5,8 @@
 
 namespace hapticell::manipulation {
 
-/// A mannequin drawn by its head, where it looks: the moved frame stands between the eyes with the head's axes (x
-/// ahead). Neck and, unless locked, spine follow; pelvis and legs stay.
+/// A mannequin dragged by its head: the moved frame is between the eyes with the head's axes (x ahead). Neck and,
+/// unless locked, spine follow; pelvis and legs stay.
 class MannequinHead final : public MannequinBody {
  public:
   MannequinHead(std::shared_ptr<const mannequin::Figure> figure, std::shared_ptr<const kinematics::RobotModel> model,

@@ -21,7 +21,7 @@ using mannequin::Side;
 constexpr int kMostTicks = 12;          ///< Of the solver for one proposal; each turns joints by 1.8 deg at most.
 constexpr int kProbeTicks = 24;         ///< To find out how far the reach goes.
 constexpr double kProbed = 0.05;        ///< m that it is looked for ahead at most; what is farther a later set finds.
-constexpr double kProgress = 0.05;      ///< Of a probe's step: less is none.
+constexpr double kProgress = 0.05;      ///< Of a probe's step: less counts as no progress.
 constexpr double kLeastProbe = 5e-4;    ///< m: where no step so small goes on, the reach ends.
 constexpr double kHandsArrived = 2e-5;  ///< m
 constexpr int kTurnsTried = 5;          ///< To either side, 30 deg each.

@@ -9,30 +9,30 @@
 
 namespace hapticell::manipulation {
 
-/// A mannequin drawn by a hand, or by what both hands hold: the arms, the trunk and the legs follow, feet standing (or
-/// stepping where they may).
+/// A mannequin dragged by a hand, or by what both hands hold: the arms, the trunk and the legs follow; the feet stay,
+/// or step if that is allowed.
 ///
-/// The moved frame is the grip of the hand, or the middle between both hands. Its reach is felt as a limit: how far the
-/// figure could follow outward is asked of the solver.
+/// The moved frame is the grip of the hand, or the middle between both hands. Its reach is felt as a limit: the solver
+/// computes how far the figure could follow outward.
 class MannequinManipulator final : public MannequinBody, public PostureFinder {
  public:
   enum class Hands {
     kLeft,
     kRight,
-    kBoth,       ///< What both hold keeps its place in both.
-    kBothApart,  ///< Each goes by the same motion, turning about its own grip.
+    kBoth,       ///< The part stays fixed in both hands.
+    kBothApart,  ///< Each hand makes the same motion, rotating about its own grip.
   };
   struct Locks {
     bool trunk = false;
     bool pelvis = false;
     bool on_seat = false;   ///< The pelvis does not move, and the feet need not bear the body.
-    bool may_step = false;  ///< The feet step where the hand would not be reached (mannequin_steps.h).
+    bool may_step = false;  ///< The feet step if the hand's target is out of reach (mannequin_steps.h).
     bool in_air = false;    ///< Nothing bears the feet: no balance, no steps.
-    std::array<mannequin::HandLoad, 2> loads{};  ///< In the hands; their weight counts in the balance.
+    std::array<mannequin::HandLoad, 2> loads{};  ///< Loads in the hands; their weight counts in the balance.
   };
 
-  /// `figure` and `model` belong together. `taken` is how the figure stands when it is taken: that is how both hands go
-  /// on holding.
+  /// `figure` and `model` belong together. `taken` is the configuration when the figure is taken; both hands keep
+  /// holding in the same way.
   MannequinManipulator(std::shared_ptr<const mannequin::Figure> figure,
                        std::shared_ptr<const kinematics::RobotModel> model, Hands hands, const Locks& locks,
                        const EntityConfiguration& taken, std::vector<Part> parts);
@@ -56,8 +56,8 @@ class MannequinManipulator final : public MannequinBody, public PostureFinder {
   bool mayReach(const mannequin::Posture& upright, const dvec3& p_WM) const;
   mannequin::PostureTask taskFor(const Pose& X_WM, const Feet& X_WF) const;
   mannequin::Posture follow(const mannequin::PostureTask& task, mannequin::Posture posture, dvec3* missing) const;
-  /// How far (m, at most `ahead`) the figure follows along `outward` from `posture`; nothing where it goes all the way,
-  /// or still does when the time for it is over.
+  /// How far (m, at most `ahead`) the figure follows along `outward` from `posture`; empty if it follows all the way,
+  /// or until the time limit.
   std::optional<double> reachAlong(const dvec3& outward, double ahead, mannequin::Posture posture,
                                    const Pose& X_WM) const;
   dvec3 wantedHand(const Pose& X_WM) const;
@@ -80,8 +80,8 @@ class MannequinManipulator final : public MannequinBody, public PostureFinder {
   Hands hands_;
   Locks locks_;
   std::array<Pose, 2> X_MH_;        ///< Left and right hand in the moved frame.
-  std::array<dvec3, 2> p_MH_W_;     ///< The same places by the axes of the cell: where hands go apart.
-  Feet X_WF_;                       ///< Where the feet stand.
+  std::array<dvec3, 2> p_MH_W_;     ///< The same positions in the axes of the cell, for hands that move separately.
+  Feet X_WF_;                       ///< Poses of the feet.
   dquat q_WM_{1.0, 0.0, 0.0, 0.0};  ///< The moved frame as taken.
 };
 

@@ -17,53 +17,53 @@ inline dquat turnedLeft(double yaw) {
   return glm::angleAxis(yaw, dvec3(0.0, 0.0, 1.0));
 }
 
-/// Why feet step.
+/// Reasons for a step.
 struct StepWish {
   dvec3 missing_W{0.0};  ///< m that the hand lacks.
-  double turn = 0.0;     ///< rad to the left by which the feet should head farther round.
+  double turn = 0.0;     ///< further rotation of the feet to the left, rad.
 };
 
-/// The places of feet as they are meant: level and turned only about the vertical from how they were when the figure
-/// was taken, at least one on its floor.
+/// The intended poses of the feet: level, rotated only about the vertical since the figure was taken, at least one on
+/// its floor.
 FootPlaces standingFeet(const FootPlaces& taken, const FootPlaces& now);
 
-/// rad to the left that the feet head farther round than when the figure was taken, in the mean, -pi to pi.
+/// Mean rotation of the feet to the left since the figure was taken, rad, -pi to pi.
 double turnedFeet(const FootPlaces& taken, const FootPlaces& now);
 
-/// Feet whose heels are raised, as they would be level: turned down about their balls, which are `ball_x` m ahead of
+/// The poses of feet with raised heels if they were level: rotated down about the balls, which are `ball_x` m ahead of
 /// the ankles.
 FootPlaces levelled(const FootPlaces& taken, const FootPlaces& now, double ball_x);
 
-/// rad to the left that a pelvis at X_WR heads beside the mean of the feet, -pi to pi.
+/// Rotation to the left of a pelvis at X_WR relative to the mean of the feet, rad, -pi to pi.
 double headingBeside(const Pose& X_WR, const FootPlaces& feet);
 
-/// The foot that is in the air; nothing: both stand.
+/// The foot in the air; empty: both are on the floor.
 std::optional<std::size_t> footInAir(const FootPlaces& taken, const FootPlaces& now);
 
-/// The foot that is in the air or is to be lifted next; nothing: both stand, and nothing is wanted that a step would
-/// help. Behind goes before, and in a turn the foot of the side that it goes to.
+/// The foot in the air or to be lifted next; empty: both are on the floor and no step would help. The rear foot steps
+/// first; in a turn, the foot on the side of the turn.
 std::optional<std::size_t> footToLift(const FootPlaces& taken, const FootPlaces& now, const StepWish& wish);
 
-/// Where the feet of a figure go next: one foot at a time is lifted by up to 40 mm, goes a stride ahead of the other
-/// along the floor, turns by up to 35 deg against the other, and is put down; forward by 0.20 m, to a side by 0.18 m
-/// with the other foot closing up, and never across each other. Where nothing is wanted a lifted foot is put down where
-/// it is. Which foot is on its way is read from `now`, so the answer depends on nothing else.
+/// The next poses of a figure's feet. One foot at a time is lifted by up to 40 mm, moves a stride ahead of the other
+/// along the floor, turns by up to 35 deg against the other, and is put down. A stride is 0.20 m forward, or 0.18 m to
+/// a side, after which the other foot follows; the feet never cross. If no step is wanted, a lifted foot is put down
+/// where it is. The foot in motion is determined from `now`, so the function keeps no state.
 ///
 /// `taken`: how the feet stood when the figure was taken (floor, stance, heading). No foot moves farther than `most`
 /// (m) along the floor and as much up or down.
 FootPlaces nextFeet(const FootPlaces& taken, const FootPlaces& now, const StepWish& wish, double most);
 
-/// A lifted foot put down at once where it is.
+/// Puts a lifted foot down at once where it is.
 FootPlaces puttingDown(const FootPlaces& taken, const FootPlaces& now);
 
-/// A posture that goes along with its feet: the pelvis by the mean of their ways, turned by `turn` (rad) about the
-/// middle between them, and to where neither leg is quite straight; the legs follow in closed form. The heel of a
-/// lifted foot in `to` may rise for it. Nothing where the limits of the legs do not let them.
+/// A posture that follows its feet: the pelvis moves by the mean of their motions, is rotated by `turn` (rad) about the
+/// middle between them, and is placed so that neither leg is fully straight; the legs follow in closed form. The heel
+/// of a lifted foot in `to` may rise for this. Empty if the limits of the legs do not allow it.
 std::optional<mannequin::Posture> goneWith(const mannequin::Figure& figure, mannequin::Posture posture,
                                            const FootPlaces& from, FootPlaces& to, double turn = 0.0);
 
-/// `there`, or as much of the way to it from `start` as the legs, in closed form, let both feet be exactly where `feet`
-/// has them; `start` itself where that is nothing. No foot glides by it, whatever the solver left.
+/// `there`, or the part of the motion from `start` to it for which the legs, in closed form, reach both feet exactly at
+/// `feet`; `start` itself if no part does. So the feet do not slide, whatever the solver's remaining error.
 mannequin::Posture stoodOn(const mannequin::Figure& figure, const mannequin::Posture& start,
                            const mannequin::Posture& there, const FootPlaces& feet);
 

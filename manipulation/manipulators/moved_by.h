@@ -9,7 +9,8 @@
 
 namespace hapticell::manipulation {
 
-/// What of a mannequin stands still while a part of it is drawn. Feet stand anyway, unless they may step.
+/// The parts of a mannequin that do not move while another part is dragged. The feet stay in any case, unless they may
+/// step.
 struct BodyLocks {
   bool trunk = false;   ///< Pelvis and spine do not move.
   bool pelvis = false;  ///< The pelvis does not move.
@@ -18,28 +19,28 @@ struct BodyLocks {
   bool operator==(const BodyLocks&) const = default;
 };
 
-/// Ways of moving an entity: what the hand holds of it, whose frame M then follows the stylus. Each with what can be
-/// chosen of it.
+/// Ways to move an entity, by the part that the hand holds; its frame M follows the stylus. Each has its own options.
 namespace by {
 
 /// Robots: the tool centre point; joints follow by the inverse model.
 struct Tool {
-  /// The joints of what the robot stands on (a rail, a gantry, a rotary table) go along as external axes, where there
-  /// are any that may move.
+  /// The joints of the robot's carrier (a rail, a gantry, a rotary table) move along as external axes, if there are any
+  /// that may move.
   bool with_axes = false;
-  /// What yields at a singularity, as `robot.at_singularity` says it; empty: as configured.
+  /// What yields at a singularity, a value of `robot.at_singularity`; empty: as configured.
   std::string at_singularity = {};
   bool operator==(const Tool&) const = default;
 };
-/// What is usual: robots by their tool, a free hand by its base, all else by its origin.
+/// The default: robots by their tool, a free hand by its base, all others by their origin.
 struct Default {
   Tool tool = {};
-  BodyLocks locks = {};  ///< Kept for what is chosen later; only mannequins have them.
+  BodyLocks locks = {};  ///< Stored for a later choice; for mannequins only.
   bool operator==(const Default&) const = default;
 };
 /// Robots: the root link; the robot moves as a whole.
 struct Base {
-  bool keeps_tool = false;          ///< The tool centre point stays in the cell, the joints follow; else they stand.
+  bool keeps_tool = false;          ///< The tool centre point stays in the cell and the joints follow; else the joints
+                                    ///< do not move.
   std::string at_singularity = {};  ///< As Tool's, where the tool stays.
   bool operator==(const Base&) const = default;
 };
@@ -57,20 +58,20 @@ struct Frame {
   std::string at_singularity = {};  ///< As Tool's, for a robot's link.
   bool operator==(const Frame&) const = default;
 };
-/// Mannequins: the whole figure as it stands.
+/// Mannequins: the whole figure in its present posture.
 struct Whole {
   bool operator==(const Whole&) const = default;
 };
 /// Mannequins: the hand's grip; the body follows.
 struct Hand {
   mannequin::Side side = mannequin::Side::kRight;
-  bool may_step = false;  ///< The feet may be put elsewhere where the hand is not reached from where they stand.
+  bool may_step = false;  ///< The feet may step if the hand's target is out of reach.
   BodyLocks locks = {};
   bool operator==(const Hand&) const = default;
 };
 /// Mannequins: what both hands hold.
 struct BothHands {
-  bool apart = false;     ///< Each hand goes by the stylus's motion about its own grip; else both as one, rigidly.
+  bool apart = false;     ///< Each hand makes the stylus's motion about its own grip; else both move as one rigid body.
   bool may_step = false;  ///< As Hand's.
   BodyLocks locks = {};
   bool operator==(const BothHands&) const = default;
@@ -90,14 +91,14 @@ using MovedBy = std::variant<by::Default, by::Tool, by::Base, by::Origin, by::Ce
 
 /// The same thing is held, whatever its options and the frame's name.
 bool isSameWay(const MovedBy& a, const MovedBy& b);
-/// Mannequins alone are moved so.
+/// True for ways that apply to mannequins only.
 bool isOfBody(const MovedBy& moved_by);
-/// The name of the frame that is held; empty: no named one is.
+/// The name of the held frame; empty: not a named frame.
 std::string frameOf(const MovedBy& moved_by);
-/// What counts where it is a robot's tool that is held; null for ways that hold something else.
+/// The options of by::Tool; null for other ways.
 by::Tool* toolOf(MovedBy& moved_by);
 const by::Tool* toolOf(const MovedBy& moved_by);
-/// What stands still; null for ways that move no part of a body.
+/// The locks; null for ways that do not move a part of a body.
 BodyLocks* locksOf(MovedBy& moved_by);
 const BodyLocks* locksOf(const MovedBy& moved_by);
 
@@ -105,16 +106,16 @@ const BodyLocks* locksOf(const MovedBy& moved_by);
 /// both_hands, head; anything else is an error that lists them.
 Expected<MovedBy> parseMovedBy(const std::string& text);
 
-/// The error of a choice's `text` that is none of `choices`; `key` names the choice.
+/// The error for a `text` that is not one of `choices`; `key` names the choice.
 tl::unexpected<Error> unknownWord(const std::string& key, const std::string& text, const std::string& choices);
 
-/// "trunk", "feet", "pelvis", "seat", several with commas between, or "none". Feet stand anyway.
+/// "trunk", "feet", "pelvis", "seat", several with commas between, or "none". The feet stay in any case.
 Expected<BodyLocks> parseLock(const std::string& text);
 
-/// Locks what of a body does not move. An error where `moved_by` moves something else and there is anything to lock.
+/// Sets the locks. Error: `locks` is not empty but `moved_by` has no locks.
 Expected<void> setLocks(MovedBy& moved_by, const BodyLocks& locks);
 
-/// "tcp", "frame:NAME", ...: what of an entity is moved, as files and INTERFACES say it. Robots: by default tcp, solids
+/// "tcp", "frame:NAME", ...: how an entity is moved, as written in files and INTERFACES. Robots: by default tcp, solids
 /// self_origin.
 std::string wordOf(const MovedBy& moved_by, bool is_robot);
 

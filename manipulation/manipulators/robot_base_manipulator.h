@@ -6,10 +6,10 @@
 namespace hapticell::manipulation {
 
 /// A robot that is moved by its base while its tool centre point stays where it is in the cell: the joints follow by
-/// the inverse model. The base goes no further than the tool can be kept; the joints' ends are felt.
+/// the inverse model. The base moves only as far as the tool can be kept; the joints' limits are felt.
 class RobotBaseManipulator final : public Manipulator {
  public:
-  /// The tool stays where it stands at `taken`. `inverse` is for the same tool.
+  /// The tool keeps its pose of `taken`. `inverse` is for the same tool.
   RobotBaseManipulator(std::shared_ptr<const kinematics::RobotModel> model, const RobotManipulator::Tool& tool,
                        std::unique_ptr<const kinematics::InverseModel> inverse,
                        std::vector<RobotManipulator::Part> parts, const EntityConfiguration& taken);
@@ -34,7 +34,7 @@ class RobotBaseManipulator final : public Manipulator {
   RobotManipulator::Tool tool_;
   RobotManipulator arm_;
   std::size_t parts_;
-  Pose X_WT_;  ///< Where the tool stays.
+  Pose X_WT_;  ///< The tool's fixed pose.
 };
 
 }  // namespace hapticell::manipulation

@@ -15,16 +15,16 @@ struct RobotDifferential;
 /// A robot that is dragged by its tool centre point: the inverse model nearest to the previous joints moves the arm,
 /// and its joint limits and the edge of its workspace are felt.
 ///
-/// One proposal never moves a joint further than its greatest speed allows in the time given: through a wrist
-/// singularity the arm swings round in many steps, its position kept (or what kinematics::SingularityChoice says), and
-/// never jumps. The rest of the way is proposed at the next step.
+/// One proposal never moves a joint further than its greatest speed allows in the time given: at a wrist singularity
+/// the arm swings round in many steps, keeping its position (or what kinematics::SingularityChoice selects), and never
+/// jumps. The next step proposes the rest of the motion.
 class RobotManipulator final : public Manipulator {
  public:
   struct Tool {
     int tip_link = 0;
     Pose X_LT;  ///< Tool centre point in the tip link.
   };
-  /// A moved part: a link's own shape, or what hangs on the link (a gripped part).
+  /// A moved part: a link's own shape, or a part attached to the link (a gripped part).
   struct Part {
     int link = 0;
     Pose X_LP;
@@ -32,8 +32,8 @@ class RobotManipulator final : public Manipulator {
   /// `inverse` is for the same tool.
   RobotManipulator(std::shared_ptr<const kinematics::RobotModel> model, const Tool& tool,
                    std::unique_ptr<const kinematics::InverseModel> inverse, std::vector<Part> parts);
-  /// Makes singular positions walls that are felt and never passed; nothing happens to robots with closed loops, whose
-  /// closure knows its own.
+  /// Makes singularities walls that are felt and never passed. No effect on robots with closed loops, whose closure has
+  /// its own limits.
   void stopAtSingularities();
   /// Parts that are links.
   static std::vector<Part> partsOf(const std::vector<int>& links);

@@ -12,7 +12,7 @@ namespace hapticell::manipulation {
 class SingularityWall {
  public:
   static constexpr double kWall = 0.02;
-  /// What is felt stands a little before what is never passed, so that a hand slides along it.
+  /// The felt wall is a little before the hard one, so that a hand slides along it.
   static constexpr double kFelt = 0.024;
 
   /// `model` is kept by reference and has no closure (contract).

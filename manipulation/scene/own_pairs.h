@@ -8,7 +8,7 @@
 
 namespace hapticell::manipulation {
 
-/// A part that moves with a robot: a link's own shape, or what hangs on the link (a gripped part).
+/// A part that moves with a robot: a link's own shape, or a part attached to the link (a gripped part).
 struct OwnPart {
   int link = 0;
   bool carried = false;

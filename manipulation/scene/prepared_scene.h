@@ -40,7 +40,7 @@ struct ScenePart {
 
 class PreparedScene;
 
-/// How far a preparation is, for whoever shows or ends it. Any thread may read, and cancel, at any time.
+/// Progress of a preparation, for showing or cancelling it. Any thread may read, and cancel, at any time.
 struct PreparationProgress {
   std::atomic<std::size_t> steps{0};  ///< In all (a triangle counts once for each thing that is made of it),
   std::atomic<std::size_t> done{0};   ///< and of these so far.
@@ -50,13 +50,13 @@ struct PreparationProgress {
   std::shared_ptr<const PreparedScene> given_up;
 };
 
-/// The document as the manipulation loop works on it: its entities, their parts ready for queries, and what is checked
+/// The document prepared for the manipulation loop: its entities, their parts ready for queries, and what is checked
 /// against what. Immutable; any thread.
 class PreparedScene {
  public:
-  /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has prepared are
-  /// taken over from it. Entities without a mesh have no parts. Null when cancelled (see
-  /// PreparationProgress::given_up). Programs ask the one owner of scenes instead: SceneService.
+  /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has prepared are taken over
+  /// from it. Entities without a mesh have no parts. Null when cancelled (see PreparationProgress::given_up). Programs
+  /// use SceneService instead, the only owner of scenes.
   static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
                                                       workcell::PairPolicy pairs,
                                                       const workcell::PairDefaults& defaults,
@@ -76,20 +76,20 @@ class PreparedScene {
   const workcell::PairPolicy& pairs() const { return pairs_; }
   const workcell::PairDefaults& defaults() const { return defaults_; }
 
-  /// Poses X_WP of an entity's part when the entity stands so.
+  /// Pose X_WP of an entity's part for the given placement and joints.
   static Pose partPose(const workcell::Entity& entity, const Pose& X_WE, const std::vector<double>& joints, int link);
 
   /// What is checked against the entity, its own choice on contact being `on_contact`.
   std::vector<workcell::EffectivePair> pairsOf(workcell::EntityId moved, workcell::OnContact on_contact) const;
 
-  /// The user's rule for two of its parts; null where there is none.
+  /// The user's rule for two of its parts; null without a rule.
   const workcell::PairRule* ruleFor(const ScenePart& a, const ScenePart& b) const;
 
   /// Whether these two are ever checked against each other: no rule of the user leaves them out, and they can move
   /// against each other (what is attached is one body with the link it is attached to).
   bool isChecked(const ScenePart& a, const ScenePart& b) const;
 
-  /// A frame by its name: a frame of an entity, or an entity's own. Null entity when there is none.
+  /// A frame by its name: a frame of an entity, or an entity's own. Null entity if it does not exist.
   struct FoundFrame {
     const workcell::Entity* entity = nullptr;
     Pose X_EF;

@@ -13,7 +13,7 @@
 
 namespace hapticell::manipulation {
 
-/// What a scene is prepared of: the entities together with what is checked against what.
+/// The source of a scene: the entities and the pairs to check.
 struct SceneSource {
   std::vector<workcell::Entity> entities;
   workcell::PairPolicy pairs;
@@ -25,33 +25,33 @@ struct SceneSource {
 
 /// Distances for pairs that no set names, as configured.
 workcell::PairDefaults pairDefaults(const config::Configuration& configuration);
-/// The document as it stands, with all its pair sets and rules.
+/// The present document, with all its pair sets and rules.
 SceneSource sourceOf(const workcell::Document& document, const workcell::PairDefaults& defaults);
 
-/// The one owner of prepared scenes: whoever needs the cell for queries (loop, jog, drags, checks, pictures) asks here,
-/// so that a mesh is made ready once and nobody prepares a cell without its pair rules. Any thread.
+/// The only owner of prepared scenes: all code that needs the cell for queries (loop, jog, drags, checks, pictures)
+/// gets it here. So each mesh is prepared once, and no cell is prepared without its pair rules. Any thread.
 ///
-/// One scene is prepared at a time, on all the machine's cores; who asks meanwhile waits, as what it needs is mostly
-/// what is being made ready.
+/// One scene is prepared at a time, on all the machine's cores; other callers wait, because they mostly need the same
+/// scene.
 class SceneService {
  public:
   SceneService() = default;
   SceneService(const SceneService&) = delete;
   SceneService& operator=(const SceneService&) = delete;
 
-  /// The scene of this source: the one that is there, or a new one with the meshes that are known. Null when cancelled
-  /// (PreparationProgress::build); what was made ready until then is kept for the next one.
+  /// The scene of this source: the existing one, or a new one that reuses known meshes. Null if cancelled
+  /// (PreparationProgress::build); meshes prepared until then are kept for the next one.
   std::shared_ptr<const PreparedScene> prepare(SceneSource source, PreparationProgress* progress = nullptr);
 
-  /// The scene that what runs steps and shows now, for whoever measures the cell beside it; null: nothing runs.
+  /// The scene that the running loop uses and shows, for other code that measures the cell; null: nothing runs.
   void setShown(std::shared_ptr<const PreparedScene> scene);
   std::shared_ptr<const PreparedScene> shown() const;
 
-  /// The document is closed: nothing of it is kept here (who holds a scene goes on holding it).
+  /// The document is closed: drops its scenes here (other owners keep theirs).
   void forget();
 
  private:
-  /// A scene that was handed out. The newest are kept, of others it is known whether somebody holds them yet.
+  /// A scene that was returned. The newest are kept; for others it is known whether they are still in use.
   struct Known {
     std::weak_ptr<const PreparedScene> scene;
     std::uint64_t revision = 0;

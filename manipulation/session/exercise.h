@@ -14,16 +14,16 @@
 
 namespace hapticell::manipulation {
 
-/// An exercise: a cell, an expert's recording in it, and how the trainee is led. A file of its own (*.hexercise, JSON)
-/// beside the cell and the recording that it names.
+/// An exercise: a cell, an expert's recording in it, and how the trainee is led. Stored in a file (*.hexercise, JSON)
+/// next to the cell and the recording that it names.
 struct Exercise {
-  std::string name, text;           ///< What it is called; what is to be done, for the trainee.
+  std::string name, text;           ///< Its name; the task, for the trainee.
   std::filesystem::path workcell;   ///< Absolute.
   std::filesystem::path recording;  ///< Absolute: the expert's motion (*.htraj), of one entity of the cell.
   double tube_radius = 0.02;        ///< m about the expert's path.
-  double lead = 0.012;              ///< m that the help pulls ahead of the trainee.
-  double stiffness = 200.0;         ///< N/m at full help, up to 500.
-  double pass = 60.0;               ///< Points from which a run is a success.
+  double lead = 0.012;              ///< m that the guidance pulls ahead of the trainee.
+  double stiffness = 200.0;         ///< N/m at full guidance, up to 500.
+  double pass = 60.0;               ///< Score from which a run is a success.
   trajectory::ScoringRule rule;
 };
 
@@ -31,14 +31,14 @@ struct Exercise {
 Expected<Exercise> readExercise(const std::filesystem::path& file);
 /// Its text for a file in `folder`.
 std::string exerciseText(const Exercise& exercise, const std::filesystem::path& folder);
-/// Reads a written exercise and compares every field of it with what was to be written. Error: the field, what stands in
-/// the file and what should, or what keeps the file from being read (a number out of range).
+/// Reads a written exercise and compares every field of it with what was to be written. Error: the field with its found
+/// and expected value, or why the file cannot be read (a number out of range).
 Expected<void> checkExercise(const Exercise& wanted, const std::filesystem::path& written);
 /// The *.hexercise files of a folder, by name.
 std::vector<std::filesystem::path> exercisesIn(const std::filesystem::path& folder);
 
-/// One run of a trainee: follows it along the expert's way, makes the guide that leads it there, and scores it. The
-/// guide goes with the trainee and waits for it: it reaches only `lead` ahead of where the trainee is. One thread.
+/// One run of a trainee: follows it along the expert's path, makes the guide, and scores it. The guide moves with the
+/// trainee and waits: it reaches only `lead` ahead of the trainee. One thread.
 class TrainingRun {
  public:
   /// @pre the expert has frames
@@ -46,11 +46,11 @@ class TrainingRun {
 
   /// Where the moved frame is now.
   void follow(const Pose& X_WM);
-  /// The guide as it stands now; without help only the tube about the path is left, and with `help` 0 not even that.
+  /// The present guide; without guidance only the tube around the path remains, and with `help` 0 not even that.
   workcell::Guide guide() const;
   double share() const { return progress_.share(); }
   double help() const { return help_; }
-  /// The way is gone: the run can be ended.
+  /// The path is completed: the run can be ended.
   bool isDone() const { return progress_.share() > 0.98; }
   const trajectory::Trajectory& expert() const { return expert_; }
   /// When the expert was where the trainee is, s since the recording's beginning.

@@ -9,8 +9,8 @@
 
 namespace hapticell::manipulation {
 
-/// A haptic server of one's own for the time of a session: force loop and network in threads of this process, listening
-/// on a free port of this machine, with a simulated device. It ends with the object, force zero first.
+/// A private haptic server for one session: force loop and network in threads of this process, listening on a free port
+/// of this machine, with a simulated device. It ends with the object, force zero first.
 class LocalServer {
  public:
   /// Errors: the device cannot be opened, no port can be had.

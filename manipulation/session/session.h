@@ -44,7 +44,7 @@ struct SessionOptions {
 
   std::optional<trajectory::RecordingOptions> recording;  ///< What is held is recorded, a step of the loop at a time.
   bool mark_by_button = false;  ///< The second button adds a frame by hand (else it is the clutch).
-  /// Led along an expert's way with this help (0 .. 1), felt while the recording's entity is held.
+  /// Guidance along an expert's path (0 .. 1), felt while the recording's entity is held.
   struct Training {
     Exercise exercise;
     trajectory::Trajectory expert;
@@ -84,7 +84,7 @@ struct SessionForces {
 struct SessionEnd {
   bool held = false;
   EntityConfiguration configuration;
-  /// External axes by name, where they stand; empty unless they went along.
+  /// External axes by name, with their configuration; empty unless they moved along.
   std::vector<std::pair<std::string, EntityConfiguration>> axes;
   Pose X_WM;                          ///< The moved frame.
   std::vector<std::string> contacts;  ///< Names of what it touches.
@@ -104,19 +104,21 @@ struct SessionReport {
   std::vector<JointUse> joints;       ///< One a variable of a robot; empty for others.
   std::vector<std::string> notices;
   SessionEnd end;
-  double training_share = 0.0;       ///< Of the expert's way that was gone.
+  double training_share = 0.0;       ///< Completed share of the expert's path.
   trajectory::Trajectory recording;  ///< Without frames where none was asked for, or nothing was moved.
-  std::vector<trajectory::Trajectory> other_recordings;  ///< Of what moved beside the chosen entity, on its clock.
+  std::vector<trajectory::Trajectory> other_recordings;  ///< Of the entities that moved besides the chosen one, on its
+                                                         ///< clock.
 };
 
 /// Runs a session in virtual time, in the caller's thread: force loop and simulated device at 1 ms, the manipulation
 /// step and the picture at their rates, messages late by the latency. The same options give the same report to the last
-/// digit (but for machine times). Errors: no such entity, a frame that is not there, a mesh that is not fit.
+/// digit (but for machine times). Errors: the entity or the frame does not exist, an unusable mesh.
 Expected<SessionReport> runSession(const SessionOptions& options, const TraceSink& trace = {});
 
 /// The same through a haptic server over TCP, in real time. The server's device must be a simulated one, which this
-/// session's hand holds. Errors also: no server answers within five seconds, its device cannot be held, or it is lost
-/// before the hand path has ended (closed, silent for a second, connected to anew, taken by another): when, and why.
+/// session's hand holds. Further errors: no server answers within five seconds; its device cannot be held; the
+/// connection is lost before the end of the hand path (closed, silent for a second, reconnected, taken by another
+/// client), with the time and the reason.
 Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const std::string& host, int port,
                                            const TraceSink& trace = {});
 

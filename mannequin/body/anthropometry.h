@@ -79,7 +79,7 @@ Expected<double> statureOfPercentile(Sex sex, double percentile);
 /// The inverse of statureOfPercentile().
 double percentileOfStature(Sex sex, double stature);
 
-/// What is asked of a body: a stature and, where known, a mass (kg). Dimensions in `own` (by Dimension) go before all.
+/// A request for a body: a stature and, where known, a mass (kg). Dimensions in `own` (by Dimension) go before all.
 struct BodyRequest {
   Sex sex = Sex::kMale;
   double stature = 1.755;

@@ -7,9 +7,9 @@
 
 namespace hapticell::mannequin {
 
-/// What a body is built from, as workcells keep it: "mannequin:SEX:SIZE[:MASSkg][:DIMENSION=M]...", where SIZE is a
-/// percentile of stature ("5") or a stature ("1620mm"), and DIMENSION an own measure by its ANSUR II word in metres.
-/// Refused: another scheme, sex or word, a number that is none. Ranges are makeFigure()'s to check.
+/// The parameters of a body, as workcells store them: "mannequin:SEX:SIZE[:MASSkg][:DIMENSION=M]...", where SIZE is a
+/// percentile of stature ("5") or a stature ("1620mm"), and DIMENSION a measure by its ANSUR II name, in metres.
+/// Errors: another scheme, sex or word, an invalid number. makeFigure() checks the ranges.
 Expected<BodyRequest> parseBodyRequest(const std::string& text);
 
 /// The same text for a request; statures to a tenth of a millimetre, masses to 10 g.

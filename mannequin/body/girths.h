@@ -9,8 +9,8 @@
 
 namespace hapticell::mannequin {
 
-/// What the surface of a body is shaped by beside its Dimensions: girths, breadths and depths of ANSUR II (definitions
-/// there; arm and forearm are measured flexed), SI.
+/// Measures that shape the surface of a body in addition to its Dimensions: girths, breadths and depths of ANSUR II
+/// (definitions there; arm and forearm are measured flexed), SI.
 enum class Girth : std::uint8_t {
   kNeck,
   kChest,

@@ -21,7 +21,7 @@ enum class BallJoint : std::uint8_t { kShoulder, kHip };
 /// True for the three angles of a shoulder or hip, whose limits are coupled.
 bool isCoupled(Dof dof);
 
-/// Where an orientation stands against the limits, rad.
+/// An orientation compared with the limits, rad.
 struct BallState {
   double rho = 0.0;
   double psi = 0.0;

@@ -11,10 +11,11 @@
 
 namespace hapticell::mannequin {
 
-/// How the frames of a clip's joints lie against the segments they carry. Programs lay them as they like (parallel at a
-/// T-pose, each along its bone, with the hips turned): what can be seen from where joints are is taken from there, what
-/// cannot (which way the head looks, how a hand is turned about the forearm) from the rest position where that agrees
-/// with the motion, else from the axis of the joint's frame that lies nearest on the whole, else from the mean.
+/// Orientation of the frames of a clip's joints relative to the segments that they carry. Programs choose these frames
+/// differently (parallel at a T-pose, each along its bone, with the hips turned). What the joints' positions determine
+/// is computed from them. The rest (where the head looks, how a hand is turned about the forearm) comes from the rest
+/// position if that agrees with the motion. Else it comes from the nearest axis of the joint's frame on average, else
+/// from the mean.
 class BodyFrames {
  public:
   /// `R_WC` turns the clip's axes into the world (Z up). The clip is used during construction only.

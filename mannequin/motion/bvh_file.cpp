@@ -214,7 +214,7 @@ class BvhReader {
     frame.turns[channel.joint] = glm::normalize(frame.turns[channel.joint] * quaternionFromRotationVector(turn));
   }
 
-  /// Positions of joints below the root replace their offsets; where they stay near zero though the offset is none,
+  /// Positions of joints below the root replace their offsets; where they stay near zero though there is no offset,
   /// they are added to it. What does not move is left out of the frames.
   void settlePlaces() {
     if (!moves_ || clip_.frames.empty()) return;

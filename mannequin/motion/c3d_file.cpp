@@ -119,7 +119,7 @@ class C3dReader {
     }
   }
 
-  /// Nothing where the fourth number is negative (not seen) or a coordinate is none.
+  /// Nothing where the fourth number is negative (not seen) or a coordinate is not a number.
   std::optional<dvec3> placeAt(std::size_t at) const {
     const C3dBytes& bytes = parameters_.bytes();
     const std::size_t size = layout_.numberBytes();

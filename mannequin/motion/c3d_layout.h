@@ -12,7 +12,7 @@
 
 namespace hapticell::mannequin {
 
-/// How the points stand in a C3D file.
+/// Layout of the points in a C3D file.
 struct C3dLayout {
   std::size_t data_at = 0;  ///< First byte.
   std::size_t markers = 0, analog = 0, frames = 0;
@@ -180,7 +180,7 @@ class LayoutFinder {
     return found;
   }
 
-  /// Where rows go on behind the stated number of frames, to the file's last block.
+  /// If rows continue after the stated number of frames, up to the file's last block.
   C3dLayout withAllRows(C3dLayout l) const {
     std::size_t rows = rowsThere(l);
     while (rows > l.frames && isEmpty(l.data_at + (rows - 1) * l.rowBytes(), l.rowBytes())) --rows;

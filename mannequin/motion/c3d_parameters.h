@@ -17,13 +17,13 @@
 
 namespace hapticell::mannequin {
 
-/// Header and parameters of a C3D file, as they stand in it. Parameters end with their section, with a name without
-/// letters, or with the first that leads out of the section; one of no known kind is passed over, with a warning.
+/// Header and parameters of a C3D file, unchanged. Parameters end with their section, with a name without letters, or
+/// with the first that leads out of the section; one of no known kind is passed over, with a warning.
 class C3dParameters {
  public:
   static constexpr std::size_t kBlock = 512;
 
-  /// Errors: no C3D header, parameters beyond the file, a processor that is none.
+  /// Errors: no C3D header, parameters beyond the end of the file, an unknown processor type.
   static Expected<C3dParameters> read(std::string_view bytes, const std::string& name);
 
   const C3dBytes& bytes() const { return bytes_; }
@@ -36,7 +36,7 @@ class C3dParameters {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  /// Where a parameter stands in the file.
+  /// Position of a parameter in the file.
   struct Parameter {
     int type = 0;  ///< -1 letters, 1 bytes, 2 whole numbers, 4 real ones.
     std::vector<std::size_t> sizes;

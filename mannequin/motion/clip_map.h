@@ -8,10 +8,10 @@
 
 namespace hapticell::mannequin {
 
-/// Which joints of a clip stand for which of the figure's; -1 where there is none. Arrays: left, right.
+/// Which joint of a clip corresponds to which of the figure's; -1: no joint. Arrays: left, right.
 struct ClipMap {
-  int root = -1;    ///< The pelvis: what both legs and the spine hang on.
-  int thorax = -1;  ///< What both arms and the head hang on; the pelvis where there is no spine.
+  int root = -1;    ///< The pelvis: the common parent of both legs and the spine.
+  int thorax = -1;  ///< The common parent of both arms and the head; the pelvis where there is no spine.
   int neck = -1;    ///< The lowest joint between thorax and head.
   int head = -1;
   std::array<int, 3> spine{-1, -1, -1};  ///< From below, the last is the thorax; the others where the clip has them.
@@ -24,8 +24,8 @@ struct ClipMap {
 };
 
 /// Limbs and head by their names (those of CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens
-/// and SMPL are understood, with any namespace), the rest by what hangs on what. Error: what is missing, with the
-/// file's names. Neck, collars, toes, fingers and parts of the spine may be missing.
+/// and SMPL are understood, with any namespace), the rest by the hierarchy. Error: what is missing, with the file's
+/// names. Neck, collars, toes, fingers and parts of the spine may be missing.
 Expected<ClipMap> mapJoints(const MotionClip& clip);
 
 }  // namespace hapticell::mannequin

@@ -21,7 +21,7 @@ std::optional<GloveReadings> gloveReadings(std::span<const double> readings);
 
 /// The four poses of a calibration, each held while readings are taken.
 struct GloveCalibrationPoses {
-  GloveReadings flat{};         ///< Fingers straight and together, thumb beside the palm.
+  GloveReadings flat{};         ///< Fingers straight and together, thumb next to the palm.
   GloveReadings fist{};         ///< Fingers curled by 90 deg at every joint.
   GloveReadings spread{};       ///< Fingers 20 deg apart, thumb 50 deg.
   GloveReadings thumb_under{};  ///< Thumb across under the palm.

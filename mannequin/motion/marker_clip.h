@@ -35,7 +35,8 @@ struct MarkerClip {
 /// points; analog channels are passed over. Where header and parameters disagree on counts, places or scale, the size
 /// of the file decides (c3d_layout.h); a unit that is cut ("mete") is completed. Up is `up` where it is given; else
 /// where head and shoulders are over pelvis and feet, by the markers' usual names; else POINT:Y_SCREEN; else the
-/// longest side of all markers; else z. Every choice is a warning. Errors name the byte: what is cut or has no points.
+/// longest side of all markers; else z. Every choice is a warning. Errors name the byte: truncated files and files
+/// without points.
 Expected<MarkerClip> parseC3d(std::string_view bytes, const std::string& name, std::optional<UpAxis> up = {});
 /// The same of a file of at most 1 GB.
 Expected<MarkerClip> readC3d(const std::filesystem::path& file, std::optional<UpAxis> up = {});

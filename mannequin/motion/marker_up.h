@@ -13,7 +13,7 @@
 
 namespace hapticell::mannequin {
 
-/// Turns the clip, whose places are in the file's own axes, so that z is up, and says why. `told` goes before all;
+/// Turns the clip, whose places are in the file's own axes, so that z is up, and says why. `told` has priority;
 /// `screen` is the file's POINT:Y_SCREEN, empty where it has none.
 inline void turnUpright(MarkerClip& clip, std::optional<UpAxis> told, const std::string& screen);
 

@@ -17,7 +17,7 @@ struct ClipJoint {
   std::string name;
   int parent = -1;      ///< Index before its own; -1 for the root.
   dvec3 p_Parent{0.0};  ///< In the parent's frame, m; the mean where the file moves it.
-  bool is_end = false;  ///< The end of a bone without joints of its own.
+  bool is_end = false;  ///< The end of a bone without further joints.
 };
 
 /// One moment: where the root is and how each joint turns in its parent.
@@ -49,16 +49,17 @@ void placeJoints(const MotionClip& clip, const ClipFrame& frame, ClipPose& pose)
 /// read, also beyond the stated number of frames (with a warning); fewer are an error. Names may have blanks. Positions
 /// in the channels of a joint replace its OFFSET, or are added to it where they stay near zero. The file does not say
 /// its unit: `metres_per_unit` 0 guesses it from the length of the legs (a person's are about 0.82 m), else from the
-/// height at rest. Errors name the line: two roots, a decimal comma, UTF-16, what is cut.
+/// height at rest. Errors name the line: two roots, a decimal comma, UTF-16, truncated files.
 Expected<MotionClip> readBvh(std::string_view text, const std::string& name, double metres_per_unit = 0.0);
 
 /// Reads a skeleton in ASF with its motion in AMC (CMU's convention: lengths in 1/0.45 inch unless the file's unit says
-/// otherwise, each bone with axes C of its own, local turn C M C^-1). A bone's joint is at its parent's end. `:RADIANS`
-/// and `:DEGREES` of the AMC go before the ASF's unit. A frame number that does not follow its predecessor is an error.
+/// otherwise, each bone with its own axes C, local rotation C M C^-1). A bone's joint is at its parent's end.
+/// `:RADIANS` and `:DEGREES` of the AMC go before the ASF's unit. A frame number that does not follow its predecessor
+/// is an error.
 Expected<MotionClip> readAsfAmc(std::string_view asf, const std::string& asf_name, std::string_view amc,
                                 const std::string& amc_name);
 
-/// By the ending: .bvh, or .amc with the .asf beside it (the same stem, or its part before '_').
+/// By the ending: .bvh, or .amc with the .asf next to it (the same stem, or its part before '_').
 Expected<MotionClip> readMotionFile(const std::filesystem::path& file);
 
 }  // namespace hapticell::mannequin

@@ -42,12 +42,12 @@ struct MotionReading {
   std::filesystem::path markers;  ///< Of a C3D: a table of the user's own markers (marker_set.h).
 };
 
-/// The person in a skeleton's clip. Only places of joints count: frames of segments are found from joints that hang on
-/// them, from the rest position where that agrees with the motion, and from the motion on the whole; up is where the
+/// The person in a skeleton's clip. Only places of joints count: frames of segments are computed from their child
+/// joints, from the rest position where that agrees with the motion, and from the motion on the whole; up is where the
 /// head is over the feet. What was taken is said in `assumptions`. Errors: of mapJoints(); legs without length.
 Expected<RecordedMotion> recordedMotion(const MotionClip& clip, const MotionReading& reading = {});
 
-/// By the file's ending: .bvh, .amc beside its .asf, .c3d. Errors name the file.
+/// By the file's ending: .bvh, .amc next to its .asf, .c3d. Errors name the file.
 Expected<RecordedMotion> readRecordedMotion(const std::filesystem::path& file, const MotionReading& reading = {});
 
 }  // namespace hapticell::mannequin

@@ -9,8 +9,8 @@
 
 namespace hapticell::mannequin {
 
-/// Words of a text with the line they stand in. Lines end as on Unix, Windows or an old Mac; a byte order mark before
-/// the first word is passed over.
+/// Words of a text with their line numbers. Lines end as on Unix, Windows or an old Mac; a byte order mark before the
+/// first word is skipped.
 class WordReader {
  public:
   explicit WordReader(std::string_view text) : text_(text) {
@@ -29,7 +29,7 @@ class WordReader {
     WordReader copy = *this;
     return copy.next();
   }
-  /// What is left of this line.
+  /// The rest of this line.
   std::string_view restOfLine() {
     const std::size_t begin = at_;
     while (at_ < text_.size() && !endsLine(text_[at_])) ++at_;
@@ -40,7 +40,7 @@ class WordReader {
     while (at_ < text_.size() && isBlank(text_[at_])) step();
     return restOfLine();
   }
-  /// What stands before `mark` or the line's end, from the next word on, without blanks at its end.
+  /// The text from the next word up to `mark` or the line's end, without trailing blanks.
   std::string_view nextBefore(char mark) {
     while (at_ < text_.size() && isBlank(text_[at_])) step();
     const std::size_t begin = at_;

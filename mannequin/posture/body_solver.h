@@ -75,7 +75,7 @@ class BodySolver {
   /// Binds the right hand to the left one exactly; false when the arm cannot.
   bool bindHeld();
 
-  /// What the variables would do for a small motion of a hand, to first order; `axes` tells what they turn about.
+  /// What the variables would do for a small motion of a hand, to first order; `axes` lists their rotation axes.
   Variables response(Side hand, const Twist& motion, VariableAxes& axes) const;
 
   int iterations() const { return iterations_; }

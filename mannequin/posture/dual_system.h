@@ -100,7 +100,7 @@ class DualSystem {
     }
   }
 
-  /// A = U^T D U with a unit diagonal in U; D stands on the diagonal.
+  /// A = U^T D U with a unit diagonal in U; D is on the diagonal.
   void factorise() {
     for (int j = 0; j < kTaskRows; ++j) {
       U_[j][j] = std::max(U_[j][j], 1e-14);

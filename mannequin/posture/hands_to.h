@@ -12,7 +12,7 @@ namespace hapticell::mannequin {
 /// Where a hand is wanted on a part.
 struct HandTarget {
   dvec3 p_W{0.0};               ///< On the surface; there the centre of the grip goes.
-  dvec3 into_W{1.0, 0.0, 0.0};  ///< Unit, into the part: where the palm looks, where the arm lets it.
+  dvec3 into_W{1.0, 0.0, 0.0};  ///< Unit, into the part: the direction of the palm, if the arm allows it.
 };
 
 struct HandsReach {
@@ -20,9 +20,9 @@ struct HandsReach {
   std::array<double, 2> short_m{};  ///< m from each grip's centre to its target; 0 for a hand that is not sent.
 };
 
-/// Sends hands (left, right) to targets, from `start`. The palms look into the part where limits allow it, else the
-/// wrists are as the arms bring them. `task` says what else holds (locks, feet, balance); its hands are not minded.
-/// Out of reach: the nearest posture, and by how much it is short. Takes up to half a second; any thread.
+/// Sends hands (left, right) to targets, from `start`. The palms face the part if the limits allow it; else the wrists
+/// follow the arms. `task` says what else holds (locks, feet, balance); its hands are not minded. Out of reach: the
+/// nearest posture, and by how much it is short. Takes up to half a second; any thread.
 HandsReach handsTo(const Figure& figure, const Posture& start, const PostureTask& task,
                    const std::array<std::optional<HandTarget>, 2>& targets);
 

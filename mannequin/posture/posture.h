@@ -13,7 +13,7 @@
 
 namespace hapticell::mannequin {
 
-/// How a figure stands: where its root (mid-hip, pelvis frame R) is, and its 56 joint angles. A value.
+/// The posture of a figure: where its root (mid-hip, pelvis frame R) is, and its 56 joint angles. A value.
 struct Posture {
   Pose X_WR;
   JointAngles angles{};

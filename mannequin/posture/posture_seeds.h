@@ -14,8 +14,8 @@ struct SeededState {
 SeededState withArms(const Figure& figure, const ResolvedTask& task, const BodyState& from, int swivels);
 
 /// Starting postures for a cold solve: 48 trunks built from the present stance (4 crouches, 4 pitches, 3 turns), ranked
-/// by how well the shoulders then stand to the hands' targets. The best are made into whole postures, legs and arms in
-/// closed form, a few at a time when they are asked for.
+/// by the position of the shoulders relative to the hands' targets. The best are made into whole postures, legs and
+/// arms in closed form, a few at a time when they are asked for.
 class PostureSeeds {
  public:
   static constexpr std::size_t kTrunks = 48, kMost = 8, kBatch = 4;

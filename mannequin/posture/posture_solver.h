@@ -16,13 +16,13 @@ struct HeldObject {
   std::array<Pose, 2> X_OH;  ///< Left and right hand (frame H) in the object's frame.
 };
 
-/// What is asked of a posture.
+/// Requirements on a posture.
 struct PostureTask {
   std::array<std::optional<Pose>, 2> hands;        ///< Wanted poses X_WH of left and right hand (see handPose()).
   std::array<bool, 2> orientation = {true, true};  ///< False: only the wrist's place is wanted.
   std::optional<HeldObject> held;                  ///< Goes before `hands`.
-  std::array<std::optional<Pose>, 2> feet;  ///< Where the feet (their segments' frames) stand; where the start has them
-                                            ///< if not said.
+  std::array<std::optional<Pose>, 2> feet;  ///< Poses of the feet (their segments' frames); where the start has them if
+                                            ///< not said.
   bool trunk_locked = false;                ///< Pelvis and spine do not move.
   bool pelvis_locked = false;               ///< The pelvis does not move.
   bool may_step = false;          ///< The feet may be put elsewhere when the hands cannot be met from where they are.
@@ -35,7 +35,7 @@ struct PostureTask {
 
 enum class PostureStatus {
   kSolved,      ///< Hands within 1 mm and 0.5 deg, feet within 0.3 mm, balance and all limits kept.
-  kOutOfReach,  ///< The nearest posture that keeps limits, feet and balance; the errors say what is missing.
+  kOutOfReach,  ///< The nearest posture that keeps limits, feet and balance; the errors give the remaining distance.
 };
 
 struct PostureResult {

@@ -14,8 +14,8 @@ struct SineCosine {
 };
 
 /// All at once by Taylor polynomials on [-45, 45] deg after taking off quarter turns: written so that the compiler can
-/// do several angles in one instruction, and free of the system's libm, so that results repeat on every machine.
-/// Angles beyond 1e5 rad are not meant (contract of the callers: joint angles).
+/// do several angles in one instruction, and free of the system's libm, so that results repeat on every machine. Angles
+/// beyond 1e5 rad are not supported (contract of the callers: joint angles).
 void sinesAndCosines(const JointAngles& angles, SineCosine& result);
 
 }  // namespace hapticell::mannequin

@@ -7,7 +7,7 @@
 
 namespace hapticell::mannequin {
 
-/// What the figure stands on, seen from above: the convex hull of both soles, counter-clockwise, metres in the world.
+/// The support of the figure, seen from above: the convex hull of both soles, counter-clockwise, metres in the world.
 struct SupportPolygon {
   std::array<glm::dvec2, 12> points{};
   std::size_t count = 0;
@@ -16,7 +16,7 @@ struct SupportPolygon {
   double margin(const glm::dvec2& point) const;
 };
 
-/// Hull of the soles of feet that stand at these poses (left, right). Feet in the air count as if they stood: choose by
+/// Hull of the soles of feet at these poses (left, right). Feet in the air count as if they stood: choose by
 /// `on_ground`.
 SupportPolygon supportPolygon(const Figure& figure, const std::array<SegmentPlace, 2>& feet,
                               const std::array<bool, 2>& on_ground = {true, true});

@@ -9,8 +9,8 @@
 namespace hapticell::mannequin {
 
 // Cross-sections of a standing body from published breadths, depths and girths (girths.h); where between two of them
-// nothing is measured, the profile is our own choice. What is felt (fleshOf()) and what is seen (SkinShape) both follow
-// them. k: of the stature, 1 at 1.755 m.
+// nothing is measured, the profile is our own choice. Both the felt surface (fleshOf()) and the drawn one (SkinShape)
+// follow them. k: of the stature, 1 at 1.755 m.
 
 /// Along z from the floor, u to the right, v ahead; from the crotch to the nape.
 std::vector<TubeSection> trunkSections(const Figure& figure);
@@ -20,7 +20,8 @@ std::vector<TubeSection> armSections(const Figure& figure, double out);
 std::vector<TubeSection> legSections(const Figure& figure, double out);
 /// Trousers, wider than the leg from the knee down.
 std::vector<TubeSection> trouserSections(const Figure& figure);
-/// From within the chest to within the skull, u to the right, v ahead; `length`: from the base of the neck to the skull.
+/// From within the chest to within the skull, u to the right, v ahead; `length`: from the base of the neck to the
+/// skull.
 std::vector<TubeSection> neckSections(const Figure& figure, double length);
 
 }  // namespace hapticell::mannequin

@@ -11,12 +11,10 @@
 
 namespace hapticell::mannequin {
 
-/// The whole figure's body in a posture as files have it: one closed surface in the world that
-/// flows over the joints (each body blends with those it is jointed to, upper
-/// arms by the shoulder with the trunk and thighs by the hip with each other too), and the body that each vertex
-/// belongs to, for its colour.
-/// Made anew for each posture from the placed flesh, so nothing can collapse at
-/// a joint. Takes about a second at 8 mm.
+/// The figure's body in a posture, for files: one closed surface in the world that blends over the joints, and the body
+/// of each vertex, for its colour. Each body blends with those that it is joined to; the upper arms also blend with the
+/// trunk near the shoulder, and the thighs with each other near the hip. It is made again for each posture from the
+/// placed flesh, so nothing can collapse at a joint. Takes about a second at 8 mm.
 struct Skin {
   geometry::TriangleMesh mesh;
   std::vector<std::uint8_t> body_of_vertex;

@@ -10,7 +10,7 @@
 
 namespace hapticell::mannequin {
 
-// What a face has beside its flesh, only to be looked at. Our own shapes.
+// Features of a face besides its flesh, for drawing only. Our own shapes.
 
 /// A mesh with its colour, sRGB.
 struct FacePiece {

@@ -11,10 +11,9 @@ namespace hapticell::mannequin {
 
 /// A figure as a tree of links and joints, so that what draws and checks robots draws and checks it too.
 ///
-/// The root link stands on the floor under the standing figure and moves with the pelvis. The variables are the 56
-/// degrees of freedom, in the order of Dof, then the gaze's yaw and pitch, by which the eyes turn; fingers follow their
-/// curl as mimic joints. Links bear H-Anim names and carry the generated body: fine meshes to look at, coarser ones to
-/// check.
+/// The root link is on the floor under the standing figure and moves with the pelvis. The variables are the 56 degrees
+/// of freedom, in the order of Dof, then the gaze's yaw and pitch, by which the eyes turn; fingers follow their curl as
+/// mimic joints. Links bear H-Anim names and carry the generated body: fine meshes to look at, coarser ones to check.
 inline constexpr std::size_t kModelVariables = kDofCount + 2;
 std::shared_ptr<const kinematics::RobotModel> figureModel(const Figure& figure);
 

@@ -11,7 +11,7 @@ namespace hapticell::mannequin {
 struct OutlineView {
   dvec3 right_W{1.0, 0.0, 0.0};  ///< Unit, across the drawing.
   dvec3 up_W{0.0, 0.0, 1.0};     ///< Unit, up the drawing.
-  /// Of an eye that stands to the figure's right and a little before it: what shows trunk and arm best.
+  /// Seen from the figure's right and a little in front of it: what shows trunk and arm best.
   static OutlineView besides(const Posture& posture, double turn = 0.6);
 };
 

@@ -11,11 +11,11 @@
 namespace hapticell::mannequin {
 
 /// The skin of a figure, clothes and face included, that follows every posture: one mesh, shaped once in the bind
-/// posture, whose vertices go along with a few bodies each (dual quaternions: L. Kavan and others, "Geometric skinning
-/// with approximate dual quaternion blending", 2008). Nothing is made anew while it moves, so nothing crawls.
+/// posture, whose vertices each move with a few bodies (dual quaternions: L. Kavan and others, "Geometric skinning with
+/// approximate dual quaternion blending", 2008). The mesh stays the same while it moves, so details do not crawl.
 ///
-/// It is only looked at: collisions know the bodies' own meshes (body_shape.h); tests/mannequin/shape/figure_skin_test.cpp
-/// keeps both within the distance that docs/dev/mannequin.md states.
+/// It is for drawing only: collisions use the bodies' own meshes (body_shape.h).
+/// tests/mannequin/shape/figure_skin_test.cpp keeps both within the distance that docs/dev/mannequin.md states.
 class FigureSkin {
  public:
   /// Takes about 2 s.

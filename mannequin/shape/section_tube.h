@@ -19,8 +19,8 @@ struct TubeSection {
 
 /// Length of the curve of a section, m.
 double perimeterOf(const TubeSection& section);
-/// The section with its breadth and depth kept and the roundness (1.9 to 3.6) that comes nearest to a girth, then scaled
-/// for what is left.
+/// The section with its breadth and depth kept and the roundness (1.9 to 3.6) that comes nearest to a girth, then
+/// scaled for what is left.
 TubeSection withGirth(TubeSection section, double girth);
 /// The section with its depth and roundness kept, as broad as its girth asks.
 TubeSection asBroadAs(TubeSection section, double girth);

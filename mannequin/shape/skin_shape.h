@@ -9,7 +9,7 @@
 
 namespace hapticell::mannequin {
 
-/// What a figure wears, and what of it is bare: each a closed surface of its own that reaches under the next one.
+/// What a figure wears, and what of it is bare: each a separate closed surface that extends under the next one.
 enum class Layer : std::uint8_t { kShirt, kTrousers, kBelt, kShoes, kHands, kHead };
 inline constexpr std::size_t kLayers = 6;
 

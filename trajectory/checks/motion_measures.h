@@ -8,8 +8,8 @@
 
 namespace hapticell::trajectory_checks {
 
-// What a motion that was read back from its file is like, measured by itself. Nothing here is used by, or uses, what
-// smooths, simplifies, times or samples motions (trajectory/ beside Trajectory itself), so that a fault there shows.
+// Measures a motion that was read back from its file. This code shares nothing but Trajectory with the code that
+// smooths, simplifies, times or samples motions, so it can detect faults there.
 
 /// The largest distance of given frames from a written motion, and the time of the given frame where each is (s).
 struct Distances {

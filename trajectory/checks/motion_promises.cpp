@@ -113,7 +113,7 @@ Expected<Promises> resamplePromises(const Trajectory& given, const std::filesyst
   const auto motion = trajectory::readTrajectory(written);
   HAPTICELL_TRY(motion);
   Promises promises;
-  // Times of a copy begin at nought.
+  // Times of a copy begin at 0.
   Trajectory moved = motion->emptyCopy();
   const double shift = given.empty() || motion->empty() ? 0.0 : given[0].t - (*motion)[0].t;
   for (std::size_t i = 0; i < motion->size(); ++i) {

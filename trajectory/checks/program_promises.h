@@ -10,8 +10,8 @@
 
 namespace hapticell::trajectory_checks {
 
-/// Every target of a robot's program is within kProgramPromise of its frame. `read`: what stands in the files that were
-/// written, as it was read from them. Errors: what the language's reader does not understand, or has other targets.
+/// Every target of a robot's program is within kProgramPromise of its frame. `read`: the content of the written files,
+/// as read from them. Errors: what the language's reader does not understand, or has other targets.
 Expected<Promises> programPromises(const trajectory::Trajectory& given,
                                    const std::vector<trajectory::ProgramFile>& read, trajectory::ProgramFormat format,
                                    const trajectory::ProgramOptions& options);

@@ -13,7 +13,7 @@
 namespace hapticell::trajectory {
 
 // Edits of a motion. Each gives a copy; what is given is never changed. Times of a copy begin at 0 unless said. Frames
-// that stay keep what was recorded with them (channels, touches); frames made anew have none of it.
+// that stay keep what was recorded with them (channels, touches); new frames do not have it.
 //
 // Where an edit puts the moved frame somewhere else, a robot's joints cannot be known here: the result has none
 // (`joints_lost`), and manipulation/checks/motion_replay.h finds them again by the inverse model.

@@ -14,7 +14,7 @@ namespace hapticell::trajectory {
 struct HandSample {
   double t = 0.0;  ///< Seconds.
   Pose X_DS;
-  bool button = false;  ///< Pressed; false where the file has no such column.
+  bool button = false;  ///< Pressed; false if the file does not have this column.
 };
 
 /// CSV files with a header line, comma or semicolon between fields, `.` as decimal point whatever the locale. Columns

@@ -6,8 +6,8 @@
 
 namespace hapticell::trajectory {
 
-/// Where a play of one or more motions on one clock stands: time, direction of steps, speed, loop. No clock of its own:
-/// who plays tells how much time has gone by. A value.
+/// State of playing one or more motions on one clock: time, direction of steps, speed, loop. It has no clock: the
+/// caller passes the elapsed time. A value.
 class Playback {
  public:
   /// Times (s, increasing) at which the motions have frames, all in one list; the play runs from the first to the last.
@@ -24,7 +24,7 @@ class Playback {
   bool loops() const { return loops_; }
   double speed() const { return speed_; }
 
-  /// Begins; at the end it begins anew. Nothing where there are no frames.
+  /// Starts; if it is at the end, it starts from the beginning. Does nothing without frames.
   void play();
   void pause() { playing_ = false; }
   /// Goes there (clamped), playing on if it played.
@@ -34,11 +34,11 @@ class Playback {
   /// Factor of the recorded time, above 0 (smaller ones are taken as 0.01).
   void setSpeed(double speed);
   void setLoop(bool on) { loops_ = on; }
-  /// `seconds` of the user's time went by. True while something changed; at the end it stops, or begins anew.
+  /// Advances by `seconds` of the user's time. Returns true if something changed; at the end it stops, or starts again.
   bool advance(double seconds);
 
  private:
-  /// The first stop after `from`, up to `to`; `to` where there is none.
+  /// The first stop after `from`, up to `to`; `to` if there is no stop.
   double stopBetween(double from, double to) const;
   std::vector<double> frames_, stops_;
   double time_ = 0.0, speed_ = 1.0;

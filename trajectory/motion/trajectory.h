@@ -63,10 +63,10 @@ class Trajectory {
   std::span<const Frame> frames() const { return frames_; }
   std::span<const double> joints(std::size_t i) const;
   std::span<const double> channels(std::size_t i) const;
-  /// Index of a channel by name; nothing where there is none.
+  /// Index of a channel by name; empty if it does not exist.
   std::optional<std::size_t> findChannel(std::string_view channel) const;
   bool hasJoints() const { return !joint_names.empty(); }
-  /// All frames are points that somebody set: a program rather than a recording. False where there is none.
+  /// True if all frames are waypoints: a program rather than a recording. False without frames.
   bool isTaught() const;
   /// From the first frame to the last, seconds.
   double duration() const { return empty() ? 0.0 : frames_.back().t - frames_.front().t; }

@@ -10,7 +10,7 @@ namespace hapticell::trajectory {
 
 namespace {
 
-/// Value and two derivatives of a unit quaternion's curve, from those of a quaternion that is none.
+/// Value and two derivatives of a unit quaternion's curve, from those of a quaternion that is not a unit one.
 struct UnitQuaternion {
   dquat value, first, second;
 };

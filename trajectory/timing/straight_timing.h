@@ -5,9 +5,10 @@
 
 namespace hapticell::trajectory {
 
-/// The fastest motion along a straight way from rest to rest within a speed, an acceleration and a jerk: jerk, or where
-/// it is free acceleration, is at its bound or nought in each of up to seven phases (Biagiotti & Melchiorri, Trajectory
-/// Planning for Automatic Machines and Robots, 2008, section 3.4). SI, all positive; the jerk may be infinite.
+/// The fastest motion along a straight line from rest to rest within a speed, an acceleration and a jerk. In each of up
+/// to seven phases the jerk (or, without a jerk limit, the acceleration) is at its bound or zero (Biagiotti &
+/// Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008, section 3.4). SI, all positive; the jerk
+/// may be infinite.
 class StraightTiming {
  public:
   StraightTiming(double way, double speed, double acceleration, double jerk = std::numeric_limits<double>::infinity());

@@ -17,7 +17,7 @@ class PathProgress {
   /// @pre at least one frame
   explicit PathProgress(const Trajectory& expert, double metres_per_radian = 0.1);
 
-  /// The whole way, m (turning included); 0 for a motion that stands.
+  /// The whole way, m (turning included); 0 without motion.
   double length() const { return ways_.empty() ? 0.0 : ways_.back(); }
   double way() const { return way_; }
   double share() const { return length() > 0.0 ? way_ / length() : 1.0; }

@@ -11,7 +11,7 @@
 
 namespace hapticell::trajectory {
 
-/// What a trainee's run was like beside the expert's.
+/// A trainee's run compared with the expert's.
 struct TrainingScore {
   double completed = 0.0;                            ///< Share of the expert's way that was gone, 0 .. 1.
   double time = 0.0, expert_time = 0.0;              ///< s
@@ -76,7 +76,7 @@ struct TrainingSession {
   double nextHelp() const;
   std::size_t count(RunKind kind) const;
   /// Seconds from the newest practice before this date (ISO 8601) to it; nothing: none before it, or no date that can
-  /// be read. Dates without a zone are compared as they stand.
+  /// be read. Dates without a zone are compared unchanged.
   std::optional<double> restBefore(const std::string& date) const;
 };
 

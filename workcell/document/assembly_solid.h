@@ -12,7 +12,7 @@ namespace hapticell::workcell {
 /// one body. The state itself where `name` is no assembly, or one with robots or mechanisms below it.
 DocumentState withAssemblyAsSolid(const DocumentState& state, const std::string& name);
 
-/// One solid of an entity and all that stands below it in the tree (robots left out), in the entity's frame: what an
+/// One solid made of an entity and everything below it in the tree (without robots), in the entity's frame: what an
 /// assembly is while it is held. Empty where there is no mesh at all.
 geometry::TriangleMesh mergedMesh(const DocumentState& state, EntityId id);
 

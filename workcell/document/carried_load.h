@@ -9,7 +9,7 @@
 
 namespace hapticell::workcell {
 
-/// What a robot carries at its flange: all that is attached to the body of its tip link, what hangs on that, and so on.
+/// What a robot carries at its flange: all that is attached to the body of its tip link, directly or through others.
 struct CarriedLoad {
   std::vector<std::shared_ptr<const Entity>> parts;  ///< In the order of the tree.
   std::vector<std::shared_ptr<const Entity>> other;  ///< Carried by its other links: no load of the flange.

@@ -57,7 +57,7 @@ struct SetJoints {
   std::vector<double> joints;
 };
 
-// What hangs on an entity (Attach) goes with it when a command moves it.
+// Entities attached to an entity (Attach) move with it when a command moves it.
 
 /// Placement and joints at once: what a hold of the manipulation loop ends with.
 struct SetConfiguration {
@@ -110,8 +110,9 @@ struct ChooseTool {
   std::string name;
 };
 
-/// Hangs an entity on a link of another (a gripped part on the flange, a robot on a slide), where it stands now. From
-/// then on it goes where the link goes. Refused: hanging it on itself or on what hangs on it, a link that is not there.
+/// Attaches an entity to a link of another (a gripped part to the flange, a robot to a slide), at its present
+/// placement. From then on it goes where the link goes. Refused: attaching it to itself or to an entity attached to it,
+/// a link that does not exist.
 struct Attach {
   EntityId id = 0;
   EntityId to = 0;
@@ -123,8 +124,9 @@ struct Detach {
   EntityId id = 0;
 };
 
-/// Makes one mechanism of solids that stand in the cell, which go with it. Its frame M is the first part's; points and
-/// axes of the joints are given in the cell W, as the parts stand now, part names are the entities' names.
+/// Makes a mechanism from solids of the cell, which become its parts. Its frame M is the first part's; points and axes
+/// of the joints are given in the cell W, with the parts at their present placements, part names are the entities'
+/// names.
 struct MakeMechanism {
   std::string name;
   std::vector<EntityId> parts;
@@ -137,7 +139,7 @@ struct EditMechanism {
   std::vector<MechanismJoint> joints;
 };
 
-/// Takes it apart: its parts become solids again where they stand now.
+/// Takes it apart: its parts become solids again at their present placements.
 struct DissolveMechanism {
   EntityId id = 0;
 };

@@ -41,19 +41,20 @@ Expected<void> checkJoints(const Entity& entity, const std::vector<double>& join
 /// Refused: a tip link that the robot does not have, a tool centre point that is no pose.
 Expected<void> checkTool(const Entity& entity);
 
-/// Refused: tools on a link that is not there, with one name twice, or with a pose that is none.
+/// Errors: tools on a link that does not exist, duplicate names, or an invalid pose.
 Expected<void> checkTools(const Entity& entity);
 
-/// Refused: poses with one name twice, or without a finite number for each joint; poses of what is no robot.
+/// Refused: poses with one name twice, or without a finite number for each joint; poses of an entity that is not a
+/// robot.
 Expected<void> checkNamedPoses(const Entity& entity);
 
-/// Refused: frames with one name twice or with a pose that is none.
+/// Errors: frames with duplicate names or an invalid pose.
 Expected<void> checkFrames(const Entity& entity);
 
 /// Refused: a colour out of 0 to 1, a mass not above 0.
 Expected<void> checkProperties(const Entity& entity);
 
-/// Refused: a name that is none, distances out of 0 to 1 m.
+/// Errors: an invalid name, distances outside 0 to 1 m.
 Expected<void> checkPairSet(const PairSet& set);
 Expected<void> checkPairRule(const PairRule& rule, const DocumentState& state);
 

@@ -20,11 +20,11 @@ namespace hapticell::workcell {
 class Document {
  public:
   Document() = default;
-  /// A document as it was read; nothing to undo, not dirty. Ids are given anew, in order.
+  /// A document as read: nothing to undo, not dirty. Ids are assigned again, in order.
   explicit Document(DocumentState state);
 
-  /// Where documents follow each other: ids and revision go on from those of the one before, so that none of them means
-  /// something in both. Before the first command.
+  /// Where documents follow each other: ids and revision continue from the previous document's, so that none of them is
+  /// used in both. Before the first command.
   void continueAfter(const Document& before);
 
   const DocumentState& state() const { return state_; }
@@ -35,8 +35,8 @@ class Document {
   /// `wanted`, or "wanted 2", "wanted 3" ... where that name is taken.
   std::string uniqueName(std::string_view wanted) const;
 
-  /// Does the command as one step of undo (or as part of the compound that is open); what was undone can then no longer
-  /// be done again. On error nothing has changed. Gives the id of the entity it was about; 0 for commands about none.
+  /// Does the command as one step of undo (or as part of the compound that is open); undone steps can then no longer be
+  /// redone. On error nothing has changed. Gives the id of the entity it was about; 0 for commands about none.
   Expected<EntityId> execute(const Command& command);
 
   /// From here to endCompound() all commands are one step with this text: a drag, an import. Compounds may be nested;
@@ -52,7 +52,7 @@ class Document {
   bool redo();
   bool canUndo() const { return !inCompound() && !undo_.empty(); }
   bool canRedo() const { return !inCompound() && !redo_.empty(); }
-  /// What the step is called; empty where there is none.
+  /// Name of the undo step; empty if there is no step.
   std::string undoText() const { return undo_.empty() ? "" : undo_.back().text; }
   std::string redoText() const { return redo_.empty() ? "" : redo_.back().text; }
 
@@ -60,15 +60,15 @@ class Document {
   std::vector<std::string> undoTexts() const;
   std::vector<std::string> redoTexts() const;
 
-  /// Grows with every change, undo and redo too: what is drawn or checked is stale when it differs.
+  /// Grows with every change, undo and redo too: data for drawing or checking are out of date if it differs.
   std::uint64_t revision() const { return revision_; }
   /// True when the state is not the one last saved or read; undoing back to that makes it false.
   bool isDirty() const { return state_id_ != saved_state_id_; }
   void markSaved() { saved_state_id_ = state_id_; }
-  /// Makes it dirty whatever is undone: it was restored from a copy and stands in no file.
+  /// Makes it dirty whatever is undone: it was restored from a copy and is not in a file.
   void markUnsaved() { saved_state_id_ = ~std::uint64_t{0}; }
 
-  /// Their files stand elsewhere now (old to new path), in all states that can be undone to. Not a change by itself.
+  /// Their files have moved (old to new path); changes all states of the undo history. Not a change by itself.
   void moveTrajectories(const std::map<std::string, std::string>& places);
 
   /// Where it was read or last saved; empty for a new one.

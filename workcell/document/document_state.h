@@ -42,10 +42,10 @@ struct DocumentState {
   std::optional<SavedView> view;
   std::vector<TrajectoryReference> trajectories;
 
-  /// What is checked against what, whole: for whoever prepares a scene of it.
+  /// All choices of the pairs to check: for preparing a scene.
   PairPolicy pairPolicy() const { return PairPolicy(pair_sets, pair_rules); }
 
-  /// Null when there is none.
+  /// Null if it does not exist.
   const Entity* find(EntityId id) const;
   const Entity* findByName(std::string_view name) const;
   const PairSet* findPairSet(std::string_view name) const;
@@ -59,7 +59,7 @@ struct DocumentState {
 /// `entity` is `carrier`, or is attached to it, directly or through others.
 bool isCarriedBy(const DocumentState& state, const Entity& entity, EntityId carrier);
 
-/// The entity and all that stands below it in the tree (by `parent`), itself first. Empty where there is none.
+/// The entity and everything below it in the tree (by `parent`), itself first. Empty if it does not exist.
 std::vector<EntityId> familyOf(const DocumentState& state, EntityId id);
 
 }  // namespace hapticell::workcell

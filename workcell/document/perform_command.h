@@ -47,7 +47,7 @@ Expected<EntityId> perform(const SetView& command, StateEdit& edit);
 /// As AddEntity, where the caller knows that no entity has its name: none is looked for.
 Expected<EntityId> addNewlyNamed(const Entity& added, StateEdit& edit);
 
-/// Whether the entity that `entity` hangs on is there, with the link that it names.
+/// Whether the entity to which `entity` is attached exists, with the link that it names.
 Expected<void> checkAttachment(const Entity& entity, const DocumentState& state);
 
 /// The link that carries a robot's tool: the chosen tip, else the model's last link.

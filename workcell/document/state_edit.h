@@ -26,16 +26,16 @@ class StateEdit {
 
   using Change = std::function<void(Entity&)>;
 
-  /// Changes what does not tell where the entity stands. Gives `id`.
+  /// Changes properties that do not affect the entity's placement. Gives `id`.
   EntityId change(EntityId id, const Change& change);
 
-  /// A change of where an entity stands: what hangs on it goes with it, and where it hangs itself it keeps its place.
+  /// Changes an entity's placement: entities attached to it move with it, and it stays attached at its new place.
   EntityId move(EntityId id, const Change& change);
 
   /// As move(); below an assembly all goes with it.
   EntityId moveFamily(const Entity& entity, const Change& change);
 
-  /// What hangs on the entity of that name stays where it is.
+  /// Entities attached to the entity of that name stay where they are.
   void releaseAllFrom(const std::string& name);
 
   /// Takes a name out of the pair sets. A side that loses its last name would mean "everything": such a set goes.

@@ -18,15 +18,15 @@ struct PartSize {
   double least;      ///< Smaller ones are refused: its legs or bars would not fit.
 };
 
-/// A solid that is made from its sizes: a plain shape (box, cylinder, ...), or what stands in every cell (table, fence,
-/// pallet, ...). A source names it as "SCHEME:SIZE,SIZE,...", e.g. "table:1.2,0.8,0.75"; "table:" has the standard
-/// sizes. Meshes are watertight, body by body.
+/// A solid that is made from its sizes: a plain shape (box, cylinder, ...), or common equipment (table, fence, pallet,
+/// ...). A source names it as "SCHEME:SIZE,SIZE,...", e.g. "table:1.2,0.8,0.75"; "table:" has the standard sizes.
+/// Meshes are watertight, body by body.
 struct BuiltInPart {
   /// Where its origin is.
   enum class Origin {
     kMiddle,  ///< Plain shapes.
-    kFloor,   ///< In the middle of its footprint, z up: at z = 0 it stands on the floor.
-    kFlange,  ///< What is screwed to a robot: the middle of its mounting face, z out of the flange.
+    kFloor,   ///< In the middle of its footprint, z up: at z = 0 it is on the floor.
+    kFlange,  ///< Parts mounted on a robot: the middle of its mounting face, z out of the flange.
   };
   const char* scheme;
   std::span<const PartSize> sizes;

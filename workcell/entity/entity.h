@@ -23,9 +23,9 @@ struct MechanismDefinition;
 /// Never reused within one document; 0 means none.
 using EntityId = std::uint64_t;
 
-/// An assembly holds others: it has neither mesh nor robot, and moving, hiding, locking or removing it does so to all
-/// that stands below it. A frame is a named place with axes: it has no shape, is never in contact and weighs nothing;
-/// attached to an entity or a link it goes with that, and what is attached to it goes with the frame.
+/// An assembly holds others: it has neither mesh nor robot, and moving, hiding, locking or removing it does the same to
+/// everything below it. A frame is a named place with axes: it has no shape, is never in contact and weighs nothing;
+/// attached to an entity or a link it moves with that, and entities attached to the frame move with it.
 enum class EntityKind { kSolid, kRobot, kMechanism, kAssembly, kMannequin, kFrame };
 
 /// What happens to a moved entity that meets an obstacle.
@@ -49,7 +49,7 @@ struct SourceFile {
   std::map<std::string, std::string> arguments = {};  ///< Of a xacro: NAME:=VALUE where not its defaults.
 };
 
-/// What is checked for contact in place of the drawn mesh of a solid: fewer triangles, or its hull.
+/// The shape checked for contact instead of the drawn mesh of a solid: fewer triangles, or its hull.
 struct CollisionProxy {
   enum class Kind { kNone, kCoarse, kConvex };
   Kind kind = Kind::kNone;
@@ -72,22 +72,23 @@ struct ToolFrame {
   Pose X_LT;
 };
 
-/// What an entity hangs on: a gripped part on a robot's link, a robot on a slide. It then moves with that link.
+/// What an entity is attached to: a gripped part on a robot's link, a robot on a slide. It then moves with that link.
 struct Attachment {
-  std::string to;    ///< Name of the carrying entity; empty: it stands by itself.
+  std::string to;    ///< Name of the carrying entity; empty: not attached.
   std::string link;  ///< Of the carrier; empty for a solid.
   Pose X_LE;         ///< Placement in that link (or in the solid).
 };
 
-/// One thing in the workcell: a solid, a robot, a frame or a mechanism (see workcell/entity/mechanism.h). A value; meshes and
-/// models are shared and immutable. A mechanism has a `robot` too, made from its parts and joints: it poses, draws and
-/// checks like one.
+/// One thing in the workcell: a solid, a robot, a frame or a mechanism (see workcell/entity/mechanism.h). A value;
+/// meshes and models are shared and immutable. A mechanism has a `robot` too, made from its parts and joints: it poses,
+/// draws and checks like one.
 struct Entity {
   EntityId id = 0;
   std::string name;
   EntityKind kind = EntityKind::kSolid;
   Pose X_WE;  ///< Placement: a solid's own origin, a robot's root link.
-  /// Name of the assembly or solid it stands below, or of a mere folder where no entity is called so; empty at the top.
+  /// Name of the assembly or solid that it is below, or of a mere folder where no entity is called so; empty at the
+  /// top.
   std::string parent;
   std::array<float, 3> color{0.72f, 0.74f, 0.76f};
   bool visible = true;
@@ -113,7 +114,7 @@ struct Entity {
   std::string material = "steel";        ///< Key of the configuration's material table.
   double mass = 1.0;                     ///< kg, for the class kDynamics.
   std::vector<Frame> frames;             ///< Names unique within the entity.
-  std::optional<ScriptedMotion> motion;  ///< How it goes by itself during a session; none: it stands.
+  std::optional<ScriptedMotion> motion;  ///< Its scripted motion during a session; none: it does not move.
 };
 
 /// The mesh that a solid is checked by: its proxy's where it has one, else its own.

@@ -17,7 +17,7 @@ enum class GuideKind {
   kLine,     ///< M stays on the z axis.
   kPlane,    ///< M stays in the plane normal to z.
   kCircle,   ///< M stays on a circle of `radius` about z.
-  kHinge,    ///< The entity only turns about z, as it stands when it is taken.
+  kHinge,    ///< The entity only rotates about z, from its pose when it is taken.
   kSlider,   ///< The entity only slides along z.
   kScrew,    ///< The entity turns about z and advances `pitch` a turn.
   kTube,     ///< M stays within `radius` of the path.
@@ -27,7 +27,7 @@ enum class GuideKind {
 
 /// A guide of the workcell: a virtual fixture bound to one entity, felt while that is held.
 ///
-/// Positions along a hinge are radians, along a slider or a line metres, from where the entity stands in the document.
+/// Positions along a hinge are radians, along a slider or a line metres, from the entity's placement in the document.
 struct Guide {
   std::string name;  ///< Unique among the guides.
   GuideKind kind = GuideKind::kLine;

@@ -40,7 +40,7 @@ struct ImportOptions {
   /// Empty: as the file says; z where it names none.
   std::optional<UpAxis> up_axis = {};
   Tessellation tessellation = {};
-  /// Above 0: the chord is this share of the diagonal of all that stands in the file, instead of `tessellation.chord`.
+  /// Above 0: the chord is this share of the diagonal of the whole file, instead of `tessellation.chord`.
   double relative_chord = 0.0;
   bool merge = false;           ///< One solid instead of the file's tree.
   bool weld = true;             ///< Merge corners, drop degenerate and duplicate triangles (geometry::weld).

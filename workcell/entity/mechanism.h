@@ -49,16 +49,16 @@ struct MechanismJoint {
 
 /// A door, a clamp, a gripper, a slide: parts and the joints between them.
 struct MechanismDefinition {
-  std::vector<MechanismPart> parts;  ///< The first stands still in M.
+  std::vector<MechanismPart> parts;  ///< The first does not move in M.
   std::vector<MechanismJoint> joints;
 };
 
-/// The model that moves so: a link a part, named like it, the first being the root. A screw becomes a turn and a slide
-/// that follows it. Where the joints close loops the model gets a kinematics::LoopClosure.
+/// Makes the mechanism's model: one link per part, with its name; the first is the root. A screw becomes a turn and a
+/// slide that follows it. Where the joints close loops the model gets a kinematics::LoopClosure.
 ///
-/// Refused, each with the joint's or part's name: no parts, names that are empty or there twice, a joint between parts
-/// that are not there or from a part to itself, an axis of length zero, limits reversed, a screw without pitch, a
-/// coupling to a joint that is not there or in a circle, a part that no joint connects to the first.
+/// Errors, each with the joint's or part's name: no parts; empty or duplicate names; a joint between parts that do not
+/// exist or from a part to itself; an axis of length zero; reversed limits; a screw without pitch; a coupling to a
+/// joint that does not exist, or in a circle; a part that no joint connects to the first.
 Expected<kinematics::RobotModel> buildMechanism(const std::string& name, const MechanismDefinition& definition);
 
 /// "fixed", "revolute", "prismatic", "screw".

@@ -28,8 +28,8 @@ struct EffectivePair {
 
 /// What is checked against the entity `moved`, in the order of `entities`. Without pair sets everything is checked
 /// against everything, with `defaults`; with sets only what the enabled ones name (either way round; an empty side
-/// means everything, an assembly's name all that stands below it). Where several name a pair, its larger distances and
-/// the later set's choice on contact count. Entities that are not `checked` take no part; neither does the moved one
+/// means everything, an assembly's name everything below it). Where several name a pair, its larger distances and the
+/// later set's choice on contact count. Entities that are not `checked` take no part; neither does the moved one
 /// against itself (the links of one robot are the manipulation loop's matter). Empty when there is no entity `moved`.
 std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std::span<const PairSet> sets,
                                           EntityId moved, const PairDefaults& defaults = {});
@@ -46,8 +46,8 @@ struct RigidBody {
 };
 
 /// The body that `link` of the entity (-1: a solid) belongs to. What is attached is one body with what it is attached
-/// to, and so on down to what stands by itself; parts of one body cannot move against each other and are never checked
-/// against each other. An attachment to an entity that does not exist counts as none.
+/// to, and so on down to an entity that is not attached; parts of one body cannot move against each other and are never
+/// checked against each other. An attachment to an entity that does not exist counts as none.
 RigidBody rigidBodyOf(std::span<const Entity> entities, const Entity& entity, int link);
 
 /// One side of a pair: an entity and its link (empty: a solid, or a robot as a whole), by name.

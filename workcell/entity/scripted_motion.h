@@ -15,8 +15,8 @@ enum class MotionRepeat {
   kBack,  ///< The same way back, and so on.
 };
 
-/// How an entity goes by itself while a session runs (a conveyor, a gate, a shuttle): translations in the cell, from
-/// point to point at constant speed, its turn as it stands. The document keeps where it stands at the beginning.
+/// Motion of an entity during a session (a conveyor, a gate, a shuttle): translations in the cell, from point to point
+/// at constant speed, with unchanged orientation. The document keeps its placement at the beginning.
 struct ScriptedMotion {
   struct Point {
     double t = 0.0;  ///< s since the beginning.

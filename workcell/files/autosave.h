@@ -10,9 +10,9 @@
 
 namespace hapticell::workcell {
 
-// What a program keeps of a document that is not saved, against its own end. Each run has a folder of its own
-// (RunFolder) in the user's state folder; it is locked while the run lives, so that what a dead run left
-// (findLeftWork()) is told from what another window is at work on.
+// What a program keeps of a document that is not saved, against its own end. Each run has its own folder (RunFolder) in
+// the user's state folder; it is locked while the run lives, so that copies left by an ended run (findLeftWork()) are
+// distinguished from those of another running window.
 
 /// The folder in which the folders of runs are: $XDG_STATE_HOME/hapticell/runs, else below ~/.local/state.
 std::filesystem::path runsFolder();
@@ -46,8 +46,8 @@ struct CopyFacts {
 };
 
 /// Writes the copy of a state that belongs to the document at `document` (empty: a new one), whose file held `base`
-/// (contentName()) when it was read or last saved, into a run's folder. What stands there stays whole until the new
-/// copy is. Any thread, one at a time.
+/// (contentName()) when it was read or last saved, into a run's folder. The old copy stays complete until the new one
+/// is. Any thread, one at a time.
 Expected<void> autosave(const DocumentState& state, const std::filesystem::path& document,
                         const std::filesystem::path& run, const std::string& base = {});
 
@@ -56,7 +56,7 @@ CopyFacts copyFactsIn(const std::filesystem::path& run);
 
 /// Where autosave() writes to.
 std::filesystem::path copyIn(const std::filesystem::path& run);
-/// Where a picture of the copy stands, if the program made one (JPEG).
+/// Path of a picture of the copy, if the program made one (JPEG).
 std::filesystem::path pictureIn(const std::filesystem::path& run);
 /// Where the program notes what broke: a line of text, then what a developer reads.
 std::filesystem::path crashNoteIn(const std::filesystem::path& run);
@@ -73,8 +73,8 @@ struct LeftWork {
   std::filesystem::file_time_type time{};  ///< Of the copy, or of the note.
 };
 
-/// What runs left that are over, newest first. A copy that holds what the document's file holds is none: nothing of it
-/// is lost, and it is removed.
+/// Recovery copies left by earlier runs, newest first. A copy equal to the document's file is not listed but removed,
+/// because nothing is lost.
 std::vector<LeftWork> findLeftWork();
 
 /// It was restored and saved, or is not wanted.

@@ -42,7 +42,7 @@ constexpr std::array kClaims = {
     Claim{".glbin", ""sv},
 };
 
-/// The first word that is no comment, of a text; empty where it is none.
+/// The first word that is no comment, of a text; empty if there is no such word.
 std::string_view firstWord(std::string_view text) {
   if (text.find('\0') != std::string_view::npos) return {};
   while (true) {

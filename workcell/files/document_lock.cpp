@@ -44,7 +44,7 @@ std::string localTime() {
   return text.data();
 }
 
-/// When a process of this machine began, in ticks; 0: there is none.
+/// When a process of this machine began, in ticks; 0: not found.
 std::uint64_t startOf(std::int64_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string text{std::istreambuf_iterator<char>(file), {}};

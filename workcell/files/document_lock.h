@@ -14,15 +14,17 @@ namespace hapticell::workcell {
 struct DocumentOwner {
   std::string user, host, since;  ///< `since`: local time, as "2026-11-26 09:30".
   std::int64_t process = 0;
-  std::uint64_t process_start = 0;  ///< In the system's ticks since its start: tells processes of one number apart.
+  std::uint64_t process_start = 0;  ///< In the system's ticks since its start: distinguishes processes with the same
+                                    ///< number.
 
   /// "anna on station2 since 2026-11-26 09:30 (process 4711)"
   std::string words() const;
 };
 
-/// Says that this program has a document open, by a hidden file beside it, .NAME.lock, which names the owner and is
-/// locked while he lives. What a dead program left counts for nothing; on another machine's disk, where that cannot be
-/// told, it counts until it is taken over. Goes with this object. It keeps nobody from writing: programs ask it.
+/// Says that this program has a document open, by a hidden file next to it, .NAME.lock, which names the owner and is
+/// locked while the owner runs. What a dead program left counts for nothing; on another machine's disk, where that
+/// cannot be told, it counts until it is taken over. Goes with this object. It keeps nobody from writing: programs ask
+/// it.
 class DocumentLock {
  public:
   /// None.

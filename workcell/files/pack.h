@@ -29,9 +29,9 @@ Expected<PackReport> pack(const DocumentState& state, const std::filesystem::pat
 
 /// Makes `folder` (which must not exist, or be empty) hold the document as `name` and, in "files", all that it names
 /// and that planPack() takes: mesh and CAD files with what they name, robots with the files that were read for them.
-/// Built-in things need no file; entities whose file could not be read (unloaded) are packed without and told. Files of
-/// one name get a number. The pack is read back with all its files and compared with the state (checkPack()), of which
-/// `monitor`, which may be null, is told. On error, also where something differs, the folder is removed again.
+/// Built-in things need no file; entities whose file could not be read (unloaded) are packed without it and reported.
+/// Files of one name get a number. The pack is read back with all its files and compared with the state (checkPack()),
+/// of which `monitor`, which may be null, is told. On error, also where something differs, the folder is removed again.
 Expected<PackReport> packDocument(const DocumentState& state, const std::filesystem::path& folder,
                                   const std::string& name, const PackScope& scope, Diagnostics& diagnostics,
                                   ImportMonitor* monitor = nullptr);

@@ -131,7 +131,7 @@ Expected<std::string> Planner::takeShapes(const fs::path& file) {
   return place.generic_string();
 }
 
-/// Reads the robot or cell anew and says which files that took.
+/// Reads the robot or cell again and lists which files that took.
 Expected<Planner::Files> Planner::filesOfRobot(const fs::path& file, const SourceFile& source) {
   Diagnostics quiet;
   Files files{file};

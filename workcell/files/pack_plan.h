@@ -31,11 +31,11 @@ struct PackPlan {
   std::vector<std::filesystem::path> outside;  ///< Of those that are copied, each once; as it is named.
 };
 
-/// Plans a pack. A document may be a stranger's and name any file of this machine; so only what was read as what it
-/// claims to be is taken: a file whose shapes the state holds or that is read here as shapes (also one that only an
-/// assembly names), a robot with those files that were read for it and their packages' manifests, a recording that is
-/// read here as one, and what such a file names beside it (isWhatItClaims()). Errors: a file that is none of these,
-/// with who names it; over 2 GB.
+/// Plans a pack. A document may come from a stranger and name any file of this machine. Therefore a file is packed only
+/// if it could be read as what it claims to be (isWhatItClaims()). These are: files whose shapes the state holds or
+/// that are read here as shapes (also those named only by an assembly); robots with the files that were read for them
+/// and their packages' manifests; recordings that are read here; and the files next to these that they name. Errors:
+/// any other file, with the name of what refers to it; over 2 GB.
 Expected<PackPlan> planPack(DocumentState state, const PackScope& scope, Diagnostics& diagnostics,
                             ImportMonitor* monitor = nullptr);
 

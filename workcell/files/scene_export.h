@@ -11,8 +11,8 @@
 
 namespace hapticell::workcell {
 
-/// What stands in a document as a scene in the world's frame: assemblies, solids, and robots (and mechanisms) as
-/// assemblies of their links at the joints they stand at. Solids that came from STEP or IGES keep their origin.
+/// The entities of a document as a scene in the world's frame: assemblies, solids, and robots (and mechanisms) as
+/// assemblies of their links at their present joints. Solids that came from STEP or IGES keep their origin.
 ImportedScene sceneOf(const DocumentState& state);
 
 /// The same of a file of any readable format. `options` as for an import (a robot stands at its resting joints).
@@ -30,8 +30,8 @@ struct ExportOptions {
   ImportMonitor* monitor = nullptr;  ///< May be null.
 };
 
-/// Writes what stands in a document, or the part of it that is left in `state`, as exportScene(); a ".urdf" is the one
-/// robot in it with the base it has (writeUrdf()).
+/// Writes a document, or the part of it in `state`, as exportScene(); a ".urdf" is the one robot in it with the base it
+/// has (writeUrdf()).
 Expected<void> exportState(const DocumentState& state, const std::filesystem::path& file, const ExportOptions& options,
                            Diagnostics& diagnostics);
 
@@ -39,8 +39,8 @@ Expected<void> exportState(const DocumentState& state, const std::filesystem::pa
 /// colours, placements; exact shapes where a node has an origin, else a plane face a triangle. glTF: tree, names,
 /// colours, placements. OBJ: names and colours. PLY, OFF: colours. STL: triangles alone.
 ///
-/// Errors: an extension that is none of these, nothing to write, an origin's file that is gone or changed, a file that
-/// cannot be written, and what the importer's process says; the old file then still stands.
+/// Errors: another extension, nothing to write, an original file that is missing or changed, a file that cannot be
+/// written, and errors of the importer's process. The old file is then unchanged.
 Expected<void> exportScene(const ImportedScene& scene, const std::filesystem::path& file, const ExportOptions& options,
                            Diagnostics& diagnostics);
 

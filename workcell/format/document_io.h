@@ -26,27 +26,27 @@ struct LoadOptions {
   /// Asked for where a missing file is now, once a file, and not at all for one that stands in a folder that an earlier
   /// answer moved. Empty answers leave it missing.
   std::function<std::optional<std::filesystem::path>(const std::filesystem::path& missing)> locate = {};
-  /// Entities whose file is missing or broken are kept as they stand in the document (Entity::unloaded) and told,
-  /// instead of ending the reading.
+  /// If an entity's file is missing or broken, the entity is kept as in the document (Entity::unloaded) and reported,
+  /// and the reading continues.
   bool keep_unloaded = false;
-  /// Takes up those entities; may be null.
+  /// Receives those entities; may be null.
   std::vector<UnloadedEntity>* unloaded = nullptr;
-  /// Told how far the reading is, and asked whether to go on; may be null.
+  /// Gets the progress of the reading and decides whether to continue; may be null.
   ImportMonitor* monitor = nullptr;
 };
 
-/// Reads a workcell document (*.hcell, docs/user/formats.md) with the meshes and robots that it names. On error there
-/// is no document at all; the message names file and entity. A newer version than ours is refused. What is not known
-/// but harmless (a key, a name in a pair set) is told in `diagnostics`. The document is not dirty and knows its path.
+/// Reads a workcell document (*.hcell, docs/user/formats.md) with the meshes and robots that it names. On error there is no
+/// document at all; the message names file and entity. A newer version than ours is refused. Unknown but harmless items
+/// (a key, a name in a pair set) are reported in `diagnostics`. The document is not dirty and knows its path.
 Expected<Document> loadDocument(const std::filesystem::path& path, Diagnostics& diagnostics,
                                 const LoadOptions& options = {});
 
-/// The same from text; files are looked for relative to `folder`, `name` stands in the messages.
+/// The same from text; files are looked for relative to `folder`, messages use `name`.
 Expected<Document> parseDocument(std::string_view text, const std::filesystem::path& folder, const std::string& name,
                                  Diagnostics& diagnostics, const LoadOptions& options = {});
 
-/// The text that stands for a state in a file in `folder` (absolute): the same state gives the same bytes, and
-/// reading it gives that state again.
+/// The text of a state for a file in `folder` (absolute): the same state gives the same bytes, and reading it gives
+/// that state again.
 std::string documentText(const DocumentState& state, const std::filesystem::path& folder);
 
 /// Writes the document aside and moves it into place, so that a failure leaves the old file. Recordings that lie

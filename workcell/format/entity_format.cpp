@@ -25,7 +25,7 @@ Json jsonFromProxy(const CollisionProxy& proxy) {
   return json;
 }
 
-/// Makes the proxy anew from the mesh: only how it was made is kept.
+/// Makes the collision shape again from the mesh: only how it was made is kept.
 void readProxy(const Json& json, const std::string& place, const FormatContext& context, Entity& entity) {
   int kind = 0;
   double tolerance = 0.0;

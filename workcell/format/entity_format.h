@@ -18,7 +18,7 @@ inline const std::vector<std::string> kOnContactWords = {"stop", "slide", "pass"
 Json jsonFromEntity(const Entity& entity, const std::filesystem::path& folder);
 
 /// Reads what every entity has (placement, colour, flags, frames, attachment, what it is checked by) and what robots
-/// have, into one whose shape is there. `place` stands in the messages.
+/// have, into one whose shape is there. Messages use `place`.
 void readEntityFields(FieldReader& fields, const std::string& place, const FormatContext& context, Entity& entity);
 
 }  // namespace hapticell::workcell

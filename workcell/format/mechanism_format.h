@@ -8,7 +8,7 @@ namespace hapticell::workcell {
 
 Json jsonFromMechanism(const MechanismDefinition& definition, const std::filesystem::path& folder);
 
-/// The mechanism called `name` with its parts read; `place` stands in the messages.
+/// The mechanism called `name` with its parts read; Messages use `place`.
 Expected<Entity> mechanismFromJson(const Json& json, const std::string& name, const std::string& place,
                                    const FormatContext& context, SourceReader& sources);
 

@@ -24,9 +24,9 @@ struct GatheredRecordings {
 std::filesystem::path recordingsFolder(const std::filesystem::path& document);
 
 /// Brings the recordings of a state that is to be saved at `document` (absolute) together with it, so that it can be
-/// handed on with what stands beside it: those that lie elsewhere than in its folder, or below that, are copied into
-/// recordingsFolder(). Those whose file is missing, or is no recording, are left alone. Writes nothing: the files are for saving together
-/// with the document.
+/// passed on together with the files next to it: those that lie elsewhere than in its folder, or below that, are copied
+/// into recordingsFolder(). Those whose file is missing, or is no recording, are left alone. Writes nothing: the files
+/// are for saving together with the document.
 GatheredRecordings gatherRecordings(const DocumentState& state, const std::filesystem::path& document);
 
 }  // namespace hapticell::workcell

@@ -9,7 +9,7 @@ namespace hapticell::workcell {
 /// What robots, mechanisms and mannequins have besides: joints, tool, tools, named poses. Nothing for others.
 void addRobotFields(const Entity& entity, Json& json);
 
-/// Reads them into an entity whose model is there; `place` stands in the messages.
+/// Reads them into an entity whose model is there; Messages use `place`.
 void readRobotFields(FieldReader& fields, const std::string& place, const FormatContext& context, Entity& entity);
 
 }  // namespace hapticell::workcell

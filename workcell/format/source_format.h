@@ -12,7 +12,7 @@
 
 namespace hapticell::workcell {
 
-/// A file's name as it stands in a document in `folder`.
+/// A file's name as written in a document in `folder`.
 std::string relativeName(const std::string& path, const std::filesystem::path& folder);
 
 Json jsonFromSource(const SourceFile& source, const std::filesystem::path& folder);
@@ -22,7 +22,7 @@ Json jsonFromColor(const std::array<float, 3>& color);
 class SourceReader {
  public:
   explicit SourceReader(const FormatContext& context) : context_(context) {}
-  /// `place` stands in the messages.
+  /// Messages use `place`.
   void read(const Json& json, const std::string& place, SourceFile& source);
 
  private:

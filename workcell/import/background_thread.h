@@ -3,9 +3,9 @@
 
 namespace hapticell::workcell {
 
-/// Lets the calling thread, and every thread and process that it starts from now on, have the processor only where the
-/// window and the loops leave it (10 steps of niceness on Linux, nothing elsewhere). For work that takes seconds:
-/// reading, getting meshes ready. It cannot be taken back without privileges.
+/// Lowers the priority of the calling thread, and of every thread and process that it starts from now on, below the
+/// window and the loops (10 steps of niceness on Linux, nothing elsewhere). For work that takes seconds: reading,
+/// getting meshes ready. It cannot be taken back without privileges.
 void stepBehind();
 
 }  // namespace hapticell::workcell

@@ -22,20 +22,20 @@ namespace hapticell::workcell {
 class EntityLoader {
  public:
   /// Files are looked for relative to `folder`. `unit_is_stated`: each scale was written down by somebody (a workcell
-  /// document), so a size that suggests another unit is no reason to warn.
-  /// `monitor` (may be null) is told of, and can end, what load() and loadSource() do.
+  /// document), so a size that suggests another unit is no reason to warn. `monitor` (may be null) gets the progress of
+  /// load() and loadSource() and can end them.
   explicit EntityLoader(std::filesystem::path folder, bool unit_is_stated = false, ImportMonitor* monitor = nullptr)
       : folder_(std::move(folder)), unit_is_stated_(unit_is_stated), monitor_(monitor) {}
 
   /// One entity with shape, source and a name that suggests itself (the robot's own, else the file's stem); the rest as
   /// by default, joints empty. `scale` is metres per unit of the file (0: as the file says, metres where it says none);
-  /// a robot's file is always in metres, another scale for it is an error. A file with a tree becomes one solid. What
-  /// is missing, broken or not known is an error that names it. A mannequin, "mannequin:SEX:PERCENTILE", stands with
-  /// its feet on the floor of its own frame.
+  /// a robot's file is always in metres, another scale for it is an error. A file with a tree becomes one solid. Errors
+  /// name what is missing, broken or unknown. A mannequin, "mannequin:SEX:PERCENTILE", has its feet on the floor of its
+  /// own frame.
   Expected<Entity> load(const std::string& what, double scale, Diagnostics& diagnostics);
 
-  /// The entity that a source in a document stands for: as load(), but the one part of the file that `source.part`
-  /// names where it does. The parts of one file are read together, once.
+  /// The entity of a source in a document: as load(), but the one part of the file that `source.part` names where it
+  /// does. The parts of one file are read together, once.
   Expected<Entity> loadSource(const SourceFile& source, Diagnostics& diagnostics);
 
   /// All that a file holds, as a tree of entities (parents first) placed in the file's frame, with a report. `monitor`

@@ -38,8 +38,8 @@ struct ImportResult {
 Entity robotEntity(std::shared_ptr<const kinematics::RobotModel> robot, const std::string& name);
 
 /// Makes entities of a scene: a solid of every node with a mesh, an assembly of every other one; `merge` makes one
-/// solid named like the file. Nodes that hold nothing are left out and told. `source` is the file; each entity's own
-/// source names its part besides.
+/// solid named like the file. Empty nodes are left out and reported. `source` is the file; each entity's own source
+/// names its part besides.
 Expected<ImportResult> entitiesFromScene(ImportedScene scene, const SourceFile& source, const ImportOptions& options,
                                          Diagnostics& diagnostics);
 

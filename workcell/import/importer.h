@@ -31,13 +31,14 @@ struct ImportStatus {
   ImportProgress progress;
 };
 
-/// Imports files beside the window: queued, one after the other, on a thread of its own, so that nobody waits.
+/// Imports files in the background: queued, one after the other, in a separate thread, so that the caller does not
+/// wait.
 ///
 ///     const ImportId id = importer.start({"part.step", folder, options});
 ///     ... later, on a timer or when the listener was called: importer.status(id), importer.cancel(id)
 ///     if (auto result = importer.take(id)) { ... *result is an Expected<ImportResult> ... }
 ///
-/// What comes out is a value (entities in tree order and a report); the document changes only when its owner calls
+/// The result is a value (entities in tree order and a report); the document changes only when its owner calls
 /// addImported(). All functions may be called from any thread; none blocks for longer than a lock.
 class Importer {
  public:

@@ -17,12 +17,12 @@ namespace hapticell::workcell {
 /// which, the greatest number of the file does.
 class ColorChannels {
  public:
-  /// The colour of element `index`; the elements before it that got none have none. What is no finite number of at
-  /// least 0 is no colour and counted.
+  /// The colour of element `index`; the elements before it that got none have none. Numbers that are negative or not
+  /// finite are invalid colours and are counted.
   void set(std::size_t index, const std::array<double, 3>& channels);
 
-  /// A colour each for `count` elements, or nothing where no element has one. `full` is the number that stands for 1;
-  /// without it 1 where no channel is above 1, else 255. What is above it is cut to 1.
+  /// A colour each for `count` elements, or nothing where no element has one. `full` is the number for full intensity
+  /// (1); without it 1 where no channel is above 1, else 255. What is above it is cut to 1.
   std::vector<Color> take(std::size_t count, std::optional<double> full) &&;
 
   void report(std::string_view what, Diagnostics& diagnostics) const;

@@ -28,7 +28,7 @@ struct MeshReadOptions {
   bool warn_about_unit = true;
 };
 
-/// A mesh as read, with what the user should be told about the file.
+/// A mesh as read, with the messages about the file.
 struct MeshFile {
   geometry::TriangleMesh mesh;  ///< Metres, in the file's own frame; indices valid, coordinates finite.
   MeshFormat format = MeshFormat::kUnknown;
@@ -48,7 +48,7 @@ struct MeshFileParts {
   bool unit_is_stated = false;
 };
 
-/// Tells the format by what stands in the file, not by its name. A binary STL is known by its length (84 + 50 bytes a
+/// Detects the format from the file's content, not its name. A binary STL is known by its length (84 + 50 bytes a
 /// triangle), so a header that begins with "solid" does not mislead. `extension` (".obj", any case) only decides where
 /// the content leaves it open.
 MeshFormat probeMeshFormat(std::string_view content, std::string_view extension);
@@ -65,7 +65,7 @@ Expected<MeshFile> readMeshFile(const std::filesystem::path& path, const MeshRea
 
 /// The solids of the file with names and colours, those of an OBJ file's material libraries beside it too
 /// (readObjMaterials()); `split` false: one solid. A library that is missing is a warning. Errors as readMeshFile(). A
-/// part of which welding leaves nothing is left out and told.
+/// part that is empty after welding is left out and reported.
 Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const MeshReadOptions& options, bool split,
                                       Diagnostics& diagnostics);
 
@@ -73,7 +73,7 @@ Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const M
 Expected<geometry::TriangleMesh> readMesh(const std::filesystem::path& path, const MeshReadOptions& options,
                                           Diagnostics& diagnostics);
 
-/// The same from memory; `name` stands in the messages and its extension helps the probe.
+/// The same from memory; Messages use `name`; its extension helps to detect the format.
 Expected<MeshFile> parseMeshFile(std::string_view content, const std::filesystem::path& name,
                                  const MeshReadOptions& options, Diagnostics& diagnostics);
 

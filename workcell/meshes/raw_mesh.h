@@ -13,7 +13,7 @@ namespace hapticell::workcell {
 
 using Color = std::array<float, 3>;  ///< sRGB, 0 to 1.
 
-/// Stands for a face without a colour of its own.
+/// Marks a face without its own colour.
 inline constexpr Color kNoColor{-1.0f, -1.0f, -1.0f};
 
 inline bool isColor(const Color& color) {
@@ -35,7 +35,7 @@ struct RawMesh {
   std::vector<MeshLabel> labels;
   std::vector<Color> color;                 ///< Of each triangle, kNoColor where it has none; empty: no face has one.
   std::optional<double> metres_per_unit;    ///< As a comment of the file states it.
-  std::vector<std::string> material_files;  ///< Named by the file, to be looked for beside it.
+  std::vector<std::string> material_files;  ///< Named by the file; searched next to it.
 };
 
 }  // namespace hapticell::workcell

@@ -17,14 +17,14 @@ struct RobotLook {
   PaintColor main{0.85f, 0.85f, 0.84f, 1.0f};
   PaintColor second{0.20f, 0.22f, 0.25f, 1.0f};
   double bulk = 1.0;           ///< Thicker or slimmer than usual.
-  bool balanced = false;       ///< With a counterbalance beside the upper arm.
+  bool balanced = false;       ///< With a counterbalance next to the upper arm.
   bool round = false;          ///< Closed round housings instead of ribbed castings and outside motors.
   std::vector<double> side;    ///< Cobots: how far each link stands aside along its own axis, m.
   std::vector<double> radius;  ///< Cobots: of each joint's housing, m; empty: by size.
 };
 
 /// Each gives the links of a model of the kind their shapes: castings, arms, wrists, motors, rods. Coarser shapes are
-/// what is checked. The links' frames are those of the builders in kinematics/.
+/// used for checking. The links' frames are those of the builders in kinematics/.
 void addArmBody(kinematics::RobotModel& model, const kinematics::OpwParameters& parameters, const RobotLook& look);
 /// Any serial chain as joint housings and tubes between them.
 void addCobotBody(kinematics::RobotModel& model, const RobotLook& look);

@@ -17,10 +17,10 @@ struct LibraryRobot {
   std::filesystem::path file;  ///< robots/NAME.toml, or robots/NAME/robot.toml or robot.urdf.
 };
 
-/// All built-in robots, by name. Files that cannot be read are told in `diagnostics` and left out.
+/// All built-in robots, by name. Files that cannot be read are reported in `diagnostics` and left out.
 std::vector<LibraryRobot> listLibraryRobots(Diagnostics& diagnostics);
 
-/// The file of one of them; an error that names some where there is none of that name.
+/// The file of one of them; if the name is unknown, an error that lists some names.
 Expected<std::filesystem::path> findLibraryRobot(const std::string& name);
 
 /// What the maker allows at the flange, kg, of a robot with that SourceFile::path: as its robot.toml says, built-in or

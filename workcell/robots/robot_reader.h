@@ -24,10 +24,10 @@ inline bool looksLikeRobot(const std::filesystem::path& file) {
   return robotFormatOf(file).has_value();
 }
 
-/// Reads a robot in any of the formats: readUrdf(), expandXacroFile(), readSdf(), readRobotToml(). Beside a URDF an
-/// SRDF is looked for (see readSrdf()). A file of another kind is refused. `monitor` and `content` as for readUrdf().
-/// `arguments` are those of a xacro; for another file they are a warning. `declared` (may be null) gets what a xacro
-/// asks for, also where it is refused.
+/// Reads a robot in any of the formats: readUrdf(), expandXacroFile(), readSdf(), readRobotToml(). For a URDF, an SRDF
+/// is searched next to it (see readSrdf()). A file of another kind is refused. `monitor` and `content` as for
+/// readUrdf(). `arguments` are those of a xacro; for another file they are a warning. `declared` (may be null) gets
+/// what a xacro asks for, also where it is refused.
 Expected<TomlRobot> readRobot(const std::filesystem::path& file, Diagnostics& diagnostics,
                               ImportMonitor* monitor = nullptr, RobotContent content = RobotContent::kAll,
                               const xacro::Arguments& arguments = {},

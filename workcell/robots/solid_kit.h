@@ -65,7 +65,7 @@ class BodyMaker {
     append(color, make(Detail{}), placed);
     geometry::append(collision_, make(Detail{14, 4, 0.0, false}), placed);
   }
-  /// Only to be looked at: bolts, caps, bands.
+  /// For drawing only: bolts, caps, bands.
   template <typename Make>
   void decorate(const PaintColor& color, const Pose& placed, const Make& make) {
     append(color, make(Detail{24, 8, 1.0, true}), placed);

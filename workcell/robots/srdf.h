@@ -15,8 +15,8 @@ namespace hapticell::workcell {
 std::optional<std::filesystem::path> findSrdf(const std::filesystem::path& robot_file, const std::string& robot_name);
 
 /// Adds an SRDF's groups (chains, joints, links, subgroups), named poses and disabled collision pairs to the model; the
-/// pose "home" becomes its home. Names of links and joints that the model lacks are told once in `diagnostics` and
-/// passed over. Errors: XML that does not parse, another robot's file; both with file and line.
+/// pose "home" becomes its home. Names of links and joints that the model lacks are reported once in `diagnostics` and
+/// ignored. Errors: XML that does not parse, another robot's file; both with file and line.
 Expected<void> readSrdf(const std::filesystem::path& file, kinematics::RobotModel& model, Diagnostics& diagnostics);
 
 }  // namespace hapticell::workcell

@@ -26,7 +26,7 @@ std::string attributeOf(const TiXmlElement& element, const char* name) {
   return value ? value : "";
 }
 
-/// The numbers in a text, between blanks or commas with a blank behind ("0, 0, 1"); nothing where one is none. "inf"
+/// The numbers in a text, between blanks or commas with a blank behind ("0, 0, 1"); empty if one is not a number. "inf"
 /// and "nan" are numbers here.
 std::optional<std::vector<double>> urdfNumbers(const std::string& text) {
   std::vector<double> numbers;
@@ -101,7 +101,7 @@ std::optional<double> readLength(const TiXmlElement& element, const char* attrib
                                                                           : std::nullopt;
 }
 
-/// Makes a shape of lengths: all positive it is one, zero it is a placeholder, else it is none.
+/// Makes a shape of lengths: all positive it is one, zero it is a placeholder, else it is invalid.
 void judgeLengths(UrdfShape& shape, UrdfShape::Kind kind, const std::string& name,
                   const std::vector<std::optional<double>>& lengths) {
   const auto any = [&lengths](auto test) { return std::any_of(lengths.begin(), lengths.end(), test); };

@@ -10,7 +10,7 @@
 
 namespace hapticell::workcell {
 
-/// Where the lines of a URDF text stand for its user: in the file, or in the files that a xacro was made of.
+/// Origin of the lines of a URDF text: in the file, or in the files that a xacro was made of.
 class UrdfLines {
  public:
   /// `places` (may be null) must outlive it: one for each line of the text.

@@ -24,14 +24,13 @@ enum class RobotContent {
 ///
 /// Joints come depth first in the order of the file, variables from base to tip; mimic chains are resolved to the joint
 /// that moves. Meshes are found by findReference() and scaled by their own `scale`; one file is read once. A visual
-/// that cannot be read is replaced by the link's collision shapes, and a link without
-/// collision shapes is checked by its visual ones; each such case is told in `diagnostics`. A shape that cannot be had
-/// at all is left out, told and counted in Link::lost_shapes. Floating, planar and spherical joints
-/// are read as fixed, with a warning. Dynamics, inertias, efforts, transmissions, calibrations and safety controllers
-/// are passed over.
+/// that cannot be read is replaced by the link's collision shapes, and a link without collision shapes is checked by
+/// its visual ones; each such case is reported in `diagnostics`. A shape that cannot be loaded is left out, reported
+/// and counted in Link::lost_shapes. Floating, planar and spherical joints are read as fixed, with a warning. Dynamics,
+/// inertias, efforts, transmissions, calibrations and safety controllers are passed over.
 ///
-/// Errors name file, line, and the fix: what readUrdfStructure() refuses. Nothing throws. Any thread.
-/// `monitor` (may be null) is told of, and can end, the reading of meshes in the importer's process.
+/// Errors name file, line, and the fix: what readUrdfStructure() refuses. Nothing throws. Any thread. `monitor` (may be
+/// null) gets the progress of reading meshes in the importer's process and can end it.
 Expected<kinematics::RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics,
                                           ImportMonitor* monitor = nullptr, RobotContent content = RobotContent::kAll);
 

@@ -23,7 +23,7 @@ class UrdfLines;
 /// Turns the shapes of URDF links into meshes; reads each mesh file once.
 class UrdfShapes {
  public:
-  /// `monitor` (may be null) is told of, and can end, the reading of Collada and other scene files.
+  /// `monitor` (may be null) gets the progress of reading Collada and other scene files and can end it.
   UrdfShapes(const UrdfLines& lines, Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
 
   /// Reads the scene files of all links together (see SceneBatch); fill() then finds them read.
@@ -33,7 +33,7 @@ class UrdfShapes {
   /// out, reported, and counted in Link::lost_shapes. The only error: the reading was cancelled.
   Expected<void> fill(const UrdfLink& source, kinematics::Link& link);
 
-  /// Tells once, for the whole robot, which links are shown or checked otherwise than their file says.
+  /// Reports once, for the whole robot, which links are shown or checked differently from their file.
   void reportReplacements();
 
  private:

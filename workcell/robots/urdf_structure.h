@@ -26,7 +26,7 @@ struct UrdfStructure {
 /// Refused, each with line and fix: what xacro::parseXml() refuses; a root element other than <robot>; unexpanded
 /// xacro; nameless or duplicate links and joints; what readUrdfJoint() refuses; a parent, child or mimicked joint that
 /// is not there; a link with two parents; two roots, unless all but one have neither joints nor shapes (these are left
-/// out and reported); a cycle; a mimic cycle. `lines` says where the text stands.
+/// out and reported); a cycle; a mimic cycle. `lines` gives the origin of the text.
 Expected<UrdfStructure> readUrdfStructure(const std::string& content, const UrdfLines& lines, Diagnostics& diagnostics);
 
 }  // namespace hapticell::workcell

@@ -8,11 +8,11 @@
 
 namespace hapticell::workcell {
 
-/// Writes a robot as URDF that stands where it stands in the cell: a link "world" (or "cell", where that name is taken)
-/// and a fixed joint from it to the robot's root at X_WE. Meshes are written as STL (metres) into a folder beside the
-/// file, "STEM_meshes"; primitive shapes of the source are meshes too. Limits, axes, couplings (mimic) and colours are
-/// kept; masses and transmissions, which the model does not hold, are not, and closed loops, which URDF cannot say, are
-/// told. Each file is written aside and moved into place.
+/// Writes a robot as URDF at its placement in the cell: a link "world" (or "cell", where that name is taken) and a
+/// fixed joint from it to the robot's root at X_WE. Meshes are written as STL (metres) into a folder next to the file,
+/// "STEM_meshes"; primitive shapes of the source are meshes too. Limits, axes, couplings (mimic) and colours are kept;
+/// masses and transmissions, which the model does not have, are not written; closed loops, which URDF cannot express,
+/// are reported. Each file is written aside and moved into place.
 ///
 /// Errors: not a robot, nothing that can be written.
 Expected<void> writeUrdf(const Entity& robot, const std::filesystem::path& file, Diagnostics& diagnostics);

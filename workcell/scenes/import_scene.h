@@ -38,7 +38,7 @@ struct SceneNode {
 /// What a CAD file holds: a tree of placed parts. Metres, z up, every mesh in the frame of its nodes.
 struct ImportedScene {
   std::string format;            ///< "step", "iges", "gltf", "dae", "3mf", "fbx", "3ds", "obj", ...
-  double metres_per_unit = 1.0;  ///< As the file says (or was told to be read).
+  double metres_per_unit = 1.0;  ///< As in the file (or in the import options).
   bool unit_is_stated = false;   ///< The file names its unit.
   UpAxis up_axis = UpAxis::kZ;   ///< As the file says; the scene itself is z up.
   double chord = 0.0;            ///< Metres, as it was cut into triangles; 0 where the file holds triangles.
@@ -51,9 +51,10 @@ struct ImportedScene {
 /// FBX, 3DS), told by content (STEP, glTF, FBX, Collada) or name, and SDF cells (isSdfCell).
 bool holdsScene(const std::filesystem::path& file);
 
-/// Reads such a file (with `options.merge` robots of an SDF world as solids); SDF in this process, the others in one of their own (`hapticell-importer`), so that a crash, a
-/// hang or a blow-up there is an error here. Whatever that process sends is checked: sizes, indices, finite numbers,
-/// unit quaternions, a tree. `monitor` may be null; a cancelled one ends the process within 0.2 s. Blocks; any thread.
+/// Reads such a file (with `options.merge` robots of an SDF world as solids); SDF in this process, the others in one of
+/// their own (`hapticell-importer`), so that a crash, a hang or a blow-up there is an error here. Whatever that process
+/// sends is checked: sizes, indices, finite numbers, unit quaternions, a tree. `monitor` may be null; a cancelled one
+/// ends the process within 0.2 s. Blocks; any thread.
 ///
 /// Errors: the program is missing, no such file, not readable as its format, no shape in it, time or memory used up,
 /// cancelled.
@@ -63,8 +64,8 @@ Expected<ImportedScene> readScene(const std::filesystem::path& file, const Impor
 /// Poses X_FN of all nodes in the file's frame, in the order of the nodes.
 std::vector<Pose> nodePoses(const ImportedScene& scene);
 
-/// A name for each node that tells it apart: names from the top joined by '/', with "#2", "#3" ... for the second and
-/// third of a name among its siblings. The same file gives the same paths. ('/' and '#' within a name become '_'.)
+/// A unique name for each node: names from the top joined by '/', with "#2", "#3" ... for the second and third of a
+/// name among its siblings. The same file gives the same paths. ('/' and '#' within a name become '_'.)
 std::vector<std::string> partPaths(const ImportedScene& scene);
 
 }  // namespace hapticell::workcell

@@ -15,7 +15,7 @@ namespace hapticell::workcell {
 /// instead of one each, whose start would cost more than most of the meshes. One thread.
 class SceneBatch {
  public:
-  /// `monitor` (may be null) is told of, and can end, all that is read here; it must outlive this.
+  /// `monitor` (may be null) gets the progress of all reading here and can end it; it must outlive this.
   explicit SceneBatch(ImportOptions options, ImportMonitor* monitor = nullptr) : options_(options), monitor_(monitor) {}
 
   const ImportOptions& options() const { return options_; }

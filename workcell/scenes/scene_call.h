@@ -11,7 +11,7 @@
 
 namespace hapticell::workcell {
 
-/// The words behind "read FILE" (or "read-all") that tell the importer's process the options.
+/// The words after "read FILE" (or "read-all") that pass the options to the importer's process.
 std::vector<std::string> importerWords(const ImportOptions& options);
 
 /// Bytes of the file that count for its limits: packed ones tenfold. 0 where there is no such file.

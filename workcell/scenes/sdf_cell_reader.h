@@ -13,14 +13,13 @@ namespace hapticell::workcell {
 bool isSdfCell(const std::filesystem::path& file);
 
 /// Reads an SDF world or static model (sdformat.org, versions 1.2 to 1.11) as a tree: models, their links where there
-/// are several, and their visual shapes (a link's collision shapes where it has no visual one). libsdformat says where
-/// they stand: frames, `relative_to`, `placement_frame`, models inside models (see SdfSource). Meshes in any readable
-/// format are in metres; Collada is taken as it stands, without its up axis, as Gazebo does. See findSdfFile().
+/// are several, and their visual shapes (a link's collision shapes where it has no visual one). libsdformat computes
+/// their poses: frames, `relative_to`, `placement_frame`, models inside models (see SdfSource). Meshes in any readable
+/// format are in metres; Collada is used unchanged, without its up axis, as in Gazebo. See findSdfFile().
 ///
 /// A model or mesh that is not there, a name that is there twice, a pose of too few numbers and the like are told; the
-/// rest is read. What is silent, told and refused stands in docs/user/formats.md. Errors: see SdfSource::load(),
-/// cancelled. A model with joints that move is a robot, a solid where `with_robots` is false or it makes no robot
-/// (told).
+/// rest is read. docs/user/formats.md lists what is ignored, reported and refused. Errors: see SdfSource::load(), cancelled.
+/// A model with joints that move is a robot, a solid where `with_robots` is false or it makes no robot (told).
 Expected<ImportedScene> readSdfCell(const std::filesystem::path& file, ImportMonitor* monitor, bool with_robots = true);
 
 }  // namespace hapticell::workcell

@@ -45,7 +45,7 @@ geometry::TriangleMesh plainShape(const sdf::Geometry& geometry) {
   return {};
 }
 
-/// All that stands at or below nodes of that name; empty where there is none.
+/// All that stands at or below nodes of that name; empty if there is no such node.
 geometry::TriangleMesh partOf(const ImportedScene& scene, const std::string& name) {
   const std::vector<Pose> X_F = nodePoses(scene);
   std::vector<bool> chosen(scene.nodes.size(), false);

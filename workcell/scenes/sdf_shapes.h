@@ -21,12 +21,12 @@ class SdfShapes {
   /// `source` and `monitor` (may be null) must outlive this.
   SdfShapes(const SdfSource& source, const ImportOptions& options, ImportMonitor* monitor);
 
-  /// The shape's mesh in its own frame, metres; null where it is left out, and then told. A mesh that is mirrored by its
-  /// scale keeps its outside; of a <submesh> only that part is taken, by its name.
+  /// The shape's mesh in its own frame, metres; null if it is left out, which is then reported. A mesh that is mirrored
+  /// by its scale keeps its outside; of a <submesh> only that part is taken, by its name.
   std::shared_ptr<const geometry::TriangleMesh> meshOf(const sdf::Geometry& geometry, const std::string& owner);
 
   bool isCancelled() const { return scenes_.isCancelled(); }
-  /// What was left out or assumed, told once.
+  /// What was left out or assumed, reported once.
   const Diagnostics& notes() const { return notes_; }
 
  private:

@@ -16,16 +16,16 @@ namespace hapticell::workcell {
 
 /// A mesh file that an SDF file names.
 struct SdfMeshFile {
-  std::string uri;             ///< As it stands there.
+  std::string uri;             ///< Unchanged.
   std::filesystem::path file;  ///< Where it was found.
 };
 
-/// An SDF file with all models that it takes in, as libsdformat understands it: its frames say where everything stands.
+/// An SDF file with all models that it takes in, as libsdformat understands it: its frames define all poses.
 ///
 /// Before the library sees the text it is tidied, since the library refuses a whole file for one bad word in what plays
 /// no part here: what has no effect on place, shape or motion is taken out (ContentReport), names that are there twice
 /// get a number, poses that are too short are filled with 0, populations become models, models and meshes that are not
-/// there are left out. All but the first of these are told in warnings(). A world is put around several models at the
+/// there are left out. All but the first of these are listed in warnings(). A world is put around several models at the
 /// top, or an <include> there.
 class SdfSource {
  public:
@@ -33,7 +33,7 @@ class SdfSource {
   /// library's console is quiet from then on. Any thread.
   static Expected<SdfSource> load(const std::filesystem::path& file);
 
-  /// Models stand in the (first) world, or there is one model without a world.
+  /// Models are in the (first) world, or there is one model without a world.
   const sdf::Root& root() const { return *root_; }
   /// Null where the file has no world.
   const sdf::World* world() const { return root_->WorldCount() > 0 ? root_->WorldByIndex(0) : nullptr; }
@@ -51,11 +51,11 @@ class SdfSource {
   std::vector<std::string> warnings_;
 };
 
-/// What stands at the top of an SDF file, told without the library: quick enough for isSdfCell().
+/// The top level of an SDF file, read without the library: quick enough for isSdfCell().
 struct SdfOutline {
   int models = 0;              ///< With a shape that is no plane, at the top.
   int jointed = 0;             ///< With a joint that moves and links of their own, at the top or alone in a wrapper.
-  bool grouped = false;        ///< A joint that moves lies between models of a model without links of its own.
+  bool grouped = false;        ///< A moving joint connects models of a model that has no links.
   bool world = false;
 };
 

@@ -14,11 +14,11 @@ namespace hapticell::workcell {
 /// The root element <sdf> of a file, in `document`. Errors: not readable, no XML, nested deeper than 200, another root.
 Expected<TiXmlElement*> parseSdf(const std::filesystem::path& file, TiXmlDocument& document);
 
-/// Text of the first child of that name, trimmed; empty where there is none. `parent` may be null.
+/// Text of the first child of that name, trimmed; empty if there is no such child. `parent` may be null.
 std::string textOf(const TiXmlElement* parent, const char* name);
 /// The element's own text, trimmed.
 std::string textOf(const TiXmlElement& element);
-/// Replaces all that stands in the element.
+/// Replaces the content of the element.
 void setText(TiXmlElement& element, const std::string& text);
 std::string attributeOf(const TiXmlElement& element, const char* name);
 

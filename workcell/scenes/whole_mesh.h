@@ -13,8 +13,8 @@ class SceneBatch;
 struct MeshFileParts;
 
 /// All that a mesh or CAD file holds as one mesh in the file's frame, metres. `metres_per_unit` as in ImportOptions; a
-/// size that suggests another unit is not told. `batch` (may be null) has the scenes that were read ahead, with its own
-/// options. Errors as readMeshFile() and readScene().
+/// size that suggests another unit is not reported. `batch` (may be null) has the scenes that were read ahead, with its
+/// own options. Errors as readMeshFile() and readScene().
 Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file, const ImportOptions& options,
                                                Diagnostics& diagnostics, const SceneBatch* batch = nullptr);
 

@@ -36,7 +36,7 @@ struct FormatRules {
 /// Of all formats that have a table.
 std::span<const FormatRules> contentRules();
 
-/// What one file holds, measured against the table of its format, and told in one sentence an element.
+/// What one file holds, measured against the table of its format, and reported in one sentence per element.
 class ContentReport {
  public:
   /// `format` must be one of contentRules().

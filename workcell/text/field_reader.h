@@ -15,9 +15,9 @@ namespace hapticell::workcell {
 
 using Json = nlohmann::ordered_json;
 
-/// Reads the members of one JSON object with checks. A member that is absent leaves its target as it is; one of the
-/// wrong kind is kept as the error (the first counts) and the rest goes on without effect, so that a reader need not
-/// ask each time.
+/// Reads the members of one JSON object with checks. A member that is absent leaves its target as it is; a field of the
+/// wrong kind is stored as the error (the first one counts), and later calls have no effect, so the reader need not
+/// check each call.
 class FieldReader {
  public:
   /// `object` must outlive this; `place` is what messages call it ("entity 'table'").

@@ -20,12 +20,12 @@ struct FoundFile {
 /// file://$(find NAME), is the package's. Percent-encoded references (RFC 3986: %20, %C3%A4) and such with the
 /// backslashes of Windows are found where the name as it is written is not.
 ///
-/// A package is looked for beside the description and in each folder above it: a folder called NAME, or one whose
-/// package.xml says so; then in the folders of ROS_PACKAGE_PATH and, under share/, of AMENT_PREFIX_PATH. Then, for
-/// archives and vendors' folders have names of their own, a folder up to five above the description that holds the
-/// rest of the path, a folder beside these whose name begins with NAME, and the same with the first steps of the rest
-/// left out as long as a folder and a file are left; `taken_for_package` then says which. Empty when
-/// there is no such file, and for a package's file that is outside of it (leavesPackage()).
+/// A package is searched next to the description and in each folder above it: a folder called NAME, or one whose
+/// package.xml has that name; then in the folders of ROS_PACKAGE_PATH and, under share/, of AMENT_PREFIX_PATH. Archives
+/// and vendors often rename folders. Therefore the search continues in the folders up to five levels above the
+/// description that contain the rest of the path, and in folders next to these whose name begins with NAME. At last it
+/// leaves out the first folders of the rest, as long as a folder and a file remain. `taken_for_package` is then the
+/// folder that was used. Empty if there is no such file, and for a file outside its package (leavesPackage()).
 ///
 /// Links inside a package are followed within it, and out of it only to a file of the same name: workspaces of ROS 2
 /// consist of such links, while "part.stl" that leads to somebody's "id_rsa" is no part of a package.

@@ -27,12 +27,12 @@ class TextCursor {
   std::string_view nextWord();
   /// The next word of this or a later line; empty at the end of the text.
   std::string_view nextWordOfText();
-  /// What is left of this line, without blanks at either end; the line is then used up.
+  /// The rest of this line, without blanks at either end; the line is then used up.
   std::string_view restOfLine();
 
   std::size_t lineNumber() const { return line_number_; }
   std::string place() const { return "line " + std::to_string(line_number_); }
-  /// Bytes of the text behind the last word.
+  /// Bytes of the text after the last word.
   std::size_t bytesLeft() const { return line_.size() + text_.size() - next_; }
 
  private:
@@ -48,7 +48,7 @@ class TextCursor {
 std::optional<double> parseNumber(std::string_view word);
 std::optional<std::int64_t> parseInteger(std::string_view word);
 
-/// The word in quotes, cut to 40 bytes, with what is not printable replaced: for messages.
+/// The word in quotes, cut to 40 bytes, with unprintable characters replaced: for messages.
 std::string inQuotes(std::string_view word);
 
 /// Three words as a point; an error names the line and the word. Refuses what isUsable refuses.

@@ -13,8 +13,8 @@
 
 namespace hapticell::workcell {
 
-/// Reads the keys of one TOML table with checks; the first fault is kept in `error` and the rest goes on without
-/// effect. Numbers must be finite. At the end refuseOthers() names a key that nobody asked for.
+/// Reads the keys of one TOML table with checks; the first fault is stored in `error`, and later calls have no effect.
+/// Numbers must be finite. At the end refuseOthers() names a key that nobody asked for.
 class TomlFields {
  public:
   TomlFields(const toml::table& table, std::string section, std::optional<Error>& error)

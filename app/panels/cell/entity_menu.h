@@ -10,13 +10,13 @@ namespace hapticell::app {
 
 class Host;
 
-/// What can be done with entities, in the tree and in the scene alike: fit, hide, isolate, lock, check, colour, attach,
-/// rename, copy, duplicate, remove, properties. Each is one step of undo. `ids` are those that are meant, the first is
-/// the one that words are about; empty: only what needs none is enabled. `rename` begins an edit of the name; empty:
-/// there is none. GUI thread.
+/// Fills the context menu of entities, for the tree and the scene: fit, hide, isolate, lock, check, colour, attach,
+/// rename, copy, duplicate, remove, properties. Each edit is one undo step. `ids` are the entities; the texts name the
+/// first one. If `ids` is empty, only actions without an entity are enabled. `rename` begins an edit of the name; it
+/// may be empty. GUI thread.
 void fillEntityMenu(QMenu& menu, Host& host, const Entities& ids, const std::function<void()>& rename);
 
-/// What can be done where nothing stands: insert, paste (at `p_W`), select, show and fit all, views.
+/// Actions at an empty place: insert, paste (at `p_W`), select, show and fit all, views.
 void fillFloorMenu(QMenu& menu, Host& host, const dvec3& p_W);
 
 /// Copy and paste of entities (Ctrl+C, Ctrl+V) for the Edit menu; the copies outlive their cell. Made once a window.

@@ -15,7 +15,7 @@ class MessageCard : public QWidget {
   Q_OBJECT
  public:
   explicit MessageCard(const Message& message, QWidget* parent = nullptr);
-  /// The same was told again.
+  /// The same message was repeated.
   void countAgain();
   const Message& message() const { return message_; }
 

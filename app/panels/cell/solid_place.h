@@ -16,8 +16,8 @@ class ReferenceChoice;
 class Segmented;
 class ValueField;
 
-/// Where the selected solid stands: in the world, in what it hangs on, or in a frame. Typed values are commands of the
-/// document. GUI thread.
+/// The placement of the selected solid: in the world, in what it hangs on, or in a frame. Typed values are commands of
+/// the document. GUI thread.
 class SolidPlace : public QObject {
   Q_OBJECT
  public:

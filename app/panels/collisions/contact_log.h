@@ -27,8 +27,8 @@ struct ContactEvent {
 std::string eventName(ContactEvent::Kind kind);
 
 /// Makes events of snapshots, in the order that RobotStudio's collision sets have: near miss begins, contact begins,
-/// contact ends, near miss ends. A contact that is lost for less than kPause goes on. The oldest events go when there
-/// are more than kMost; how many went is told. A value; one thread; no Qt.
+/// contact ends, near miss ends. An interruption shorter than kPause does not end a contact. The oldest events go when
+/// there are more than kMost; how many went is told. A value; one thread; no Qt.
 class ContactLog {
  public:
   static constexpr double kPause = 0.15;  ///< s

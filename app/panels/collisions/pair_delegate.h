@@ -10,7 +10,7 @@ namespace hapticell::app {
 class PairDelegate : public QStyledItemDelegate {
   Q_OBJECT
  public:
-  /// Pixels that the number of a distance needs, and its bar beside it; without room for the bar there is none.
+  /// Pixels for the number of a distance and for its bar; the bar is left out if there is no room.
   static constexpr int kDistanceRoom = 86, kBarRoom = 82;
   using QStyledItemDelegate::QStyledItemDelegate;
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;

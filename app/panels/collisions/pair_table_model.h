@@ -44,7 +44,7 @@ struct PairSources {
 
 /// What is checked against `moved` (0: nothing) and against what hangs on it: measured pairs first, nearest first, then
 /// those that are further away than was measured, then those that are left out, by the user or because one is attached
-/// to the other. Every pair that the loop tells of has a row, so that list, scene and sound agree. Each pair of entities
+/// to the other. Every pair reported by the loop has a row, so that list, scene and sound agree. Each pair of entities
 /// stands there at least once; several parts have a row each.
 std::vector<PairRow> pairRows(const workcell::DocumentState& state, const PairSources& sources,
                               workcell::EntityId moved, const workcell::PairDefaults& defaults);

@@ -16,8 +16,8 @@ class PreparedScene;
 
 namespace hapticell::app {
 
-/// Measures the cell as it stands in a thread of the pool, while nothing is held: distances of the chosen entity, and
-/// what touches. Asked again and again by its owner (GUI thread); never waits, never outlives what it needs.
+/// Measures the present cell in a thread of the pool while nothing is held: distances of the chosen entity, and what
+/// touches. Asked again and again by its owner (GUI thread); never waits, never outlives what it needs.
 class RestCheck {
  public:
   static constexpr double kMeasured = 0.3;  ///< m: what is farther is not told.
@@ -29,14 +29,14 @@ class RestCheck {
   bool takeResults();
   /// Those of the entity asked for last; empty until they are measured.
   const std::vector<manipulation::PairState>& distances() const { return distances_; }
-  /// Rules that leave out what touches at rest, once for each finding; nothing while there is none to be asked about.
+  /// Pair rules that exclude what touches at rest, once for each finding; empty if there is nothing to ask about.
   std::optional<std::vector<workcell::PairRule>> takeTouching();
   /// What touches shall be looked for again.
   void askAgain() { asked_entities_.reset(); }
   bool isBusy() const { return job_ != nullptr; }
 
  private:
-  /// An entity and what it hangs on: what touches is asked about anew where one of these has changed.
+  /// An entity and what it is attached to: if one of these changes, touching pairs are asked about again.
   struct Standing {
     workcell::EntityId entity;
     std::string to, link;

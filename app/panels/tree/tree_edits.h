@@ -26,7 +26,7 @@ bool colorEntities(DocumentModel& document, const Entities& ids, const std::arra
 bool isolateEntities(DocumentModel& document, const Entities& ids);
 bool showAll(DocumentModel& document);
 bool removeEntities(DocumentModel& document, const Entities& ids);
-/// Copies beside the originals, along x; gives the new ones, those of the top first.
+/// Copies next to the originals, along x; gives the new ones, those of the top first.
 Entities duplicateEntities(DocumentModel& document, const Entities& ids);
 /// Copies as values, of those and all below them; attachments are not kept.
 std::vector<workcell::Entity> copiesOf(const workcell::DocumentState& state, const Entities& ids);

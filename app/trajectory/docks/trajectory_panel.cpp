@@ -138,7 +138,7 @@ void TrajectoryPanel::showMotions() {
   play_->show();
 }
 
-/// Curves are laid anew for another motion only: a long one takes a while.
+/// Curves are made again for another motion only: a long one takes a while.
 void TrajectoryPanel::showCurrent() {
   const Motion* motion = list_.current();
   const auto trajectory = motion ? motion->trajectory : nullptr;

@@ -23,8 +23,8 @@ struct MotionFormat {
 };
 const std::vector<MotionFormat>& motionFormats();
 
-/// Writes the current motion as a file or a robot's program and reads motions from files, beside the window; a message
-/// tells what came of it. GUI thread.
+/// Writes the current motion as a file or a robot's program and reads motions from files, in the background; a message
+/// reports the result. GUI thread.
 class MotionExport : public QObject {
   Q_OBJECT
  public:
@@ -38,7 +38,8 @@ class MotionExport : public QObject {
   void exportTo(const QString& path, const QString& format, const trajectory::ProgramOptions& options,
                 const std::optional<trajectory::PathTolerance>& simplify = {});
   void askImport();
-  /// .htraj, .json, .csv, .yaml and robots' programs, whose notes become messages; a motion that names no entity is that of `entity`.
+  /// .htraj, .json, .csv, .yaml and robots' programs, whose notes become messages; a motion that names no entity is
+  /// that of `entity`.
   void importFrom(const QStringList& paths, const std::string& entity);
 
  signals:

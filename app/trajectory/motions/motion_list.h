@@ -46,7 +46,7 @@ class MotionList : public QObject {
   void setCheck(const std::string& name, std::optional<manipulation::PathCheckResult> check);
 
   /// Adds motions as one step of undo, the last one current and all of them played in place of what was. Their files
-  /// are written beside the window. False where the document refused.
+  /// are written in the background. False where the document refused.
   bool add(const QString& step, std::vector<std::pair<std::string, trajectory::Trajectory>> motions);
   /// Puts an edited motion in the place of one, as one step of undo; it goes on being played as it was. `same_way`: it
   /// moves as before (points were named), so what its check found still holds. False where the document refused.

@@ -314,7 +314,7 @@ MotionWork::Work MotionWork::workOf(const QString& line, Edit edit) {
     Result result;
     result.motions = std::move(*made);
     result.line = line;
-    // An edit of poses needs a robot's joints anew, from where it stood.
+    // An edit of poses needs a robot's joints again, from where it stood.
     for (Trajectory& motion : result.motions) {
       if (!given->hasJoints() || motion.hasJoints() || motion.empty()) continue;
       std::vector<double> start;

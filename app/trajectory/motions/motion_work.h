@@ -17,8 +17,8 @@
 
 namespace hapticell::app {
 
-/// What is done with motions, beside the window: each edit gives a new motion (one step of undo) and a line that says
-/// what it did and how far the result is from what it was made of. One piece after the other, with progress and cancel
+/// Work on motions in the background: each edit gives a new motion (one step of undo) and a line that says what it did
+/// and how far the result is from what it was made of. One piece after the other, with progress and cancel
 /// (MotionList::work()). GUI thread, but for the work itself.
 class MotionWork : public QObject {
   Q_OBJECT

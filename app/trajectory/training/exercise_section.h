@@ -24,7 +24,7 @@ class ExerciseSection : public QObject {
   /// Where exercises that are made here are kept; they stand in the list behind the shipped ones.
   const QString& folder() const { return own_folder_; }
   void setFolder(const QString& folder) { own_folder_ = folder; }
-  /// The list anew, with this file chosen; empty: none.
+  /// Fills the list again and selects this file; empty: no selection.
   void fill(const QString& file);
   void chooseNone();
   struct State {

@@ -12,7 +12,7 @@ namespace hapticell::app {
 std::vector<std::size_t> shownOrder(const std::vector<trajectory::TrainingAttempt>& attempts);
 
 /// Points and help of a trainee's runs over time: bars for the points (hatched where the run was no success), a stepped
-/// line for the help of practice. Runs without guidance stand apart behind it, in another colour.
+/// line for the help of practice. Runs without guidance are drawn separately after it, in another colour.
 class ProgressPlot : public QWidget {
   Q_OBJECT
  public:

@@ -21,9 +21,9 @@ class ResultsSection : public QObject {
  public:
   explicit ResultsSection(QVBoxLayout& column, QObject* parent = nullptr);
 
-  /// The list of runs anew, the last one first.
+  /// Fills the list of runs again, the last one first.
   void fillRuns(const trajectory::TrainingSession& session);
-  /// Index of the chosen run among the session's attempts; 0 where there is none.
+  /// Index of the selected run among the session's attempts; 0 without a selection.
   std::size_t chosenRun() const;
   /// `pass`: points that are needed.
   void show(const trajectory::TrainingSession& session, bool may_replay, double pass);

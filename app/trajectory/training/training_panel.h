@@ -22,9 +22,9 @@ class RunSection;
 class TrainingPlay;
 class ValueField;
 
-/// The dock *Training*: exercises (shipped ones, own ones, or the current motion as one), the expert's motion shown,
-/// runs in which it leads the stylus and waits, runs without guidance apart from them, the score of each, each beside
-/// the expert's, and the trainee's progress, kept in a file. GUI thread.
+/// The panel *Training*. It lists exercises (shipped ones, own ones, or one made from the current motion) and shows the
+/// expert's motion. It starts runs with guidance, which waits for the trainee, and runs without it. It shows each run's
+/// score next to the expert's, and the trainee's progress, which is stored in a file. GUI thread.
 class TrainingPanel : public QWidget {
   Q_OBJECT
  public:
@@ -35,8 +35,8 @@ class TrainingPanel : public QWidget {
   bool openExercise(const QString& path);
   /// Makes an exercise of the current motion, in the cell as it is.
   void useCurrentMotion();
-  /// Another document follows: a run that goes on is given up, and an exercise of the cell goes; one whose own cell it
-  /// is that follows stays.
+  /// Another document follows: a running run is given up, and the exercise is closed unless the new document is its own
+  /// cell.
   void forgetCell();
   /// Takes what was recorded while a run went on; false where none does.
   bool takeRecorded(const std::vector<trajectory::Trajectory>& recorded);

@@ -53,7 +53,7 @@ class RenderTarget {
   RenderTarget(const RenderTarget&) = delete;
   RenderTarget& operator=(const RenderTarget&) = delete;
 
-  /// Makes the textures anew when the size differs. True when they are new.
+  /// Makes new textures if the size has changed; returns true then.
   bool resize(int width, int height);
   void bind();  ///< For drawing, viewport set to its size.
   GLuint color(std::size_t index) const { return colors_[index]; }

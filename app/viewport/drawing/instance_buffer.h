@@ -8,7 +8,7 @@
 
 namespace hapticell::app {
 
-/// The uses of meshes that a pass draws, in the graphics card's memory; filled anew for each pass.
+/// The mesh instances that a pass draws, in the graphics card's memory; filled again for each pass.
 class InstanceBuffer {
  public:
   explicit InstanceBuffer(Gl& gl);

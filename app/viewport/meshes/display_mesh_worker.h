@@ -18,8 +18,8 @@ struct PreparedMesh {
   DisplayMesh mesh;
 };
 
-/// Makes meshes ready for drawing in threads of low priority beside the window's: one makes the first editions, others
-/// the lasting ones, so that a large mesh never keeps others from being seen.
+/// Prepares meshes for drawing in background threads of low priority: one makes the first editions, others the lasting
+/// ones, so that a large mesh never keeps others from being seen.
 class DisplayMeshWorker {
  public:
   /// `on_shown` is called in a worker's thread whenever a mesh can be shown better than before; may be empty.

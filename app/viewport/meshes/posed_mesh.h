@@ -9,8 +9,8 @@
 
 namespace hapticell::app {
 
-/// A mesh that has another shape in the next picture: it brings what need not be made ready anew then, its normals and
-/// coarser triangles over the same vertices. The mesh of every RenderItem that is `smooth` is one.
+/// A mesh that changes its shape from picture to picture. It contains the data that need not be computed again each
+/// time: normals, and coarser triangles over the same vertices. Every `smooth` RenderItem has such a mesh.
 struct PosedMesh : geometry::TriangleMesh {
   struct Step {
     std::vector<std::uint32_t> indices;  ///< Three a triangle; the first step's are the mesh's own.

@@ -92,7 +92,7 @@ std::optional<Candidate> anywhere(const LabelWish& wish, const Taken& taken, con
   return best;
 }
 
-/// The place to stay at or to go to; nothing: there is none.
+/// The place to stay at or to go to; empty: no place.
 std::optional<Candidate> choose(const LabelWish& wish, const std::optional<Candidate>& now, bool right,
                                 const Taken& taken, const ViewSize& size) {
   const std::vector<Candidate> places = candidates(wish, right);

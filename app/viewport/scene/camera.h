@@ -23,7 +23,7 @@ struct Ray {
 
 enum class StandardView { kFront, kBack, kRight, kLeft, kTop, kBottom, kIsometric };
 
-/// Where the eye stands: a turntable about a target with Z up. A value; all arithmetic of looking, no OpenGL.
+/// Position of the eye: a turntable about a target with Z up. A value; all arithmetic of looking, no OpenGL.
 ///
 /// Azimuth 0 looks along +Y (front), positive turns the eye to the right (towards +X). Elevation is that of the eye
 /// above the target, within ±90 degrees. Screen axes: x to the right, y up, z towards the eye.

@@ -13,8 +13,9 @@
 
 namespace hapticell::app {
 
-/// The skin of one figure as it is drawn: what of it has one look is one item, in the figure's frame. Which that is
-/// seldom changes, so triangles are gathered anew only then; from picture to picture only places and normals are.
+/// The skin of one figure for drawing: all triangles with the same appearance are one item, in the figure's frame.
+/// Appearances seldom change, so the triangles are collected again only then; each picture updates only positions and
+/// normals.
 class PosedSkin {
  public:
   explicit PosedSkin(std::shared_ptr<const mannequin::FigureSkin> skin) : skin_(std::move(skin)) {}

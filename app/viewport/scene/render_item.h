@@ -61,7 +61,8 @@ struct RenderItem {
   bool over_scene = false;     ///< Drawn over all that would hide it: the stylus must always be found.
 };
 
-/// The colour with its saturation (HSV) at most `limit`, about as bright as it was: parts are quiet so that states are loud.
+/// The colour with its saturation (HSV) at most `limit`, about as bright as it was: parts are quiet so that states are
+/// loud.
 std::array<float, 3> quietened(const std::array<float, 3>& color, float limit = 0.25f);
 
 }  // namespace hapticell::app

@@ -21,9 +21,9 @@ struct EdgeChain;
 /// How dialogs use it: ViewportWidget::startPick() (see PickRequest there). This class is the arithmetic behind it: no
 /// OpenGL, no widgets. The id buffer says which part is seen; its triangle is found by a ray; about that triangle the
 /// smooth surroundings are flooded (at most kFloodLimit triangles, so that a part of millions costs no more than one of
-/// thousands), their surfaces recognised (collision/surfaces/surface_recognition.h), and the face's borders are its edges.
-/// Chains of border edges are fitted by lines and circles. What was last looked at is kept, so hovering is cheap. One
-/// thread.
+/// thousands), their surfaces recognised (collision/surfaces/surface_recognition.h), and the face's borders are its
+/// edges. Chains of border edges are fitted by lines and circles. What was last looked at is kept, so hovering is
+/// cheap. One thread.
 class FeaturePicker {
  public:
   static constexpr std::size_t kFloodLimit = 4000;

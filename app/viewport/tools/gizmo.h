@@ -13,7 +13,7 @@ namespace hapticell::app {
 /// Arrows along three axes, rings about them, and a middle that moves freely, by which a pose is dragged: the
 /// arithmetic, no widgets. A value.
 struct Gizmo {
-  Pose X_WG;                                         ///< Where it stands; its axes are those of the arrows.
+  Pose X_WG;                                         ///< Its pose; its axes are those of the arrows.
   double size = 0.15;                                ///< m, of an arrow; rings have 0.75 of it.
   bool arrows = true, rings = true, middle = false;  ///< Which handles it has.
 

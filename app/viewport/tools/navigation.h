@@ -46,10 +46,10 @@ Navigation navigationPreset(const QString& preset);
 
 /// "Shift+Middle"; for menus, hints and settings (English there: `for_file`).
 QString gestureText(const ViewGesture& gesture, bool for_file = false);
-/// Reads gestureText(…, true); nothing where it is none.
+/// Reads gestureText(…, true); empty if the text is invalid.
 std::optional<ViewGesture> gestureFromText(const QString& text);
 
-/// All of it as one line for the settings, and back; nothing where the line is none.
+/// All of it as one line for the settings, and back; empty if the line is invalid.
 QString navigationText(const Navigation& navigation);
 std::optional<Navigation> navigationFromText(const QString& text);
 

@@ -25,9 +25,9 @@ enum class EdgeShape { kLine, kCircle, kCurve };
 /// A face, an edge or a corner under the pointer; a value, all in the world frame W as the part stood when it was
 /// picked.
 ///
-/// Faces: `surface_W` is the recognised surface (kFreeForm where it is none of CAD's). Edges: `edge`, and for lines and
-/// circles `center_W`, `axis_W` (unit), for circles `radius`. featureFrame_W() turns any of them into a frame whose z
-/// is the normal, axis or direction.
+/// Faces: `surface_W` is the recognised surface (kFreeForm if it is not a CAD surface). Edges: `edge`, and for lines
+/// and circles `center_W`, `axis_W` (unit), for circles `radius`. featureFrame_W() turns any of them into a frame whose
+/// z is the normal, axis or direction.
 struct PickedFeature {
   FeatureKind kind = FeatureKind::kFace;
   workcell::EntityId entity = 0;

@@ -55,7 +55,7 @@ class ViewportWidget : public QOpenGLWidget {
   /// The next click picks a face, an edge or a corner; see PickRequest. A pick that is still open is answered with
   /// nothing first.
   void startPick(PickRequest request);
-  /// Answers the open pick with nothing; nothing where there is none.
+  /// Ends an open pick without a result.
   void cancelPick();
   bool isPicking() const;
   /// The face, edge or corner at a place of the widget (pixels at 100 %), at once; nothing beside parts.
@@ -97,7 +97,7 @@ class ViewportWidget : public QOpenGLWidget {
   bool isFinished() const;
   /// The scene was drawn at this revision or a later one, and all its meshes are on the card.
   bool hasWhole(std::uint64_t revision) const;
-  /// Draws anew only where the strip or a label would say something else than is drawn: a cell at rest costs nothing.
+  /// Redraws only if the strip or a label would change, so an idle cell costs nothing.
   void refreshNumbers();
   /// The scene as it is drawn now, so many pixels wide: for lists. Null where it is not shown.
   QImage smallPicture(int width);
@@ -141,8 +141,8 @@ class ViewportWidget : public QOpenGLWidget {
   void contextMenuWanted(hapticell::workcell::EntityId entity, QPoint global);
   /// Where a point of the scene lies in the widget: another camera, or another size of the widget.
   void cameraChanged();
-  /// Entities were added, moved, held, played or marked. Who gives curves or labels that lie at an entity gives them
-  /// anew, so that they are in the same picture.
+  /// Entities were added, moved, held, played or marked. If you provide curves or labels at an entity, provide them
+  /// again here, so that they are in the same picture.
   void sceneChanged();
   /// By its handle.
   void sectionMoved();

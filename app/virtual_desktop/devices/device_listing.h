@@ -37,7 +37,7 @@ struct DeviceListing {
   QString versions;  ///< One line.
 };
 
-/// Reads the command's JSON; nothing where it is none.
+/// Reads the command's JSON; empty if it is invalid.
 std::optional<DeviceListing> parseListing(const QByteArray& json);
 
 /// What is plugged into one listing and was not into the one before.
@@ -50,7 +50,7 @@ class DeviceLister : public QObject {
  public:
   explicit DeviceLister(QObject* parent = nullptr);
   ~DeviceLister() override;
-  /// Looks, and goes on looking from then on; listed() follows, or failed(). Again: every driver is asked anew.
+  /// Starts the search, which then continues; listed() or failed() follows. Another call asks every driver again.
   void look();
   /// The newest; nothing before the first.
   const std::optional<DeviceListing>& listing() const { return listing_; }

@@ -65,7 +65,7 @@ class InputDevices : public QObject {
   std::uint32_t takeMousePresses() { return mouse_ ? mouse_->takePressed() : 0u; }
   /// The glove's readings of all 22 sensors, where it answers.
   std::optional<mannequin::GloveReadings> gloveReadings() const;
-  /// Joint angles of the hand, rad, by the user's calibration (a rough one where there is none).
+  /// Joint angles of the hand, rad, by the user's calibration (without one, by a rough default).
   std::optional<mannequin::GloveReadings> gloveAngles() const;
   bool isRightGlove() const;
   /// While the user shows the poses of a calibration the glove poses nothing.

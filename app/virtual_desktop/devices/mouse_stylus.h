@@ -12,10 +12,11 @@ namespace hapticell::app {
 ///
 /// Press the left button on the drawn pen (or anywhere while follow() is on) and drag: the tip moves in the plane of
 /// the screen. The wheel moves it into the picture and out of it; with Ctrl the drag turns it; the right button, or the
-/// key B, presses the stylus's button: as long as the mouse leads the pen it has no other meaning. When the mouse lets go, the hand stays where it is. GUI thread; no widgets.
+/// key B, presses the stylus's button: while the mouse moves the stylus, that key and button have no other function.
+/// When the mouse releases the stylus, the hand stays where it is. GUI thread; no widgets.
 class MouseStylus final : public PointerTool {
  public:
-  /// What it has to know of the cell, given anew each frame.
+  /// The data of the cell that it needs, passed each frame.
   struct State {
     bool usable = false;          ///< A simulated device is connected.
     bool holding_entity = false;  ///< Something is held by the stylus.

@@ -15,7 +15,7 @@ class ServerProcess : public QObject {
   /// Starts hapticell-haptic-server from the program's folder with a device profile (empty: its default).
   void start(const QString& device, int port);
   void stop();
-  /// The sentence of a line of the server's log that is a warning; empty: it is none.
+  /// The sentence of a warning in a line of the server's log; empty if the line is not a warning.
   static QString warningIn(const QString& line);
   bool isRunning() const { return process_.state() != QProcess::NotRunning; }
 

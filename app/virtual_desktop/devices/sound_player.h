@@ -10,7 +10,7 @@ class QAudioSink;
 
 namespace hapticell::app {
 
-/// Plays the cues on the default output; where there is none it stays silent and says so. GUI thread.
+/// Plays the cues on the default output; without an output it stays silent and reports it. GUI thread.
 class SoundPlayer : public QObject {
   Q_OBJECT
  public:

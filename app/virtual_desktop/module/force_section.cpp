@@ -19,7 +19,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kMendHeight = 56;  // Three lines beside the button that mends it; the meter has the same room.
+constexpr int kMendHeight = 56;  // Three lines next to the button that fixes it; the meter has the same room.
 
 }  // namespace
 

@@ -9,8 +9,7 @@ namespace hapticell::app {
 
 class VirtualDesktopController;
 
-/// Whether forces are wanted, and what became of them; tells where they went off though nobody asked for it. GUI
-/// thread.
+/// Whether forces are wanted, and what became of them; reports if they went off without a request. GUI thread.
 class ForceState {
  public:
   /// The owner must outlive it.

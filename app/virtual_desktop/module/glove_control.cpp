@@ -74,7 +74,7 @@ void GloveControl::keepRested() {
   keep(posedJoints(hand_));
 }
 
-/// The hand stays as it is until the glove moves it anew.
+/// The hand stays as it is until the glove moves it again.
 void GloveControl::rest() {
   if (hand_ == 0) return;
   keep(posedJoints(hand_));

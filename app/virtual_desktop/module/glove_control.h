@@ -21,7 +21,7 @@ class GloveControl {
 
   /// Poses the hand as the glove is now; at each look at the inputs.
   void pose();
-  /// The hand stays as it is until the glove moves it anew.
+  /// The hand keeps its posture until the glove moves it again.
   void rest();
   /// No glove any more: what its hand held stays where it is.
   void end();

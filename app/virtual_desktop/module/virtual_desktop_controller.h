@@ -55,7 +55,7 @@ class VirtualDesktopController : public QObject {
   /// The chosen entity's choice, as a command of the document; without one, of whatever is taken next.
   void setOnContact(workcell::OnContact on_contact);
   void setForceClass(workcell::ForceClass force_class);
-  /// Another stylus, simulated or a driver's: ends the own server and starts it anew with that device.
+  /// Chooses another stylus, simulated or a driver's: restarts the own server with that device.
   void chooseDevice(const QString& profile);
   const QString& deviceProfile() const { return station_.profile(); }
   /// A second stylus beside the first, at a server of its own; empty: none. Where the first holds a mannequin's hand
@@ -73,7 +73,7 @@ class VirtualDesktopController : public QObject {
   /// Where the haptic server is looked for: what the configuration says until useServer() says otherwise.
   const QString& serverHost() const { return station_.host(); }
   int serverPort() const { return station_.port(); }
-  /// Another station from now on, kept in the user's configuration; connects anew when it was connected.
+  /// Changes to another station and stores it in the user's configuration; reconnects if it was connected.
   void useServer(const QString& host, int port);
   ForceFacts forceFacts() const { return forces_.facts(); }
   /// Glove and 3-D mouse.

@@ -37,7 +37,7 @@ class CheckRows : public QWidget {
 };
 
 /// The device check page: why there is no force, the checks, rate and lateness, range of motion and buttons, a force
-/// test that asks first, what is plugged in with what mends it, versions. GUI thread.
+/// test that asks first, the devices plugged in and how to fix their problems, versions. GUI thread.
 class DeviceCheckPanel : public QWidget {
   Q_OBJECT
  public:

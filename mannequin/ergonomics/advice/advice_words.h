@@ -17,8 +17,8 @@ std::string scoreWords(PostureMethod method, const MethodScore& score, Language 
 /// "trunk forward 65° to 20°", "shoulder raised: no".
 std::string changeWords(const FieldChange& change, Language language);
 
-/// The first `most` drivers with what they would make of it: "trunk forward 65° to 60° (conditionally acceptable)".
-/// Empty where there is none.
+/// The first `most` drivers with the resulting action level: "trunk forward 65° to 60° (conditionally acceptable)".
+/// Empty without drivers.
 std::string driverWords(const MethodAdvice& advice, Language language, std::size_t most = 3);
 
 /// "trunk forward 65° to 60°, shoulder raised: no gives RULA 4"; says so where no change of posture alone helps, and is

@@ -27,8 +27,8 @@ std::array<bool, 2> activeHands(const mannequin::FigurePose& pose, const mannequ
 double reachLeft(const mannequin::Figure& figure, const mannequin::FigurePose& pose, const std::array<bool, 2>& active);
 
 /// The same work done by other bodies: their feet where `posture`'s stand, their grips where its active hands' grips
-/// are (turned alike), all limits and balance kept; the body that is of the figure's own sex and stature as it stands.
-/// Well under a millisecond a body; any thread.
+/// are (turned alike), all limits and balance kept; the body of the figure's own sex and stature is unchanged. Well
+/// under a millisecond a body; any thread.
 std::vector<BodyAtTask> atSameTask(const std::vector<mannequin::NamedFigure>& bodies, const mannequin::Figure& figure,
                                    const mannequin::Posture& posture, const WorkTask& task);
 
@@ -37,8 +37,7 @@ std::vector<std::vector<int>> scoresByHeight(const std::vector<mannequin::NamedF
                                              const mannequin::Figure& figure, const mannequin::Posture& posture,
                                              const WorkTask& task, const std::vector<double>& rises);
 
-/// The targets of the active hands, moved by `shift_W`, as a task for the solver; for `figure` in a posture that
-/// stands as it shall.
+/// The targets of the active hands, moved by `shift_W`, as a task for the solver; for `figure` in its posture.
 mannequin::PostureTask taskAt(const mannequin::Figure& from, const mannequin::Posture& posture,
                               const mannequin::Figure& figure, const dvec3& shift_W);
 

@@ -11,7 +11,7 @@ namespace hapticell::ergonomics {
 
 enum class BodyPart { kUpperArm, kLowerArm, kWrist, kNeck, kTrunk, kLegs };
 
-/// A part of the body that a method's score rests on, as it is told at its joint.
+/// A part of the body that determines a method's score, labelled at its joint.
 struct DrivingPart {
   BodyPart part = BodyPart::kUpperArm;
   mannequin::Side side = mannequin::Side::kRight;  ///< Of arms; legs: of the more bent knee.

@@ -20,7 +20,7 @@ struct LiftingDriver {
   std::string_view field;       ///< "h_cm", "v_cm", "d_cm", "asymmetry_deg", "frequency_per_min", "coupling".
   std::string_view multiplier;  ///< "HM" ...
   double value = 0.0;
-  std::optional<double> index{};  ///< Empty where a multiplier is 0, or beside other tasks.
+  std::optional<double> index{};  ///< Empty if a multiplier is 0, or for several tasks.
 };
 
 /// A change of one input of the lift. Of the coupling: 0 good, 1 fair, 2 poor.
@@ -31,7 +31,7 @@ struct LiftingChange {
   std::optional<double> index{};  ///< With it (and those before it in a list that goes together).
 };
 
-/// Why a lift's index is what it is and what brings it to the next lower level.
+/// The reasons for a lifting index, and the changes that bring it to the next lower level.
 struct LiftingAdvice {
   int level = 1;
   double target = 1.0;                    ///< The index to come down to: 1 or 3.
@@ -43,7 +43,7 @@ struct LiftingAdvice {
 /// The index that a task leads to; empty where its limit is 0.
 using LiftingIndex = std::function<std::optional<double>(const LiftingTask&)>;
 
-/// Changes of one task's inputs. `index_of` tells the index for the task as changed (alone, or composite with others);
+/// Changes of one task's inputs. `index_of` computes the index of the changed task (alone, or composite with others);
 /// `result` is that of the task as it is.
 LiftingAdvice adviseLift(const LiftingTask& task, const LiftingResult& result, const LiftingIndex& index_of);
 /// For a single task.

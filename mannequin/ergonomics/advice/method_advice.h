@@ -32,7 +32,7 @@ struct MethodAdvice {
   std::optional<Goal> next{};  ///< Empty at the least level, or where no change of posture alone helps.
 };
 
-/// For RULA and REBA out of angles; `values` as of scoreOfAngles(). The method is told by `method.name()`.
+/// For RULA and REBA out of angles; `values` as of scoreOfAngles(). `method.name()` identifies the method.
 MethodAdvice adviseAngles(const ScoredMethod& method, const PostureAngles& angles,
                           std::span<const std::optional<int>> values);
 MethodAdvice adviseOwas(const OwasPosture& posture);

@@ -21,7 +21,8 @@ struct PostureField {
   double least = 0.0;                                  ///< Of an angle that a person can have, degrees.
   double greatest = 0.0;
   bool good_value = false;     ///< Of a flag: the one that never scores higher.
-  bool is_correctable = true;  ///< False for what is no correction of a posture: to sit instead, how it was measured.
+  bool is_correctable = true;  ///< False for changes that do not correct a posture: to sit instead, how it was
+                               ///< measured.
 };
 
 /// All members, in the order of PostureAngles.
@@ -30,8 +31,8 @@ const std::vector<PostureField>& postureFields();
 /// Score of a posture; empty where it cannot be scored.
 using PostureScore = std::function<std::optional<int>(const PostureAngles&)>;
 
-/// The score of angles by RULA or REBA, with what beside the angles counts (loads, activity) out of `values`; what is
-/// empty there counts as its least. `method` must outlive it.
+/// The score of angles by RULA or REBA, with the other inputs (loads, activity) from `values`; empty inputs count as
+/// the least value. `method` must outlive it.
 PostureScore scoreOfAngles(const ScoredMethod& method, std::span<const std::optional<int>> values);
 
 /// Changes of single fields that lower the score, largest fall first, then smallest change.

@@ -69,8 +69,8 @@ struct EawsShift {
   double share = 0.0;  ///< Moved, rounded up to a thousandth.
   double score = 0.0;  ///< All points with it and the shifts before it.
 };
-/// What brings the level down: the lines in the order of eawsDrivers(), each whole but the last, which gives only what
-/// is needed. Empty at the least level, or where no shift within the kinds is enough.
+/// The changes that lower the level: the lines in the order of eawsDrivers(), each whole but the last, which gives only
+/// what is needed. Empty at the least level, or where no shift within the kinds is enough.
 std::vector<EawsShift> eawsNextLevel(const std::array<double, kEawsPostureCount>& shares);
 
 /// 1 green (up to 25 points), 2 yellow (to 50), 3 red.

@@ -25,7 +25,7 @@ class Owas final : public ScoredMethod {
   std::string_view levelName(int level) const override;
   bool isOrdered() const override { return false; }
 
-  /// What a digit stands for, e.g. (kLegs, 4) "standing or squatting on two bent legs".
+  /// The meaning of a digit, e.g. (kLegs, 4) "standing or squatting on two bent legs".
   static std::string_view meaning(Index digit, int value);
 };
 

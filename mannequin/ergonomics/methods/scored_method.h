@@ -23,7 +23,7 @@ struct SubScore {
 struct TableEntry {
   std::string_view table;  ///< "A", "B", "C".
   int row = 0;             ///< As printed in the method's table (from 1), the first of its row headings.
-  int row_part = 0;        ///< The second row heading (lower arm in RULA's table A); 0 where there is none.
+  int row_part = 0;        ///< The second row heading (lower arm in RULA's table A); 0 without one.
   int column = 0;
   int column_part = 0;
   int value = 0;

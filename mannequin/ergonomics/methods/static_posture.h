@@ -50,7 +50,7 @@ struct ZonePosture {
 };
 
 /// The same of angles that were measured: a trunk that leans back, a head or a gaze that points up within kNeutralBand
-/// counts as level. The standards' 0 has no width, and nobody stands at it. Marked as measured.
+/// counts as level. The standards' 0 has no width, and nobody is exactly at it. Marked as measured.
 ZonePosture settledZones(ZonePosture posture);
 
 /// EN 1005-4:2005 (evaluation of working postures in relation to machinery), its zones for trunk, upper arm, head and

@@ -11,7 +11,7 @@ constexpr double kDegreesInRadian = 57.295779513082323;
 constexpr double kShortView = 0.2;   ///< Of a line seen from the side: shorter ones have no sure direction there.
 constexpr double kOverLevel = 15.0;  ///< Degrees over which a raised arm goes over from its side view to its elevation.
 
-/// What arithmetic leaves of nought is nought: 1e-15 deg behind it would be another class.
+/// A rounding error counts as 0: 1e-15 deg behind it would be another class.
 double cleanedAngle(double degrees) {
   constexpr double kLeft = 1e-6;
   return std::abs(degrees) < kLeft ? 0.0 : degrees;

@@ -26,12 +26,12 @@ struct PostureReportInput {
   std::vector<BodyAtTask> bodies{};           ///< Others at the same task; empty: none is shown.
   std::vector<ReportBlock::Strip> history{};  ///< Along a recorded motion.
   double history_seconds = 0.0;
-  BetterPlaces places{};    ///< Where the work would bring each method's level down.
+  BetterPlaces places{};    ///< Placements of the work that would lower each method's level.
   ReportPicture scene{};    ///< The figure in its cell.
   ForceTable own_limits{};  ///< Of the hands, from the user's own source.
   std::optional<WorkplaceFinding> workplace{};
   std::optional<MotionPhase> phase{};  ///< The worst of the recorded motion.
-  bool is_of_phase = false;            ///< The posture is that of the phase, not as the figure stands.
+  bool is_of_phase = false;            ///< The posture is that of the phase, not the figure's present one.
   std::string company{};               ///< In the head.
   ReportPicture logo{};                ///< Beside it.
 };

@@ -28,7 +28,7 @@ struct ReportBlock {
   std::vector<std::string> lines{};  ///< Text; wrapped.
   struct Cell {
     std::string text;
-    int band = -1;  ///< A patch of the score's colour and pattern beside the text; -1: none.
+    int band = -1;  ///< A patch of the score's colour and pattern next to the text; -1: none.
   };
   std::vector<std::string> columns{};  ///< Of a table.
   bool flows = false;                  ///< Pages show the rows (name, value) as running text, without those at 0.0.
@@ -79,7 +79,7 @@ Expected<void> writeReportPdf(const Report& report, const std::filesystem::path&
 ReportPicture drawReportPage(const Report& report, int page, int width);
 int reportPages(const Report& report);
 
-/// A PNG file's bytes, and a picture out of a PNG file (refused: what is none, or larger than 8192 pixels).
+/// The bytes of a PNG file, and a picture from a PNG file (errors: not a PNG file, or larger than 8192 pixels).
 std::string pngOf(const ReportPicture& picture);
 Expected<ReportPicture> readPng(const std::filesystem::path& file);
 

@@ -21,7 +21,7 @@ struct ContextEnd {
 using Surface = std::unique_ptr<cairo_surface_t, SurfaceEnd>;
 using Context = std::unique_ptr<cairo_t, ContextEnd>;
 
-/// A copy of a picture as cairo has it; its status tells where there was no memory.
+/// A copy of a picture as cairo has it; its status shows if memory ran out.
 Surface surfaceOf(const ReportPicture& picture);
 
 /// Text, rules and coloured patches of a report's page, drawn with cairo. Points, from the top left. One thread.

@@ -44,7 +44,7 @@ struct Bends {
   double flexion, side_bend, twist;
 };
 Bends bendsOf(const dmat3& R) {
-  // What arithmetic leaves of nought is nought: a neck that is 1e-15 deg behind it would be in extension.
+  // A rounding error counts as 0: a neck that is 1e-15 deg behind it would be in extension.
   const auto cleaned = [](double radians) { return std::abs(radians) < 1e-8 ? 0.0 : kDegrees * radians; };
   const dvec3 angles = mannequin::anglesYXZ(R);
   return {cleaned(angles.y), cleaned(angles.x), cleaned(angles.z)};

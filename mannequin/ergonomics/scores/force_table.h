@@ -34,7 +34,7 @@ struct ForceTable {
 
 /// Reads comma-separated values with a line of names: `limit_n`, and as wanted `hand` (left, right, any),
 /// `height_from_m`, `height_to_m`, `reach_from_m`, `reach_to_m`; an empty field does not limit. Lines that begin with #
-/// are notes; "# source: ..." names the source. Refused by line and name: unknown names, what is no number, a limit
+/// are notes; "# source: ..." names the source. Refused by line and name: unknown names, invalid numbers, a limit
 /// outside 0 to 5000 N (0 not included), a range that ends before it begins, a table without a row.
 Expected<ForceTable> readForceTable(const std::filesystem::path& file);
 

@@ -5,7 +5,7 @@
 
 namespace hapticell::ergonomics {
 
-/// The French of the words of scores and reports; what is not known comes back as it is.
+/// The French of the words of scores and reports; unknown words are returned unchanged.
 std::string_view french(std::string_view english);
 
 }  // namespace hapticell::ergonomics

@@ -8,7 +8,7 @@
 
 namespace hapticell::ergonomics {
 
-/// The methods that give a posture a level, and so can say what would bring it down.
+/// The methods that give a posture a level, and can therefore suggest how to lower it.
 enum class PostureMethod { kRula, kReba, kOwas, kEn1005, kIso11226, kEaws };
 inline constexpr std::array kPostureMethods{PostureMethod::kRula,   PostureMethod::kReba,     PostureMethod::kOwas,
                                             PostureMethod::kEn1005, PostureMethod::kIso11226, PostureMethod::kEaws};

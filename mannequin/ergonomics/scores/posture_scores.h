@@ -53,8 +53,8 @@ struct PostureScores {
   int owasCode() const;
 };
 
-/// All of them at once, for each frame of a drag: some microseconds. `pose` is that of the posture. A load that is not
-/// known counts as none for OWAS and REBA, and `missing` says so.
+/// All of them at once, for each frame of a drag: some microseconds. `pose` is that of the posture. An unknown load
+/// counts as no load for OWAS and REBA; `missing` lists it.
 PostureScores scorePosture(const mannequin::Figure& figure, const mannequin::Posture& posture,
                            const mannequin::FigurePose& pose, const WorkTask& task);
 

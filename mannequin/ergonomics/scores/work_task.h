@@ -10,7 +10,7 @@
 
 namespace hapticell::ergonomics {
 
-/// How well what is handled can be held: REBA's four classes; the lifting equation knows the first three.
+/// How well the load can be held: REBA's four classes; the lifting equation knows the first three.
 enum class Grip { kGood, kFair, kPoor, kUnacceptable };
 
 /// What a posture does not show and the task has to say, entered once for a task and kept with the workcell. What

@@ -25,10 +25,10 @@ struct FanucLine {
   std::string text;  ///< Upper case, blanks gone but inside of texts.
 };
 
-/// What stands in an LS file: its parts /PROG, /MN and /POS.
+/// Content of an LS file: its parts /PROG, /MN and /POS.
 struct FanucFile {
   std::string name;
-  std::vector<FanucLine> lines;  ///< Without remarks; what goes on over several lines is one.
+  std::vector<FanucLine> lines;  ///< Without remarks; a statement that continues over several lines counts as one.
   std::map<int, FanucPosition> positions;
 };
 

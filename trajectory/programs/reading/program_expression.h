@@ -17,7 +17,7 @@ struct Argument {
   Value value;
 };
 
-/// A step into a variable: a field, or an index as it stands in the text.
+/// A step into a variable: a field, or an index as written in the text.
 struct AccessStep {
   std::string field;  ///< Empty for an index.
   double index = 0.0;
@@ -37,7 +37,7 @@ struct ExpressionMeaning {
 
 /// Reads expressions of KRL, RAPID and URScript from tokens and works out their value at once.
 ///
-/// Stops before the first token that cannot belong to the expression. What is no expression gives an unknown value.
+/// Stops before the first token that cannot belong to the expression. Invalid expressions give an unknown value.
 class ExpressionReader {
  public:
   ExpressionReader(const Tokens& tokens, std::size_t at, const Dialect& dialect, const ExpressionMeaning& meaning)
@@ -46,7 +46,7 @@ class ExpressionReader {
   Value expression();
   /// KRL's place of a target: no comparison or sum, so that what follows a target is not taken into it.
   Value term() { return composed(); }
-  /// "name", "name.field", "name[2].x": for assignments. An empty name where there is none.
+  /// "name", "name.field", "name[2].x": for assignments. An empty name if there is no path.
   std::string path(std::vector<AccessStep>& steps);
   /// Arguments up to a closing bracket (which is taken) or the end of the statement.
   std::vector<Argument> arguments();

@@ -32,7 +32,7 @@ class ProgramPath {
   void moveTo(std::size_t line, const Pose& X_FT, bool is_joint_move);
   /// Through `via` to `end`, by so many radians in all where `angle` is given (KRL's CA), else to `end`.
   void moveArc(std::size_t line, const Pose& via_FT, const Pose& end_FT, std::optional<double> angle = {});
-  /// `pose` where the program gives it beside the joints.
+  /// `pose` if the program gives it in addition to the joints.
   void moveJoints(std::size_t line, const Joints& joints, const std::optional<Pose>& pose = {});
   /// A target that the file does not give. At the begin or end it is left out with a note, in the middle it is an
   /// error.

@@ -62,10 +62,10 @@ class ProgramRun {
   Flow call(const Routine& routine, const std::vector<Argument>& arguments, std::size_t line);
   bool hasMoves(const Block& block, int depth = 0) const;
   Value evaluate(const Tokens& tokens) const;
-  /// Assigns to "name.field[2]"; makes what is not there yet.
+  /// Assigns to "name.field[2]"; makes missing ones.
   void assign(const std::string& name, const std::vector<AccessStep>& steps, Value value);
   const Value* find(const std::string& name) const;
-  /// The tokens of a statement as it stands, for messages.
+  /// The tokens of a statement unchanged, for messages.
   static std::string textOf(const Tokens& tokens);
 
   const Dialect dialect_;

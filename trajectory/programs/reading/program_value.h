@@ -36,7 +36,7 @@ struct Value {
   /// The field of a record; nothing where it has none.
   const Value* find(std::string_view field) const;
   std::optional<double> numberOf(std::string_view field) const;
-  /// All numbers of a list of numbers; nothing where one is none, or there are not `count`.
+  /// All numbers of a list; empty if one is not a number, or there are not `count`.
   std::optional<std::vector<double>> numbers(std::size_t count) const;
   /// Why this or a part of it is unknown; empty where all is known.
   std::string whyUnknown() const;

@@ -16,8 +16,8 @@ namespace hapticell::trajectory {
 
 enum class ProgramFormat { kKrl, kRapid, kFanuc, kUrScript, kVal3, kInform };
 
-/// What a program says beside its targets. Poses are of the TCP in the robot's base (or the user's frame, where the
-/// caller put them there).
+/// The content of a program apart from its targets. Poses are of the TCP in the robot's base (or the user's frame,
+/// where the caller put them there).
 struct ProgramOptions {
   std::string name;  ///< Any text; empty: of the trajectory. Made a name of the language (program_names.h).
   /// The controller's own tool; empty: its default. A number for FANUC and INFORM, else an expression of the language
@@ -64,8 +64,8 @@ struct ProgramMeasure {
 Expected<ProgramMeasure> measureProgram(const std::vector<ProgramFile>& files, ProgramFormat format,
                                         const ProgramOptions& options, const Trajectory& trajectory);
 
-/// The files with whole paths as names: one under the name asked for (with the format's extension where it has none),
-/// several beside it with the same stem, VAL3's in a folder of that name.
+/// The files with whole paths as names: one file under the requested name (with the format's extension if it has none);
+/// several files next to it with the same stem; VAL3 in a folder of that name.
 std::vector<ProgramFile> placedProgram(const std::vector<ProgramFile>& files, ProgramFormat format,
                                        const std::filesystem::path& wanted);
 

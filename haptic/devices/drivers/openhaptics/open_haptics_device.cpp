@@ -163,7 +163,7 @@ void OpenHapticsDevice::command() {
   ticks_without_command_ = commands_.update() ? 0 : ticks_without_command_ + 1;
   if (quiet_ticks_ > 0) --quiet_ticks_;
   const Command& wanted = commands_.value();
-  // What was let go of stays so until the host knows and begins anew: force never comes back in one step.
+  // What was let go of stays so until the host knows and restarts: force never comes back in one step.
   let_go_ = wanted.motors && (let_go_ || ticks_without_command_ >= kHostPatience || quiet_ticks_ > 0);
   const bool on = wanted.motors && !let_go_;
   if (on != force_output_) {
