@@ -26,10 +26,10 @@ TEST(PairingKey, ItsCodeReadsBackHoweverItIsTyped) {
     std::string typed;
     for (const char sign : code) {
       if (sign == '-') continue;
-      char key = static_cast<char>(std::tolower(sign));
-      if (sign == '0') key = 'o';
-      if (sign == '1') key = 'l';
-      typed += key;
+      char letter = static_cast<char>(std::tolower(sign));
+      if (sign == '0') letter = 'o';
+      if (sign == '1') letter = 'l';
+      typed += letter;
       if (typed.size() % 7 == 0) typed += ' ';
     }
     EXPECT_EQ(PairingKey::parse(typed + "\n"), key) << typed;
