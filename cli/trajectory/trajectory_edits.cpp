@@ -126,8 +126,8 @@ Made resample(const Trajectory& given, const EditOptions& o) {
   return one(trajectory::resampled(given, o.step));
 }
 
-/// The joints of a robot's motion whose poses were changed, found again in the cell; without the robot there are no
-/// joints.
+/// The joints of a robot's motion whose poses were changed, found again in the cell. Without a cell the
+/// joints are left out.
 Expected<void> findJoints(const Trajectory& given, const EditOptions& options, Trajectory& made, ordered_json& result) {
   if (!given.hasJoints() || made.hasJoints()) return {};
   if (options.files.workcell.empty()) {

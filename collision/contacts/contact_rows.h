@@ -58,7 +58,7 @@ enum class Telling : std::uint8_t {
 };
 
 /// Appends the groups of one list of elements: copies of `like` with rows. A list gives one group, or more if a surface
-/// has several ends. If the result is not success, discard `groups` and try a smaller reach.
+/// has several ends. If the result is not kTold, discard `groups` and try a smaller reach.
 Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& elements, const ContactGroup& like,
                      std::vector<ContactGroup>& groups);
 

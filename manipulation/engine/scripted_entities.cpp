@@ -40,7 +40,7 @@ bool ScriptedEntities::moveOne(const workcell::Entity& entity, double dt, std::s
   OnItsWay& at = on_their_way_[entity.id];
   EntityConfiguration where = cell_.placement(entity.id);
   const dvec3 way = entity.motion->displacementAt(at.t + dt) - entity.motion->displacementAt(at.t);
-  // The held part does not follow a belt that restarts: nothing is pushed by that.
+  // A belt that restarts jumps back: held entities need not give way to that jump.
   const bool leaps = glm::length(way) > 2.0 * dt * 2.0 + 1e-9;
   const double share = way != dvec3(0.0) && !leaps ? shareGone(entity.id, way, grips) : 1.0;
   if (share >= 1.0) {

@@ -25,7 +25,7 @@ class StylusInput {
   struct Buttons {
     std::uint32_t down = 0, pressed = 0, let_go = 0;
   };
-  /// With a state (contract).
+  /// Contract: there is a state.
   Buttons takeButtons();
 
   haptic::HapticLink& link() const { return link_; }
