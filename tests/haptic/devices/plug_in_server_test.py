@@ -118,7 +118,7 @@ def test_listing_survives_a_driver_that_crashes():
     with Watch(settings) as watch:
         for listing in (watch.listing(), devices(settings)):
             counted = by_name(listing["drivers"], "counted")
-            assert not counted["usable"] and "ended its process" in counted["problem"], counted
+            assert not counted["usable"] and "it crashed" in counted["problem"], counted
             assert by_name(listing["drivers"], "orbit")["usable"], listing
 
 
