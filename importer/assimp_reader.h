@@ -7,7 +7,7 @@
 namespace hapticell::importer {
 
 /// Reads glTF, GLB, Collada, 3MF, FBX or 3DS with assimp. Node scales and mirrorings go into the meshes, so that every
-/// placement is rigid; triangles with a corner that is not finite are dropped and told. May throw.
+/// placement is rigid; triangles with a corner that is not finite are dropped and reported. May throw.
 Expected<workcell::ImportedScene> readWithAssimp(const Reading& reading, ParentLink& parent);
 
 }  // namespace hapticell::importer

@@ -30,7 +30,7 @@ CadDocument newCadDocument();
 /// Is given the share that is done, from 0 to 1, and what is going on.
 using CadProgress = std::function<void(double, const std::string&)>;
 
-/// Reads STEP or IGES, told by the content. Errors in words; may throw.
+/// Reads STEP or IGES, recognised by the content. Errors in words; may throw.
 Expected<CadDocument> openCad(const std::filesystem::path& file, const CadProgress& progress);
 
 /// A node of the tree in such a document: a part or an assembly, or the use of one.

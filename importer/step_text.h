@@ -14,7 +14,7 @@ namespace hapticell::importer {
 /// True where the text begins as a STEP file does (ISO 10303-21), behind a byte order mark, blanks and comments.
 bool beginsAsStep(std::string_view head);
 
-/// What stands in the text of a STEP file, told without building anything of it.
+/// The content of a STEP file's text, read without building shapes.
 struct StepOutline {
   std::size_t exact_faces = 0;   ///< Faces of exact shapes.
   std::size_t tessellated = 0;   ///< Tessellated solids, shells and surfaces (AP242) without an exact shape behind

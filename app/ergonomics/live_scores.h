@@ -83,7 +83,7 @@ class LiveScores : public QObject {
   bool asking_ = false, bodies_late_ = false;
 };
 
-/// The language that scores are told in: the system's where it is French.
+/// The language of the scores: the system's if it is French.
 ergonomics::Language shownLanguage();
 QString shown(const std::string& text);
 

@@ -33,7 +33,7 @@ class DocumentModel : public QObject {
   /// Several commands as one step of undo, and one changed(); where one is refused, none is done.
   bool executeAll(const QString& text, const std::vector<workcell::Command>& commands);
   /// Several commands as part of the step that is open, and one changed(); where one is refused the step holds those
-  /// before it, and nothing is told: a drag asks again at the next place.
+  /// before it, and nothing is reported: a drag asks again at the next place.
   bool executeWithin(const std::vector<workcell::Command>& commands);
   void undo();
   void redo();

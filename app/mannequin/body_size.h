@@ -17,7 +17,7 @@ class Segmented;
 class ValueField;
 
 /// Size of the chosen mannequin: the four boundary figures, sex, percentile, stature, mass, and single measures of
-/// one's own. Each change is one step of undo; the feet stay where they stand.
+/// their own. Each change is one step of undo; the feet stay where they stand.
 class BodySize : public QWidget {
   Q_OBJECT
  public:

@@ -24,7 +24,7 @@ class Application : public QApplication {
 
 class Host;
 
-/// What the window does then: an open step of the document is taken back, and the user is told what to do.
+/// What the window does then: an open step of the document is taken back, and a message says what to do.
 void tellOutOfMemory(Host& host);
 
 }  // namespace hapticell::app

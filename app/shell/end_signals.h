@@ -7,7 +7,7 @@ class QSocketNotifier;
 
 namespace hapticell::app {
 
-/// The system asks the program to end (SIGTERM at shutdown, SIGHUP when the session's terminal goes, SIGINT): told in
+/// The system asks the program to end (SIGTERM at shutdown, SIGHUP when the session's terminal goes, SIGINT): reported in
 /// the thread that made it, from its event loop. One at a time; nothing where there are no such signals.
 class EndSignals : public QObject {
   Q_OBJECT

@@ -17,7 +17,7 @@ class ModuleLoader {
  public:
   ModuleLoader();
   ~ModuleLoader();
-  /// Loads every hapticell-module-* of the folders; those that do not load are told by problems().
+  /// Loads every hapticell-module-* of the folders; problems() lists those that do not load.
   void load(const QStringList& folders);
   /// Where modules are looked for: `modules` beside the program, then lib/hapticell/modules of the installation.
   static QStringList defaultFolders();

@@ -9,7 +9,7 @@ namespace hapticell::app {
 /// A number with its unit inside the field, right-aligned, fixed decimals, never a minus zero.
 ///
 /// The unit stands in the second text colour; where the number needs its room it goes. Arrow keys and the wheel (while
-/// focused) step it; Enter or leaving the field ends the edit. Lengths and angles are set and told in mm and degrees,
+/// focused) step it; Enter or leaving the field ends the edit. Lengths and angles are set and shown in mm and degrees,
 /// and shown in the units in force (units.h); typed with a unit behind them ("2 in", "1.5rad") they are taken as that.
 /// A number typed beyond an end becomes that end, and a tip at the field says so.
 class ValueField : public QDoubleSpinBox {

@@ -29,7 +29,7 @@ struct RenderCommand {
 /// "front", "back", "right", "left", "top", "bottom", "iso"; nothing for other words.
 std::optional<StandardView> viewNamed(const QString& name);
 
-/// Draws the picture and writes it whole or not at all. What could not be shown is told in `diagnostics`. Refused:
+/// Draws the picture and writes it whole or not at all. `diagnostics` lists what could not be shown. Refused:
 /// files that cannot be read, views that are not known, formats that cannot be written, a display without OpenGL 3.3.
 Expected<void> render(const RenderCommand& command, Diagnostics& diagnostics);
 

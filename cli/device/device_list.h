@@ -17,7 +17,7 @@ struct DriverEntries {
 DriverEntries simulatedEntries();
 
 /// Asks it in a process of its own, which ends with the answer: a vendor's library keeps nothing open, and where it
-/// crashes that is told as the driver's problem. Only while this process has one thread.
+/// crashes that is reported as the driver's problem. Only while this process has one thread.
 DriverEntries entriesAskedApart(const haptic::LoadedDriver& loaded);
 
 /// All that the command prints, with what the system grants now.

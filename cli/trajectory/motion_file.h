@@ -15,7 +15,7 @@ namespace hapticell::cli {
 Expected<trajectory::ProgramReadOptions> programReadOptions(const std::string& robot);
 
 /// Reads a motion from any file that motions are read from. What was assumed or left out goes to `notes`, or to
-/// standard error where there are none. `robot` (may be empty) is for targets of programs that are given by joints.
+/// standard error if there are no notes. `robot` (may be empty) is for targets of programs that are given by joints.
 Expected<trajectory::Trajectory> readMotionFile(const std::string& file, const std::string& robot = {},
                                                 std::vector<std::string>* notes = nullptr);
 

@@ -13,7 +13,7 @@ std::string upperCase(std::string_view text);
 
 bool sameButForCase(std::string_view a, std::string_view b);
 
-/// ".step" of "Cell.STEP"; empty where there is none.
+/// ".step" of "Cell.STEP"; empty without an extension.
 std::string lowerExtension(const std::filesystem::path& file);
 
 }  // namespace hapticell

@@ -11,7 +11,7 @@ inline constexpr char32_t kNoCharacter = 0xFFFFFFFF;
 
 struct Utf8Character {
   char32_t character = kNoCharacter;
-  std::size_t length = 1;  ///< Bytes that it takes, or that are to be passed over as they are none.
+  std::size_t length = 1;  ///< Bytes of the character, or to skip if they are not UTF-8.
 };
 
 /// The character at `at` (RFC 3629: shortest form, no surrogates, up to U+10FFFF).

@@ -20,7 +20,7 @@ struct LinkProblem {
 /// Both sentences in English.
 std::string english(const LinkProblem& problem);
 
-/// What a refusal tells the user; a reason that is not known here is told in the server's own sentence.
+/// The text of a refusal for the user; for a reason not known here, the server's own sentence.
 LinkProblem problemOf(const Refusal& refusal);
 
 }  // namespace hapticell::haptic

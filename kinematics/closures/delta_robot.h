@@ -20,7 +20,7 @@ struct DeltaOptions {
 
 /// The model of a Delta with three joints, or four: the last then turns tool0 about z. Links base_link, arm_1 .. arm_3
 /// (frame at the motor axis, x along the arm, y along the axis), rod_1a .. rod_3b (frame at the knee, x to the
-/// platform), platform, tool0. Inverse model "delta". Errors: lengths that are none, or with which the robot's home
+/// platform), platform, tool0. Inverse model "delta". Errors: invalid lengths, or lengths with which the robot's home
 /// (all joints at 0, or `home`) cannot be assembled; not 3 or 4 joints.
 Expected<RobotModel> buildDelta(const std::string& name, const DeltaGeometry& geometry, const DeltaOptions& options,
                                 const std::vector<JointData>& joints, const std::vector<double>& home);

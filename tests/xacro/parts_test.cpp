@@ -145,9 +145,10 @@ TEST_F(XacroParts, TruthEqualityAndOrderArePythons) {
 TEST_F(XacroParts, ExpressionsAreSplitIntoWords) {
   std::vector<std::string> kinds;
   for (const Token& token : tokensOf("a1 + 0x1f ** 'it''s' // 2.5e-1 <= b")) {
-    kinds.push_back(token.kind == Token::Kind::kConstant ? shown(token.value)
-                    : token.kind == Token::Kind::kEnd    ? "end"
-                                                         : token.text);
+    std::string text = token.text;
+    if (token.kind == Token::Kind::kConstant) text = shown(token.value);
+    if (token.kind == Token::Kind::kEnd) text = "end";
+    kinds.push_back(text);
   }
   EXPECT_THAT(kinds, ElementsAre("a1", "+", "31", "**", "'it'", "'s'", "//", "0.25", "<=", "b", "end"));
   for (const char* bad : {"'open", "12abc", "a ? b", "1e", "0x", "99999999999999999999"}) {

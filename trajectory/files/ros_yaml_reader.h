@@ -15,7 +15,7 @@ namespace hapticell::trajectory {
 /// by their stamps. The result has no poses (`Trajectory::has_poses` is false).
 ///
 /// Errors name file and line: no YAML, no such message or several, joints named twice, a point with other than one
-/// position a joint, numbers that are none, times that do not rise, a list that the echo cut short.
+/// position a joint, invalid numbers, times that do not rise, a list that the echo cut short.
 Expected<Trajectory> readRosYaml(const std::filesystem::path& file);
 
 }  // namespace hapticell::trajectory

@@ -156,7 +156,7 @@ struct RemovePairSet {
 };
 
 /// Gives single pairs their own rules, in the place of those that they had; one that is checked and has no choice on
-/// contact takes the pair's rule away. `text` names the step of undo; empty: told by the rules.
+/// contact takes the pair's rule away. `text` names the step of undo; empty: derived from the rules.
 struct SetPairRules {
   std::vector<PairRule> rules;
   std::string text = {};

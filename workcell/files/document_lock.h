@@ -23,7 +23,7 @@ struct DocumentOwner {
 
 /// Says that this program has a document open, by a hidden file next to it, .NAME.lock, which names the owner and is
 /// locked while the owner runs. What a dead program left counts for nothing; on another machine's disk, where that
-/// cannot be told, it counts until it is taken over. Goes with this object. It keeps nobody from writing: programs ask
+/// is not known, it counts until it is taken over. Goes with this object. It keeps nobody from writing: programs ask
 /// it.
 class DocumentLock {
  public:

@@ -31,7 +31,7 @@ Expected<PackReport> pack(const DocumentState& state, const std::filesystem::pat
 /// and that planPack() takes: mesh and CAD files with what they name, robots with the files that were read for them.
 /// Built-in things need no file; entities whose file could not be read (unloaded) are packed without it and reported.
 /// Files of one name get a number. The pack is read back with all its files and compared with the state (checkPack()),
-/// of which `monitor`, which may be null, is told. On error, also where something differs, the folder is removed again.
+/// with progress to `monitor`, which may be null. On error, also where something differs, the folder is removed again.
 Expected<PackReport> packDocument(const DocumentState& state, const std::filesystem::path& folder,
                                   const std::string& name, const PackScope& scope, Diagnostics& diagnostics,
                                   ImportMonitor* monitor = nullptr);

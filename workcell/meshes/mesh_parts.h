@@ -23,7 +23,7 @@ struct MeshPart {
 /// Cuts a file into its solids: its objects and groups, and within these what has a colour of its own, but never a skin
 /// that hangs together: pieces that share a corner at open borders (patches of one surface, as CAD programs write them)
 /// are one solid. A solid of several colours gets that of most of its area; where a file has more than 64 colours (a
-/// scan) nothing is cut by them and each solid gets the mean over its area. Both are told, and how many pieces were
+/// scan) nothing is cut by them and each solid gets the mean over its area. Both are reported, and how many pieces were
 /// joined. More than 10 000 solids, or `split` false: all is one.
 ///
 /// `materials`: colours by name for RawMesh::labels; a face's own colour goes over it. The parts' meshes are in the

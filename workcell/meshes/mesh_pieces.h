@@ -23,7 +23,7 @@ struct MeshPiece {
 struct MeshPieces {
   std::vector<MeshPiece> pieces;     ///< In the order of their first triangles.
   std::vector<std::uint32_t> piece;  ///< Of each triangle; empty where there is one piece.
-  bool many_colors = false;          ///< More than 64: they are not told apart.
+  bool many_colors = false;          ///< More than 64: they are not separated.
 };
 
 /// Where nothing has a name or a colour, one piece.

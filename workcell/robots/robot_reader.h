@@ -14,7 +14,7 @@ namespace hapticell::workcell {
 
 enum class RobotFormat { kUrdf, kXacro, kSdf, kToml };
 
-/// Told by the file's name and first element; nothing where it is no robot: an XML document whose element is <robot>
+/// Recognised by the file's name and first element; empty if it is not a robot: an XML document whose element is <robot>
 /// (with xacro elements: xacro) or <sdf>, or a TOML document with format = "hapticell-robot".
 std::optional<RobotFormat> robotFormatOf(const std::filesystem::path& file);
 /// "urdf", "xacro", "sdf", "toml".

@@ -53,7 +53,7 @@ struct UrdfMaterial {
 };
 
 /// Reads the elements of a URDF file. What moves no joint and no shape is never refused: unusual values give a warning.
-/// Errors have the line: numbers of origins, axes, limits and mimics that are none, a zero axis, a joint of an unknown
+/// Errors have the line: numbers of origins, axes, limits and mimics that are not numbers, a zero axis, a joint of an unknown
 /// type, without name or ends. Limits without end, crossed or missing mean no limit (as in PyBullet); each is a warning
 /// but "inf" itself.
 Expected<UrdfLink> readUrdfLink(const TiXmlElement& element, const UrdfLines& lines, Diagnostics& diagnostics);

@@ -48,7 +48,7 @@ struct ImportedScene {
 };
 
 /// True for files with a tree of parts: those that the importer's process reads (STEP, IGES, glTF, GLB, Collada, 3MF,
-/// FBX, 3DS), told by content (STEP, glTF, FBX, Collada) or name, and SDF cells (isSdfCell).
+/// FBX, 3DS), recognised by content (STEP, glTF, FBX, Collada) or name, and SDF cells (isSdfCell).
 bool holdsScene(const std::filesystem::path& file);
 
 /// Reads such a file (with `options.merge` robots of an SDF world as solids); SDF in this process, the others in one of

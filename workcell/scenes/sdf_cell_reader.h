@@ -17,9 +17,9 @@ bool isSdfCell(const std::filesystem::path& file);
 /// their poses: frames, `relative_to`, `placement_frame`, models inside models (see SdfSource). Meshes in any readable
 /// format are in metres; Collada is used unchanged, without its up axis, as in Gazebo. See findSdfFile().
 ///
-/// A model or mesh that is not there, a name that is there twice, a pose of too few numbers and the like are told; the
+/// A model or mesh that is not there, a name that is there twice, a pose of too few numbers and the like are reported; the
 /// rest is read. docs/user/formats.md lists what is ignored, reported and refused. Errors: see SdfSource::load(), cancelled.
-/// A model with joints that move is a robot, a solid where `with_robots` is false or it makes no robot (told).
+/// A model with joints that move is a robot, a solid where `with_robots` is false or it makes no robot (reported).
 Expected<ImportedScene> readSdfCell(const std::filesystem::path& file, ImportMonitor* monitor, bool with_robots = true);
 
 }  // namespace hapticell::workcell

@@ -30,7 +30,7 @@ class CollisionsPanel : public QWidget {
   void showSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot);
   /// Contacts and near misses now: the number on the dock's tab.
   int alertCount() const { return alerts_; }
-  /// The log as CSV; false, and told in the messages, where the file cannot be written.
+  /// Writes the log as CSV; false, with a message, if the file cannot be written.
   bool saveLog(const QString& path) { return log_page_->save(path); }
   const ContactLog& log() const { return log_page_->log(); }
   /// Brings up all pairs of what is held, else chosen: against the cell, and a robot's own links and parts.

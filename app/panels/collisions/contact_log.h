@@ -28,7 +28,7 @@ std::string eventName(ContactEvent::Kind kind);
 
 /// Makes events of snapshots, in the order that RobotStudio's collision sets have: near miss begins, contact begins,
 /// contact ends, near miss ends. An interruption shorter than kPause does not end a contact. The oldest events go when
-/// there are more than kMost; how many went is told. A value; one thread; no Qt.
+/// there are more than kMost; the number of dropped ones is kept. A value; one thread; no Qt.
 class ContactLog {
  public:
   static constexpr double kPause = 0.15;  ///< s

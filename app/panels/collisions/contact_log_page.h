@@ -19,10 +19,10 @@ class ContactLogPage : public QWidget {
   /// Takes a picture's contacts; changed() tells when that made events.
   void take(const manipulation::SceneSnapshot& snapshot);
   void clear();
-  /// As CSV; false, and told in the messages, where the file cannot be written.
+  /// Writes it as CSV; false, with a message, if the file cannot be written.
   bool save(const QString& path);
   const ContactLog& log() const { return log_; }
-  /// The newest events in one line; empty where there are none.
+  /// The newest events in one line; empty if nothing has touched.
   QString lastLine() const;
 
  signals:

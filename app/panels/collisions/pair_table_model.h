@@ -36,7 +36,7 @@ struct PairRow {
   }
 };
 
-/// What distances are told by: the loop while something is held, else what was measured at rest.
+/// The source of distances: the loop while something is held, else the measurement at rest.
 struct PairSources {
   const manipulation::SceneSnapshot* snapshot = nullptr;
   const std::vector<manipulation::PairState>* at_rest = nullptr;

@@ -27,7 +27,7 @@ class TrajectoryPanel : public QWidget {
 
   TimeBar& timeBar() { return *bar_; }
   MotionChart& chart() { return *chart_; }
-  /// What the recording is at, told ten times a second; nothing: none is going on.
+  /// The state of the recording, ten times a second; empty: nothing is recorded.
   struct Recording {
     double seconds = 0.0;
     std::size_t frames = 0, by_hand = 0;
@@ -66,7 +66,7 @@ class TrajectoryPanel : public QWidget {
   QToolButton *record_, *trim_, *smooth_, *check_, *export_, *edit_;
   QComboBox *group_, *order_;
   QLabel* info_;
-  bool recording_ = false, slow_told_ = false;  ///< Told once a play.
+  bool recording_ = false, slow_told_ = false;  ///< Reported once a play.
   std::shared_ptr<const trajectory::Trajectory> shown_motion_;
 };
 

@@ -46,7 +46,7 @@ class MotionWork : public QObject {
 
  signals:
   void told(const QString& line, bool careful);  ///< What an edit did; `careful`: a warning or a refusal.
-  void missed();                                 ///< What was told last misses what was asked of it: it is to be red.
+  void missed();                                 ///< The last line reports a missed request: show it red.
 
  private:
   /// The document as the worker needs it.

@@ -19,7 +19,7 @@ class MotionList;
 class ValueField;
 
 /// Makes an exercise of the open cell and one of its motions, or changes one: name, what is to be done, the expert's
-/// motion, how the trainee is led and what costs points. What is missing is told below its field and nothing is saved
+/// motion, how the trainee is led and what costs points. What is missing is shown below its field and nothing is saved
 /// until it is right. Not modal: the cell can be saved meanwhile. Closes with the cell. GUI thread.
 class ExerciseEditor : public QDialog {
   Q_OBJECT
@@ -52,7 +52,7 @@ class ExerciseEditor : public QDialog {
   QString folder_, file_;
   manipulation::Exercise exercise_;
   trajectory::Trajectory expert_;
-  bool tried_ = false;  ///< Problems are told from the first attempt to save on.
+  bool tried_ = false;  ///< Problems are shown from the first attempt to save.
   QLineEdit* name_;
   QPlainTextEdit* text_;
   QComboBox* motion_;

@@ -16,7 +16,7 @@ class TrainingResults {
   /// The file; empty: by trainee and exercise, among the user's data.
   void setPath(const QString& path) { path_ = path; }
   /// Those of this trainee at this exercise (empty: none, then nothing is read). Errors: the file cannot be read; then
-  /// there are none yet.
+  /// there is nothing yet.
   Expected<void> load(const QString& trainee, const std::string& exercise);
   Expected<void> keep() const;
   /// Writes a run beside the results; its name relative to them.

@@ -17,7 +17,7 @@ QString restText(double seconds);
 int smoothnessPercent(const trajectory::TrainingScore& score);
 
 /// The points of runs without guidance, apart from those of practice: "Retention after 26 h: 74 points. Transfer: 61
-/// points." Each rest once, with its newest run. Says that there are none where there are none.
+/// points." Each rest once, with its newest run. Says so if there are no rests.
 QString unaidedText(const trajectory::TrainingSession& session);
 
 }  // namespace hapticell::app

@@ -15,7 +15,7 @@ class SurfaceTree {
  public:
   /// `vertices` must outlive it.
   SurfaceTree(const std::vector<DisplayVertex>& vertices, std::span<const std::uint32_t> indices);
-  /// Metres from p to the nearest triangle, as far as it matters: a distance of `enough` or less may be told of any
+  /// Metres from p to the nearest triangle, as far as it matters: a distance of `enough` or less may be returned for any
   /// triangle that is so near. Infinite without triangles. `near` makes it quick for points beside each other: 0 at
   /// first, then what the last call left there.
   double distance(const fvec3& p, double enough, std::size_t& near) const;

@@ -14,11 +14,11 @@ inline double penPixels(const ViewSize& view) {
   return std::clamp(0.2 * view.height, 70.0, 150.0);
 }
 
-/// Colour of a pen's body, sRGB; the second one's is told from the first one's and from its band's, also with protan
+/// Colour of a pen's body, sRGB; the second one's differs from the first one's and from its band's, also with protan
 /// and deutan vision.
 std::array<float, 3> penColor(bool second, bool dark_theme);
 
-/// The second stylus: as makeStylusMesh(), with two bands, so that it is told apart without colours too.
+/// The second stylus: as makeStylusMesh(), with two bands, so that it differs without colours too.
 StylusMesh makeSecondStylusMesh();
 
 }  // namespace hapticell::app

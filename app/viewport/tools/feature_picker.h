@@ -30,7 +30,7 @@ class FeaturePicker {
   static constexpr double kVertexPixels = 10.0;  ///< So near a corner is taken,
   static constexpr double kEdgePixels = 7.0;     ///< so near an edge.
 
-  /// What was asked: the items of one entity and link (as the id buffer told), and the pixel.
+  /// What was asked: the items of one entity and link (from the id buffer), and the pixel.
   struct Question {
     const std::vector<RenderItem>* items = nullptr;
     workcell::EntityId entity = 0;

@@ -78,7 +78,7 @@ class ViewportWidget : public QOpenGLWidget {
   /// dropped. The section is the view's: its action ends it.
   void forgetCell();
   void setStrip(const StripContext& context);
-  /// What a figure's work is told by, in place of the stylus's strip; above it while forces are on. Empty: none.
+  /// The text on a mannequin's task, in place of the stylus's strip; above it while forces are on. Empty: none.
   void setFigureStrip(std::vector<StripCell> cells);
   const std::vector<StripCell>& figureStrip() const;
   /// All labels that are to be seen, those of the snapshot first.

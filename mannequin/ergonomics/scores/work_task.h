@@ -38,7 +38,7 @@ struct WorkTask {
 };
 
 /// Refused by name: a load outside 0 to 200 kg, more than 120 repetitions a minute, a shift over 24 h, a lift of more
-/// than 2 m, an asymmetry outside 0 to 180 deg, numbers that are none.
+/// than 2 m, an asymmetry outside 0 to 180 deg, invalid numbers.
 Expected<void> checkWorkTask(const WorkTask& task);
 
 /// Typical tasks to begin from (our own choice): inspection, light assembly, screwing, overhead work, packing, lifting.

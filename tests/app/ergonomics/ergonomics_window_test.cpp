@@ -50,7 +50,7 @@ TEST(ErgonomicsDock, ScoresFollowThePosture) {
   EXPECT_TRUE(page.until([&] { return page.words("labelWhyTitle") != before; }, ErgonomicsPage::kPatience));
   EXPECT_TRUE(page.words("labelWhy").contains("upper arm"));
   EXPECT_TRUE(page.until(
-      [&] { return page.words("labelWhy").contains("gives RULA") || page.words("labelWhy").contains("No shift"); },
+      [&] { return page.words("labelWhy").contains("gives RULA") || page.words("labelWhy").contains("does not lower"); },
       ErgonomicsPage::kPatience));
   page.segment("segmentsMethod", 1);
   EXPECT_EQ(page.rows().size(), 9u) << "REBA";

@@ -68,7 +68,7 @@ TEST(ImportWindow, ASizeThatMayBeMetresOrMillimetresIsAskedFor) {
   ASSERT_TRUE(page.ask({writeBlock(folder.filePath("conveyor.off"), 3.071, 0.768, 0.916),
                         writeBlock(folder.filePath("stop.off"), 4, 1, 1)}));
   EXPECT_EQ(page.text("importUnitAsked"), "The file states no unit. Which size is right?");
-  EXPECT_EQ(page.text("importSize"), "3.071 × 0.768 × 0.916, unit not known");
+  EXPECT_EQ(page.text("importSize"), "3.071 × 0.768 × 0.916, unit unknown");
   EXPECT_FALSE(page.press("importAccept")) << "nothing is guessed";
   ASSERT_TRUE(page.press("importAll"));
   EXPECT_EQ(page.entities(), 0u);
@@ -152,7 +152,7 @@ TEST(ImportWindow, NamesColoursAndUnitOfAnObjFileComeWithIt) {
         "v 0 0 9\nv 40 0 9\nv 0 40 9\nf 4 5 6\n");
   ImportPage page;
   ASSERT_TRUE(page.ask({folder.filePath("two.obj")}));
-  EXPECT_EQ(page.unit(), "Inch, as the file says");
+  EXPECT_EQ(page.unit(), "Inch, from the file");
   EXPECT_TRUE(page.text("importKind").endsWith("2 parts")) << page.text("importKind").toStdString();
   EXPECT_TRUE(page.text("importSize").startsWith("1016 × 1016 × 229")) << page.text("importSize").toStdString();
   ASSERT_TRUE(page.press("importAccept"));

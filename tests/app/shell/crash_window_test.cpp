@@ -112,7 +112,7 @@ TEST_P(CrashedWindow, KeepsTheWorkToTheLastEditAndSaysWhatBroke) {
   const std::string way = GetParam();
   EXPECT_TRUE(words.contains("New workcell")) << words.toStdString();
   const std::map<std::string, const char*> reasons{
-      {"memory", "SIGSEGV"}, {"uncaught", "the worker gave up"}, {"twice", "What broke"}};
+      {"memory", "SIGSEGV"}, {"uncaught", "the worker gave up"}, {"twice", "Cause"}};
   const char* const why = reasons.contains(way) ? reasons.at(way) : "crash_window_test.cpp";
   EXPECT_TRUE(words.contains(why)) << words.toStdString();
   page.press("buttonRestoreLeft");

@@ -85,7 +85,7 @@ TEST_F(TwoWindows, TheSecondIsToldAndItsSaveAsks) {
     const Answer cancel("Cancel");
     first.trigger("actionSave");
     EXPECT_EQ(cancel.asked(), 1) << "it would undo what the second one saved";
-    EXPECT_TRUE(cancel.why().contains("since it was opened here")) << cancel.why().toStdString();
+    EXPECT_TRUE(cancel.why().contains("after it was opened here")) << cancel.why().toStdString();
   }
   first.window().files().autosaver().discard();
 }

@@ -37,7 +37,7 @@ TEST(KeptMotion, ANoisyTakeIsSmoothedWithinTheTolerance) {
   const Trajectory given = page.newest();
   ASSERT_TRUE(page.pressForMotion("buttonSmoothMotion"));
   EXPECT_LE(widest(given, page.newest()), 0.001 + 1e-9);
-  EXPECT_EQ(page.newest().name.find("off what was asked"), std::string::npos) << page.newest().name;
+  EXPECT_EQ(page.newest().name.find("target missed"), std::string::npos) << page.newest().name;
   EXPECT_FALSE(isRed(page));
 }
 
@@ -70,7 +70,7 @@ TEST(KeptMotion, ACopyThatTheRobotDoesNotFollowIsMarkedAndRed) {
   const auto reached = manipulation::posesFromJoints(robot, made);
   ASSERT_TRUE(reached.has_value());
   ASSERT_GT(widest(given, *reached), 0.1) << "else it shows nothing";
-  EXPECT_NE(made.name.find("off what was asked"), std::string::npos) << made.name;
+  EXPECT_NE(made.name.find("target missed"), std::string::npos) << made.name;
   EXPECT_TRUE(page.words("labelMotionResult").startsWith("Missed")) << page.words("labelMotionResult").toStdString();
   EXPECT_TRUE(isRed(page));
 }

@@ -171,7 +171,7 @@ TEST(DeviceCheckInTheWindow, TellsTestsAndCalibrates) {
   page.start();
   page.pressSeen("buttonCheckDevice");
   ASSERT_TRUE(WindowPage::until([&] { return page.hasDock("dockDeviceCheck"); }, kPatience));
-  EXPECT_TRUE(page.says("labelCalibrated", "simulated stylus needs none"));
+  EXPECT_TRUE(page.says("labelCalibrated", "simulated stylus needs no calibration"));
   EXPECT_FALSE(page.text("labelWhyNoForce").isEmpty());
 
   // What the stylus reaches and presses is counted.

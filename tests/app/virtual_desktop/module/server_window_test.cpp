@@ -39,7 +39,7 @@ TEST(LostServer, IsToldByStatusRatesMessageAndPanelUntilForcesAreAskedForAgain) 
   const auto forcesWentOff = [&] {
     const auto& messages = page.window().messages().messages();
     return std::any_of(messages.begin() + static_cast<std::ptrdiff_t>(told), messages.end(), [](const Message& m) {
-      return m.severity == Severity::kProblem && m.title.contains("forces went off");
+      return m.severity == Severity::kProblem && m.title.contains("the haptic server stopped responding");
     });
   };
   ASSERT_TRUE(WindowPage::until(forcesWentOff, kLong));
