@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proximity engine against its peer, same process, same poses. Prints the tables of docs/performance.md.
+// Proximity engine against its peer, same process, same poses. Prints the tables of docs/dev/performance.md.
 //
 // usage: collision_bench [--data FOLDER] [SCENE...]
 // FOLDER: the shared test data; default $HAPTICELL_TEST_DATA, else ../shared/data. SCENE: cad10k, cad100k, real,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures scoring: all methods, both sides, for one posture after another of random ones; and with the forward
-// kinematics before it, as each frame of a drag does. Prints a table for docs/performance.md.
+// kinematics before it, as each frame of a drag does. Prints a table for docs/dev/performance.md.
 #include <algorithm>
 #include <cstdio>
 #include <random>

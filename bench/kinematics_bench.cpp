@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long the inverse models take; docs/performance.md, "Kinematics", quotes the figures.
+// How long the inverse models take; docs/dev/performance.md, "Kinematics", quotes the figures.
 //
 // usage: kinematics_bench [PART] [POSES]; PART: closed, all, numeric, path (default: every one)
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures the mannequin: forward kinematics, cold and near solves, drags, a held object, recorded motions of which
-// only hands and feet are told. Prints a table for docs/performance.md. usage: mannequin_bench [GOALS [MOTION...]]
+// only hands and feet are told. Prints a table for docs/dev/performance.md. usage: mannequin_bench [GOALS [MOTION...]]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long the closed forms and Newton steps of parallel robots take; docs/performance.md, "Parallel robots".
+// How long the closed forms and Newton steps of parallel robots take; docs/dev/performance.md, "Parallel robots".
 #include <algorithm>
 #include <chrono>
 #include <cmath>

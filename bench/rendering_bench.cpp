@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How long one tick of the force loop's work takes, beside a Gauss-Seidel solver as a peer in the same run.
 //
-// usage: rendering_bench [TICKS]     prints a table for docs/performance.md
+// usage: rendering_bench [TICKS]     prints a table for docs/dev/performance.md
 #include <time.h>
 
 #include <algorithm>

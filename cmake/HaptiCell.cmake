@@ -92,7 +92,7 @@ endfunction()
 # hapticell_add_library(NAME [INTERNAL] SOURCES ... [HEADERS ...] [PUBLIC libs...] [PRIVATE libs...]
 #                       [PRECOMPILED <headers>...])
 #
-# A library with the alias hapticell::NAME. HEADERS are public (docs/library.md): they are installed, and what they declare is
+# A library with the alias hapticell::NAME. HEADERS are public (docs/library/index.md): they are installed, and what they declare is
 # seen outside of hapticell::engine. They are found as "folder/file.h" from the project's root, and as <folder/file.h> under
 # include/hapticell once installed. Headers that only the project uses stand among the SOURCES. INTERNAL: for the project's own
 # programs; it is neither installed nor part of hapticell::engine. Sources with flags of their own skip what is precompiled.

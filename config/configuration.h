@@ -73,7 +73,8 @@ struct Configuration {
                                             {"plastic", {700.0, 2.0, 0.30}},
                                             {"foam", {250.0, 3.0, 0.60}},
                                             {"cable", {400.0, 3.0, 0.40}}};
-  /// [driver.NAME] of the file: what a device's driver is told, as text; docs/drivers.md lists the keys of each.
+  /// [driver.NAME] of the file: what a device's driver is told, as text; docs/library/drivers.md lists the keys of
+  /// each.
   std::map<std::string, std::map<std::string, std::string>> drivers;
 };
 

@@ -24,7 +24,7 @@ struct SessionSetup {
   const FeelScene* seen = nullptr;  ///< What the client sees where that is not the scene itself (a mesh of it).
 };
 
-/// What a session measured; the names of the benchmark (docs/feel.md).
+/// What a session measured; the names of the benchmark (docs/dev/feel.md).
 struct FeelFigures {
   double step_n = 0.0;       ///< M1: largest change of the wanted force in a millisecond, N, before the slew limit.
   double penetration = 0.0;  ///< Of what is displayed (the proxy), m.

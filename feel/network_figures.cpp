@@ -14,7 +14,7 @@ constexpr double kRate = 60.0;         // Hz.
 constexpr double kLoss = 0.01;
 constexpr double kDelays[] = {0.0, 0.005, 0.020, 0.050};  // s, one way.
 
-/// As for the same scene next door (docs/feel.md).
+/// As for the same scene next door (docs/dev/feel.md).
 constexpr double kStep = 0.10;         // N/ms.
 constexpr double kPenetration = 0.05;  // mm.
 constexpr double kDepth = 3.0;         // %.

@@ -92,7 +92,7 @@ class GltfReader {
       if (rule && (rule->treatment == Treatment::kUsed || rule->treatment == Treatment::kNoted)) continue;
       return makeError({.place = "extensionsRequired",
                         .found = "the extension " + name.get<std::string>() + ", which is not read",
-                        .expected = "extensions that docs/formats.md lists",
+                        .expected = "extensions that docs/user/formats.md lists",
                         .fix = "Export it without that extension, or convert it with a tool that can take it out."});
     }
     return {};

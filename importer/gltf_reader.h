@@ -20,7 +20,7 @@ struct ModelScene {
 
 /// Reads the nodes, triangles and base colours of a glTF 2.0 file, .gltf or .glb: what it requires (extensionsRequired)
 /// is looked at first. Quantised and compressed meshes (KHR_mesh_quantization, EXT_meshopt_compression,
-/// KHR_draco_mesh_compression) and instances (EXT_mesh_gpu_instancing) are read; docs/formats.md lists the rest.
+/// KHR_draco_mesh_compression) and instances (EXT_mesh_gpu_instancing) are read; docs/user/formats.md lists the rest.
 /// Errors: see GltfFile::open(); a required extension that is not read, by its name; nodes in a circle.
 Expected<ModelScene> readGltf(const std::filesystem::path& file);
 

@@ -188,7 +188,7 @@ class ThreeMfReader {
       return makeError(
           {.place = "requiredextensions",
            .found = "the extension '" + (name.empty() ? prefix : name) + "' (" + space + "), which is not read",
-           .expected = "extensions that docs/formats.md lists",
+           .expected = "extensions that docs/user/formats.md lists",
            .fix = "Export it without that extension."});
     }
     return {};

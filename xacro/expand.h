@@ -47,7 +47,7 @@ struct Expanded {
 };
 
 /// Expands a xacro file: properties, macros, blocks, conditions, includes, arguments and expressions, as the program
-/// xacro of ROS does (docs/formats.md lists what). "$(find NAME)" becomes "package://NAME".
+/// xacro of ROS does (docs/user/formats.md lists what). "$(find NAME)" becomes "package://NAME".
 ///
 /// The file runs no code: see interpreter.h. Everything is bounded (budget.h), so that any file ends within a second.
 /// `declared` gets the arguments that were met, also where the file is refused. What cannot be evaluated inside of

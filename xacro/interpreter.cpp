@@ -161,7 +161,8 @@ Value Interpreter::attributeOf(const Value& value, const std::string& name) {
     if (const Value* item = dict->find(name)) return *item;
     throw Fault("no key '" + name + "' in the dictionary", "one of its keys");
   }
-  throw Fault(std::string(kindOf(value)) + " has no '" + name + "' here", "one of the functions in docs/formats.md");
+  throw Fault(std::string(kindOf(value)) + " has no '" + name + "' here",
+              "one of the functions in docs/user/formats.md");
 }
 
 Value Interpreter::unary(const std::string& sign, const Value& value) {

@@ -6,7 +6,7 @@ class QWidget;
 namespace hapticell::app {
 
 /// Opens "About HaptiCell" over `parent`: the version, the licence, and the libraries it uses with theirs (the page
-/// docs/licences.md itself). A second call brings the open one to the front. Esc closes it.
+/// docs/user/licences.md itself). A second call brings the open one to the front. Esc closes it.
 void showAbout(QWidget& parent);
 
 }  // namespace hapticell::app

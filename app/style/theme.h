@@ -22,7 +22,7 @@ struct StateWordTheme {
   QColor contact, near_miss, limit;
 };
 
-/// Every colour of the program, by role. A value; docs/visual.md's table is the source of the two sets.
+/// Every colour of the program, by role. A value.
 struct Theme {
   bool dark = true;
   QColor window, dock, header, field;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A long run of random work, watched: memory, invariants, latency. See docs/reliability.md.
+// A long run of random work, watched: memory, invariants, latency. See docs/dev/reliability.md.
 #include <malloc.h>
 #include <unistd.h>
 

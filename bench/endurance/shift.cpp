@@ -26,7 +26,7 @@ using workcell::Document;
 
 constexpr double kRounding = 1e-9;
 constexpr double kSlew = 1.0;             // N a millisecond, the safety chain's.
-constexpr double kEntered = 1e-4;         // m: fitted surfaces may be left by so much (docs/contacts.md).
+constexpr double kEntered = 1e-4;         // m: fitted surfaces may be left by so much (docs/dev/contacts.md).
 constexpr std::size_t kLongHistory = 12;  // Steps; then the cell is opened afresh: what is kept of them is no leak.
 
 std::string textOf(const Document& document) {

@@ -264,7 +264,8 @@ void addErgonomicsPostureCommands(Subcommand ergonomics, Action& chosen) {
   posture.option("--picture", options->picture, "A PNG for the report: the figure in its cell (hapticell --render)");
   posture.option("--company", options->company, "A company's name for the report");
   posture.option("--logo", options->logo, "The company's logo for the report, a PNG");
-  posture.option("--force-limits", options->force_limits, "Own limits of the hands' force, a table (docs/formats.md)");
+  posture.option("--force-limits", options->force_limits,
+                 "Own limits of the hands' force, a table (docs/user/formats.md)");
   posture.option("--language", options->language, "en or fr, of the report").among({"en", "fr"});
   posture.option("--date", options->date, "As printed in the report (default: today)");
   posture.option("--fail-over", options->fail_over, "Exit with 1 where RULA is over this");

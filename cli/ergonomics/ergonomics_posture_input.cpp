@@ -244,7 +244,7 @@ Expected<WorkTask> workTaskInput(const json& input) {
   if (error) return makeError(*error);
   if (!diagnostics.warnings.empty())
     return makeError(
-        {.place = "task", .found = diagnostics.warnings.front(), .expected = "the fields of docs/formats.md"});
+        {.place = "task", .found = diagnostics.warnings.front(), .expected = "the fields of docs/user/formats.md"});
   HAPTICELL_TRY(checkWorkTask(task));
   return task;
 }

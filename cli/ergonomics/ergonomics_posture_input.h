@@ -10,7 +10,7 @@
 
 namespace hapticell::cli {
 
-/// Task data as in workcell documents (docs/formats.md); unknown fields and wrong kinds are refused by name.
+/// Task data as in workcell documents (docs/user/formats.md); unknown fields and wrong kinds are refused by name.
 Expected<ergonomics::WorkTask> workTaskInput(const nlohmann::json& input);
 
 /// EN 1005-4 ("en1005") or ISO 11226 ("iso11226") from angles in degrees: trunk_flexion, trunk_twist, trunk_side_bend,

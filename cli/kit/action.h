@@ -7,7 +7,7 @@
 
 namespace hapticell::cli {
 
-/// How a command ends: the process's exit status (docs/command-line.md).
+/// How a command ends: the process's exit status (docs/user/command-line.md).
 enum class ExitStatus {
   kDone = 0,
   kCheckFound = 1,  ///< A check that was asked for found something.

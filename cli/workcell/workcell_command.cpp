@@ -150,7 +150,8 @@ void addWorkcellCommand(Subcommand app, Action& chosen) {
           "WHAT[,name=N][,unit=m|mm|in][,up=x|y|z][,tree=keep|merge][,chord=M][,angle=RAD][,on=NAME[:LINK]][,"
           "pose=x,y,z,qw,qx,qy,qz]; "
           "WHAT is a mesh, CAD or robot file, library:NAME, mannequin:SEX:PERCENTILE, or a built-in part: box:X,Y,Z, "
-          "cylinder:R,H, table:W,D,H, fence:L,H, ... (docs/command-line.md; none of the sizes: the standard ones). "
+          "cylinder:R,H, table:W,D,H, fence:L,H, ... (docs/user/command-line.md; none of the sizes: the standard "
+          "ones). "
           "May be given several times")
       .oneAtATime();
   make.option("--check", options->checks,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A complete driver of a device that does not exist: a stylus that goes round in a circle and feels no force. Copy it
-// and put your own device in the place of Orbit. docs/drivers.md explains each step.
+// and put your own device in the place of Orbit. docs/library/drivers.md explains each step.
 #include <chrono>
 #include <cmath>
 #include <cstring>

@@ -4,7 +4,7 @@
 
 usage: client.py [--host HOST] [--port PORT] [--schema hapticell.fbs]
 
-Needs flatc (Debian: flatbuffers-compiler) and the flatbuffers module (python3-flatbuffers). docs/protocol.md tells the
+Needs flatc (Debian: flatbuffers-compiler) and the flatbuffers module (python3-flatbuffers). docs/library/protocol.md tells the
 messages and the rules. One thread is enough here: the loop below sends and receives every 16 ms, heart-beats included.
 A client that computes for long should send its heart-beats from a thread of its own.
 """

@@ -9,7 +9,7 @@
 namespace hapticell {
 
 /// What somebody asked of a result (a tolerance, a limit, a clearance), and what was measured on the result as it was
-/// written, by code that shares nothing with the code that made it (docs/reliability.md lists all of them).
+/// written, by code that shares nothing with the code that made it (docs/dev/reliability.md lists all of them).
 struct Promise {
   std::string name;          ///< A word for reports: "position", "velocity"; of one result each once.
   double asked = 0.0;        ///< In the unit of `measured`.

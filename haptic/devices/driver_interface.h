@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a driver plug-in implements; docs/drivers.md tells how to write one. Nothing but the C++ standard library is
-// needed: all that crosses the border is plain data and virtual functions, so that a driver may be built apart from
-// HaptiCell (same system, any g++ or clang with the same C++ ABI).
+// What a driver plug-in implements; docs/library/drivers.md tells how to write one. Nothing but the C++ standard
+// library is needed: all that crosses the border is plain data and virtual functions, so that a driver may be built
+// apart from HaptiCell (same system, any g++ or clang with the same C++ ABI).
 
 #include <cstdint>
 

@@ -46,7 +46,8 @@ Expected<driver::Driver*> loadDriver(const fs::path& file) {
   }
   void* const symbol = dlsym(library, "hapticell_driver");
   if (symbol == nullptr) {
-    return notADriver(file, "it exports no function hapticell_driver", "See docs/drivers.md, or remove the file.");
+    return notADriver(file, "it exports no function hapticell_driver",
+                      "See docs/library/drivers.md, or remove the file.");
   }
   driver::Driver* const driver = reinterpret_cast<HapticellDriverEntry>(symbol)(driver::kInterfaceVersion);
   if (driver == nullptr) {

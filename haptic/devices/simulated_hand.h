@@ -36,7 +36,7 @@ struct HandIntent {
 /// A simulated hand on the stylus of a SimulatedDevice. Who drives it (a path, the mouse over the network, a test) says
 /// hold() or release() before a tick; the coupling itself is integrated with the device's motion at 10 kHz.
 ///
-/// Second-order hand with the working values of docs/feel.md. Same thread as the device.
+/// Second-order hand with the working values of docs/dev/feel.md. Same thread as the device.
 class SimulatedHand {
  public:
   explicit SimulatedHand(const HandOptions& options = {}) : options_(options) {}

@@ -139,7 +139,7 @@ Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
   if (!isWellFormed(to)) {
     return refuse(
         "ConstraintSet", "a number that is not finite or out of its range",
-        "finite numbers within the bounds of docs/protocol.md, a unit quaternion, a positive zone, no negative "
+        "finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a positive zone, no negative "
         "stiffness, damping or friction");
   }
   return {};
@@ -182,7 +182,7 @@ Expected<void> read(const wire::Control& from, HapticControl& to) {
   if (from.load_weight() != nullptr) to.load.weight_D = fromWire(*from.load_weight());
   if (!isWellFormed(to))
     return refuse("Control", "a stiffness, damping or load that is negative, not finite or too great",
-                  "0 or more, within the bounds of docs/protocol.md");
+                  "0 or more, within the bounds of docs/library/protocol.md");
   return {};
 }
 

@@ -71,7 +71,7 @@ struct Constraint {
 /// Everything the hand can feel within `zone_radius` of `X_DR`, complete. Made by the client, rendered by the server.
 struct ConstraintSet {
   std::uint64_t sequence = 0;              ///< Counts up; an older one than the adopted is ignored for 2.5 s.
-  std::int64_t stamp_ns = 0;               ///< Client's steady clock when the query was made; for statistics only.
+  std::int64_t stamp_ns = 0;               ///< Client's steady clock at the query; places moving obstacles, 0: unknown.
   Pose X_DR;                               ///< Reference pose (of the proxy) in the device frame.
   double zone_radius = kWantedZoneRadius;  ///< Metres; a rotation counts with the lever kRotationLever.
   std::size_t count = 0;

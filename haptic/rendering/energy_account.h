@@ -17,8 +17,8 @@ double storedEnergy(double spring, double stiffness, double limit);
 /// The pull, N, at which storedEnergy() is so much.
 double springThatStores(double energy, double stiffness, double limit);
 
-/// The one energy account (docs/feel.md): what the hand receives from the motors. The renderer's passivity observer,
-/// the feel benchmark and `session` book by it.
+/// The one energy account (docs/dev/feel.md): what the hand receives from the motors. The renderer's passivity
+/// observer, the feel benchmark and `session` book by it.
 ///
 /// A force that is commanded in one tick acts, as a real motor's does, `delay_ticks` later, until the next tick; its
 /// work is that times the way that the stylus goes meanwhile. What the coupling holds is |F|^2 / 2K of the same acting

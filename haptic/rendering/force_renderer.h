@@ -50,8 +50,8 @@ enum class Adoption : std::uint8_t {
 ///
 /// The proxy (ProxyMover) moves from its last place towards the stylus; the force is a virtual coupling (E. Colgate)
 /// from the stylus to the proxy. A new set's force difference goes into an offset that decays, so that no change of set
-/// is felt; a passivity observer and a ramped controller (PassivityController) are always on. docs/feel.md tells each
-/// step and why.
+/// is felt; a passivity observer and a ramped controller (PassivityController) are always on. docs/dev/feel.md tells
+/// each step and why.
 ///
 /// Whatever the numbers of a set, the state stays finite: a tick whose proxy or force would be no number ends with the
 /// last good proxy and without force, forgets the set and all that came of it, and tells so (RenderResult::dropped).

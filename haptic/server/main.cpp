@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// hapticell-haptic-server: a force loop, its device and its network thread. docs/protocol.md tells what it speaks.
+// hapticell-haptic-server: a force loop, its device and its network thread. docs/library/protocol.md tells what it
+// speaks.
 #include <signal.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>

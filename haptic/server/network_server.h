@@ -39,7 +39,8 @@ struct NetworkOptions {
   std::function<void(const std::string&)> report{};  ///< Told what happens, in sentences, on the network thread.
 };
 
-/// Connects clients to a force loop: one that controls, any number that watch. docs/protocol.md tells the rules.
+/// Connects clients to a force loop: one that controls, any number that watch. docs/library/protocol.md tells the
+/// rules.
 ///
 /// Runs one thread of its own; the force loop is reached through its lock-free ends only. Whatever clients send,
 /// however slowly they read, the loop and the other clients are not held up.

@@ -89,7 +89,7 @@ Expected<ServerOptions> parseServerOptions(std::span<const std::string_view> wor
 std::string_view serverUsage() {
   return R"(usage: hapticell-haptic-server [OPTION]...
 
-Drives a force-feedback stylus, or a simulated one, and serves it to HaptiCell (docs/protocol.md).
+Drives a force-feedback stylus, or a simulated one, and serves it to HaptiCell (docs/library/protocol.md).
 
   --device NAME      a simulated stylus of config/devices/, or a driver's device, DRIVER or DRIVER:ID, as
                      hapticell-cli devices lists them (default: as configured)

@@ -39,7 +39,7 @@ struct ManipulatorKind {
 };
 
 /// All of them, in the order in which they are asked: the first that suits makes the manipulator. A new kind of entity
-/// is one class, a Manipulator, and one line of this list; docs/architecture.md has an example.
+/// is one class, a Manipulator, and one line of this list; docs/dev/architecture.md has an example.
 std::span<const ManipulatorKind> manipulatorKinds();
 
 /// `moved_by` with what is meant by default for that entity. Only what is to be refused stays by::Default: locks of

@@ -23,8 +23,8 @@ struct MeteredTick {
 
 /// Force, slew and energy over a session.
 ///
-/// Energy: the worst fall of haptic::EnergyAccount's balance within a second (docs/feel.md). What a held part's weight
-/// and inertia do is no part of it.
+/// Energy: the worst fall of haptic::EnergyAccount's balance within a second (docs/dev/feel.md). What a held part's
+/// weight and inertia do is no part of it.
 class ForceMeter {
  public:
   /// `delay_ticks` of the device, where it is known.

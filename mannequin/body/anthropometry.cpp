@@ -17,7 +17,7 @@ struct Row {
   std::array<Regression, 2> of_sex;
 };
 
-// Computed from the raw file of ANSUR II; see docs/mannequin.md.
+// Computed from the raw file of ANSUR II; see docs/dev/mannequin.md.
 constexpr std::array<Row, kDimensionCount> kRows = {{
     {"stature", {{{0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}}}},
     {"cervicaleheight", {{{-78.1, 0.9084, 11.2}, {-90.4, 0.9126, 10.5}}}},

@@ -14,7 +14,7 @@ using D = Dimension;
 using S = Segment;
 
 /// Landmarks are not joint centres; what lies between them, metres at a stature of 1.755 m, scaled with it. The marked
-/// figures of the sources' list for shoulder and hip, the rest our own choice (docs/mannequin.md).
+/// figures of the sources' list for shoulder and hip, the rest our own choice (docs/dev/mannequin.md).
 struct Offsets {
   double k;
   double hip_above_trochanterion = 0.020 * k;

@@ -25,7 +25,7 @@ struct Sole {
 /// A body of one size: where its joints are, what its segments weigh. A value; posture is apart.
 ///
 /// Frames as in skeleton.h, world Z up with the floor at 0. Built by makeFigure() from body dimensions; joint centres
-/// are placed from ANSUR II landmarks by the offsets that docs/mannequin.md lists.
+/// are placed from ANSUR II landmarks by the offsets that docs/dev/mannequin.md lists.
 struct Figure {
   Sex sex = Sex::kMale;
   BodyDimensions body;

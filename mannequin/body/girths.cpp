@@ -17,7 +17,7 @@ struct GirthRow {
   std::array<Plane, 2> of_sex;
 };
 
-// Computed from the raw file of ANSUR II (4,082 men, 1,986 women), as the dimensions were; see docs/mannequin.md.
+// Computed from the raw file of ANSUR II (4,082 men, 1,986 women), as the dimensions were; see docs/dev/mannequin.md.
 constexpr std::array<GirthRow, kGirthCount> kGirthRows = {{
     {"neckcircumference", {{{407.8, -0.0851, 1.629, 14.9}, {305.8, -0.0469, 1.480, 12.2}}}},
     {"chestcircumference", {{{1036.4, -0.2909, 6.235, 32.3}, {990.3, -0.3292, 7.269, 42.6}}}},

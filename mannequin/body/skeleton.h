@@ -144,7 +144,7 @@ struct DofInfo {
   double sign;           ///< Turn about the positive axis = sign * angle.
   double lower;          ///< Hard limits, rad: never exceeded by the solver. For shoulder and hip these bound the
   double upper;          ///< figure's outermost angles; the coupled limits of joint_limits.h are what holds.
-  double comfort_lower;  ///< Comfort range, rad: HaptiCell's own choice (docs/mannequin.md), no standard.
+  double comfort_lower;  ///< Comfort range, rad: HaptiCell's own choice (docs/dev/mannequin.md), no standard.
   double comfort_upper;
 };
 

@@ -192,7 +192,7 @@ Expected<MarkerSet> recogniseMarkers(const MarkerClip& clip) {
       {"", "markers",
        "no marker on " + listed(missing) + " by the names of " + set.name + " (the markers are " + namesOf(clip) + ")",
        "the markers of Plug-in Gait (full body) or Helen Hayes with shoulders, elbows and wrists",
-       "Say with --markers TABLE which marker sits where (docs/formats.md)."});
+       "Say with --markers TABLE which marker sits where (docs/user/formats.md)."});
 }
 
 Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& name, const MarkerClip& clip) {

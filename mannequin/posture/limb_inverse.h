@@ -50,7 +50,7 @@ class ArmProblem {
   double stretch() const { return distance_ / (upper_ + forearm_); }
 
   /// Discomfort of a swivel, the lower the better: pronation, wrist, humeral twist and a raised elbow, with round
-  /// weights chosen on recorded motion (docs/mannequin.md). Takes the arm already solved at that swivel.
+  /// weights chosen on recorded motion (docs/dev/mannequin.md). Takes the arm already solved at that swivel.
   double discomfort(const ArmAngles& arm) const;
   /// The most comfortable swivel: `samples` of the circle and a parabola through the best.
   double preferredSwivel(int samples = 24) const;

@@ -11,7 +11,8 @@
 namespace hapticell::mannequin {
 
 /// A posture as a JSON text: {"format":"hapticell-posture","version":1,"root":{"position":[x,y,z],"orientation":
-/// [w,x,y,z]},"joints":{"l_elbow_flexion":0.5, ...}} in metres and radians, all 56 joints by name (docs/formats.md).
+/// [w,x,y,z]},"joints":{"l_elbow_flexion":0.5, ...}} in metres and radians, all 56 joints by name
+/// (docs/user/formats.md).
 std::string postureText(const Posture& posture);
 
 /// Reads such a text; `name` stands in messages. Joints that are not named are 0; "unit":"deg" beside "joints" means

@@ -53,7 +53,7 @@ struct PostureResult {
 /// Finds postures: joint limits before feet before balance before hands before comfort.
 ///
 /// A bounded quadratic step over 45 variables (root, spine, arms, legs) with closed-form arms and legs for the start
-/// and the legs; the method and its figures are in docs/mannequin.md. The same start and task give the same bits,
+/// and the legs; the method and its figures are in docs/dev/mannequin.md. The same start and task give the same bits,
 /// whatever was solved before: no state, no clock, no random numbers, no libm in the inner loop's sines. Const methods
 /// may run in several threads; no allocation.
 class PostureSolver {

@@ -9,7 +9,7 @@ namespace hapticell::mannequin {
 
 /// Working zones of the kind of EN ISO 14738, as closed volumes in the world. The standard's figures are of percentiles
 /// of a population; here the same zones are made from this figure's own measures, and their bounds are our choice
-/// (docs/mannequin.md).
+/// (docs/dev/mannequin.md).
 enum class WorkZone {
   kPreferred,   ///< From 50 mm under elbow height to half way to the shoulder, within the forearm's grip radius.
   kAcceptable,  ///< From elbow rest to shoulder height, within 0.9 of the arm's grip radius.

@@ -15,7 +15,7 @@ namespace hapticell::mannequin {
 /// with approximate dual quaternion blending", 2008). Nothing is made anew while it moves, so nothing crawls.
 ///
 /// It is only looked at: collisions know the bodies' own meshes (body_shape.h); tests/mannequin/shape/figure_skin_test.cpp
-/// keeps both within the distance that docs/mannequin.md states.
+/// keeps both within the distance that docs/dev/mannequin.md states.
 class FigureSkin {
  public:
   /// Takes about 2 s.

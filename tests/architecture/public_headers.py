@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Keeps the public interface whole (docs/library.md). Public is what a folder of the engine lists as HEADERS in its
+"""Keeps the public interface whole (docs/library/index.md). Public is what a folder of the engine lists as HEADERS in its
 CMakeLists.txt: a public header includes public ones only, and so do the programs over the engine (cli/, app/), their tests and
 the examples.
 
-usage: public_headers.py PROJECT_ROOT | --self-test
+usage: public_headers.py PROJECT_ROOT | --list PROJECT_ROOT (prints the public headers) | --self-test
 """
 import pathlib
 import re
@@ -43,13 +43,16 @@ def main():
         self_test()
         print("1 passed, 0 failed")
         return 0
-    root = pathlib.Path(sys.argv[1])
+    root = pathlib.Path(sys.argv[-1])
     public, all_headers, bad, read = set(), set(), [], 0
     for top in ENGINE:
         all_headers |= {path.relative_to(root).as_posix() for path in (root / top).rglob("*.h")}
         for lists in (root / top).rglob("CMakeLists.txt"):
             folder = lists.parent.relative_to(root).as_posix()
             public |= {f"{folder}/{name}" for name in listed_headers(lists.read_text(encoding="utf-8"))}
+    if sys.argv[1] == "--list":
+        print("\n".join(sorted(public)))
+        return 0
     all_headers = {name for name in all_headers if not name.startswith("haptic/devices/drivers/")}
     bad += [f"{name} is listed, but is not there" for name in sorted(public - all_headers)]
     sources = [root / name for name in sorted(public & all_headers)]

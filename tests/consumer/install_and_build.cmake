@@ -20,7 +20,7 @@ if(status EQUAL 0 OR NOT said MATCHES "HAPTICELL_LINKED")
   message(FATAL_ERROR "a program could link the engine and its libraries both: ${said}")
 endif()
 
-# A driver of somebody else, built with nothing but the installed headers, as docs/drivers.md says, then found and driven.
+# A driver of somebody else, built with nothing but the installed headers, as docs/library/drivers.md says, then found and driven.
 run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE}/../../examples/driver -B ${WORK}/driver
   -DHAPTICELL_INCLUDE=${WORK}/prefix/include/hapticell -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS})
 run(${CMAKE_COMMAND} --build ${WORK}/driver)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The feel of docs/feel.md in virtual time: what the hand meets must not depend on the client's rate.
+// The feel of docs/dev/feel.md in virtual time: what the hand meets must not depend on the client's rate.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ using SceneMaker = std::unique_ptr<FeelScene> (*)();
 struct Case {
   const char* name;
   SceneMaker make;
-  /// What the turning stylus presses is felt only as far as somebody pays (docs/feel.md): shallower, never deeper.
+  /// What the turning stylus presses is felt only as far as somebody pays (docs/dev/feel.md): shallower, never deeper.
   bool pressed_by_the_wrist = false;
 };
 

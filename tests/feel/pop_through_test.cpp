@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// M8 of docs/feel.md: a thin plate is never passed through, however the stylus is dragged and however slow the client
-// is.
+// M8 of docs/dev/feel.md: a thin plate is never passed through, however the stylus is dragged and however slow the
+// client is.
 #include "feel/pop_through.h"
 
 #include <gtest/gtest.h>

@@ -37,7 +37,7 @@ bool tells(const std::vector<std::string>& warnings, std::string_view element) {
 }
 
 TEST(ContentRules, ThePageShowsWhatTheReadersDo) {
-  const std::string page = readFileContent(test::sourceFile("docs/formats.md")).value();
+  const std::string page = readFileContent(test::sourceFile("docs/user/formats-content.md")).value();
   for (const FormatRules& format : contentRules()) {
     for (const Treatment treatment : {Treatment::kUsed, Treatment::kNoted, Treatment::kReported, Treatment::kRefused}) {
       const std::string list = listOf(format, treatment);

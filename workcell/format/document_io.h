@@ -25,9 +25,9 @@ struct LoadOptions {
   ImportMonitor* monitor = nullptr;
 };
 
-/// Reads a workcell document (*.hcell, docs/formats.md) with the meshes and robots that it names. On error there is no
-/// document at all; the message names file and entity. A newer version than ours is refused. What is not known but
-/// harmless (a key, a name in a pair set) is told in `diagnostics`. The document is not dirty and knows its path.
+/// Reads a workcell document (*.hcell, docs/user/formats.md) with the meshes and robots that it names. On error there
+/// is no document at all; the message names file and entity. A newer version than ours is refused. What is not known
+/// but harmless (a key, a name in a pair set) is told in `diagnostics`. The document is not dirty and knows its path.
 Expected<Document> loadDocument(const std::filesystem::path& path, Diagnostics& diagnostics,
                                 const LoadOptions& options = {});
 

@@ -102,7 +102,7 @@ void hintAtOpenLoops(const kinematics::RobotModel& model, Diagnostics& diagnosti
     diagnostics.warn(
         std::to_string(count) + " equal legs of " + std::to_string(way.size()) +
         " joints end free: if this is a parallel robot, its loops are open, for the file does not state them; "
-        "close them with a robot.toml (docs/formats.md)");
+        "close them with a robot.toml (docs/user/formats.md)");
   }
 }
 

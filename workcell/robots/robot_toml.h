@@ -26,8 +26,8 @@ struct TomlRobot {
   Pose X_FB;  ///< Where the file puts its root; only SDF says.
 };
 
-/// Reads a robot from a robot.toml (docs/formats.md): OPW parameters, a Denavit-Hartenberg table, a chain of frames, a
-/// Delta, a hexapod, or a URDF whose loops it closes. Its body is generated from its dimensions.
+/// Reads a robot from a robot.toml (docs/user/formats.md): OPW parameters, a Denavit-Hartenberg table, a chain of
+/// frames, a Delta, a hexapod, or a URDF whose loops it closes. Its body is generated from its dimensions.
 ///
 /// Errors name file, line, what was found and what was expected: what toml++ cannot parse, keys that are missing, of
 /// the wrong kind or not known, numbers out of range, limits reversed, an axis of length zero, lists of unequal length,

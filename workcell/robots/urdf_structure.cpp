@@ -206,7 +206,7 @@ Expected<void> StructureReader::checkEnds() const {
                                joint.joint.name + "'",
                            "a tree",
                            "URDF cannot say closed loops: leave one of the joints out, and close it with a robot.toml "
-                           "(docs/formats.md).");
+                           "(docs/user/formats.md).");
     }
   }
   return {};

@@ -18,8 +18,9 @@ bool isSdfCell(const std::filesystem::path& file);
 /// format are in metres; Collada is taken as it stands, without its up axis, as Gazebo does. See findSdfFile().
 ///
 /// A model or mesh that is not there, a name that is there twice, a pose of too few numbers and the like are told; the
-/// rest is read. What is silent, told and refused stands in docs/formats.md. Errors: see SdfSource::load(), cancelled.
-/// A model with joints that move is a robot, a solid where `with_robots` is false or it makes no robot (told).
+/// rest is read. What is silent, told and refused stands in docs/user/formats.md. Errors: see SdfSource::load(),
+/// cancelled. A model with joints that move is a robot, a solid where `with_robots` is false or it makes no robot
+/// (told).
 Expected<ImportedScene> readSdfCell(const std::filesystem::path& file, ImportMonitor* monitor, bool with_robots = true);
 
 }  // namespace hapticell::workcell

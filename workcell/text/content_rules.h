@@ -27,7 +27,7 @@ struct ContentRule {
   std::string_view meaning = {};  ///< In warnings: what is missing or assumed.
 };
 
-/// A format and all that its reader knows; docs/formats.md shows them as a table, kept equal by a test.
+/// A format and all that its reader knows; docs/user/formats-content.md shows them as a table, kept equal by a test.
 struct FormatRules {
   std::string_view format;
   std::span<const ContentRule> rules;

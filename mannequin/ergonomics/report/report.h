@@ -66,7 +66,7 @@ struct Report {
 
 /// Comma-separated: heading, then rows; text in quotes where it must be. UTF-8.
 std::string reportCsv(const Report& report);
-/// The same as JSON, "format":"hapticell-ergonomics-report","version":1 (docs/formats.md).
+/// The same as JSON, "format":"hapticell-ergonomics-report","version":1 (docs/user/formats.md).
 std::string reportJson(const Report& report);
 /// One file with everything in it, the figure as SVG, the scene as PNG; prints on A4.
 std::string reportHtml(const Report& report);

@@ -39,7 +39,7 @@ std::string whySentence(const PostureScores& scores, Language language);
 /// What was taken for granted: boundaries, thresholds, what was not entered.
 std::vector<std::string> assumptionsOf(const PostureScores& scores, const WorkTask& task, Language language);
 
-/// The rule that is printed in each report (docs/ergonomics.md).
+/// The rule that is printed in each report (docs/user/ergonomics.md).
 inline constexpr const char* kBoundaryRule =
     "Boundaries: an inner boundary belongs to the lower class; the last class of RULA includes its boundary.";
 

@@ -110,7 +110,7 @@ TEST(Gallery, Body) {
   page.keep("hand", false);
 }
 
-/// The picture of docs/mannequin.md.
+/// The picture of docs/dev/mannequin.md.
 TEST(Gallery, Figures) {
   WANTED();
   Gallery page;

@@ -99,7 +99,7 @@ TEST(ForceRendererEnergy, ATurnOfTheWristPaysForNothing) {
   EXPECT_GT(result.spring_D.z, 0.8) << "it is felt, a little";
 }
 
-/// A hand that the renderer is told of, booked as docs/feel.md says; a motor that acts a tick late.
+/// A hand that the renderer is told of, booked as docs/dev/feel.md says; a motor that acts a tick late.
 class BookedHand {
  public:
   explicit BookedHand(ForceRenderer& renderer, const Pose& X_DS) : renderer_(renderer), last_(X_DS) {}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random faults of device, client, network and server in real time, over real sockets. HAPTICELL_LIVE_FAULTS says how
-// many (40); docs/reliability.md has the figures of 500. What is asserted is read from the server's own log of ticks.
+// many (40); docs/dev/reliability.md has the figures of 500. What is asserted is read from the server's own log of
+// ticks.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The example client of docs/protocol.md feels the floor of a real server. Skipped (77) without its two tools."""
+"""The example client of docs/library/protocol.md feels the floor of a real server. Skipped (77) without its two tools."""
 import shutil
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which class moves what, and a kind of entity of one's own: one class and one registration (docs/architecture.md).
+// Which class moves what, and a kind of entity of one's own: one class and one registration (docs/dev/architecture.md).
 #include "manipulation/manipulators/manipulator_kinds.h"
 
 #include <gtest/gtest.h>
