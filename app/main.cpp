@@ -8,6 +8,7 @@
 #include <QThreadPool>
 #include <QTimer>
 #include <algorithm>
+#include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -260,6 +261,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   hapticell::app::Application application(argc, argv);
+  // Qt has taken the user's locale for the C library too: "%g" would write 0,5 for 0.5, also into files.
+  std::setlocale(LC_NUMERIC, "C");
   QApplication::setApplicationName("hapticell");
   QApplication::setApplicationDisplayName("HaptiCell");
   QApplication::setApplicationVersion(HAPTICELL_VERSION);
