@@ -503,7 +503,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 commence à l'intérieur de %2, à %3 de profondeur : il se dégage selon %4</translation>
     </message>
     <message>
-        <source>%1 starts inside %2, %3 deep: it comes free along %4 (an open mesh: told by its winding number)</source>
+        <source>%1 starts inside %2, %3 deep: it comes free along %4 (an open mesh: judged by its winding number)</source>
         <translation>%1 commence à l'intérieur de %2, à %3 de profondeur : il se dégage selon %4 (maillage ouvert : d'après son indice d'enroulement)</translation>
     </message>
     <message>
@@ -4975,7 +4975,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Jeux de paires</translation>
     </message>
     <message>
-        <source>Pair them anew: hapticell-haptic-server --pair there, hapticell-cli pair here.</source>
+        <source>Pair them again: hapticell-haptic-server --pair there, hapticell-cli pair here.</source>
         <translation>Appairez-les de nouveau : hapticell-haptic-server --pair là-bas, hapticell-cli pair ici.</translation>
     </message>
     <message>

@@ -203,7 +203,7 @@ class TcpLink::Connection {
     if (failure == HandshakeFailure::kOtherSpeech)
       return {what, Text("Start the server with its key (hapticell-haptic-server --listen ADDRESS), or see what else "
                          "answers there.")};
-    return {what, Text("Pair them anew: hapticell-haptic-server --pair there, hapticell-cli pair here.")};
+    return {what, Text("Pair them again: hapticell-haptic-server --pair there, hapticell-cli pair here.")};
   }
 
   LinkProblem closedByServer() const {

@@ -57,7 +57,7 @@ void WaysOut::note(HeldState& state, std::uint32_t pair, const collision::Freein
   const Text::Length depth{shift.depth};
   state.notes.push_back(
       shift.by_winding
-          ? Text("%1 starts inside %2, %3 deep: it comes free along %4 (an open mesh: told by its winding number)",
+          ? Text("%1 starts inside %2, %3 deep: it comes free along %4 (an open mesh: judged by its winding number)",
                  part, obstacle, depth, way.data())
           : Text("%1 starts inside %2, %3 deep: it comes free along %4", part, obstacle, depth, way.data()));
 }

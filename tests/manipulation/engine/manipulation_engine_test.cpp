@@ -80,7 +80,7 @@ TEST(StartInside, AnOpenSoupIsToldByItsWindingNumber) {
   EXPECT_TRUE(engine.held()->notes().empty());
   entities = test::boxOverTable(-0.055);
   entities[0].mesh = std::make_shared<const geometry::TriangleMesh>(open);
-  leadsOut(entities, "(an open mesh: told by its winding number)", {0, 0, 1});
+  leadsOut(entities, "(an open mesh: judged by its winding number)", {0, 0, 1});
 }
 
 /// A rug of needles, 0.7 mm apart: no 64 entries tell what a plate meets of it.
