@@ -85,7 +85,8 @@ void addDevicesCommand(Subcommand app, Action& chosen) {
   Subcommand command =
       app.add("devices", "Styluses, gloves and 3-D mice: drivers, what is plugged in, permissions and what mends them");
   const auto words = std::make_shared<DeviceWords>();
-  command.option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
+  command.option("--config", words->configuration, "A hapticell.toml to read besides the shipped one")
+      .takes(ValueKind::kToml);
   command.flag("--watch", words->watch,
                "Goes on, and writes the listing as a line whenever a device has come or gone; a line of input "
                "looks again, its end ends it");

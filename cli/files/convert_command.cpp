@@ -244,8 +244,10 @@ ExitStatus runConvert(const ConvertOptions& options, const ResultWriter& writer)
 void addConvertCommand(Subcommand app, Action& chosen) {
   Subcommand command = app.add("convert", "From any readable format to any writable one, by the extension");
   const auto options = std::make_shared<ConvertOptions>();
-  command.option("file", options->file, "A mesh, CAD, robot or workcell file").required();
-  command.option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot").required();
+  command.option("file", options->file, "A mesh, CAD, robot or workcell file").takes(ValueKind::kModel).required();
+  command.option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot")
+      .takes(ValueKind::kModel)
+      .required();
   command.option("--unit", options->unit,
                  "What one unit of the read file is: m, mm or in; as it says, or guessed, when not given");
   command.option("--output-unit", options->output_unit,

@@ -147,9 +147,15 @@ void addDistanceCommand(Subcommand app, Action& chosen) {
   Subcommand command =
       app.add("distance", "Distance and nearest points of a moved mesh to standing ones, pose by pose");
   const auto options = std::make_shared<DistanceOptions>();
-  command.option("--moving", options->moving, "The moved mesh: STL, OBJ, PLY or OFF").required();
-  command.option("--environment", options->environment, "The standing meshes, at identity").required().values(1, -1);
+  command.option("--moving", options->moving, "The moved mesh: STL, OBJ, PLY or OFF")
+      .takes(ValueKind::kMesh)
+      .required();
+  command.option("--environment", options->environment, "The standing meshes, at identity")
+      .takes(ValueKind::kMesh)
+      .required()
+      .values(1, -1);
   command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the moved mesh in the world")
+      .takes(ValueKind::kTable)
       .required();
   command.option("--safety-zone", options->safety_zone,
                  "Metres: what is farther is reported as null with distance_at_least; contacts inside are counted");

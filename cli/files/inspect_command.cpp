@@ -261,6 +261,7 @@ void addInspectCommand(Subcommand app, Action& chosen) {
               "A mesh (STL, OBJ, PLY, OFF), a CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), a robot (URDF, "
               "xacro, SDF, "
               "robot.toml, library:NAME) or a workcell (.hcell)")
+      .takes(ValueKind::kModel)
       .required();
   command.option("arguments", options->arguments, "Of a xacro: NAME:=VALUE, as many as there are");
   command.option("--unit", options->unit,

@@ -5,7 +5,8 @@ namespace hapticell::cli {
 
 void addMotionReading(Subcommand command, std::string& up, std::string& markers) {
   command.option("--up", up, "Of the motion: which of the file's axes is up (x, y, z; --up=-z); else found");
-  command.option("--markers", markers, "Of a .c3d: a table of one's own markers (docs/formats.md)");
+  command.option("--markers", markers, "Of a .c3d: a table of one's own markers (docs/formats.md)")
+      .takes(ValueKind::kFile);
 }
 
 Expected<mannequin::MotionReading> motionReading(const std::string& up, const std::string& markers) {

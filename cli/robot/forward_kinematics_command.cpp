@@ -48,14 +48,19 @@ Expected<ordered_json> solve(const ForwardOptions& options) {
 void addForwardKinematicsCommand(Subcommand app, Action& chosen) {
   Subcommand command = app.add("fk", "Poses of a robot's tip in its root link, for joint positions");
   const auto options = std::make_shared<ForwardOptions>();
-  command.option("--robot", options->robot, "The robot: a file, or library:NAME").required();
+  command.option("--robot", options->robot, "The robot: a file, or library:NAME").takes(ValueKind::kRobot).required();
   command.option("--joints", options->joints, "CSV: one column a joint, by name, for all joints that move the tip")
+      .takes(ValueKind::kTable)
       .required();
   command.option("--tip", options->tip, "The link asked for; the tool or the end of the arm where not given");
-  command.option("--on", options->axes.on,
-                 "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where");
-  command.option("--part-on", options->axes.part_on,
-                 "The same for what carries the part: poses are then in that link, the pose is the positioner's");
+  command
+      .option("--on", options->axes.on,
+              "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where")
+      .takes(ValueKind::kRobot);
+  command
+      .option("--part-on", options->axes.part_on,
+              "The same for what carries the part: poses are then in that link, the pose is the positioner's")
+      .takes(ValueKind::kRobot);
   command.onChosen([options, &chosen] {
     chosen = [options](ResultWriter& writer) {
       const auto result = solve(*options);

@@ -168,13 +168,19 @@ ExitStatus run(const InverseOptions& options, const ResultWriter& writer) {
 void addInverseKinematicsCommand(Subcommand app, Action& chosen) {
   Subcommand command = app.add("ik", "Joint positions that bring a robot's tip to poses, each nearest to the last");
   const auto options = std::make_shared<InverseOptions>();
-  command.option("--robot", options->robot, "The robot: a file, or library:NAME").required();
-  command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link").required();
+  command.option("--robot", options->robot, "The robot: a file, or library:NAME").takes(ValueKind::kRobot).required();
+  command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link")
+      .takes(ValueKind::kTable)
+      .required();
   command.option("--tip", options->tip, "The link meant; the tool or the end of the arm where not given");
-  command.option("--on", options->axes.on,
-                 "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where");
-  command.option("--part-on", options->axes.part_on,
-                 "The same for what carries the part: poses are then in that link, the pose is the positioner's");
+  command
+      .option("--on", options->axes.on,
+              "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where")
+      .takes(ValueKind::kRobot);
+  command
+      .option("--part-on", options->axes.part_on,
+              "The same for what carries the part: poses are then in that link, the pose is the positioner's")
+      .takes(ValueKind::kRobot);
   command.option("--start", options->start,
                  "Joint positions before the first pose: numbers between commas, base first; zeros where not given");
   command.flag("--all", options->all, "List all solutions of each pose; within limits also those turned by full turns");

@@ -82,7 +82,8 @@ void addFeelCommand(Subcommand app, Action& chosen) {
   command.flag("--full", options->full, "The full counts (minutes)");
   command.flag("--timing", options->timing, "Also M7 and M11, by the clock on the wall");
   auto parts = std::make_shared<std::vector<std::string>>();
-  command.option("--part", *parts, "A mesh (STL, OBJ, PLY; millimetres) to be felt with a ball besides (M13)");
+  command.option("--part", *parts, "A mesh (STL, OBJ, PLY; millimetres) to be felt with a ball besides (M13)")
+      .takes(ValueKind::kMesh);
   command.onChosen([options, parts, &chosen] {
     chosen = [options, parts](ResultWriter& writer) { return runFeel(*options, *parts, writer); };
   });

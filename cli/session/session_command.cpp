@@ -323,9 +323,13 @@ void addSessionCommand(Subcommand app, Action& chosen) {
   Subcommand command = app.add(
       "session", "Moves an entity of a workcell with a scripted hand on a simulated stylus, and measures the feel");
   const auto words = std::make_shared<SessionWords>();
-  command.option("--workcell", words->workcell, "The workcell document, *.hcell").required();
+  command.option("--workcell", words->workcell, "The workcell document, *.hcell")
+      .takes(ValueKind::kWorkcell)
+      .required();
   command.option("--entity", words->entity, "The entity that the stylus's button takes").required();
-  command.option("--hand", words->hand, "CSV with t,x,y,z,qw,qx,qy,qz,button in the device frame").required();
+  command.option("--hand", words->hand, "CSV with t,x,y,z,qw,qx,qy,qz,button in the device frame")
+      .takes(ValueKind::kTable)
+      .required();
   command.option("--rate-manipulation", words->rate_manipulation, "Hz of the manipulation loop, 10 to 1000");
   command.option("--rate-gui", words->rate_gui, "Hz of the pictures");
   command.option("--latency", words->latency_ms, "ms, one way, of the imagined network (virtual time only)");
@@ -334,9 +338,11 @@ void addSessionCommand(Subcommand app, Action& chosen) {
   command.flag("--realtime", words->realtime,
                "In real time, over TCP: with a server of its own, or the one of --server");
   command.option("--server", words->server, "HOST:PORT of a haptic server that runs already, with a simulated device");
-  command.option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
-  command.option("--trace,-o,--output", words->trace, "CSV to write with a row a tick");
-  command.option("--record", words->record, "Trajectory to write of what is held: .htraj or .csv");
+  command.option("--config", words->configuration, "A hapticell.toml to read besides the shipped one")
+      .takes(ValueKind::kToml);
+  command.option("--trace,-o,--output", words->trace, "CSV to write with a row a tick").takes(ValueKind::kTable);
+  command.option("--record", words->record, "Trajectory to write of what is held: .htraj or .csv")
+      .takes(ValueKind::kMotion);
   command.option("--record-interval", words->record_interval, "s between its frames (0.01)");
   command.flag("--record-all", words->record_all, "Every step of the manipulation loop");
   command.flag("--record-by-button", words->record_by_button,

@@ -152,7 +152,9 @@ Expected<KeptFreeResult> retimeFree(const trajectory::Trajectory& given, const t
 }
 
 void addCheckOptions(Subcommand command, TrajectoryCheckOptions& options) {
-  command.option("--workcell", options.workcell, "The cell to move through (.hcell)").required();
+  command.option("--workcell", options.workcell, "The cell to move through (.hcell)")
+      .takes(ValueKind::kWorkcell)
+      .required();
   command.option("--entity", options.entity, "What moves (as the trajectory says)");
   command.option("--moved-by", options.moved_by, "tcp, base, self_origin, ... (as the trajectory says)");
   command.option("--together", options.together,

@@ -39,7 +39,7 @@ void addTolerance(Subcommand command, TrajectoryOptions& options) {
 }
 
 void addLimits(Subcommand command, RobotLimitOptions& limits) {
-  command.option("--robot", limits.robot, "Robot whose limits hold: a file or library:NAME");
+  command.option("--robot", limits.robot, "Robot whose limits hold: a file or library:NAME").takes(ValueKind::kRobot);
   command.option("--velocity", limits.velocity, "Joint speeds (rad/s, m/s), or one for all").separatedByCommas();
   command.option("--acceleration", limits.acceleration, "Joint accelerations, or one for all").separatedByCommas();
   command.option("--jerk", limits.jerk, "Joint jerks, or one for all; without it jerk is free").separatedByCommas();
@@ -55,6 +55,7 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
     Subcommand sub = command.add(name, description);
     sub.option("file", options->file,
                "A trajectory: .htraj, .csv, .json, .yaml (ROS), or a program: .src, .mod, .ls, .script, .jbi")
+        .takes(ValueKind::kMotion)
         .required();
     sub.onChosen([options, &chosen, handler] {
       chosen = [options, handler](ResultWriter& writer) {
@@ -78,13 +79,14 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
   addTrajectoryTraining(command, chosen);
 
   for (Subcommand sub : {simplify_command, smooth_command, retime_command}) {
-    sub.option("-o,--output", options->output, "The result: .htraj, .json or .csv");
+    sub.option("-o,--output", options->output, "The result: .htraj, .json or .csv").takes(ValueKind::kMotion);
     addAllowMiss(sub, options->allow_miss);
   }
   addAllowMiss(export_command, options->allow_miss);
   for (Subcommand sub : {info_command, smooth_command}) {
     sub.option("--robot", options->limits.robot,
-               "Robot whose joints they are, for poses by its forward kinematics: a file or library:NAME");
+               "Robot whose joints they are, for poses by its forward kinematics: a file or library:NAME")
+        .takes(ValueKind::kRobot);
   }
   retime_command.option("--tolerance", options->passing, "How near each given frame is passed, m (0.00005)");
   retime_command.option("--angle-tolerance", options->angle_passing, "Likewise its turn, or each joint, rad (0.0002)");
@@ -97,12 +99,15 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
   addCheckOptions(check_command, options->check);
   for (Subcommand sub : {smooth_command, retime_command}) {
     sub.option("--workcell", options->check.workcell,
-               "The cell to move through: nearer to the recording where it would collide");
+               "The cell to move through: nearer to the recording where it would collide")
+        .takes(ValueKind::kWorkcell);
     sub.option("--entity", options->check.entity, "What moves (as the trajectory says)");
   }
 
   export_command.option("--to", options->to, "csv, json, ros, krl, rapid, fanuc, urscript, val3 or inform").required();
-  export_command.option("-o,--output", options->output, "The file; a folder for val3").required();
+  export_command.option("-o,--output", options->output, "The file; a folder for val3")
+      .takes(ValueKind::kMotion)
+      .required();
   export_command.option("--name", options->program.name, "The program's name (of the file)");
   export_command.option("--tool", options->program.tool,
                         "The controller's tool: its name; a number for fanuc and inform");
@@ -111,9 +116,10 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
   export_command.option("--acceleration", options->program.acceleration, "m/s2 along lines (1.2)");
   export_command.option("--joint-speed", options->program.joint_speed, "Share of the first move's speed (0.2)");
   export_command.option("--blend", options->program.blend, "m (0.002)");
-  export_command.option(
-      "--robot", options->limits.robot,
-      "Robot for configuration data, joints, and poses where the file has none: a file or library:NAME");
+  export_command
+      .option("--robot", options->limits.robot,
+              "Robot for configuration data, joints, and poses where the file has none: a file or library:NAME")
+      .takes(ValueKind::kRobot);
 }
 
 }  // namespace hapticell::cli

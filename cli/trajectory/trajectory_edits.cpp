@@ -239,9 +239,12 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   const auto options = std::make_shared<EditOptions>();
   const auto add = [&](const char* name, const char* description, Edit edit) {
     Subcommand sub = command.add(name, description);
-    sub.option("file", options->files.file, "A trajectory: .htraj, .csv, .json, .yaml (ROS)").required();
-    sub.option("-o,--output", options->files.output, "The copy: .htraj, .json or .csv");
-    sub.option("--workcell", options->files.workcell, "The cell in which a robot's joints are found again");
+    sub.option("file", options->files.file, "A trajectory: .htraj, .csv, .json, .yaml (ROS)")
+        .takes(ValueKind::kMotion)
+        .required();
+    sub.option("-o,--output", options->files.output, "The copy: .htraj, .json or .csv").takes(ValueKind::kMotion);
+    sub.option("--workcell", options->files.workcell, "The cell in which a robot's joints are found again")
+        .takes(ValueKind::kWorkcell);
     sub.onChosen([options, &chosen, edit] {
       options->is_resampled = edit == static_cast<Edit>(resample);
       chosen = [options, edit](ResultWriter& writer) { return finishTrajectory(writer, run(*options, edit)); };
@@ -253,9 +256,9 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   sub.option("--to", options->to, "s");
   sub = add("split", "In two at a time", split);
   sub.option("--at", options->at, "s").required();
-  sub.option("--rest", options->files.rest, "The file for what comes after");
+  sub.option("--rest", options->files.rest, "The file for what comes after").takes(ValueKind::kMotion);
   sub = add("join", "One after the other", join);
-  sub.option("--with", options->files.with, "The motions that follow").required();
+  sub.option("--with", options->files.with, "The motions that follow").takes(ValueKind::kMotion).required();
   sub.option("--speed", options->speed, "m/s from the end of one to the next (0.1)");
   add("reverse", "Backwards in time", reverse);
   sub = add("mirror", "On a plane", mirror);
@@ -289,7 +292,8 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   }
   sub = add("resample", "Frames in even steps, times as recorded", resample);
   sub.option("--step", options->step, "s (0.01)");
-  sub.option("--robot", options->files.robot, "Robot whose joints they are: poses by its forward kinematics");
+  sub.option("--robot", options->files.robot, "Robot whose joints they are: poses by its forward kinematics")
+      .takes(ValueKind::kRobot);
   addAllowMiss(sub, options->allow_miss);
 }
 

@@ -202,25 +202,26 @@ void addTrajectoryTraining(Subcommand command, Action& chosen) {
     return sub;
   };
   Subcommand sub = add("curves", "Speed, acceleration and jerk over time", curves);
-  sub.option("file", options->file, "A trajectory").required();
+  sub.option("file", options->file, "A trajectory").takes(ValueKind::kMotion).required();
   sub.option("--samples", options->samples, "At most (2000)");
-  sub.option("-o,--output", options->output, "A CSV file with all curves");
+  sub.option("-o,--output", options->output, "A CSV file with all curves").takes(ValueKind::kTable);
   sub = add("score", "A trainee's run against the expert's", score);
-  sub.option("file", options->file, "The expert's trajectory").required();
-  sub.option("--run", options->run, "The trainee's").required();
+  sub.option("file", options->file, "The expert's trajectory").takes(ValueKind::kMotion).required();
+  sub.option("--run", options->run, "The trainee's").takes(ValueKind::kMotion).required();
   sub = add("train", "One run of an exercise with a simulated hand", train);
-  sub.option("file", options->file, "The exercise (.hexercise)").required();
-  sub.option("--hand", options->hand, "The trainee's hand (CSV)").required();
+  sub.option("file", options->file, "The exercise (.hexercise)").takes(ValueKind::kExercise).required();
+  sub.option("--hand", options->hand, "The trainee's hand (CSV)").takes(ValueKind::kTable).required();
   sub.option("--help-share", options->help, "0 to 1 (what the results ask for)");
   sub.option("--kind", options->kind, "practice (led), or without guidance: retention, transfer");
   sub.option("--scale", options->scale, "Metres of the cell a metre of hand (1)");
   sub.option("--trainee", options->trainee, "Name, for new results");
-  sub.option("--results", options->results, "The trainee's file (.htrain), read and written");
-  sub.option("--csv", options->csv, "All runs as a table");
+  sub.option("--results", options->results, "The trainee's file (.htrain), read and written")
+      .takes(ValueKind::kResults);
+  sub.option("--csv", options->csv, "All runs as a table").takes(ValueKind::kTable);
   sub.option("--date", options->date, "ISO 8601, for the results");
-  sub.option("-o,--output", options->output, "The recording of the run");
+  sub.option("-o,--output", options->output, "The recording of the run").takes(ValueKind::kMotion);
   sub = add("exercises", "The exercises of a folder", exercises);
-  sub.option("folder", options->folder, "Where *.hexercise files are").required();
+  sub.option("folder", options->folder, "Where *.hexercise files are").takes(ValueKind::kFolder).required();
 }
 
 }  // namespace hapticell::cli

@@ -106,8 +106,10 @@ Expected<ordered_json> changes(const ChangesOptions& options, Diagnostics& notes
 void addWorkcellExchangeCommands(Subcommand workcell, Action& chosen) {
   Subcommand packing = workcell.add("pack", "A document with all the files it names in one folder or archive");
   const auto pack_options = std::make_shared<PackOptions>();
-  packing.option("file", pack_options->file, "The document (.hcell)").required();
-  packing.option("-o,--output", pack_options->folder, "A new or empty folder, or an archive: .zip, .tar.gz").required();
+  packing.option("file", pack_options->file, "The document (.hcell)").takes(ValueKind::kWorkcell).required();
+  packing.option("-o,--output", pack_options->folder, "A new or empty folder, or an archive: .zip, .tar.gz")
+      .takes(ValueKind::kFile)
+      .required();
   packing.flag(
       "--allow-outside", pack_options->allow_outside,
       "Pack files too that lie outside of the document's folder; without, they are listed and nothing is written");
@@ -121,11 +123,11 @@ void addWorkcellExchangeCommands(Subcommand workcell, Action& chosen) {
   Subcommand changing =
       workcell.add("changes", "What was moved, added and removed between two documents, or since the import");
   const auto options = std::make_shared<ChangesOptions>();
-  changing.option("before", options->before, "The earlier document (.hcell)").required();
-  changing.option("after", options->after, "The later document (.hcell)");
+  changing.option("before", options->before, "The earlier document (.hcell)").takes(ValueKind::kWorkcell).required();
+  changing.option("after", options->after, "The later document (.hcell)").takes(ValueKind::kWorkcell);
   changing.flag("--since-import", options->since_import,
                 "Compare the one document with the files that its entities came from");
-  changing.option("-o,--output", options->output, "Write a table as well (CSV)");
+  changing.option("-o,--output", options->output, "Write a table as well (CSV)").takes(ValueKind::kTable);
   changing.flag("--all", options->all, "List what did not change too");
   changing.onChosen([options, &chosen] {
     chosen = [options](ResultWriter& writer) {

@@ -53,7 +53,8 @@ def test_every_option_of_help_stands_in_the_man_page():
         for program in PROGRAMS:
             file = BUILT / "man" / f"{pathlib.Path(program).name}.1"
             said = run("man", "--warnings", "-E", "UTF-8", "-l", "-Tutf8", "-Z", file, env={"LC_ALL": "C.UTF-8", "MANROFFSEQ": ""})
-            assert said.stderr == "", said.stderr
+            faults = [line for line in said.stderr.splitlines() if "can't break line" not in line]  # A word longer than a line.
+            assert not faults, faults
 
 
 def test_completion_knows_commands_options_files_and_the_library():
