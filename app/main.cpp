@@ -15,20 +15,26 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "app/host/language.h"
+#include "app/import/file_work.h"
+#include "app/kit/written_file.h"
+#include "app/settings/user_choices.h"
 #include "app/shell/application.h"
 #include "app/shell/end_signals.h"
-#include "app/host/language.h"
+#include "app/shell/file_opening.h"
 #include "app/shell/main_window.h"
-#include "app/views/render_command.h"
-#include "app/kit/written_file.h"
-#include "app/import/file_work.h"
-#include "app/settings/user_choices.h"
 #include "app/start/recent_files.h"
 #include "app/style/fonts.h"
 #include "app/style/plain_lines.h"
 #include "app/style/proxy_style.h"
+#include "app/viewport/drawing/graphics_probe.h"
+#include "app/views/render_command.h"
 #include "config/configuration.h"
+#include "config/program_version.h"
 #include "config/user_folders.h"
 
 namespace {
@@ -41,7 +47,7 @@ struct Options {
   QSize size{1600, 900};
   int delay_ms = 1500;
   QString language;
-  bool exit = false, module = true, measure = false, measure_start = false;
+  bool exit = false, module = true, measure = false, measure_start = false, probe = false;
 };
 
 constexpr int kBadUsage = 2;
@@ -63,13 +69,14 @@ std::optional<QSize> sizeFrom(const QString& text) {
   std::exit(kBadUsage);
 }
 
-Options parse(const QApplication& application) {
-  QCommandLineParser parser;
+void addOptions(QCommandLineParser& parser) {
   parser.setApplicationDescription("Move solids and robots in a CAD workcell, and feel the contacts.");
   parser.addHelpOption();
-  parser.addVersionOption();
   parser.addPositionalArgument(
-      "file", "Workcell (*.hcell) to open. Default: the start page, or the cell opened last.", "[file]");
+      "file",
+      "Workcell (*.hcell), exercise (*.hexercise), training results (*.htrain) or motion (*.htraj) to open, or a CAD "
+      "file, mesh or robot to import into a new cell. Default: the start page, or the cell opened last.",
+      "[file]");
   parser.addOptions(
       {{"screenshot", "Save a picture of the window when it has finished drawing.", "file.png"},
        {"exit", "Quit after the screenshot."},
@@ -86,9 +93,30 @@ Options parse(const QApplication& application) {
        {"seconds", "For --render to a video (mp4, webm, mkv, gif): duration of one turn.", "s", "8"},
        {"no-floor", "For --render: do not draw the floor grid."},
        {"config", "hapticell.toml whose values override the shipped ones.", "file"},
-       {"no-module", "Do not start Virtual Desktop automatically."}});
+       {"no-module", "Do not start Virtual Desktop automatically."},
+       {"probe-graphics", "Print the OpenGL of the display as JSON, then quit (for hapticell-cli doctor)."},
+       {{"v", "version"}, "Print version, commit, compiler and libraries, then quit."}});
+}
+
+/// --help and --version, which need no display. False for everything else.
+bool answersWithoutDisplay(int argc, char** argv) {
+  const std::vector<std::string_view> words(argv + 1, argv + argc);
+  const auto given = [&](std::string_view name) { return std::find(words.begin(), words.end(), name) != words.end(); };
+  const bool version = given("--version") || given("-v");
+  if (!version && !given("--help") && !given("-h")) return false;
+  QCoreApplication application(argc, argv);
+  QCommandLineParser parser;
+  addOptions(parser);
+  const std::string text = version ? hapticell::config::versionText("hapticell", {{"Qt", qVersion()}}) + "\n"
+                                   : parser.helpText().toStdString();
+  std::fputs(text.c_str(), stdout);
+  return true;
+}
+
+Options parse() {
+  QCommandLineParser parser;
+  addOptions(parser);
   if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText() + ". See hapticell --help.");
-  parser.process(application);  // --help and --version.
   Options options;
   if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().first();
   options.screenshot = parser.value("screenshot");
@@ -98,6 +126,7 @@ Options parse(const QApplication& application) {
   options.exit = parser.isSet("exit");
   options.measure = parser.isSet("measure-frames");
   options.measure_start = parser.isSet("measure-start");
+  options.probe = parser.isSet("probe-graphics");
   options.module = !parser.isSet("no-module");
   options.delay_ms = qBound(0, parser.value("delay").toInt(), 600000);
   const auto size = sizeFrom(parser.value("size"));
@@ -134,10 +163,7 @@ int renderPicture(const hapticell::app::RenderCommand& command) {
 
 void openAtStart(MainWindow& window, const QString& wanted, bool first_page) {
   if (!wanted.isEmpty()) {
-    if (wanted.endsWith(".hcell", Qt::CaseInsensitive))
-      window.openFile(wanted);
-    else
-      window.importFiles({wanted}, false);
+    hapticell::app::openAny(window, wanted);
     return window.files().tellLeft({});
   }
   if (first_page || !window.files().leftWork().empty()) return window.showStartPage();
@@ -256,6 +282,7 @@ int main(int argc, char** argv) {
   since_start.start();
   for (const std::string& sentence : hapticell::config::cleanEnvironment())
     qWarning().noquote() << QString::fromStdString(sentence);
+  if (answersWithoutDisplay(argc, argv)) return 0;
   if (!hasDisplay()) {
     qCritical("No display found. Start hapticell on a desktop, or under xvfb-run.");
     return 2;
@@ -266,7 +293,9 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("hapticell");
   QApplication::setApplicationDisplayName("HaptiCell");
   QApplication::setApplicationVersion(HAPTICELL_VERSION);
-  const Options options = parse(application);
+  QApplication::setDesktopFileName("hapticell");  // By which a desktop finds name and icon of the window.
+  const Options options = parse();
+  if (options.probe) return std::puts(hapticell::app::probeGraphics().constData()) < 0 ? 2 : 0;
   if (options.render) return renderPicture(*options.render);
   QApplication::setStyle(new hapticell::app::ProxyStyle);
   QApplication::setFont(hapticell::app::textFont(hapticell::app::TextRole::kText));

@@ -4,9 +4,11 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <CLI/Version.hpp>
 #include <clocale>
 #include <exception>
 
+#include "cli/completion.h"
 #include "cli/device/device_commands.h"
 #include "cli/ergonomics/ergonomics_commands.h"
 #include "cli/files/file_commands.h"
@@ -15,6 +17,7 @@
 #include "cli/session/session_commands.h"
 #include "cli/trajectory/trajectory_command.h"
 #include "cli/workcell/workcell_commands.h"
+#include "config/program_version.h"
 #include "geometry/system/listed.h"
 
 namespace hapticell::cli {
@@ -54,17 +57,20 @@ const CLI::App* undecided(const CLI::App& app) {
 int runCommandLine(int argc, char** argv) {
   std::setlocale(LC_ALL, "C");
   CLI::App app("HaptiCell without a window: inspect, measure, solve and run sessions.", "hapticell-cli");
-  app.set_version_flag("--version", HAPTICELL_VERSION);
+  app.set_version_flag("--version", [] { return config::versionText("hapticell-cli", {{"CLI11", CLI11_VERSION}}); });
   app.require_subcommand(1);
   app.fallthrough();
   std::string json_file;
-  app.add_option("--json", json_file, "Write the result to this file instead of standard output");
+  CLI::Option* const json = app.add_option(
+      "--json", json_file, "Write the result to this file instead of standard output; -: standard output");
+  json->type_name(std::string(wordsOf(ValueKind::kJson).word));
   Action chosen;
   Subcommand words(app);
   // One line a command; each comes with the file that defines it.
   addConvertCommand(words, chosen);
   addDevicesCommand(words, chosen);
   addDistanceCommand(words, chosen);
+  addDoctorCommand(words, chosen);
   addErgonomicsCommand(words, chosen);
   addFeelCommand(words, chosen);
   addForwardKinematicsCommand(words, chosen);
@@ -77,6 +83,8 @@ int runCommandLine(int argc, char** argv) {
   addWorkcellCommand(words, chosen);
   addSessionCommand(words, chosen);
 
+  // No command of its own: its words may be any of another command's, and it is for shells.
+  if (argc > 1 && std::string_view(argv[1]) == "completion") return runCompletion(app, {argv + 2, argv + argc});
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {

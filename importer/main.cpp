@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // hapticell-importer: reads and writes CAD files for the other programs, so that a library that crashes, hangs or eats
 // all memory takes nobody with it. What it is told and what it answers: workcell/scenes/import_process.h.
+#include <assimp/version.h>
 #include <unistd.h>
 #include <Standard_Failure.hxx>
+#include <Standard_Version.hxx>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -14,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/program_version.h"
 #include "geometry/system/regular_file.h"
 #include "geometry/system/text_case.h"
 #include "importer/assimp_reader.h"
@@ -140,10 +144,44 @@ Expected<void> perform(const Call& call, ParentLink& parent) {
   return call.action == "write" ? write(call, parent) : read(call, parent);
 }
 
+constexpr const char* kUsage = R"(usage: hapticell-importer ACTION [FILE] [OPTION VALUE]...
+
+Reads and writes CAD files for hapticell and hapticell-cli, which start it; a library that crashes, hangs or takes all
+memory then takes nobody with it. It is not meant to be started by hand: hapticell-cli convert does what users want.
+
+Actions:
+  read FILE              hand a STEP, IGES, glTF, Collada, 3MF, FBX or 3DS file over as a scene
+  read-all               the same for the files whose names the starting program left, a line each
+  write FILE             write the scene that the starting program left as STEP
+
+Options:
+  --unit METRES          what one unit of the file is
+  --chord METRES         farthest distance of a triangle from the true face
+  --relative-chord N     the same as a share of the model's size
+  --angle RADIANS        largest turn along an edge
+  --skip PART            leave out this part of the file; may be given several times
+  --memory BYTES         take no more memory than this
+  --seconds N            take no more time of the processor than this
+  --help                 show this text and end
+  --version              show version, commit, compiler and libraries and end
+)";
+
+/// --help and --version; false for all else.
+bool tellAbout(std::string_view option) {
+  if (option == "--help" || option == "-h") return std::fputs(kUsage, stdout), true;
+  if (option != "--version") return false;
+  const std::string assimp_version = std::to_string(aiGetVersionMajor()) + "." + std::to_string(aiGetVersionMinor()) +
+                                     "." + std::to_string(aiGetVersionPatch());
+  const std::string text = hapticell::config::versionText(
+      "hapticell-importer", {{"Open CASCADE", OCC_VERSION_COMPLETE}, {"assimp", assimp_version}});
+  return std::puts(text.c_str()), true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const Call call = parse(argc, argv);
+  if (tellAbout(call.action)) return 0;
   if (call.action != "read" && call.action != "read-all" && call.action != "write") return 2;
   limitResources(static_cast<std::uint64_t>(call.number("--memory").value_or(6e9)),
                  static_cast<std::uint64_t>(call.number("--seconds").value_or(600.0)));

@@ -18,6 +18,7 @@
 #include "app/kit/file_dialog.h"
 #include "app/panels/tree/tree_edits.h"
 #include "app/shell/crash_guard.h"
+#include "app/shell/file_opening.h"
 #include "app/shell/main_window.h"
 #include "app/start/recent_files.h"
 #include "app/start/start_page.h"
@@ -166,19 +167,23 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  QStringList parts;
+  QStringList parts, own;
   QString cell;
   for (const QUrl& url : event->mimeData()->urls()) {
     if (!url.isLocalFile()) continue;
     const QString path = url.toLocalFile();
-    path.endsWith(".hcell", Qt::CaseInsensitive) ? void(cell = path) : parts.append(path);
+    if (path.endsWith(".hcell", Qt::CaseInsensitive))
+      cell = path;
+    else
+      (isOwnFile(path) ? own : parts).append(path);
   }
   event->acceptProposedAction();
   // Queued: the program that is dragged from waits until this returns, and a question may follow.
   QMetaObject::invokeMethod(
       this,
-      [this, cell, parts] {
+      [this, cell, parts, own] {
         if (!cell.isEmpty()) replaceDocument([this, cell] { openFile(cell); });
+        for (const QString& path : own) openAny(*this, path);
         importFiles(parts);
       },
       Qt::QueuedConnection);

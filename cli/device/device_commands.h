@@ -7,6 +7,7 @@
 namespace hapticell::cli {
 
 void addDevicesCommand(Subcommand app, Action& chosen);
+void addDoctorCommand(Subcommand app, Action& chosen);
 void addPairCommand(Subcommand app, Action& chosen);
 
 }  // namespace hapticell::cli

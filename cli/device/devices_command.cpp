@@ -85,7 +85,8 @@ void addDevicesCommand(Subcommand app, Action& chosen) {
   Subcommand command = app.add(
       "devices", "List styluses, gloves and 3D mice: drivers, connected devices, permissions, and how to fix problems");
   const auto words = std::make_shared<DeviceWords>();
-  command.option("--config", words->configuration, "hapticell.toml whose values override the shipped ones");
+  command.option("--config", words->configuration, "hapticell.toml whose values override the shipped ones")
+      .takes(ValueKind::kToml);
   command.flag("--watch", words->watch, "Keep running; print a line on each change. Enter rescans, Ctrl+D quits");
   command.onChosen([words, &chosen] { chosen = [words](ResultWriter& writer) { return run(*words, writer); }; });
 }

@@ -114,8 +114,10 @@ ExitStatus run(const std::string& method, const ErgonomicsOptions& options, cons
 }
 
 void addMotionOptions(Subcommand method, const std::string& name, ErgonomicsOptions& options) {
-  method.option("--motion", options.motion,
-                "Recorded motion to score instead: .bvh, .amc with its .asf, or .c3d (markers)");
+  method
+      .option("--motion", options.motion,
+              "Recorded motion to score instead: .bvh, .amc with its .asf, or .c3d (markers)")
+      .takes(ValueKind::kFile);
   addMotionReading(method, options.up, options.markers);
   const auto whole = [&](const char* option, int& value, int greatest, const char* description) {
     method.option(option, value, description).withinWhole(0, greatest);
@@ -147,7 +149,8 @@ void addErgonomicsCommand(Subcommand app, Action& chosen) {
   };
   for (const auto& [name, description] : methods) {
     Subcommand method = command.add(name, description);
-    method.option("--input", options->input, "JSON: a file, the text itself, or - for standard input");
+    method.option("--input", options->input, "JSON: a file, the text itself, or - for standard input")
+        .takes(ValueKind::kJson);
     if (std::string_view(name) != "niosh") addMotionOptions(method, name, *options);
     method.option("--fail-over", options->fail_over, "Exit 1 if the score is above this");
     method.onChosen([options, &chosen, method_name = std::string(name)] {

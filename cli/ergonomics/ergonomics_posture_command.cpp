@@ -242,14 +242,16 @@ ExitStatus runWorkplace(const PostureOptions& options, const ResultWriter& write
 }
 
 void addSubject(Subcommand app, PostureOptions& options) {
-  app.option("--cell", options.cell, "Workcell: its mannequin in its posture, with its task data");
+  app.option("--cell", options.cell, "Workcell: its mannequin in its posture, with its task data")
+      .takes(ValueKind::kWorkcell);
   app.option("--mannequin", options.mannequin, "Name of the mannequin of the cell (default: the first)");
   app.option("--sex", options.sex, "male or female, without a cell");
   app.option("--percentile", options.percentile, "Percentile of stature, without a cell");
   app.option("--stature", options.stature, "m, without a cell");
   app.option("--mass", options.mass, "kg, without a cell");
-  app.option("--posture", options.posture, "A posture file, or a name of the library, without a cell");
-  app.option("--task", options.task, "Task data as JSON: a file, the text itself, or -");
+  app.option("--posture", options.posture, "A posture file, or a name of the library, without a cell")
+      .takes(ValueKind::kJson);
+  app.option("--task", options.task, "Task data as JSON: a file, the text itself, or -").takes(ValueKind::kJson);
 }
 
 }  // namespace
@@ -258,12 +260,16 @@ void addErgonomicsPostureCommands(Subcommand ergonomics, Action& chosen) {
   const auto options = std::make_shared<PostureOptions>();
   Subcommand posture = ergonomics.add("posture", "Score a mannequin's posture by all methods, with a report");
   addSubject(posture, *options);
-  posture.option("--report", options->reports, "Write a report: .pdf, .html, .csv or .json; can be repeated");
-  posture.option("--task-report", options->task_reports, "The task's page, in the same formats");
-  posture.option("--picture", options->picture, "PNG for the report: the mannequin in its cell (hapticell --render)");
+  posture.option("--report", options->reports, "Write a report: .pdf, .html, .csv or .json; can be repeated")
+      .takes(ValueKind::kFile);
+  posture.option("--task-report", options->task_reports, "The task's page, in the same formats")
+      .takes(ValueKind::kFile);
+  posture.option("--picture", options->picture, "PNG for the report: the mannequin in its cell (hapticell --render)")
+      .takes(ValueKind::kPicture);
   posture.option("--company", options->company, "Company name for the report");
-  posture.option("--logo", options->logo, "Company logo for the report, a PNG");
-  posture.option("--force-limits", options->force_limits, "Table of custom hand force limits (docs/user/formats.md)");
+  posture.option("--logo", options->logo, "Company logo for the report, a PNG").takes(ValueKind::kPicture);
+  posture.option("--force-limits", options->force_limits, "Table of custom hand force limits (docs/user/formats.md)")
+      .takes(ValueKind::kFile);
   posture.option("--language", options->language, "Language of the report: en or fr").among({"en", "fr"});
   posture.option("--date", options->date, "Date printed in the report (default: today)");
   posture.option("--fail-over", options->fail_over, "Exit 1 if RULA is above this");
@@ -274,7 +280,9 @@ void addErgonomicsPostureCommands(Subcommand ergonomics, Action& chosen) {
         std::pair{"iso11226", "ISO 11226 zones and holding times of a static posture, from angles"},
         std::pair{"eaws", "Points of the EAWS posture section (an outline), from shares of the cycle"}}) {
     Subcommand zones = ergonomics.add(name, description);
-    zones.option("--input", options->input, "JSON: a file, the text itself, or - for standard input").required();
+    zones.option("--input", options->input, "JSON: a file, the text itself, or - for standard input")
+        .takes(ValueKind::kJson)
+        .required();
     zones.option("--fail-over", options->fail_over, "Exit 1 if the level is above this");
     zones.onChosen([options, &chosen, method = std::string(name)] {
       chosen = [options, method](ResultWriter& writer) { return runZones(method, *options, writer); };

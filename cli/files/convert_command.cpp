@@ -239,8 +239,10 @@ ExitStatus runConvert(const ConvertOptions& options, const ResultWriter& writer)
 void addConvertCommand(Subcommand app, Action& chosen) {
   Subcommand command = app.add("convert", "Convert between formats, by file extension");
   const auto options = std::make_shared<ConvertOptions>();
-  command.option("file", options->file, "Mesh, CAD, robot or workcell file").required();
-  command.option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot").required();
+  command.option("file", options->file, "Mesh, CAD, robot or workcell file").takes(ValueKind::kModel).required();
+  command.option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot")
+      .takes(ValueKind::kModel)
+      .required();
   command.option("--unit", options->unit, "Unit of the input file: m, mm or in (default: from the file, else guessed)");
   command.option(
       "--output-unit", options->output_unit,

@@ -147,9 +147,13 @@ void addDistanceCommand(Subcommand app, Action& chosen) {
   Subcommand command =
       app.add("distance", "Compute distance and nearest points of a moving mesh and fixed ones, pose by pose");
   const auto options = std::make_shared<DistanceOptions>();
-  command.option("--moving", options->moving, "Moving mesh: STL, OBJ, PLY or OFF").required();
-  command.option("--environment", options->environment, "Fixed meshes, at identity").required().values(1, -1);
+  command.option("--moving", options->moving, "Moving mesh: STL, OBJ, PLY or OFF").takes(ValueKind::kMesh).required();
+  command.option("--environment", options->environment, "Fixed meshes, at identity")
+      .takes(ValueKind::kMesh)
+      .required()
+      .values(1, -1);
   command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the moving mesh in the world")
+      .takes(ValueKind::kTable)
       .required();
   command.option(
       "--safety-zone", options->safety_zone,

@@ -273,6 +273,7 @@ void addInspectCommand(Subcommand app, Action& chosen) {
       .option("file", options->file,
               "Mesh (STL, OBJ, PLY, OFF), CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), robot (URDF, xacro, "
               "SDF, robot.toml, library:NAME) or workcell (.hcell)")
+      .takes(ValueKind::kModel)
       .required();
   command.option("arguments", options->arguments, "Xacro arguments, NAME:=VALUE; can be repeated");
   command.option("--unit", options->unit, "Unit of a mesh file: m, mm or in (default: from the file, else guessed)");

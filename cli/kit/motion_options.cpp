@@ -5,7 +5,8 @@ namespace hapticell::cli {
 
 void addMotionReading(Subcommand command, std::string& up, std::string& markers) {
   command.option("--up", up, "Up axis of the motion file (x, y, z; --up=-z). Default: detected");
-  command.option("--markers", markers, "Table of your own markers, for a .c3d (docs/user/formats.md)");
+  command.option("--markers", markers, "Table of your own markers, for a .c3d (docs/user/formats.md)")
+      .takes(ValueKind::kFile);
 }
 
 Expected<mannequin::MotionReading> motionReading(const std::string& up, const std::string& markers) {

@@ -20,7 +20,7 @@ Expected<void> ResultWriter::writeLine(const nlohmann::ordered_json& result) con
 Expected<void> ResultWriter::put(const nlohmann::ordered_json& result, int indent) const {
   // Text that is not UTF-8 (a file name, say) must not stop the result from being written.
   const std::string text = result.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-  if (!json_file_.empty()) return writeFileAtomically(json_file_, text);
+  if (toFile()) return writeFileAtomically(json_file_, text);
   std::cout << text << std::flush;
   if (!std::cout)
     return makeError(

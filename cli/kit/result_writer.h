@@ -10,7 +10,8 @@
 
 namespace hapticell::cli {
 
-/// Writes the one JSON document that is a command's result: to standard output, or to the file of `--json`.
+/// Writes the one JSON document that is a command's result: to standard output, or to the file of `--json` ("-":
+/// standard output too).
 ///
 /// A file is written aside and moved into place, so a half-written result never stands there.
 class ResultWriter {
@@ -19,8 +20,11 @@ class ResultWriter {
   Expected<void> write(const nlohmann::ordered_json& result) const;
   /// The same on a line of its own, for a command that tells more than once; a file has the newest one.
   Expected<void> writeLine(const nlohmann::ordered_json& result) const;
+  /// True where `--json` was given, for what else would be told in words.
+  bool isAsked() const { return !json_file_.empty(); }
 
  private:
+  bool toFile() const { return !json_file_.empty() && json_file_ != "-"; }
   Expected<void> put(const nlohmann::ordered_json& result, int indent) const;
 
   std::string json_file_;

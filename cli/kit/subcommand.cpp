@@ -17,6 +17,11 @@ Option& Option::required() {
   return *this;
 }
 
+Option& Option::takes(ValueKind kind) {
+  option_->type_name(std::string(wordsOf(kind).word));
+  return *this;
+}
+
 Option& Option::within(double least, double greatest) {
   char words[80];
   std::snprintf(words, sizeof words, "a number from %g to %g", least, greatest);

@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <string>
 
+#include "cli/kit/value_kind.h"
+
 namespace CLI {  // NOLINT(readability-identifier-naming): not ours.
 class App;
 class Option;
@@ -19,6 +21,8 @@ class Option {
   explicit Option(CLI::Option* option) : option_(option) {}
 
   Option& required();
+  /// What its word names.
+  Option& takes(ValueKind kind);
   /// A number within these, both included, and no "nan", which CLI11's own range lets through.
   Option& within(double least, double greatest);
   /// A whole number within these, both included.

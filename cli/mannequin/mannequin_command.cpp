@@ -45,11 +45,11 @@ struct Outcome {
   bool found = false;  ///< What --fail-on-limit looks for.
 };
 
-ordered_json toJson(const Pose& X) {
+ordered_json figureJson(const Pose& X) {
   return {{"position", {X.p.x, X.p.y, X.p.z}}, {"orientation", {X.q.w, X.q.x, X.q.y, X.q.z}}};
 }
 
-ordered_json toJson(const Posture& posture) {
+ordered_json figureJson(const Posture& posture) {
   return ordered_json::parse(postureText(posture));
 }
 
@@ -102,7 +102,7 @@ ordered_json segmentsOf(const Figure& figure, const FigurePose& pose) {
   ordered_json segments = ordered_json::array();
   for (std::size_t i = 0; i < kSegmentCount; ++i) {
     const Segment segment = static_cast<Segment>(i);
-    ordered_json entry = toJson(pose[segment].pose());
+    ordered_json entry = figureJson(pose[segment].pose());
     entry["name"] = segmentInfo(segment).name;
     entry["joint"] = segmentInfo(segment).joint;
     entry["mass"] = figure.mass[i];
@@ -164,7 +164,7 @@ Expected<PostureTask> lockedTask(const MannequinOptions& options) {
   return task;
 }
 
-ordered_json toJson(const PostureResult& result, const HandTargets& targets) {
+ordered_json figureJson(const PostureResult& result, const HandTargets& targets) {
   ordered_json hands;
   for (std::size_t i = 0; i < 2; ++i) {
     if (!targets.hands[i]) continue;
@@ -177,7 +177,7 @@ ordered_json toJson(const PostureResult& result, const HandTargets& targets) {
           {"center_of_mass", cli::toJson(result.p_WCom)},
           {"balance_margin", result.balance_margin},
           {"foot_displacement", result.foot_displacement},
-          {"posture", toJson(result.posture)}};
+          {"posture", figureJson(result.posture)}};
 }
 
 /// What can be wrong whether there are targets or not, before anything is computed.
@@ -217,7 +217,7 @@ Expected<void> solveTargets(const MannequinOptions& options, const Figure& figur
     const PostureResult result = solver.solve(*task, start);
     timing.add(begin);
     outcome.found = outcome.found || result.status != PostureStatus::kSolved;
-    results.push_back(toJson(result, wanted));
+    results.push_back(figureJson(result, wanted));
   }
   outcome.document["results"] = std::move(results);
   outcome.document["timing"] = timing.toJson();
@@ -316,17 +316,23 @@ void addMannequinCommand(Subcommand app, Action& chosen) {
   command.option("--percentile", options->percentile, "Percentile of stature for that sex, 0.1 to 99.9");
   command.option("--stature", options->stature, "Metres, 1.2 to 2.3");
   command.option("--mass", options->mass, "Kilograms (default: the most likely mass)");
-  command.option("--posture", options->posture, "Posture file, or a library posture: standing, seated, ...");
+  command.option("--posture", options->posture, "Posture file, or a library posture: standing, seated, ...")
+      .takes(ValueKind::kJson);
   command.flag("--measure", options->measure, "Also list all body dimensions and segment poses");
-  command.option("--targets", options->targets, "CSV hand,x,y,z,qw,qx,qy,qz[,step]: targets of the hands");
+  command.option("--targets", options->targets, "CSV hand,x,y,z,qw,qx,qy,qz[,step]: targets of the hands")
+      .takes(ValueKind::kTable);
   command.option("--hands", options->hands, "Hands of the targets to use: left, right or both");
   command.option("--lock", options->lock, "Body parts to lock: trunk, feet, pelvis").separatedByCommas();
-  command.option("--motion", options->motion,
-                 "Recorded motion for the mannequin: .bvh, .amc beside its .asf, or .c3d (markers)");
+  command
+      .option("--motion", options->motion,
+              "Recorded motion for the mannequin: .bvh, .amc beside its .asf, or .c3d (markers)")
+      .takes(ValueKind::kFile);
   addMotionReading(command, options->up, options->markers);
   command.flag("--fail-on-limit", options->fail_on_limit, "Exit 1 if a limit is exceeded or a target is not met");
-  command.option("-o,--output", options->output,
-                 "Write the posture to this file: .json, .obj (body mesh), .x3d (H-Anim) or .bvh (motion)");
+  command
+      .option("-o,--output", options->output,
+              "Write the posture to this file: .json, .obj (body mesh), .x3d (H-Anim) or .bvh (motion)")
+      .takes(ValueKind::kFile);
   command.onChosen([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
 }
 

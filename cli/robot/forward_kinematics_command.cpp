@@ -48,15 +48,18 @@ Expected<ordered_json> solve(const ForwardOptions& options) {
 void addForwardKinematicsCommand(Subcommand app, Action& chosen) {
   Subcommand command = app.add("fk", "Compute poses of a robot's tip in its root link from joint positions");
   const auto options = std::make_shared<ForwardOptions>();
-  command.option("--robot", options->robot, "Robot: a file, or library:NAME").required();
+  command.option("--robot", options->robot, "Robot: a file, or library:NAME").takes(ValueKind::kRobot).required();
   command
       .option("--joints", options->joints, "CSV with one column per joint, by name, for all joints that move the tip")
+      .takes(ValueKind::kTable)
       .required();
   command.option("--tip", options->tip, "Link of the tip (default: the tool or the end of the arm)");
-  command.option("--on", options->axes.on,
-                 "External axes that carry the robot: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz]");
-  command.option("--part-on", options->axes.part_on,
-                 "The same for the positioner that carries the part: poses are then in its link, and pose is its own");
+  command.option("--on", options->axes.on, "External axes that carry the robot: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz]")
+      .takes(ValueKind::kRobot);
+  command
+      .option("--part-on", options->axes.part_on,
+              "The same for the positioner that carries the part: poses are then in its link, and pose is its own")
+      .takes(ValueKind::kRobot);
   command.onChosen([options, &chosen] {
     chosen = [options](ResultWriter& writer) {
       const auto result = solve(*options);

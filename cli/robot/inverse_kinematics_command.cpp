@@ -169,13 +169,17 @@ void addInverseKinematicsCommand(Subcommand app, Action& chosen) {
   Subcommand command =
       app.add("ik", "Compute joint positions that bring a robot's tip to poses, each closest to the one before");
   const auto options = std::make_shared<InverseOptions>();
-  command.option("--robot", options->robot, "Robot: a file, or library:NAME").required();
-  command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link").required();
+  command.option("--robot", options->robot, "Robot: a file, or library:NAME").takes(ValueKind::kRobot).required();
+  command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link")
+      .takes(ValueKind::kTable)
+      .required();
   command.option("--tip", options->tip, "Link of the tip (default: the tool or the end of the arm)");
-  command.option("--on", options->axes.on,
-                 "External axes that carry the robot: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz]");
-  command.option("--part-on", options->axes.part_on,
-                 "The same for the positioner that carries the part: poses are then in its link, and pose is its own");
+  command.option("--on", options->axes.on, "External axes that carry the robot: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz]")
+      .takes(ValueKind::kRobot);
+  command
+      .option("--part-on", options->axes.part_on,
+              "The same for the positioner that carries the part: poses are then in its link, and pose is its own")
+      .takes(ValueKind::kRobot);
   command.option("--start", options->start,
                  "Joint positions before the first pose, separated by commas, base first (default: zeros)");
   command.flag("--all", options->all, "List all solutions of each pose, including full turns within the limits");

@@ -79,7 +79,8 @@ void addFeelCommand(Subcommand app, Action& chosen) {
   command.flag("--full", options->full, "Run the full counts (takes minutes)");
   command.flag("--timing", options->timing, "Also measure M7 and M11, in real time");
   auto parts = std::make_shared<std::vector<std::string>>();
-  command.option("--part", *parts, "Mesh (STL, OBJ, PLY; millimetres) to feel with a ball as well (M13)");
+  command.option("--part", *parts, "Mesh (STL, OBJ, PLY; millimetres) to feel with a ball as well (M13)")
+      .takes(ValueKind::kMesh);
   command.onChosen([options, parts, &chosen] {
     chosen = [options, parts](ResultWriter& writer) { return runFeel(*options, *parts, writer); };
   });

@@ -323,9 +323,11 @@ void addSessionCommand(Subcommand app, Action& chosen) {
   Subcommand command = app.add(
       "session", "Move an entity of a workcell with a scripted hand on a simulated stylus, and measure the feel");
   const auto words = std::make_shared<SessionWords>();
-  command.option("--workcell", words->workcell, "Workcell document, *.hcell").required();
+  command.option("--workcell", words->workcell, "Workcell document, *.hcell").takes(ValueKind::kWorkcell).required();
   command.option("--entity", words->entity, "Entity that the stylus button holds").required();
-  command.option("--hand", words->hand, "CSV with t,x,y,z,qw,qx,qy,qz,button in the device frame").required();
+  command.option("--hand", words->hand, "CSV with t,x,y,z,qw,qx,qy,qz,button in the device frame")
+      .takes(ValueKind::kTable)
+      .required();
   command.option("--rate-manipulation", words->rate_manipulation, "Rate of the manipulation loop, Hz, 10 to 1000");
   command.option("--rate-gui", words->rate_gui, "Rate of the pictures, Hz");
   command.option("--latency", words->latency_ms, "One-way latency of the simulated network, ms (virtual time only)");
@@ -333,9 +335,11 @@ void addSessionCommand(Subcommand app, Action& chosen) {
   command.option("--set", words->set, "KEY=VALUE; can be repeated").oneAtATime();
   command.flag("--realtime", words->realtime, "Run in real time over TCP, with an own server or that of --server");
   command.option("--server", words->server, "HOST:PORT of a running haptic server with a simulated device");
-  command.option("--config", words->configuration, "hapticell.toml whose values override the shipped ones");
-  command.option("--trace,-o,--output", words->trace, "CSV to write, one row per tick");
-  command.option("--record", words->record, "Trajectory of the held entity to write: .htraj or .csv");
+  command.option("--config", words->configuration, "hapticell.toml whose values override the shipped ones")
+      .takes(ValueKind::kToml);
+  command.option("--trace,-o,--output", words->trace, "CSV to write, one row per tick").takes(ValueKind::kTable);
+  command.option("--record", words->record, "Trajectory of the held entity to write: .htraj or .csv")
+      .takes(ValueKind::kMotion);
   command.option("--record-interval", words->record_interval, "Time between its frames, s (0.01)");
   command.flag("--record-all", words->record_all, "Record every step of the manipulation loop");
   command.flag("--record-by-button", words->record_by_button,

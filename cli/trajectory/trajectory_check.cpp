@@ -152,7 +152,9 @@ Expected<KeptFreeResult> retimeFree(const trajectory::Trajectory& given, const t
 }
 
 void addCheckOptions(Subcommand command, TrajectoryCheckOptions& options) {
-  command.option("--workcell", options.workcell, "Cell to move through (.hcell)").required();
+  command.option("--workcell", options.workcell, "Cell to move through (.hcell)")
+      .takes(ValueKind::kWorkcell)
+      .required();
   command.option("--entity", options.entity, "Entity that moves (default: from the trajectory)");
   command.option("--moved-by", options.moved_by,
                  "How it is moved: tcp, base, self_origin, ... (default: from the trajectory)");

@@ -39,7 +39,7 @@ void addTolerance(Subcommand command, TrajectoryOptions& options) {
 }
 
 void addLimits(Subcommand command, RobotLimitOptions& limits) {
-  command.option("--robot", limits.robot, "Robot whose limits apply: a file or library:NAME");
+  command.option("--robot", limits.robot, "Robot whose limits apply: a file or library:NAME").takes(ValueKind::kRobot);
   command.option("--velocity", limits.velocity, "Joint speeds (rad/s, m/s), or one for all").separatedByCommas();
   command.option("--acceleration", limits.acceleration, "Joint accelerations, or one for all").separatedByCommas();
   command.option("--jerk", limits.jerk, "Joint jerks, or one for all (default: no jerk limit)").separatedByCommas();
@@ -55,6 +55,7 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
     Subcommand sub = command.add(name, description);
     sub.option("file", options->file,
                "Trajectory: .htraj, .csv, .json, .yaml (ROS), or program: .src, .mod, .ls, .script, .jbi")
+        .takes(ValueKind::kMotion)
         .required();
     sub.onChosen([options, &chosen, handler] {
       chosen = [options, handler](ResultWriter& writer) {
@@ -78,12 +79,13 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
   addTrajectoryTraining(command, chosen);
 
   for (Subcommand sub : {simplify_command, smooth_command, retime_command}) {
-    sub.option("-o,--output", options->output, "Result: .htraj, .json or .csv");
+    sub.option("-o,--output", options->output, "Result: .htraj, .json or .csv").takes(ValueKind::kMotion);
     addAllowMiss(sub, options->allow_miss);
   }
   addAllowMiss(export_command, options->allow_miss);
   for (Subcommand sub : {info_command, smooth_command}) {
-    sub.option("--robot", options->limits.robot, "Robot of the joints, to compute the poses: a file or library:NAME");
+    sub.option("--robot", options->limits.robot, "Robot of the joints, to compute the poses: a file or library:NAME")
+        .takes(ValueKind::kRobot);
   }
   retime_command.option("--tolerance", options->passing, "Largest distance from each given frame, m (0.00005)");
   retime_command.option("--angle-tolerance", options->angle_passing,
@@ -97,12 +99,15 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
   addCheckOptions(check_command, options->check);
   for (Subcommand sub : {smooth_command, retime_command}) {
     sub.option("--workcell", options->check.workcell,
-               "Cell to move through; stay closer to the recording to avoid collisions");
+               "Cell to move through; stay closer to the recording to avoid collisions")
+        .takes(ValueKind::kWorkcell);
     sub.option("--entity", options->check.entity, "Entity that moves (default: from the trajectory)");
   }
 
   export_command.option("--to", options->to, "csv, json, ros, krl, rapid, fanuc, urscript, val3 or inform").required();
-  export_command.option("-o,--output", options->output, "Output file; a folder for val3").required();
+  export_command.option("-o,--output", options->output, "Output file; a folder for val3")
+      .takes(ValueKind::kMotion)
+      .required();
   export_command.option("--name", options->program.name, "Program name (default: the file's)");
   export_command.option("--tool", options->program.tool,
                         "Tool in the controller: its name; a number for fanuc and inform");
@@ -111,8 +116,10 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
   export_command.option("--acceleration", options->program.acceleration, "Acceleration along lines, m/s2 (1.2)");
   export_command.option("--joint-speed", options->program.joint_speed, "Speed of the first move, as a share (0.2)");
   export_command.option("--blend", options->program.blend, "m (0.002)");
-  export_command.option("--robot", options->limits.robot,
-                        "Robot for configuration data, joints, and poses that the file lacks: a file or library:NAME");
+  export_command
+      .option("--robot", options->limits.robot,
+              "Robot for configuration data, joints, and poses that the file lacks: a file or library:NAME")
+      .takes(ValueKind::kRobot);
 }
 
 }  // namespace hapticell::cli

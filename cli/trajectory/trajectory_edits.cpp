@@ -241,9 +241,12 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   const auto options = std::make_shared<EditOptions>();
   const auto add = [&](const char* name, const char* description, Edit edit) {
     Subcommand sub = command.add(name, description);
-    sub.option("file", options->files.file, "Trajectory: .htraj, .csv, .json, .yaml (ROS)").required();
-    sub.option("-o,--output", options->files.output, "Copy to write: .htraj, .json or .csv");
-    sub.option("--workcell", options->files.workcell, "Cell in which a robot's joints are computed again");
+    sub.option("file", options->files.file, "Trajectory: .htraj, .csv, .json, .yaml (ROS)")
+        .takes(ValueKind::kMotion)
+        .required();
+    sub.option("-o,--output", options->files.output, "Copy to write: .htraj, .json or .csv").takes(ValueKind::kMotion);
+    sub.option("--workcell", options->files.workcell, "Cell in which a robot's joints are computed again")
+        .takes(ValueKind::kWorkcell);
     sub.onChosen([options, &chosen, edit] {
       options->is_resampled = edit == static_cast<Edit>(resample);
       chosen = [options, edit](ResultWriter& writer) { return finishTrajectory(writer, run(*options, edit)); };
@@ -255,9 +258,9 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   sub.option("--to", options->to, "s");
   sub = add("split", "Split at a time", split);
   sub.option("--at", options->at, "s").required();
-  sub.option("--rest", options->files.rest, "File for the part after it");
+  sub.option("--rest", options->files.rest, "File for the part after it").takes(ValueKind::kMotion);
   sub = add("join", "Join motions end to end", join);
-  sub.option("--with", options->files.with, "Motions that follow").required();
+  sub.option("--with", options->files.with, "Motions that follow").takes(ValueKind::kMotion).required();
   sub.option("--speed", options->speed, "Speed from the end of one to the next, m/s (0.1)");
   add("reverse", "Reverse in time", reverse);
   sub = add("mirror", "Mirror at a plane", mirror);
@@ -291,7 +294,7 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   }
   sub = add("resample", "Resample in even steps, times as recorded", resample);
   sub.option("--step", options->step, "s (0.01)");
-  sub.option("--robot", options->files.robot, "Robot of the joints, to compute the poses");
+  sub.option("--robot", options->files.robot, "Robot of the joints, to compute the poses").takes(ValueKind::kRobot);
   addAllowMiss(sub, options->allow_miss);
 }
 

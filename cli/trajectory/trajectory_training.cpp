@@ -203,25 +203,26 @@ void addTrajectoryTraining(Subcommand command, Action& chosen) {
     return sub;
   };
   Subcommand sub = add("curves", "List speed, acceleration and jerk over time", curves);
-  sub.option("file", options->file, "A trajectory").required();
+  sub.option("file", options->file, "A trajectory").takes(ValueKind::kMotion).required();
   sub.option("--samples", options->samples, "At most (2000)");
-  sub.option("-o,--output", options->output, "A CSV file with all curves");
+  sub.option("-o,--output", options->output, "A CSV file with all curves").takes(ValueKind::kTable);
   sub = add("score", "Score a trainee's run against the expert's", score);
-  sub.option("file", options->file, "Trajectory of the expert").required();
-  sub.option("--run", options->run, "Trajectory of the trainee").required();
+  sub.option("file", options->file, "Trajectory of the expert").takes(ValueKind::kMotion).required();
+  sub.option("--run", options->run, "Trajectory of the trainee").takes(ValueKind::kMotion).required();
   sub = add("train", "Simulate one run of an exercise", train);
-  sub.option("file", options->file, "Exercise (.hexercise)").required();
-  sub.option("--hand", options->hand, "Hand path of the trainee (CSV)").required();
+  sub.option("file", options->file, "Exercise (.hexercise)").takes(ValueKind::kExercise).required();
+  sub.option("--hand", options->hand, "Hand path of the trainee (CSV)").takes(ValueKind::kTable).required();
   sub.option("--help-share", options->help, "Guidance, 0 to 1 (default: from the results)");
   sub.option("--kind", options->kind, "practice (guided), or without guidance: retention, transfer");
   sub.option("--scale", options->scale, "Motion in the cell divided by motion of the hand (1)");
   sub.option("--trainee", options->trainee, "Trainee name, for new results");
-  sub.option("--results", options->results, "Results file of the trainee (.htrain), read and written");
-  sub.option("--csv", options->csv, "Write all runs as a table");
+  sub.option("--results", options->results, "Results file of the trainee (.htrain), read and written")
+      .takes(ValueKind::kResults);
+  sub.option("--csv", options->csv, "Write all runs as a table").takes(ValueKind::kTable);
   sub.option("--date", options->date, "Date for the results, ISO 8601");
-  sub.option("-o,--output", options->output, "Recording of the run to write");
+  sub.option("-o,--output", options->output, "Recording of the run to write").takes(ValueKind::kMotion);
   sub = add("exercises", "List the exercises of a folder", exercises);
-  sub.option("folder", options->folder, "Folder with *.hexercise files").required();
+  sub.option("folder", options->folder, "Folder with *.hexercise files").takes(ValueKind::kFolder).required();
 }
 
 }  // namespace hapticell::cli

@@ -144,7 +144,7 @@ void addWorkcellCommand(Subcommand app, Action& chosen) {
   command.mustGoOn();
   Subcommand make = command.add("new", "Create a document from the given entities and checks");
   const auto options = std::make_shared<NewOptions>();
-  make.option("file", options->file, "Document to write (.hcell)").required();
+  make.option("file", options->file, "Document to write (.hcell)").takes(ValueKind::kWorkcell).required();
   make.option(
           "--add", options->additions,
           "WHAT[,name=N][,unit=m|mm|in][,up=x|y|z][,tree=keep|merge][,chord=M][,angle=RAD][,on=NAME[:LINK]][,"

@@ -105,8 +105,10 @@ Expected<ordered_json> changes(const ChangesOptions& options, Diagnostics& notes
 void addWorkcellExchangeCommands(Subcommand workcell, Action& chosen) {
   Subcommand packing = workcell.add("pack", "Pack a document with all its files into one folder or archive");
   const auto pack_options = std::make_shared<PackOptions>();
-  packing.option("file", pack_options->file, "Document (.hcell)").required();
-  packing.option("-o,--output", pack_options->folder, "A new or empty folder, or an archive: .zip, .tar.gz").required();
+  packing.option("file", pack_options->file, "Document (.hcell)").takes(ValueKind::kWorkcell).required();
+  packing.option("-o,--output", pack_options->folder, "A new or empty folder, or an archive: .zip, .tar.gz")
+      .takes(ValueKind::kFile)
+      .required();
   packing.flag("--allow-outside", pack_options->allow_outside,
                "Also pack files outside the document's folder (default: list them and write nothing)");
   packing.onChosen([pack_options, &chosen] {
@@ -119,11 +121,11 @@ void addWorkcellExchangeCommands(Subcommand workcell, Action& chosen) {
   Subcommand changing =
       workcell.add("changes", "List what was moved, added and removed between two documents, or since the import");
   const auto options = std::make_shared<ChangesOptions>();
-  changing.option("before", options->before, "Earlier document (.hcell)").required();
-  changing.option("after", options->after, "Later document (.hcell)");
+  changing.option("before", options->before, "Earlier document (.hcell)").takes(ValueKind::kWorkcell).required();
+  changing.option("after", options->after, "Later document (.hcell)").takes(ValueKind::kWorkcell);
   changing.flag("--since-import", options->since_import,
                 "Compare the document with the files that its entities came from");
-  changing.option("-o,--output", options->output, "Also write a table (CSV)");
+  changing.option("-o,--output", options->output, "Also write a table (CSV)").takes(ValueKind::kTable);
   changing.flag("--all", options->all, "Also list what did not change");
   changing.onChosen([options, &chosen] {
     chosen = [options](ResultWriter& writer) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "config/configuration.h"
+#include "config/program_version.h"
 #include "config/user_folders.h"
 #include "geometry/system/plain_text.h"
 #include "haptic/devices/device_choice.h"
@@ -168,7 +169,10 @@ int run(int count, char** words) {
     return 0;
   }
   if (options && options->version) {
-    std::puts("hapticell-haptic-server " HAPTICELL_VERSION);
+    const std::string spdlog_version = std::to_string(SPDLOG_VER_MAJOR) + "." + std::to_string(SPDLOG_VER_MINOR) + "." +
+                                       std::to_string(SPDLOG_VER_PATCH);
+    const std::string text = config::versionText("hapticell-haptic-server", {{"spdlog", spdlog_version}});
+    std::puts(text.c_str());
     return 0;
   }
   const auto served = options.and_then([](const auto& asked) { return asked.pair ? pair(asked) : serve(asked); });

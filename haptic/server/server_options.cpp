@@ -91,6 +91,7 @@ std::string_view serverUsage() {
 
 Drives a force-feedback stylus, or a simulated one, and serves it to HaptiCell (docs/library/protocol.md).
 
+Options:
   --device NAME      a simulated stylus of config/devices/, or a driver's device, DRIVER or DRIVER:ID, as
                      hapticell-cli devices lists them (default: as configured)
   --listen ADDRESS   where to listen (default: 127.0.0.1, this machine only); another address needs a key
@@ -101,11 +102,12 @@ Drives a force-feedback stylus, or a simulated one, and serves it to HaptiCell (
                      machine: the one that --pair made)
   --config FILE      a hapticell.toml to read besides the usual ones
   --record FILE      record the device's session, for --device replay:FILE
-  --fault-log FOLDER where the two seconds around a fault are written (default: ~/.local/state/hapticell)
+  --fault-log DIR    where the two seconds around a fault are written (default: ~/.local/state/hapticell)
   --state-rate HZ    how often the stylus's state is sent at most (default: 1000)
   --seconds N        end by itself after so long
   --no-real-time     do not ask for real-time priority and locked memory
-  --help, --version
+  --help             show this text and end
+  --version          show version, commit, compiler and libraries and end
 
 Prints one line when it listens. SIGUSR1 prints the force loop's figures; SIGINT and SIGTERM end it, force zero first.
 )";

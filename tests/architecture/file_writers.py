@@ -29,6 +29,7 @@ ALLOWED = {
     "workcell/files/autosave.cpp": "the lock of a run's folder; whole copies are handed from a dead run to a living one",
     "workcell/files/pack.cpp": "copies into a folder that has no name yet, read back before it gets one",
     "workcell/scenes/import_process.cpp": "/dev/null, for the importer's output",
+    "cli/device/program_answer.cpp": "/dev/null, for what else the asked program says",
     "importer/step_writer.cpp": "writes under the unfinished name that its caller gives it",
     "app/shell/crash_guard.cpp": "a signal handler may not allocate; the note goes into the run's own folder",
     "app/host/user_settings.cpp": "QSettings writes aside, flushes and renames by itself, and merges what two windows change",

@@ -34,7 +34,7 @@ ALLOWED = {
     "haptic/client": {"geometry", "config", "haptic/rendering", "haptic/protocol", "haptic/transport"},
     "xacro": {"geometry"},
     "workcell": ENGINES | {"xacro"},
-    "importer": {"geometry", "workcell"},
+    "importer": {"config", "geometry", "workcell"},
     "manipulation": ENGINES | {"workcell", "haptic"},
     "feel": ENGINES - {"mannequin"} | {"workcell", "manipulation", "haptic"},
     "cli": {"*"},

@@ -16,6 +16,7 @@
 #include "app/style/value_field.h"
 #include "app/trajectory/motions/motion_list.h"
 #include "app/trajectory/training/exercise_editor.h"
+#include "app/trajectory/training/exercise_files.h"
 #include "app/trajectory/training/exercise_section.h"
 #include "app/trajectory/training/results_section.h"
 #include "app/trajectory/training/run_section.h"
@@ -98,6 +99,28 @@ void TrainingPanel::addResults(QVBoxLayout& column) {
 void TrainingPanel::setExercises(const QString& folder) {
   exercises_->setFolder(folder);
   exercises_->fill(exercise_file_);
+}
+
+void TrainingPanel::openResults(const QString& path) {
+  const auto session = trajectory::readTraining(path.toStdString());
+  QString exercise, why = session ? QString() : QString::fromStdString(session.error().message());
+  if (session) {
+    for (const auto& file : exercisesWith(QFileInfo(path).absolutePath())) {
+      const auto read = manipulation::readExercise(file);
+      if (read && read->name == session->exercise) exercise = QString::fromStdString(file.string());
+    }
+    const Error missing{.file = path.toStdString(),
+                        .found = "the exercise '" + session->exercise + "' of these results is not here",
+                        .expected = "its *.hexercise beside them"};
+    if (exercise.isEmpty()) why = QString::fromStdString(missing.message());
+  }
+  if (!why.isEmpty()) {
+    host_.messages().tell(Severity::kWarning, tr("The exercise cannot be opened"), why);
+    return say(why, true);
+  }
+  trainee_->setText(QString::fromStdString(session->trainee));
+  setResults(path);
+  openExercise(exercise);
 }
 
 bool TrainingPanel::openExercise(const QString& path) {

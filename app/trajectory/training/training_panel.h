@@ -33,6 +33,9 @@ class TrainingPanel : public QWidget {
 
   /// Reads an exercise; its cell is opened by exerciseOpened(). False where it cannot be read.
   bool openExercise(const QString& path);
+  /// Opens the exercise that a trainee's results (*.htrain) are of, the one beside them before those of the library,
+  /// and goes on in that file.
+  void openResults(const QString& path);
   /// Makes an exercise of the current motion, in the cell as it is.
   void useCurrentMotion();
   /// Another document follows: a running run is given up, and the exercise is closed unless the new document is its own

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/device/device_list.h"
+#include "config/configuration.h"
+
+namespace hapticell::cli {
+
+enum class Health {
+  kGood,
+  kNote,     ///< HaptiCell works; worth knowing.
+  kProblem,  ///< Something does not work, or not well, until it is mended.
+};
+
+/// One thing that `doctor` looked at.
+struct HealthCheck {
+  std::string what;  ///< "OpenGL": in a word or two.
+  Health health = Health::kGood;
+  std::string found;  ///< One line.
+  std::string fix{};  ///< What to do; empty where nothing is to be done.
+};
+
+/// The graphics card's device, and OpenGL as the window finds it.
+std::vector<HealthCheck> graphicsChecks();
+/// Real-time priority, locked memory, udev rules, serial ports.
+std::vector<HealthCheck> grantChecks();
+/// What is plugged in, as the drivers see it.
+std::vector<HealthCheck> deviceChecks(const std::vector<DriverEntries>& drivers);
+/// The other programs of the installation.
+std::vector<HealthCheck> programChecks();
+/// The haptic server's port on this machine.
+HealthCheck portCheck(const config::Configuration& configuration);
+/// Room and rights in the folders that are written to.
+std::vector<HealthCheck> diskChecks();
+
+}  // namespace hapticell::cli
