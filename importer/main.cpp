@@ -146,28 +146,28 @@ Expected<void> perform(const Call& call, ParentLink& parent) {
 
 constexpr const char* kUsage = R"(usage: hapticell-importer ACTION [FILE] [OPTION VALUE]...
 
-Reads and writes CAD files for hapticell and hapticell-cli, which start it; a library that crashes, hangs or takes all
-memory then takes nobody with it. It is not meant to be started by hand: hapticell-cli convert does what users want.
+Reads and writes CAD files for hapticell and hapticell-cli, which start it, so that a fault in a CAD library cannot end
+them. It is not meant to be started by hand: use hapticell-cli convert.
 
 Actions:
-  read FILE              hand a STEP, IGES, glTF, Collada, 3MF, FBX or 3DS file over as a scene
-  read-all               the same for the files whose names the starting program left, a line each
-  write FILE             write the scene that the starting program left as STEP
+  read FILE              read a STEP, IGES, glTF, Collada, 3MF, FBX or 3DS file
+  read-all               read the files named by the starting program, one per line
+  write FILE             write the scene of the starting program as STEP
 
 Options:
-  --unit METRES          what one unit of the file is
-  --chord METRES         farthest distance of a triangle from the true face
-  --relative-chord N     the same as a share of the model's size
-  --angle RADIANS        largest turn along an edge
-  --skip PART            leave out this part of the file; may be given several times
-  --memory BYTES         take no more memory than this
-  --seconds N            take no more time of the processor than this
-  --help                 show this text and end
-  --version              show version, commit, compiler and libraries and end
+  --unit METRES          length of one unit of the file
+  --chord METRES         largest distance of a triangle from the exact face
+  --relative-chord N     the same as a fraction of the model size
+  --angle RADIANS        largest angle between segments of an edge
+  --skip PART            leave out this part of the file; can be repeated
+  --memory BYTES         memory limit
+  --seconds N            processor time limit
+  --help                 show this text and exit
+  --version              show version, commit, compiler and libraries, and exit
 )";
 
-/// --help and --version; false for all else.
-bool tellAbout(std::string_view option) {
+/// Answers --help and --version; false for everything else.
+bool answers(std::string_view option) {
   if (option == "--help" || option == "-h") return std::fputs(kUsage, stdout), true;
   if (option != "--version") return false;
   const std::string assimp_version = std::to_string(aiGetVersionMajor()) + "." + std::to_string(aiGetVersionMinor()) +
@@ -181,7 +181,7 @@ bool tellAbout(std::string_view option) {
 
 int main(int argc, char** argv) {
   const Call call = parse(argc, argv);
-  if (tellAbout(call.action)) return 0;
+  if (answers(call.action)) return 0;
   if (call.action != "read" && call.action != "read-all" && call.action != "write") return 2;
   limitResources(static_cast<std::uint64_t>(call.number("--memory").value_or(6e9)),
                  static_cast<std::uint64_t>(call.number("--seconds").value_or(600.0)));

@@ -7,12 +7,12 @@ namespace hapticell::app {
 
 class MainWindow;
 
-/// True for files that are more than a part of a cell: *.htraj, *.hexercise, *.htrain.
+/// True for the program's own files other than workcells: *.htraj, *.hexercise, *.htrain.
 bool isOwnFile(const QString& path);
 
-/// Opens what a user double-clicked or named on the command line: a workcell in place of the present one, an exercise
-/// or a trainee's results with their cell, a motion among those of the cell; what else can be read is imported.
-/// Problems stand in the messages.
+/// Opens a file that was double-clicked, dropped or named on the command line: a workcell replaces the present one, an
+/// exercise or training results open with their cell, a motion is added to those of the cell, anything else is
+/// imported. Problems are reported in the messages.
 void openAny(MainWindow& window, const QString& path);
 
 }  // namespace hapticell::app

@@ -85,14 +85,14 @@ void print(const std::vector<HealthCheck>& checks) {
   for (const HealthCheck& check : checks) {
     std::printf("%-8s %-*s  %s\n", wordOf(check.health), static_cast<int>(width), check.what.c_str(),
                 check.found.c_str());
-    if (!check.fix.empty()) std::printf("%-8s %-*s  to do: %s\n", "", static_cast<int>(width), "", check.fix.c_str());
+    if (!check.fix.empty()) std::printf("%-8s %-*s  fix: %s\n", "", static_cast<int>(width), "", check.fix.c_str());
   }
   const auto problems = std::count_if(checks.begin(), checks.end(),
                                       [](const HealthCheck& check) { return check.health == Health::kProblem; });
   if (problems == 0)
-    std::puts("\nAll is well.");
+    std::puts("\nNo problems found.");
   else
-    std::printf("\nTo be mended: %d\n", static_cast<int>(problems));
+    std::printf("\nProblems to fix: %d\n", static_cast<int>(problems));
 }
 
 ExitStatus run(const std::string& file, const ResultWriter& writer) {
@@ -116,11 +116,11 @@ ExitStatus run(const std::string& file, const ResultWriter& writer) {
 }  // namespace
 
 void addDoctorCommand(Subcommand app, Action& chosen) {
-  Subcommand command = app.add("doctor",
-                               "Whether this machine is ready: graphics, real-time rights, devices, udev rules, ports, "
-                               "disk, and what mends them; text to paste into a report, or --json");
+  Subcommand command = app.add(
+      "doctor",
+      "Check graphics, real-time permissions, devices, udev rules, ports and disk, and say how to fix problems");
   const auto file = std::make_shared<std::string>();
-  command.option("--config", *file, "A hapticell.toml to read besides the shipped one").takes(ValueKind::kToml);
+  command.option("--config", *file, "hapticell.toml whose values override the shipped ones").takes(ValueKind::kToml);
   command.onChosen([file, &chosen] { chosen = [file](ResultWriter& writer) { return run(*file, writer); }; });
 }
 

@@ -34,19 +34,19 @@ constexpr std::uintmax_t kNeeded = 500'000'000;  // Bytes of a disk.
 constexpr std::chrono::milliseconds kLinkPatience(1500);
 
 std::string wordIn(const ordered_json& told, const char* name) {
-  const auto found = told.find(name);
-  return found != told.end() && found->is_string() ? plainText(found->get<std::string>()) : std::string();
+  const auto found = answer.find(name);
+  return found != answer.end() && found->is_string() ? plainText(found->get<std::string>()) : std::string();
 }
 
 HealthCheck cardCheck() {
   std::error_code ignored;
-  HealthCheck check{"graphics card", Health::kNote, "no /dev/dri/renderD*: everything is drawn by the processor",
-                    "Nothing, on a machine without a graphics card; else install its driver."};
+  HealthCheck check{"graphics card", Health::kNote, "no /dev/dri/renderD*: pictures are drawn by the processor",
+                    "If this machine has a graphics card, install its driver."};
   for (fs::directory_iterator entry("/dev/dri", ignored), end; !ignored && entry != end; entry.increment(ignored)) {
     const std::string path = entry->path().string();
     if (path.find("renderD") == std::string::npos) continue;
     if (::access(path.c_str(), R_OK | W_OK) == 0) return {"graphics card", Health::kGood, path};
-    check = {"graphics card", Health::kProblem, path + " may not be opened by this user",
+    check = {"graphics card", Health::kProblem, path + " cannot be opened by this user",
              "sudo usermod -aG render,video $USER, then log in again"};
   }
   return check;
@@ -55,23 +55,23 @@ HealthCheck cardCheck() {
 HealthCheck openGlCheck() {
   const fs::path window = siblingProgram("hapticell");
   if (window.empty())
-    return {"OpenGL", Health::kNote, "not looked at: the window (hapticell) is not installed",
-            "Nothing, on a station that only serves the stylus; else install the package hapticell."};
+    return {"OpenGL", Health::kNote, "not checked: the window (hapticell) is not installed",
+            "Install the package hapticell, unless this station only serves the stylus."};
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr)
-    return {"OpenGL", Health::kNote, "not looked at: there is no display here",
+    return {"OpenGL", Health::kNote, "not checked: no display",
             "Run hapticell-cli doctor in a terminal on the desktop."};
-  const auto told = ordered_json::parse(answerOf(window, {"--probe-graphics"}, kProbePatience), nullptr, false);
+  const auto answer = ordered_json::parse(answerOf(window, {"--probe-graphics"}, kProbePatience), nullptr, false);
   const std::string fix =
-      "Install the graphics card's driver, or for drawing by the processor: sudo apt install libgl1-mesa-dri";
-  if (!told.is_object()) return {"OpenGL", Health::kProblem, "the window did not answer", fix};
-  if (const std::string problem = wordIn(told, "problem"); !problem.empty())
+      "Install the graphics card driver, or, to draw by the processor: sudo apt install libgl1-mesa-dri";
+  if (!answer.is_object()) return {"OpenGL", Health::kProblem, "the window did not answer", fix};
+  if (const std::string problem = wordIn(answer, "problem"); !problem.empty())
     return {"OpenGL", Health::kProblem, problem, fix};
   HealthCheck check{"OpenGL", Health::kGood,
-                    wordIn(told, "version") + " on " + wordIn(told, "renderer") + ", " + wordIn(told, "vendor")};
-  if (told.value("software", false)) {
+                    wordIn(answer, "version") + " on " + wordIn(answer, "renderer") + ", " + wordIn(answer, "vendor")};
+  if (answer.value("software", false)) {
     check.health = Health::kNote;
     check.found += ": drawn by the processor";
-    check.fix = "It works, with less detail while you turn the view; a graphics card's driver makes it fast.";
+    check.fix = "It works, with less detail while you turn the view. Install a graphics card driver for full speed.";
   }
   return check;
 }
@@ -124,14 +124,14 @@ HealthCheck diskCheck(const std::string& what, const Expected<fs::path>& folder)
   if (!folder) return {what, Health::kProblem, folder.error().message(), "Set HOME to your home folder."};
   const fs::path there = standing(*folder);
   if (::access(there.c_str(), W_OK) != 0)
-    return {what, Health::kProblem, there.string() + " may not be written to", "sudo chown $USER " + there.string()};
+    return {what, Health::kProblem, there.string() + " is not writable", "sudo chown $USER " + there.string()};
   struct statvfs disk {};
   if (statvfs(there.c_str(), &disk) != 0)
-    return {what, Health::kProblem, there.string() + ": " + std::strerror(errno), "Check that disk."};
+    return {what, Health::kProblem, there.string() + ": " + std::strerror(errno), "Check this disk."};
   const auto free = static_cast<std::uintmax_t>(disk.f_bavail) * disk.f_frsize;
   const std::string found = folder->string() + ": " + std::to_string(free / 1'000'000) + " MB free";
   if (free >= kNeeded) return {what, Health::kGood, found};
-  return {what, Health::kProblem, found, "Make room: " + std::to_string(kNeeded / 1'000'000) + " MB or more."};
+  return {what, Health::kProblem, found, "Free disk space: at least " + std::to_string(kNeeded / 1'000'000) + " MB."};
 }
 
 }  // namespace
@@ -163,8 +163,8 @@ std::vector<HealthCheck> deviceChecks(const std::vector<DriverEntries>& drivers)
   if (checks.empty() || drivers.empty() || std::none_of(checks.begin(), checks.end(), [](const HealthCheck& check) {
         return check.what.starts_with("device ");
       }))
-    checks.push_back({"devices", Health::kNote, "no stylus, 3-D mouse or glove is seen; a simulated stylus stands in",
-                      "Nothing, without a device; else plug it in and switch it on. hapticell-cli devices says more."});
+    checks.push_back({"devices", Health::kNote, "no stylus, 3D mouse or glove found; a simulated stylus is used",
+                      "If you have a device, connect it and switch it on. For details: hapticell-cli devices"});
   return checks;
 }
 
@@ -173,7 +173,7 @@ std::vector<HealthCheck> programChecks() {
   for (const char* name : {"hapticell-haptic-server", "hapticell-importer"}) {
     const fs::path program = siblingProgram(name);
     const char* const package = std::strcmp(name, "hapticell-importer") == 0 ? "hapticell" : "hapticell-server";
-    checks.push_back(program.empty() ? HealthCheck{name, Health::kProblem, "it is not installed",
+    checks.push_back(program.empty() ? HealthCheck{name, Health::kProblem, "not installed",
                                                    std::string("Install the package ") + package + "."}
                                      : HealthCheck{name, Health::kGood, program.string()});
   }
@@ -183,12 +183,12 @@ std::vector<HealthCheck> programChecks() {
 HealthCheck portCheck(const config::Configuration& configuration) {
   const auto port = static_cast<std::uint16_t>(configuration.server.port);
   const std::string what = "port " + std::to_string(port);
-  if (!isTaken(port)) return {what, Health::kGood, "free: no haptic server runs here"};
+  if (!isTaken(port)) return {what, Health::kGood, "free: no haptic server is running"};
   const std::string device = servedDevice(port);
   if (!device.empty()) return {what, Health::kGood, "a haptic server answers: " + device};
-  return {what, Health::kProblem, "taken by another program, or by a haptic server that does not answer",
+  return {what, Health::kProblem, "used by another program, or by a haptic server that does not respond",
           "ss -ltnp 'sport = :" + std::to_string(port) +
-              "' names it. End it, or choose another port in [server] of hapticell.toml."};
+              "' shows which. Stop it, or set another port in [server] of hapticell.toml."};
 }
 
 std::vector<HealthCheck> diskChecks() {

@@ -12,28 +12,28 @@ namespace hapticell::cli {
 enum class Health {
   kGood,
   kNote,     ///< HaptiCell works; worth knowing.
-  kProblem,  ///< Something does not work, or not well, until it is mended.
+  kProblem,  ///< Something does not work, or not well, until it is fixed.
 };
 
-/// One thing that `doctor` looked at.
+/// Result of one check of `doctor`.
 struct HealthCheck {
-  std::string what;  ///< "OpenGL": in a word or two.
+  std::string what;  ///< In a word or two: "OpenGL".
   Health health = Health::kGood;
   std::string found;  ///< One line.
-  std::string fix{};  ///< What to do; empty where nothing is to be done.
+  std::string fix{};  ///< What to do; empty if nothing.
 };
 
 /// The graphics card's device, and OpenGL as the window finds it.
 std::vector<HealthCheck> graphicsChecks();
 /// Real-time priority, locked memory, udev rules, serial ports.
 std::vector<HealthCheck> grantChecks();
-/// What is plugged in, as the drivers see it.
+/// The connected devices, as the drivers report them.
 std::vector<HealthCheck> deviceChecks(const std::vector<DriverEntries>& drivers);
 /// The other programs of the installation.
 std::vector<HealthCheck> programChecks();
 /// The haptic server's port on this machine.
 HealthCheck portCheck(const config::Configuration& configuration);
-/// Room and rights in the folders that are written to.
+/// Free space and permissions in the folders that are written to.
 std::vector<HealthCheck> diskChecks();
 
 }  // namespace hapticell::cli

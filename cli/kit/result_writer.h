@@ -20,7 +20,7 @@ class ResultWriter {
   Expected<void> write(const nlohmann::ordered_json& result) const;
   /// The same on a line of its own, for a command that tells more than once; a file has the newest one.
   Expected<void> writeLine(const nlohmann::ordered_json& result) const;
-  /// True where `--json` was given, for what else would be told in words.
+  /// True if `--json` was given, for commands that otherwise print text.
   bool isAsked() const { return !json_file_.empty(); }
 
  private:

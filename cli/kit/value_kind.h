@@ -7,7 +7,7 @@
 
 namespace hapticell::cli {
 
-/// What the word after an option names: help says it in a word, and a shell offers such files.
+/// Kind of value that an option takes: shown in the help, and used by shells to complete file names.
 enum class ValueKind {
   kFile,
   kFolder,
@@ -24,12 +24,12 @@ enum class ValueKind {
   kPicture
 };
 
-/// Of a ValueKind.
+/// Properties of a ValueKind.
 struct ValueWords {
   ValueKind kind;
-  std::string_view word;                  ///< As help writes it: "WORKCELL".
-  std::vector<std::string_view> endings;  ///< Of its files, without the dot; none: any file.
-  bool from_library = false;              ///< "library:NAME" is one too.
+  std::string_view word;                  ///< As shown in the help: "WORKCELL".
+  std::vector<std::string_view> endings;  ///< File extensions without the dot; empty: any file.
+  bool from_library = false;              ///< Also accepts "library:NAME".
 };
 
 /// All of them.

@@ -110,8 +110,8 @@ void TrainingPanel::openResults(const QString& path) {
       if (read && read->name == session->exercise) exercise = QString::fromStdString(file.string());
     }
     const Error missing{.file = path.toStdString(),
-                        .found = "the exercise '" + session->exercise + "' of these results is not here",
-                        .expected = "its *.hexercise beside them"};
+                        .found = "the exercise '" + session->exercise + "' of these results was not found",
+                        .expected = "its *.hexercise file beside the results"};
     if (exercise.isEmpty()) why = QString::fromStdString(missing.message());
   }
   if (!why.isEmpty()) {

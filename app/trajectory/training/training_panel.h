@@ -33,8 +33,8 @@ class TrainingPanel : public QWidget {
 
   /// Reads an exercise; its cell is opened by exerciseOpened(). False where it cannot be read.
   bool openExercise(const QString& path);
-  /// Opens the exercise that a trainee's results (*.htrain) are of, the one beside them before those of the library,
-  /// and goes on in that file.
+  /// Opens the exercise of the training results `path` (*.htrain) and continues in that file. An exercise beside the
+  /// file is preferred to one of the library.
   void openResults(const QString& path);
   /// Makes an exercise of the current motion, in the cell as it is.
   void useCurrentMotion();
