@@ -29,6 +29,7 @@
 #include "app/shell/main_window.h"
 #include "app/start/recent_files.h"
 #include "app/style/fonts.h"
+#include "app/style/library_text.h"
 #include "app/style/plain_lines.h"
 #include "app/style/proxy_style.h"
 #include "app/viewport/drawing/graphics_probe.h"
@@ -157,7 +158,7 @@ int renderPicture(const hapticell::app::RenderCommand& command) {
   const auto done = hapticell::app::render(command, diagnostics);
   for (const std::string& warning : diagnostics.warnings)
     qWarning().noquote() << hapticell::app::plainLines(QString::fromStdString(warning));
-  if (!done) qCritical().noquote() << QString::fromStdString(done.error().message());
+  if (!done) qCritical().noquote() << shownText(done.error());
   return done ? 0 : 2;
 }
 
@@ -301,7 +302,7 @@ int main(int argc, char** argv) {
   QApplication::setFont(hapticell::app::textFont(hapticell::app::TextRole::kText));
   auto configuration = hapticell::config::loadConfiguration(options.configuration.toStdString());
   if (!configuration) {
-    qCritical().noquote() << QString::fromStdString(configuration.error().message());
+    qCritical().noquote() << shownText(configuration.error());
     return 2;
   }
   if (!options.theme.isEmpty()) configuration->gui.theme = options.theme == "light" ? "light" : "dark";
@@ -309,7 +310,7 @@ int main(int argc, char** argv) {
   const bool remembers = options.screenshot.isEmpty() && !options.measure && !options.measure_start;
   const QString settings = remembers ? hapticell::app::UserSettings::defaultFile() : QString();
   if (const auto own = hapticell::config::checkUserFile(settings.toStdString()); remembers && !own) {
-    qCritical().noquote() << QString::fromStdString(own.error().message());
+    qCritical().noquote() << shownText(own.error());
     return 2;
   }
   if (remembers || !options.language.isEmpty())
@@ -333,7 +334,7 @@ int main(int argc, char** argv) {
   if (!options.screenshot.isEmpty()) {
     const auto save = [&] {
       if (const auto written = hapticell::app::writePicture(window.picture().toImage(), options.screenshot); !written) {
-        qCritical().noquote() << QString::fromStdString(written.error().message());
+        qCritical().noquote() << shownText(written.error());
         status = 2;
       }
       if (options.exit) QApplication::exit(status);

@@ -300,7 +300,7 @@ const aiScene* load(Assimp::Importer& importer, const Reading& reading, const st
 }
 
 ImportedScene built(const aiScene& source, const Reading& reading, const std::string& format,
-                    const Convention& convention, const std::vector<std::string>& warnings) {
+                    const Convention& convention, const std::vector<Text>& warnings) {
   ImportedScene scene = AssimpSceneBuilder(source, reading, format, convention).build();
   scene.warnings.insert(scene.warnings.begin(), warnings.begin(), warnings.end());
   return scene;

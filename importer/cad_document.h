@@ -21,7 +21,7 @@ struct CadDocument {
   std::string format;              ///< "step" or "iges".
   double metres_per_unit = 0.001;  ///< Of the file.
   bool unit_is_stated = false;
-  std::vector<std::string> warnings;  ///< What was left out or assumed before the library read it.
+  std::vector<Text> warnings;  ///< What was left out or assumed before the library read it.
 };
 
 /// A new empty document.

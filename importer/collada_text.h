@@ -16,7 +16,7 @@ struct ColladaText {
   double metres_per_unit = 1.0;
   bool unit_is_stated = false;
   workcell::UpAxis up = workcell::UpAxis::kY;
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
 };
 
 /// Reads the file as XML. Taken out or rewritten is what assimp would refuse the whole file for though it plays no part

@@ -15,7 +15,7 @@ namespace hapticell::importer {
 /// A file as assimp would hand it out, made by a reader of our own.
 struct ModelScene {
   std::unique_ptr<aiScene> scene;
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
 };
 
 /// Reads the nodes, triangles and base colours of a glTF 2.0 file, .gltf or .glb: what it requires (extensionsRequired)

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 
+#include "geometry/system/packed_text.h"
 #include "workcell/scenes/import_process.h"
 
 namespace hapticell::importer {
@@ -58,7 +59,7 @@ void ParentLink::beginPart(int number) {
 }
 
 std::string ParentLink::flatParts(const Error& error) {
-  return flat(error.place) + "\t" + flat(error.found) + "\t" + flat(error.expected) + "\t" + flat(error.fix);
+  return packed(error);
 }
 
 void ParentLink::error(const Error& error) {

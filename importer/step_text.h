@@ -41,7 +41,7 @@ class StepText {
 
   /// A name under which the library can read it, while this lives.
   const std::string& name() const { return name_; }
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<Text>& warnings() const { return warnings_; }
 
  private:
   StepText() = default;

@@ -20,6 +20,7 @@
 #include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
+#include "app/style/library_text.h"
 #include "app/style/segmented.h"
 
 namespace hapticell::app {
@@ -58,7 +59,7 @@ QString refusedLiftText(const Error& why) {
        QObject::tr("the mannequin sits or kneels; it covers lifts while standing. Use RULA or REBA.")},
   };
   const auto found = reasons.find(why.place);
-  return found == reasons.end() ? shown(why.message()) : found->second;
+  return found == reasons.end() ? shownText(why) : found->second;
 }
 
 }  // namespace
@@ -210,7 +211,7 @@ void ErgonomicsPanel::chooseOwnLimits() {
   if (file.isEmpty()) return;
   const auto read = scores_.chooseOwnLimits(file);
   if (!read)
-    context_.host().messages().tell(Severity::kProblem, tr("The limits were not read"), shown(read.error().message()));
+    context_.host().messages().tell(Severity::kProblem, tr("The limits were not read"), shownText(read.error()));
 }
 
 void ErgonomicsPanel::showScores() {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/ergonomics/live_scores.h"
+#include "app/style/library_text.h"
 #include "mannequin/ergonomics/scores/hand_force.h"
 
 namespace hapticell::app {
@@ -91,7 +92,7 @@ std::vector<Row> loadRows(const LiveScores& scores) {
   } else if (lift) {
     addLift(*lift, rows);
   } else {
-    rows.push_back({SubScoreTable::tr("Lift"), {}, shown(lift.error().message()), 3});
+    rows.push_back({SubScoreTable::tr("Lift"), {}, shownText(lift.error()), 3});
   }
   if (rows.size() % 2 == 1) rows.push_back({});
   addForces(ergonomics::handForces(*scores.figure(), pose, scores.task(), scores.ownLimits()), rows);

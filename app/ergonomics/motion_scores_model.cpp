@@ -6,6 +6,7 @@
 
 #include "app/kit/beside.h"
 #include "app/mannequin/joint_words.h"
+#include "app/style/library_text.h"
 
 namespace hapticell::app {
 namespace {
@@ -82,7 +83,7 @@ void MotionScoresModel::start(bool is_new) {
           motion_ = std::move(*motion);
           name_ = QFileInfo(path).completeBaseName();
         } else {
-          emit failed(QString::fromStdString(motion.error().message()));
+          emit failed(shownText(motion.error()));
         }
         emit changed();
         if (motion_ && is_new) emit opened();

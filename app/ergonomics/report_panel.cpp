@@ -18,11 +18,12 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/kit/beside.h"
+#include "app/kit/file_dialog.h"
+#include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/kit/form.h"
-#include "app/kit/file_dialog.h"
 #include "app/style/icon.h"
+#include "app/style/library_text.h"
 #include "app/style/segmented.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "mannequin/shape/figure_model.h"
@@ -214,8 +215,7 @@ bool ReportPanel::write(const QString& path) {
   if (written) {
     context_.host().messages().tell(Severity::kInformation, tr("The report is saved"), path);
   } else {
-    context_.host().messages().tell(Severity::kProblem, tr("The report was not saved"),
-                                    shown(written.error().message()));
+    context_.host().messages().tell(Severity::kProblem, tr("The report was not saved"), shownText(written.error()));
   }
   return written.has_value();
 }

@@ -22,6 +22,7 @@
 #include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
+#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "geometry/system/atomic_file.h"
 #include "mannequin/motion/motion_writer.h"
@@ -133,8 +134,7 @@ bool TimePanel::saveMotion(const QString& path) {
   if (written)
     context_.host().messages().tell(Severity::kInformation, tr("The motion is saved"), path);
   else
-    context_.host().messages().tell(Severity::kProblem, tr("The motion was not saved"),
-                                    QString::fromStdString(written.error().message()));
+    context_.host().messages().tell(Severity::kProblem, tr("The motion was not saved"), shownText(written.error()));
   return written.has_value();
 }
 

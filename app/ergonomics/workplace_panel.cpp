@@ -20,6 +20,7 @@
 #include "app/kit/beside.h"
 #include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
+#include "app/style/library_text.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "manipulation/checks/workplace_check.h"
@@ -234,7 +235,7 @@ void WorkplacePanel::search() {
           view_->setMap(&*map_);
         } else {
           context_.host().messages().tell(Severity::kWarning, tr("The workplace search failed"),
-                                          shown(map.error().message()));
+                                          shownText(map.error()));
         }
         showMap();
       });

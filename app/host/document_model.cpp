@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/style/library_text.h"
 #include "workcell/format/document_io.h"
 #include "workcell/import/imported_entities.h"
 
@@ -30,7 +31,7 @@ bool DocumentModel::execute(const workcell::Command& command) {
   endTrialFor({command});
   const auto done = document_.execute(command);
   if (!done) {
-    emit refused(QString::fromStdString(done.error().message()));
+    emit refused(shownText(done.error()));
     return false;
   }
   emit changed();
@@ -50,7 +51,7 @@ bool DocumentModel::executeAll(const QString& text, const std::vector<workcell::
     } else {
       document_.cancelCompound();
     }
-    emit refused(QString::fromStdString(done.error().message()));
+    emit refused(shownText(done.error()));
     return false;
   }
   document_.endCompound();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/kit/written_file.h"
+#include "app/style/library_text.h"
 
 namespace hapticell::app {
 
@@ -36,7 +37,7 @@ void Autosaver::note() {
     if (unsaved_.number != 0 && noted_revision_ == document.revision() && unsaved_.document == document.path()) return;
     const auto run = run_.path();
     if (!run) {
-      if (!std::exchange(told_, true)) emit failed(QString::fromStdString(run.error().message()));
+      if (!std::exchange(told_, true)) emit failed(shownText(run.error()));
       return;
     }
     fresh = {document.state(), document.path(), *run, content_ ? content_() : std::string(), ++last_number_};
@@ -55,7 +56,7 @@ void Autosaver::save() {
     if (saved && !picture.isNull())
       (void)writePicture(picture, QString::fromStdString(workcell::pictureIn(unsaved.run).string()), 85);
     if (saved) return;
-    const QString sentence = QString::fromStdString(saved.error().message());
+    const QString sentence = shownText(saved.error());
     QMetaObject::invokeMethod(
         this, [this, sentence] { emit failed(sentence); }, Qt::QueuedConnection);
   });
@@ -82,7 +83,7 @@ void Autosaver::adopt(const std::filesystem::path& left_run) {
   if (adopted)
     written_ = unsaved_.number;  // It is in the copy.
   else
-    emit failed(QString::fromStdString(adopted.error().message()));
+    emit failed(shownText(adopted.error()));
 }
 
 void Autosaver::discard() {

@@ -14,6 +14,7 @@
 #include "app/import/change_page.h"
 #include "app/kit/file_dialog.h"
 #include "app/kit/system_open.h"
+#include "app/style/library_text.h"
 #include "app/style/plain_lines.h"
 #include "workcell/files/pack.h"
 #include "workcell/files/scene_export.h"
@@ -94,7 +95,7 @@ void ExportWork::tellWritten(const QString& path, const std::vector<std::string>
 
 void ExportWork::run(const QString& path, BackgroundWork::Work work, const QString& failed) {
   background_.start(QFileInfo(path).fileName(), std::move(work), [this, path, failed](const Error& error) {
-    host_.messages().tell(Severity::kProblem, failed, QString::fromStdString(error.message()));
+    host_.messages().tell(Severity::kProblem, failed, shownText(error));
     emit finished(path, false);
   });
 }

@@ -13,9 +13,10 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/kit/beside.h"
+#include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/kit/form.h"
+#include "app/style/library_text.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 
@@ -187,7 +188,7 @@ void BodySize::begin() {
         const workcell::Entity* now = context_.entity();
         if (!commands) {
           context_.host().messages().tell(Severity::kWarning, tr("No mannequin of that size"),
-                                          QString::fromStdString(commands.error().message()));
+                                          shownText(commands.error()));
         } else if (now && now->id == id && context_.isFree()) {
           context_.host().documentModel().executeAll(tr("Resize %1").arg(QString::fromStdString(now->name)), *commands);
         }

@@ -8,6 +8,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/mannequin/mannequin_context.h"
+#include "app/style/library_text.h"
 #include "manipulation/scene/scene_service.h"
 #include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/shape/figure_model.h"
@@ -63,7 +64,7 @@ void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_b
       work->way->setInterrupted([newer = &work->has_newer] { return newer->load(); });
     } else {
       work->way.reset();
-      problem = QString::fromStdString(way.error().message());
+      problem = shownText(way.error());
     }
     QMetaObject::invokeMethod(
         this,

@@ -11,13 +11,16 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/kit/action_face.h"
+#include "app/controls/refresh_timer.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
-#include "app/kit/top_menus.h"
+#include "app/kit/action_face.h"
 #include "app/kit/beside.h"
+#include "app/kit/dock_front.h"
+#include "app/kit/form.h"
+#include "app/kit/top_menus.h"
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/figure_drawings.h"
 #include "app/mannequin/figure_skins.h"
@@ -27,10 +30,8 @@
 #include "app/mannequin/mannequin_edits.h"
 #include "app/mannequin/mannequin_panel.h"
 #include "app/mannequin/marker_panel.h"
-#include "app/kit/dock_front.h"
-#include "app/kit/form.h"
-#include "app/controls/refresh_timer.h"
 #include "app/style/dock_title_bar.h"
+#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
@@ -113,8 +114,7 @@ class MannequinDocks : public QObject {
         [this, number = host_.documentModel().number()](Expected<workcell::Entity> made) {
           if (number != host_.documentModel().number()) return;
           if (!made)
-            return host_.messages().tell(Severity::kProblem, tr("No mannequin was added"),
-                                         QString::fromStdString(made.error().message()));
+            return host_.messages().tell(Severity::kProblem, tr("No mannequin was added"), shownText(made.error()));
           const std::string name = made->name;
           if (!host_.documentModel().execute(workcell::AddEntity{std::move(*made)})) return;
           if (const auto* entity = host_.documentModel().document().findByName(name)) {

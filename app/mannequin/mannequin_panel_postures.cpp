@@ -93,7 +93,7 @@ bool MannequinPanel::openPostureFile(const QString& path) {
   auto posture = mannequin::readPosture(path.toStdString(), &has_root);
   const auto beyond = posture ? mannequin::limitViolations(*posture) : std::vector<mannequin::LimitViolation>{};
   if (!posture || !beyond.empty()) {
-    const QString why = posture ? shownText(textOf(beyond.front())) : QString::fromStdString(posture.error().message());
+    const QString why = posture ? shownText(textOf(beyond.front())) : shownText(posture.error());
     context_.host().messages().tell(Severity::kWarning, tr("The posture was not loaded"), why);
     return false;
   }
@@ -121,8 +121,7 @@ bool MannequinPanel::savePostureFile(const QString& path) {
   if (written) {
     context_.host().messages().tell(Severity::kInformation, tr("The posture is saved"), path);
   } else {
-    context_.host().messages().tell(Severity::kProblem, tr("The posture was not saved"),
-                                    QString::fromStdString(written.error().message()));
+    context_.host().messages().tell(Severity::kProblem, tr("The posture was not saved"), shownText(written.error()));
   }
   return written.has_value();
 }

@@ -16,6 +16,7 @@
 #include "app/kit/file_dialog.h"
 #include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
+#include "app/style/library_text.h"
 #include "app/style/style_painting.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "geometry/shapes/shapes.h"
@@ -88,8 +89,7 @@ void MarkerPanel::open(const QString& path) {
       this, [file = path.toStdString()] { return mannequin::readC3d(file); },
       [this, path](Expected<mannequin::MarkerClip> clip) {
         if (clip) return take(std::move(*clip), path);
-        context_.host().messages().tell(Severity::kWarning, tr("The markers cannot be shown"),
-                                        QString::fromStdString(clip.error().message()));
+        context_.host().messages().tell(Severity::kWarning, tr("The markers cannot be shown"), shownText(clip.error()));
       });
 }
 
@@ -115,7 +115,7 @@ void MarkerPanel::take(mannequin::MarkerClip clip, const QString& path) {
                "motion.")
                 .arg(QString::fromStdString(set->name))
           : tr("The markers are shown, but no mannequin can be fitted to this marker set: %1")
-                .arg(QString::fromStdString(set.error().message())));
+                .arg(shownText(set.error())));
   draw(true);
 }
 

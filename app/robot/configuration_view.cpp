@@ -207,7 +207,7 @@ void ConfigurationView::show(std::vector<kinematics::ListedSolution> solutions) 
   if (robot && context_.isFree())
     worker_.checkWays(robot->id, std::move(targets), [this, rows_of](std::size_t i, const auto& motion) {
       const bool free = motion && motion->complete;
-      const QString reason = motion ? shownText(motion->reason) : QString::fromStdString(motion.error().message());
+      const QString reason = motion ? shownText(motion->reason) : shownText(motion.error());
       model_.setWay(rows_of[i], free, motion ? QString::fromStdString(motion->obstacle) : QString(), reason);
       showGhost();
     });

@@ -91,7 +91,7 @@ void JointMover::accept(const Expected<manipulation::JointMotion>& motion) {
   if (!open_) return;
   if (motion && !pending_) target_ = motion->joints;
   if (!motion) {
-    emit stopped(QString::fromStdString(motion.error().message()), {});
+    emit stopped(shownText(motion.error()), {});
     return;
   }
   const workcell::Entity* robot = context_.host().documentModel().document().find(robot_);
@@ -108,7 +108,7 @@ void JointMover::travel(const QString& text, const std::vector<double>& joints) 
   worker_.checkMotion(robot_, joints, [this, text](const Expected<manipulation::JointMotion>& motion) {
     checking_ = false;
     if (robot_ == 0) return;  // Its cell is closed.
-    if (!motion) return emit stopped(QString::fromStdString(motion.error().message()), {});
+    if (!motion) return emit stopped(shownText(motion.error()), {});
     if (!motion->complete) return emit stopped(shownText(motion->reason), QString::fromStdString(motion->obstacle));
     travel_.text = text;
     play(*motion);

@@ -11,15 +11,16 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
+#include "app/controls/ghost_placer.h"
+#include "app/controls/place_fields.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/kit/form.h"
-#include "app/controls/ghost_placer.h"
-#include "app/controls/place_fields.h"
 #include "app/robot/robot_facts.h"
 #include "app/style/icon.h"
+#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "workcell/import/entity_source.h"
 
@@ -275,8 +276,7 @@ std::optional<workcell::Entity> LibraryPanel::chosenRobot() {
   Diagnostics diagnostics;
   auto loaded = workcell::EntityLoader({}).load("library:" + model_->robot(row).name, 0.0, diagnostics);
   if (!loaded) {
-    host_.messages().tell(Severity::kProblem, tr("The robot was not added"),
-                          QString::fromStdString(loaded.error().message()));
+    host_.messages().tell(Severity::kProblem, tr("The robot was not added"), shownText(loaded.error()));
     return std::nullopt;
   }
   loaded->joints = kinematics::restPositions(*loaded->robot);

@@ -18,6 +18,7 @@
 #include "app/robot/joint_limit_fields.h"
 #include "app/robot/robot_context.h"
 #include "app/style/icon.h"
+#include "app/style/library_text.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 #include "app/viewport/widget/viewport_widget.h"
@@ -232,7 +233,7 @@ void MechanismPanel::addSample(MechanismSample sample) {
   auto parts = sampleParts(sample, X_WB, document.document());
   if (!parts)
     return context_.host().messages().tell(Severity::kProblem, tr("The sample was not added"),
-                                           QString::fromStdString(parts.error().message()));
+                                           shownText(parts.error()));
   document.beginStep(tr("Add sample %1").arg(tr(nameOf(sample))));
   workcell::MakeMechanism make{parts->name, {}, parts->joints};
   bool done = true;

@@ -20,6 +20,7 @@
 #include "app/settings/configuration_fields.h"
 #include "app/settings/settings_pages.h"
 #include "app/settings/toml_edit.h"
+#include "app/style/library_text.h"
 #include "app/style/value_field.h"
 #include "config/configuration.h"
 #include "config/setting_visitor.h"
@@ -152,7 +153,7 @@ class ConfigurationPage : public QWidget {
   void write(const ConfigurationField& field, const QString& text) {
     const auto written = writeSetting(userConfigurationFile(), QString::fromStdString(field.key), text);
     note_->setText(written ? tr("%1: changed, takes effect at the next start.").arg(field.name)
-                           : QString::fromStdString(written.error().message()));
+                           : shownText(written.error()));
   }
 
   void filter(const QString& typed) {

@@ -22,6 +22,7 @@
 #include "app/shell/main_window.h"
 #include "app/start/recent_files.h"
 #include "app/start/start_page.h"
+#include "app/style/library_text.h"
 
 namespace hapticell::app {
 
@@ -238,8 +239,7 @@ bool MainWindow::saveDocument(bool ask_where) {
   if (path.isEmpty()) return false;
   const auto saved = document_.save(path);
   if (!saved) {
-    messages_.tell(Severity::kProblem, tr("The workcell was not saved"),
-                   QString::fromStdString(saved.error().message()));
+    messages_.tell(Severity::kProblem, tr("The workcell was not saved"), shownText(saved.error()));
     return false;
   }
   files_->guard().noteSaved();
@@ -309,8 +309,7 @@ void MainWindow::guardAgainstCrash() {
   Autosaver& autosaver = files_->autosaver();
   const auto folder = autosaver.runFolder();
   if (!folder) {
-    messages_.tell(Severity::kWarning, tr("The recovery copy could not be saved"),
-                   QString::fromStdString(folder.error().message()));
+    messages_.tell(Severity::kWarning, tr("The recovery copy could not be saved"), shownText(folder.error()));
     return;
   }
   crash_guard_ =

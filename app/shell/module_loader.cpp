@@ -6,6 +6,7 @@
 #include <QLibrary>
 #include <QPluginLoader>
 
+#include "app/style/library_text.h"
 #include "config/user_folders.h"
 
 namespace hapticell::app {
@@ -30,7 +31,7 @@ void ModuleLoader::load(const QStringList& folders) {
       seen << file.fileName();
       if (const auto trusted = config::checkPlugIn(file.absoluteFilePath().toStdString()); !trusted) {
         problems_ << QCoreApplication::translate("ModuleLoader", "The module %1 was not loaded. %2")
-                         .arg(file.fileName(), QString::fromStdString(trusted.error().message()));
+                         .arg(file.fileName(), shownText(trusted.error()));
         continue;
       }
       auto loader = std::make_unique<QPluginLoader>(file.absoluteFilePath());

@@ -8,6 +8,7 @@
 
 #include "app/style/units.h"
 #include "geometry/system/overloaded.h"
+#include "geometry/system/plain_text.h"
 
 namespace hapticell::app {
 namespace {
@@ -18,7 +19,8 @@ QString shownArgument(const Text::Argument& argument) {
                                  return length.whole ? lengthText(length.metres, 0) : lengthText(length.metres);
                                },
                                [](const Text::Angle& angle) { return angleText(angle.radians); },
-                               [](std::int64_t count) { return QString::number(count); }},
+                               [](std::int64_t count) { return QString::number(count); },
+                               [](const std::vector<Text>& texts) { return shownText(texts); }},
                     argument);
 }
 
@@ -36,6 +38,23 @@ QString shownText(std::span<const Text> texts) {
   QStringList shown;
   for (const Text& text : texts) shown << shownText(text);
   return shown.join(QStringLiteral("; "));
+}
+
+QString shownText(const Error& error) {
+  constexpr std::size_t kLongestPath = 4096;
+  const auto line = [](const Text& text, std::size_t longest = kLongestText) {
+    return QString::fromStdString(plainText(shownText(text).toStdString(), longest));
+  };
+  QString shown = QString::fromStdString(plainText(error.file, kLongestPath));
+  const auto add = [&](const QString& separator, const QString& part) {
+    shown += (shown.isEmpty() ? QString() : separator) + part;
+  };
+  if (!error.place.empty()) add(QStringLiteral(", "), line(error.place));
+  if (!error.found.empty()) add(QCoreApplication::translate("LibraryText", ": "), line(error.found));
+  if (!error.expected.empty())
+    add(QStringLiteral("; "), QCoreApplication::translate("LibraryText", "expected %1").arg(line(error.expected)));
+  if (!error.fix.empty()) add(QStringLiteral(". "), line(error.fix, 2 * kLongestText));
+  return shown;
 }
 
 QString shownText(const haptic::LinkProblem& problem) {

@@ -4,6 +4,7 @@
 #include <QString>
 #include <span>
 
+#include "geometry/system/error.h"
 #include "geometry/system/text.h"
 #include "haptic/protocol/link_problem.h"
 
@@ -14,6 +15,8 @@ namespace hapticell::app {
 QString shownText(const Text& text);
 /// Several, with "; " between them.
 QString shownText(std::span<const Text> texts);
+/// An error in one line, as Error::message() in English.
+QString shownText(const Error& error);
 /// Why there is no connection to a haptic server, and what to do about it.
 QString shownText(const haptic::LinkProblem& problem);
 

@@ -10,13 +10,14 @@
 #include <QTimer>
 #include <memory>
 
-#include "app/kit/action_face.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/views/render_command.h"
+#include "app/kit/action_face.h"
 #include "app/kit/file_dialog.h"
+#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/viewport/widget/viewport_widget.h"
+#include "app/views/render_command.h"
 
 namespace hapticell::app {
 namespace {
@@ -30,8 +31,7 @@ void tell(Host& host, const QString& file, const Expected<void>& done) {
   if (done)
     host.messages().tell(Severity::kInformation, PictureMenu::tr("%1 is saved").arg(name));
   else
-    host.messages().tell(Severity::kProblem, PictureMenu::tr("%1 was not saved").arg(name),
-                         QString::fromStdString(done.error().message()));
+    host.messages().tell(Severity::kProblem, PictureMenu::tr("%1 was not saved").arg(name), shownText(done.error()));
 }
 
 RenderCommand commandFor(Host& host, const QString& file, const QSize& size) {

@@ -8,6 +8,16 @@
 #include "geometry/system/error.h"
 #include "workcell/text/file_content.h"
 
+namespace hapticell {
+
+/// In results of the command line a text is plain English.
+template <typename Json>
+void to_json(Json& json, const Text& text) {
+  json = english(text);
+}
+
+}  // namespace hapticell
+
 namespace hapticell::cli {
 
 /// Writes the one JSON document that is a command's result: to standard output, or to the file of `--json` ("-":

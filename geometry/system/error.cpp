@@ -8,10 +8,10 @@ namespace hapticell {
 std::string Error::message() const {
   constexpr std::size_t kLongestPath = 4096;
   std::string text = plainText(file, kLongestPath);
-  if (!place.empty()) text += (text.empty() ? "" : ", ") + plainText(place);
-  if (!found.empty()) text += (text.empty() ? "" : ": ") + plainText(found);
-  if (!expected.empty()) text += (text.empty() ? "expected " : "; expected ") + plainText(expected);
-  if (!fix.empty()) text += (text.empty() ? "" : ". ") + plainText(fix, 2 * kLongestText);
+  if (!place.empty()) text += (text.empty() ? "" : ", ") + plainText(english(place));
+  if (!found.empty()) text += (text.empty() ? "" : ": ") + plainText(english(found));
+  if (!expected.empty()) text += (text.empty() ? "expected " : "; expected ") + plainText(english(expected));
+  if (!fix.empty()) text += (text.empty() ? "" : ". ") + plainText(english(fix), 2 * kLongestText);
   return text;
 }
 

@@ -5,6 +5,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "geometry/system/text.h"
+
 namespace hapticell {
 
 /// An error in input from outside (a file, a socket, a user), worded for the user.
@@ -12,12 +14,13 @@ namespace hapticell {
 /// A function that returns an error has not changed the document. Broken contracts are assertions, not errors.
 struct Error {
   std::string file{};   ///< The file or address; empty if the error has no file.
-  std::string place{};  ///< "line 12", "triangle 408 of 2 000", "joint 'A3'"; empty: the whole file.
-  std::string found{};  ///< What was found there.
-  std::string expected{};  ///< What should have been there.
-  std::string fix{};       ///< What the user can do about it; a whole sentence or empty.
+  Text place{};         ///< "line 12", "triangle 408 of 2 000", "joint 'A3'"; empty: the whole file.
+  Text found{};         ///< What was found there.
+  Text expected{};      ///< What should have been there.
+  Text fix{};           ///< What the user can do about it; a whole sentence or empty.
 
-  /// One line: "FILE, PLACE: FOUND; expected EXPECTED. FIX"; parts that are empty are left out.
+  /// In English, in one line: "FILE, PLACE: FOUND; expected EXPECTED. FIX"; parts that are empty are left out. The
+  /// window shows errors by shownText() (app/style/library_text.h).
   std::string message() const;
 };
 
@@ -38,8 +41,8 @@ inline tl::unexpected<Error> makeError(Error error) {
 
 /// Collects what a reader noticed without failing: dropped triangles, an unknown tag, a guessed unit.
 struct Diagnostics {
-  std::vector<std::string> warnings;
-  void warn(std::string text) { warnings.push_back(std::move(text)); }
+  std::vector<Text> warnings;  ///< A sentence each.
+  void warn(Text text) { warnings.push_back(std::move(text)); }
 };
 
 }  // namespace hapticell

@@ -2,7 +2,10 @@
 #include "geometry/system/text.h"
 
 #include <cstdio>
+#include <functional>
+#include <mutex>
 #include <numbers>
+#include <set>
 
 #include "geometry/system/overloaded.h"
 
@@ -23,14 +26,32 @@ std::string englishArgument(const Text::Argument& argument) {
                                [](const Text::Angle& angle) {
                                  return numberWords("%.1f deg", angle.radians * 180.0 / std::numbers::pi);
                                },
-                               [](std::int64_t count) { return std::to_string(count); }},
+                               [](std::int64_t count) { return std::to_string(count); },
+                               [](const std::vector<Text>& texts) { return english(texts); }},
                     argument);
 }
 
 }  // namespace
 
-Text Text::plain(std::string words) {
-  return words.empty() ? Text() : Text("%1", std::move(words));
+Text::Text(std::string words) {
+  if (words.empty()) return;
+  id_ = "%1";
+  arguments_.emplace_back(std::move(words));
+}
+
+Text Text::received(std::string_view id, std::vector<Argument> arguments) {
+  constexpr std::size_t kMostIds = 4096;  // The program has some 2,500 of its own.
+  static std::mutex guard;
+  static std::set<std::string, std::less<>> ids;  // Nodes stay where they are.
+  Text text;
+  text.arguments_ = std::move(arguments);
+  text.id_ = id;
+  const std::lock_guard lock(guard);
+  auto known = ids.find(id);
+  if (known == ids.end() && ids.size() >= kMostIds) return Text(english(text));
+  if (known == ids.end()) known = ids.emplace(id).first;
+  text.id_ = *known;
+  return text;
 }
 
 std::string english(const Text& text) {

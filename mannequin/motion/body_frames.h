@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "mannequin/motion/clip_map.h"
 #include "mannequin/motion/recorded_motion.h"
 
@@ -24,7 +25,7 @@ class BodyFrames {
   /// One moment, from the places of the clip's joints.
   RecordedBody bodyAt(const ClipPose& pose) const;
   /// What was assumed, a sentence each.
-  const std::vector<std::string>& assumptions() const { return assumptions_; }
+  const std::vector<Text>& assumptions() const { return assumptions_; }
 
  private:
   class Finder;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "mannequin/motion/c3d_parameters.h"
 
 namespace hapticell::mannequin {
@@ -18,7 +19,7 @@ struct C3dLayout {
   std::size_t markers = 0, analog = 0, frames = 0;
   bool real = true;    ///< Numbers of 4 bytes instead of 2.
   double scale = 1.0;  ///< Of whole numbers.
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
 
   std::size_t numberBytes() const { return real ? 4 : 2; }
   std::size_t rowBytes() const { return (4 * markers + analog) * numberBytes(); }

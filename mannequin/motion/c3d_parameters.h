@@ -33,7 +33,7 @@ class C3dParameters {
   std::optional<double> number(const char* name, std::size_t index = 0) const;
   std::vector<std::string> texts(const std::string& name) const;
   std::size_t placeOf(const char* name) const;
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<Text>& warnings() const { return warnings_; }
 
  private:
   /// Position of a parameter in the file.

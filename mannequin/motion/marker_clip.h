@@ -20,7 +20,7 @@ struct MarkerClip {
   double frame_time = 1.0 / 120.0;           ///< s
   double metres_per_unit = 1e-3;             ///< Of the file.
   UpAxis up = UpAxis::kZ;                    ///< Which of the file's axes became z.
-  std::vector<std::string> warnings;         ///< What was assumed or did not agree in the file, a sentence each.
+  std::vector<Text> warnings;         ///< What was assumed or did not agree in the file, a sentence each.
 
   std::size_t frames() const { return names.empty() ? 0 : places.size() / names.size(); }
   double seconds() const { return static_cast<double>(frames()) * frame_time; }

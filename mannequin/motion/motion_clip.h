@@ -33,7 +33,7 @@ struct MotionClip {
   std::vector<ClipFrame> frames;
   double frame_time = 1.0 / 120.0;         ///< s
   double metres_per_unit = 1.0;            ///< That were taken for the file's unit.
-  std::vector<std::string> warnings = {};  ///< What was assumed or did not agree in the file, a sentence each.
+  std::vector<Text> warnings = {};  ///< What was assumed or did not agree in the file, a sentence each.
 
   int find(std::string_view name) const;  ///< Index or -1; upper and lower case are the same.
 };

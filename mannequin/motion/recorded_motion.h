@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "mannequin/motion/motion_clip.h"
 #include "mannequin/motion/up_axis.h"
 
@@ -33,7 +34,7 @@ struct RecordedMotion {
   double metres_per_unit = 1.0;          ///< Of the file.
   UpAxis up = UpAxis::kZ;                ///< Of the file's axes.
   std::string marker_set;                ///< "Plug-in Gait", "Helen Hayes" or the table's name; empty for a skeleton.
-  std::vector<std::string> assumptions;  ///< What was found or taken where the file does not say, a sentence each.
+  std::vector<Text> assumptions;  ///< What was found or taken where the file does not say, a sentence each.
 };
 
 /// What the user says of a file that does not say it itself.

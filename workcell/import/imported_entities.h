@@ -24,7 +24,7 @@ struct ImportReport {
   std::size_t degenerate_triangles = 0;            ///< Dropped: no area.
   std::size_t duplicate_triangles = 0;             ///< Dropped: there twice.
   std::vector<xacro::DeclaredArgument> arguments;  ///< Of a xacro: what it asks for, and with what it was read.
-  std::vector<std::string> warnings;               ///< All that was dropped, replaced or guessed, a sentence each.
+  std::vector<Text> warnings;               ///< All that was dropped, replaced or guessed, a sentence each.
 };
 
 /// What a file became: entities in the order of the tree, parents before children, with names unique among them, placed

@@ -23,6 +23,7 @@
 
 #include "config/program_folders.h"
 #include "config/user_folders.h"
+#include "geometry/system/packed_text.h"
 #include "geometry/system/sanitizers.h"
 #include "workcell/text/text_cursor.h"
 
@@ -180,16 +181,9 @@ class Lines {
     if (line == "done") {
       done = true;
     } else if (line.starts_with("error ")) {
-      error = Error{.file = call_.file};
-      std::string* parts[] = {&error->place, &error->found, &error->expected, &error->fix};
-      std::size_t part = 0;
-      for (char c : line.substr(6)) {
-        if (c == '\t' && part < 3) {
-          ++part;
-        } else {
-          *parts[part] += c;
-        }
-      }
+      error = unpackedError(line.substr(6));
+      if (!error) return;  // Not a line of ours: as if it had broken down without a word.
+      error->file = call_.file;
     } else if (line.starts_with("part ")) {
       const std::optional<double> number = parseNumber(line.substr(5));
       if (number && *number >= 0.0 && *number < 1e9) last_part = static_cast<int>(*number);
@@ -207,14 +201,14 @@ class Lines {
   std::string text_;
 };
 
-Error inFile(const ImporterCall& call, std::string found, std::string expected = {}, std::string fix = {}) {
-  return {call.file, "", std::move(found), std::move(expected), std::move(fix)};
+Error inFile(const ImporterCall& call, Text found, Text expected = {}, Text fix = {}) {
+  return {call.file, {}, std::move(found), std::move(expected), std::move(fix)};
 }
 
 Error tookTooLong(const ImporterCall& call, const Lines& lines, double seconds) {
-  char text[80];
-  std::snprintf(text, sizeof text, "not done after %.3g s", seconds);
-  Error error = inFile(call, text, "a file that is read in the time that its size allows",
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", seconds);
+  Error error = inFile(call, Text("not done after %1 s", std::string(text)), "a file that is read in the time that its size allows",
                        "Export it again, or in another format; a file that is sound may be cut into parts.");
   if (!lines.stage.empty()) error.place = lines.stage;
   return error;
@@ -245,7 +239,7 @@ Error brokeDown(const ImporterCall& call, const Lines& lines, int status) {
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return tookTooLong(call, lines, 2.0 * call.limits.seconds);
   Error error = inFile(call, "content at which its reader breaks down", "a sound file",
                        "Export it again, or in another format (STEP, glTF, STL), and without the part that is named.");
-  error.place = lines.stage.empty() ? "at its beginning" : lines.stage;
+  error.place = lines.stage.empty() ? Text("at its beginning") : Text(lines.stage);
   return error;
 }
 

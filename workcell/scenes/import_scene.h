@@ -44,7 +44,7 @@ struct ImportedScene {
   double chord = 0.0;            ///< Metres, as it was cut into triangles; 0 where the file holds triangles.
   std::vector<SceneNode> nodes;  ///< Parents before children.
   std::vector<geometry::TriangleMesh> meshes;
-  std::vector<std::string> warnings;  ///< What was dropped, repaired or guessed, and why.
+  std::vector<Text> warnings;  ///< What was dropped, repaired or guessed, and why.
 };
 
 /// True for files with a tree of parts: those that the importer's process reads (STEP, IGES, glTF, GLB, Collada, 3MF,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "geometry/system/packed_text.h"
 #include "workcell/scenes/import_process.h"
 #include "workcell/scenes/scene_call.h"
 #include "workcell/scenes/sdf_cell_reader.h"
@@ -16,16 +17,9 @@ namespace {
 constexpr std::size_t kHead = 1 + sizeof(std::uint64_t);
 
 Error errorOf(const BatchEntry& entry, const std::string& file) {
-  Error error{.file = file};
-  std::string* parts[] = {&error.place, &error.found, &error.expected, &error.fix};
-  std::size_t part = 0;
-  for (char c : entry.content) {
-    if (c == '\t' && part < 3) {
-      ++part;
-    } else {
-      *parts[part] += c;
-    }
-  }
+  Error error = unpackedError(entry.content)
+                    .value_or(Error{.found = "an answer of the importer that is none", .expected = "an error"});
+  error.file = file;
   return error;
 }
 

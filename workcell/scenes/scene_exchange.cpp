@@ -5,7 +5,11 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <optional>
 #include <type_traits>
+#include <utility>
+
+#include "geometry/system/packed_text.h"
 
 namespace hapticell::workcell {
 
@@ -165,7 +169,7 @@ std::string sceneBytes(const ImportedScene& scene) {
   writer.number(static_cast<std::uint8_t>(scene.up_axis));
   writer.number(scene.chord);
   writer.number(std::uint64_t{scene.warnings.size()});
-  for (const std::string& warning : scene.warnings) writer.text(warning);
+  for (const Text& warning : scene.warnings) writer.text(packed(warning));
   writer.number(std::uint64_t{scene.meshes.size()});
   for (const geometry::TriangleMesh& mesh : scene.meshes) writeMesh(mesh, writer);
   writer.number(std::uint64_t{scene.nodes.size()});
@@ -187,7 +191,11 @@ Expected<ImportedScene> sceneFromBytes(std::string_view bytes) {
   scene.chord = reader.number<double>();
   reader.require(scene.chord >= 0.0);
   constexpr std::size_t kSmallestNode = 80;
-  for (std::size_t k = reader.count(4); k > 0 && !reader.failed; --k) scene.warnings.push_back(reader.text());
+  for (std::size_t k = reader.count(4); k > 0 && !reader.failed; --k) {
+    std::optional<Text> warning = unpackedText(reader.text());
+    reader.failed = reader.failed || !warning;
+    if (warning) scene.warnings.push_back(std::move(*warning));
+  }
   for (std::size_t k = reader.count(16); k > 0 && !reader.failed; --k) scene.meshes.push_back(readMesh(reader));
   for (std::size_t k = reader.count(kSmallestNode); k > 0 && !reader.failed; --k) {
     scene.nodes.push_back(readNode(reader, scene.nodes.size(), scene.meshes.size()));

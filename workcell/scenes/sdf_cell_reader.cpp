@@ -31,7 +31,7 @@ class CellReader {
       if (shapes_.isCancelled()) return makeError({.file = file_.string(), .found = "the import was cancelled"});
       addModel(*model, -1);
     }
-    const std::vector<std::string>& notes = shapes_.notes().warnings;
+    const std::vector<Text>& notes = shapes_.notes().warnings;
     scene_.warnings.insert(scene_.warnings.end(), notes.begin(), notes.end());
     return std::move(scene_);
   }

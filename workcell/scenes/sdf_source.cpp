@@ -26,7 +26,7 @@ bool isConsequence(const sdf::Error& error) {
          error.Message().find("Failed to load a world") != std::string::npos;
 }
 
-void tellComplaints(const sdf::Errors& errors, std::vector<std::string>& warnings) {
+void tellComplaints(const sdf::Errors& errors, std::vector<Text>& warnings) {
   constexpr std::size_t kMost = 8;
   std::vector<std::string> told;
   for (const sdf::Error& error : errors) {

@@ -43,7 +43,7 @@ class SdfSource {
   const SdfMeshFile& meshFile(const sdf::Mesh& mesh) const;
   const std::vector<SdfMeshFile>& meshFiles() const { return meshes_; }
   /// Sentences without the file's name.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<Text>& warnings() const { return warnings_; }
 
  private:
   std::shared_ptr<sdf::Root> root_;

@@ -91,7 +91,7 @@ void putInPlace(TiXmlElement& parent, TiXmlElement& include, const TiXmlElement&
 }
 
 void putMissing(const std::string& what, const std::map<std::string, int>& missing,
-                std::vector<std::string>& warnings) {
+                std::vector<Text>& warnings) {
   if (missing.empty()) return;
   std::string names;
   int count = 0;

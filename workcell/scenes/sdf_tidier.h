@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "workcell/text/content_rules.h"
 #include "workcell/scenes/sdf_source.h"
 #include "workcell/scenes/sdf_xml.h"
@@ -29,7 +30,7 @@ class SdfTidier {
 
   std::vector<SdfMeshFile>& meshes() { return meshes_; }
   /// All that was left out or assumed.
-  std::vector<std::string> warnings() const;
+  std::vector<Text> warnings() const;
 
  private:
   /// Names that are in use among siblings of one kind.

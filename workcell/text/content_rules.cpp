@@ -324,7 +324,7 @@ Treatment ContentReport::meet(std::string_view element, std::string_view place) 
   return treatment;
 }
 
-void ContentReport::tell(std::vector<std::string>& warnings) const {
+void ContentReport::tell(std::vector<Text>& warnings) const {
   for (const auto& [element, places] : reported_) {
     const ContentRule* const known = rule(element);
     const std::string meaning(known ? known->meaning : "not known to this reader");

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/system/text.h"
+
 namespace hapticell::workcell {
 
 /// The one rule of all readers for what a file may hold.
@@ -48,7 +50,7 @@ class ContentReport {
   /// know is reported as unknown, unless its name has a colon: such elements belong to other programs and are noted.
   Treatment meet(std::string_view element, std::string_view place);
   /// One warning for each element that was to be reported, with the first places; in the order of the names.
-  void tell(std::vector<std::string>& warnings) const;
+  void tell(std::vector<Text>& warnings) const;
 
  private:
   const FormatRules* rules_;

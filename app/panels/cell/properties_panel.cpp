@@ -17,6 +17,7 @@
 #include "app/panels/cell/entity_choices.h"
 #include "app/robot/configuration_model.h"
 #include "app/style/eliding_label.h"
+#include "app/style/library_text.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "app/viewport/widget/viewport_widget.h"
@@ -276,7 +277,7 @@ void PropertiesPanel::placeTool(const Pose& X_WT) {
   const workcell::Entity* now = entity();
   if (!now || !now->robot) return;
   const auto model = kinematics::createInverse(*now->robot, now->robot->findLink(now->tip_link), now->X_LT);
-  if (!model) return host_.messages().tell(Severity::kWarning, QString::fromStdString(model.error().message()));
+  if (!model) return host_.messages().tell(Severity::kWarning, shownText(model.error()));
   const auto solution = (*model)->solve(now->X_WE.inverse() * X_WT, now->joints);
   if (solution.status == kinematics::InverseStatus::kSolved) {
     host_.documentModel().execute(workcell::SetJoints{now->id, solution.q});

@@ -6,6 +6,7 @@
 
 #include "app/panels/cell/workcell_panel.h"
 #include "app/style/icon.h"
+#include "app/style/library_text.h"
 #include "app/trajectory/motions/motion_list.h"
 #include "app/trajectory/motions/motion_player.h"
 #include "app/trajectory/motions/motion_work.h"
@@ -122,7 +123,7 @@ void MotionTree::namePoint(const QString& name, qulonglong frame, const QString&
   const Motion* motion = list_.find(name.toStdString());
   if (!motion || !motion->trajectory) return;
   auto named = trajectory::withName(*motion->trajectory, frame, point.toStdString());
-  if (!named) return emit told(QString::fromStdString(named.error().message()), true);
+  if (!named) return emit told(shownText(named.error()), true);
   list_.replace(tr("Name a point of %1").arg(name), motion->name, std::move(*named), true);
   tree_.chooseFrame(name, frame);
 }

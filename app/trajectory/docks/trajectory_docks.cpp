@@ -25,6 +25,7 @@
 #include "app/panels/cell/workcell_panel.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/icon.h"
+#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/trajectory/docks/frame_gizmo.h"
 #include "app/trajectory/docks/motion_panel.h"
@@ -228,7 +229,7 @@ class TrajectoryDocks : public QObject {
         askToSave(&host_.window(), tr("Video of the motion"), {}, tr("Videos, by ffmpeg (*.mp4 *.webm *.mkv *.gif)"));
     if (file.isEmpty()) return;
     const auto begun = video_.start(file, {1280, 720});
-    if (!begun) panel_->showLine(QString::fromStdString(begun.error().message()), true);
+    if (!begun) panel_->showLine(shownText(begun.error()), true);
   }
 
   bool handWorks() const {

@@ -13,6 +13,7 @@
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/kit/file_dialog.h"
+#include "app/style/library_text.h"
 #include "app/style/units.h"
 #include "app/trajectory/motions/motion_list.h"
 #include "geometry/system/scratch_folder.h"
@@ -189,9 +190,8 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
         });
       },
       [this, path](const Error& error) {
-        host_.messages().tell(Severity::kWarning, tr("The motion was not exported"),
-                              QString::fromStdString(error.message()));
-        emit told(QString::fromStdString(error.message()), true);
+        host_.messages().tell(Severity::kWarning, tr("The motion was not exported"), shownText(error));
+        emit told(shownText(error), true);
         emit finished(path, false);
       });
 }
@@ -249,9 +249,8 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
         });
       },
       [this, paths](const Error& error) {
-        host_.messages().tell(Severity::kWarning, tr("The motion was not imported"),
-                              QString::fromStdString(error.message()));
-        emit told(QString::fromStdString(error.message()), true);
+        host_.messages().tell(Severity::kWarning, tr("The motion was not imported"), shownText(error));
+        emit told(shownText(error), true);
         emit finished(paths.front(), false);
       });
 }

@@ -10,6 +10,7 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
+#include "app/style/library_text.h"
 #include "trajectory/files/trajectory_io.h"
 #include "workcell/format/recordings.h"
 #include "workcell/text/file_content.h"
@@ -154,9 +155,9 @@ void MotionList::write(const std::string& path, std::shared_ptr<const Trajectory
         return BackgroundWork::Then([] {});
       },
       [this](const Error& error) {
-        host_.messages().tell(Severity::kWarning, tr("A trajectory is not saved"),
-                              QString::fromStdString(error.message()) + ' ' +
-                                  tr("It stays in the cell until you quit. Export it to keep it."));
+        host_.messages().tell(
+            Severity::kWarning, tr("A trajectory is not saved"),
+            shownText(error) + ' ' + tr("It stays in the cell until you quit. Export it to keep it."));
       });
 }
 
@@ -195,7 +196,7 @@ void MotionList::makeReplay(Motion& motion) {
   if (replay) {
     motion.replay = std::make_shared<const manipulation::MotionReplay>(std::move(*replay));
   } else {
-    motion.problem = QString::fromStdString(replay.error().message());
+    motion.problem = shownText(replay.error());
   }
 }
 
@@ -245,7 +246,7 @@ void MotionList::read(const std::string& path) {
         });
       },
       [this, path](const Error& error) {
-        unreadable_[path] = QString::fromStdString(error.message());
+        unreadable_[path] = shownText(error);
         host_.messages().tell(Severity::kWarning, tr("A trajectory of the cell cannot be read"), unreadable_[path]);
         takeDocument();
       });

@@ -9,6 +9,7 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/style/library_text.h"
 #include "app/style/units.h"
 #include "app/trajectory/motions/track_rows.h"
 #include "trajectory/checks/motion_promises.h"
@@ -141,7 +142,7 @@ void MotionWork::run(const QString& word, Work work, bool in_place) {
         });
       },
       [this, number = host_.documentModel().number()](const Error& error) {
-        if (number == host_.documentModel().number()) tell(QString::fromStdString(error.message()), true);
+        if (number == host_.documentModel().number()) tell(shownText(error), true);
       });
 }
 
@@ -299,7 +300,7 @@ void MotionWork::editPoints(const QString& word, Edit edit) {
   const QString line = tr("Done: %1").arg(word);
   // At once where no joints have to be found: the next edit counts the points as they are then.
   auto made = edit(*motion->trajectory);
-  if (!made) return tell(QString::fromStdString(made.error().message()), true);
+  if (!made) return tell(shownText(made.error()), true);
   if (made->size() != 1 || made->front().hasJoints() != motion->trajectory->hasJoints())
     return run(word, workOf(line, std::move(edit)), true);
   const QString step = tr("%1: %2").arg(word, QString::fromStdString(motion->name));

@@ -7,6 +7,7 @@
 
 #include "app/host/host.h"
 #include "app/kit/video_writer.h"
+#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/trajectory/motions/motion_player.h"
 #include "app/viewport/drawing/picture_renderer.h"
@@ -81,7 +82,7 @@ void PlayVideo::step() {
     emit stepped();
     return;
   }
-  const QString file = work.file, problem = added ? QString() : QString::fromStdString(added.error().message());
+  const QString file = work.file, problem = added ? QString() : shownText(added.error());
   cancel();
   emit ended(file, problem);
 }

@@ -11,6 +11,7 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/kit/form.h"
+#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/style/value_field.h"
 #include "app/trajectory/motions/motion_list.h"
@@ -262,7 +263,7 @@ void ExerciseEditor::save() {
   }
   const QString file = file_.isEmpty() ? newExerciseFile(name_->text().trimmed(), folder_) : file_;
   const auto written = saveExercise(exercise, *chosenMotion(), file);
-  if (!written) return setProblem(*file_problem_, QString::fromStdString(written.error().message()));
+  if (!written) return setProblem(*file_problem_, shownText(written.error()));
   emit saved(file);
   close();
 }

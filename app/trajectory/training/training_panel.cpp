@@ -13,6 +13,7 @@
 #include "app/host/message_log.h"
 #include "app/kit/file_dialog.h"
 #include "app/kit/form.h"
+#include "app/style/library_text.h"
 #include "app/style/value_field.h"
 #include "app/trajectory/motions/motion_list.h"
 #include "app/trajectory/training/exercise_editor.h"
@@ -103,7 +104,7 @@ void TrainingPanel::setExercises(const QString& folder) {
 
 void TrainingPanel::openResults(const QString& path) {
   const auto session = trajectory::readTraining(path.toStdString());
-  QString exercise, why = session ? QString() : QString::fromStdString(session.error().message());
+  QString exercise, why = session ? QString() : shownText(session.error());
   if (session) {
     for (const auto& file : exercisesWith(QFileInfo(path).absolutePath())) {
       const auto read = manipulation::readExercise(file);
@@ -112,7 +113,7 @@ void TrainingPanel::openResults(const QString& path) {
     const Error missing{.file = path.toStdString(),
                         .found = "the exercise '" + session->exercise + "' of these results was not found",
                         .expected = "its *.hexercise file beside the results"};
-    if (exercise.isEmpty()) why = QString::fromStdString(missing.message());
+    if (exercise.isEmpty()) why = shownText(missing);
   }
   if (!why.isEmpty()) {
     host_.messages().tell(Severity::kWarning, tr("The exercise cannot be opened"), why);
@@ -128,8 +129,7 @@ bool TrainingPanel::openExercise(const QString& path) {
   auto expert = exercise ? trajectory::readTrajectory(exercise->recording)
                          : Expected<trajectory::Trajectory>(makeError(exercise.error()));
   if (!expert || expert->empty()) {
-    const QString why =
-        expert ? tr("The expert's recording has no frames.") : QString::fromStdString(expert.error().message());
+    const QString why = expert ? tr("The expert's recording has no frames.") : shownText(expert.error());
     host_.messages().tell(Severity::kWarning, tr("The exercise cannot be opened"), why);
     say(why, true);
     return false;
@@ -185,13 +185,13 @@ void TrainingPanel::play(const trajectory::Trajectory& run) {
   if (snapshot && snapshot->held != 0) return say(tr("Release what is held first."), true);
   emit sceneWanted();
   const auto played = play_->play(expert_, run);
-  if (!played) say(QString::fromStdString(played.error().message()), true);
+  if (!played) say(shownText(played.error()), true);
   show();
 }
 
 void TrainingPanel::replayRun() {
   const auto run = results_.readRun(shown_results_->chosenRun());
-  if (!run) return say(QString::fromStdString(run.error().message()), true);
+  if (!run) return say(shownText(run.error()), true);
   play(*run);
 }
 
@@ -203,7 +203,7 @@ void TrainingPanel::setResults(const QString& path) {
 void TrainingPanel::loadResults() {
   if (run_) return;
   const auto read = results_.load(trainee_->text().trimmed(), exercise_ ? exercise_->name : std::string());
-  if (!read) say(QString::fromStdString(read.error().message()), true);
+  if (!read) say(shownText(read.error()), true);
   help_->setValue(100.0 * results_.session().nextHelp());
   shown_results_->fillRuns(results_.session());
   show();
@@ -214,8 +214,7 @@ void TrainingPanel::exportResults() {
       askToSave(&host_.window(), tr("Export results"), tr("results.pdf"), tr("PDF (*.pdf);;Table (*.csv)"));
   if (path.isEmpty()) return;
   const auto written = writeTrainingReport(path, results_.session(), neededPoints());
-  say(written ? tr("Saved: %1").arg(QFileInfo(path).fileName()) : QString::fromStdString(written.error().message()),
-      !written);
+  say(written ? tr("Saved: %1").arg(QFileInfo(path).fileName()) : shownText(written.error()), !written);
 }
 
 double TrainingPanel::neededPoints() const {

@@ -8,6 +8,7 @@
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
+#include "app/style/library_text.h"
 #include "app/style/value_field.h"
 #include "app/trajectory/training/exercise_section.h"
 #include "app/trajectory/training/results_section.h"
@@ -52,7 +53,7 @@ bool TrainingPanel::placeAtBeginning() {
   const auto replay = manipulation::MotionReplay::create(cell.document().state().entities, expert_.entity,
                                                          std::make_shared<const trajectory::Trajectory>(expert_));
   if (!replay) {
-    say(QString::fromStdString(replay.error().message()), true);
+    say(shownText(replay.error()), true);
     return false;
   }
   if (const auto& snapshot = host_.snapshot(); snapshot && snapshot->held != 0) {
@@ -143,14 +144,11 @@ void TrainingPanel::finish(const trajectory::Trajectory& run) {
   }
   attempt.kind = runs_->kind();
   auto kept = results_.keepRun(run);
-  if (!kept)
-    host_.messages().tell(Severity::kWarning, tr("The run cannot be replayed later"),
-                          QString::fromStdString(kept.error().message()));
+  if (!kept) host_.messages().tell(Severity::kWarning, tr("The run cannot be replayed later"), shownText(kept.error()));
   attempt.recording = kept.value_or(std::string());
   results_.session().attempts.push_back(attempt);
   if (const auto written = results_.keep(); !written)
-    host_.messages().tell(Severity::kWarning, tr("The result was not saved"),
-                          QString::fromStdString(written.error().message()));
+    host_.messages().tell(Severity::kWarning, tr("The result was not saved"), shownText(written.error()));
   help_->setValue(100.0 * results_.session().nextHelp());
   shown_results_->fillRuns(results_.session());
   say(attempt.success ? tr("Passed with %1 points").arg(attempt.score.points, 0, 'f', 0)

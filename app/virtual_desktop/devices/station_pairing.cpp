@@ -39,11 +39,11 @@ void StationPairing::start(const QString& host, int port, const QString& code) {
   haptic::TcpLinkOptions options;
   if (code.trimmed().isEmpty()) {
     auto known = haptic::linkOptionsFor(host_.toStdString(), static_cast<std::uint16_t>(port_));
-    if (!known) return end(false, QString::fromStdString(known.error().message()));
+    if (!known) return end(false, shownText(known.error()));
     options = *known;
   } else {
     const auto key = haptic::PairingKey::parse(code.trimmed().toStdString());
-    if (!key) return end(false, QString::fromStdString(key.error().message()));
+    if (!key) return end(false, shownText(key.error()));
     typed_ = options.key = *key;
   }
   options.host = host_.toStdString();
@@ -64,8 +64,7 @@ void StationPairing::look() {
   if (const auto device = link_->device()) {
     if (typed_) {
       const auto file = haptic::knownServerKeyFile(host_.toStdString(), static_cast<std::uint16_t>(port_));
-      if (const auto saved = haptic::saveKey(*typed_, file); !saved)
-        return end(false, QString::fromStdString(saved.error().message()));
+      if (const auto saved = haptic::saveKey(*typed_, file); !saved) return end(false, shownText(saved.error()));
     }
     return end(true, tr("%1 responds at %2.").arg(QString::fromStdString(device->name), host_));
   }

@@ -8,6 +8,7 @@
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/kit/beside.h"
+#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "app/virtual_desktop/module/virtual_desktop_controller.h"
 #include "mannequin/motion/free_hand.h"
@@ -121,7 +122,7 @@ void InputControl::addFreeHand() {
       [this](Expected<workcell::Entity> made) {
         if (!made)
           return owner_.host().messages().tell(Severity::kProblem, QObject::tr("No hand was added"),
-                                               QString::fromStdString(made.error().message()));
+                                               shownText(made.error()));
         const workcell::Document& document = owner_.host().documentModel().document();
         made->name = document.uniqueName(made->name);
         made->X_WE.p = owner_.host().viewport().camera().target_W;

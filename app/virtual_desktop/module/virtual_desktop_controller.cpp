@@ -103,7 +103,7 @@ void VirtualDesktopController::connectDevice() {
   auto options = haptic::linkOptionsFor(station_.host().toStdString(), static_cast<std::uint16_t>(station_.port()));
   if (!options) {
     host_.messages().tell(Severity::kProblem, tr("The key for the haptic server cannot be used."),
-                          QString::fromStdString(options.error().message()));
+                          shownText(options.error()));
     return;
   }
   options->accept_watching = true;  // Where another window has the stylus, the user is asked.

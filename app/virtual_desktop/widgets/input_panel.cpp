@@ -7,9 +7,10 @@
 #include <QVBoxLayout>
 
 #include "app/kit/form.h"
+#include "app/style/library_text.h"
 #include "app/style/segmented.h"
-#include "app/virtual_desktop/widgets/device_combo.h"
 #include "app/virtual_desktop/devices/device_listing.h"
+#include "app/virtual_desktop/widgets/device_combo.h"
 
 namespace hapticell::app {
 namespace {
@@ -102,7 +103,7 @@ void InputPanel::stepCalibration() {
     words =
         tr("Sensor %1 hardly moved between the poses. The calibration is unchanged.").arg(calibrator_->badSensor() + 1);
   } else if (const auto kept = inputs_.keepCalibration(*calibrator_->result()); !kept) {
-    words = QString::fromStdString(kept.error().message());
+    words = shownText(kept.error());
   }
   calibrator_.reset();
   showCalibration();
