@@ -46,8 +46,7 @@ Expected<void> writeInto(const fs::path& path, std::string_view content) {
   if (file >= 0 && fault == 0) fault = flushFile(file);
   if (file >= 0 && ::close(file) != 0 && fault == 0) fault = errno;
   if (fault == 0) return {};
-  return makeError(
-      {.file = path.string(), .found = std::strerror(fault), .expected = "something that takes what is written"});
+  return makeError({.file = path.string(), .found = systemText(fault), .expected = "a target that accepts all data"});
 }
 
 /// What writeInto() takes.
@@ -94,8 +93,8 @@ int keepFacts(const fs::path& target, int file, const std::optional<mode_t>& wan
   return 0;
 }
 
-std::string helpFor(int fault) {
-  if (fault == ENOSPC || fault == EDQUOT || fault == EFBIG) return "Make room, or write it to another disk.";
+Text helpFor(int fault) {
+  if (fault == ENOSPC || fault == EDQUOT || fault == EFBIG) return "Free disk space, or write to another disk.";
   return {};
 }
 
@@ -112,15 +111,16 @@ Expected<fs::path> placeOfFile(const fs::path& path) {
   for (int links = 0; fs::is_symlink(target, fault); ++links) {
     if (links == kMostLinks)
       return makeError(
-          {.file = path.string(), .found = "symbolic links in a circle", .expected = "the name of a file"});
+          {.file = path.string(), .found = "a circle of symbolic links", .expected = "the name of a file"});
     const fs::path named = fs::read_symlink(target, fault);
     if (fault) break;
     target = named.is_absolute() ? named : target.parent_path() / named;
   }
   const fs::file_status status = fs::status(target, fault);
   if (!fs::exists(status) || fs::is_regular_file(status)) return target;
-  return makeError(
-      {path.string(), "", fs::is_directory(status) ? "a folder" : "no regular file", "the name of a file", ""});
+  return makeError({.file = path.string(),
+                    .found = fs::is_directory(status) ? Text("a folder") : Text("not a regular file"),
+                    .expected = "the name of a file"});
 }
 
 Expected<AtomicFile> AtomicFile::begin(const fs::path& path, const Options& options) {
@@ -153,8 +153,10 @@ Expected<AtomicFile> AtomicFile::begin(const fs::path& path, const Options& opti
     if (unfinished::take(made.file_, made.aside_)) return made;
     ::close(std::exchange(made.file_, -1));
   }
-  return makeError(
-      {path.string(), "", std::strerror(errno), "a folder that exists and may be written", helpFor(errno)});
+  return makeError({.file = path.string(),
+                    .found = systemText(errno),
+                    .expected = "a folder that exists and is writable",
+                    .fix = helpFor(errno)});
 }
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
@@ -172,8 +174,8 @@ AtomicFile::~AtomicFile() {
 
 Error AtomicFile::failure(int fault) const {
   return {.file = asked_.string(),
-          .found = std::strerror(fault),
-          .expected = "room and permission to write the file",
+          .found = systemText(fault),
+          .expected = "free space and permission to write the file",
           .fix = helpFor(fault)};
 }
 
@@ -208,7 +210,7 @@ Expected<void> AtomicFile::commitAll(std::span<AtomicFile> files) {
   for (const fs::path& folder : folders) {
     if (const int fault = unfinished::flushFolder(folder); fault != 0)
       return makeError(
-          {.file = folder.string(), .found = std::strerror(fault), .expected = "a disk that takes what is written"});
+          {.file = folder.string(), .found = systemText(fault), .expected = "a disk that stores all data"});
   }
   return {};
 }

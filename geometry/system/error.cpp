@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/system/error.h"
 
+#include <cstring>
+
 #include "geometry/system/plain_text.h"
 
 namespace hapticell {
@@ -13,6 +15,10 @@ std::string Error::message() const {
   if (!expected.empty()) text += (text.empty() ? "expected " : "; expected ") + plainText(english(expected));
   if (!fix.empty()) text += (text.empty() ? "" : ". ") + plainText(english(fix), 2 * kLongestText);
   return text;
+}
+
+Text systemText(int error_number) {
+  return std::string(std::strerror(error_number));
 }
 
 }  // namespace hapticell

@@ -13,11 +13,11 @@ namespace hapticell {
 ///
 /// A function that returns an error has not changed the document. Broken contracts are assertions, not errors.
 struct Error {
-  std::string file{};   ///< The file or address; empty if the error has no file.
-  Text place{};         ///< "line 12", "triangle 408 of 2 000", "joint 'A3'"; empty: the whole file.
-  Text found{};         ///< What was found there.
-  Text expected{};      ///< What should have been there.
-  Text fix{};           ///< What the user can do about it; a whole sentence or empty.
+  std::string file{};  ///< The file or address; empty if the error has no file.
+  Text place{};        ///< "line 12", "triangle 408 of 2 000", "joint 'A3'"; empty: the whole file.
+  Text found{};        ///< What was found there.
+  Text expected{};     ///< What should have been there.
+  Text fix{};          ///< What the user can do about it; a whole sentence or empty.
 
   /// In English, in one line: "FILE, PLACE: FOUND; expected EXPECTED. FIX"; parts that are empty are left out. The
   /// window shows errors by shownText() (app/style/library_text.h).
@@ -31,6 +31,9 @@ using Expected = tl::expected<T, Error>;
 inline tl::unexpected<Error> makeError(Error error) {
   return tl::unexpected<Error>(std::move(error));
 }
+
+/// What the system says of an error number (errno), in the language of the system.
+Text systemText(int error_number);
 
 /// If the given Expected holds an error, returns that error from the enclosing function: HAPTICELL_TRY(readHead(file));
 /// The Expected may have any type. If you need its value afterwards, store it in a variable first.

@@ -12,7 +12,7 @@ namespace {
 /// Where a text nests too deeply, and what is too much there.
 struct TooMuch {
   std::size_t place;
-  std::string found, expected;
+  Text found, expected;
 };
 
 TooMuch tooDeep(std::size_t place, const char* what, int most) {
@@ -188,7 +188,7 @@ Expected<void> checkNesting(std::string_view text, NestedText kind, const std::s
   const std::string_view before = text.substr(0, std::min(found->place, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   return makeError(
-      {.file = file, .place = "line " + std::to_string(line), .found = found->found, .expected = found->expected});
+      {.file = file, .place = Text("line %1", line), .found = found->found, .expected = found->expected});
 }
 
 }  // namespace hapticell::geometry

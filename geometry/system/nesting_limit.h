@@ -18,8 +18,8 @@ enum class NestedText {
 
 /// Levels of lists, objects, elements or tables; real files have fewer than 30.
 inline constexpr int kDeepestNesting = 200;
-inline constexpr int kDeepestToml = 50;           ///< Brackets, and names in a dotted key.
-inline constexpr std::size_t kMostMembers = 2000;     ///< Of one object of kOrderedJson.
+inline constexpr int kDeepestToml = 50;              ///< Brackets, and names in a dotted key.
+inline constexpr std::size_t kMostMembers = 2000;    ///< Of one object of kOrderedJson.
 inline constexpr std::size_t kMostAttributes = 200;  ///< Of one XML element: the reader compares each with all before.
 
 /// Checks a text before a library reads it. If the nesting, the members or the attributes exceed the limits above, it

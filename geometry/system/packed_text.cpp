@@ -34,9 +34,7 @@ void pack(const Text& text, std::string& line);
 
 void packArgument(const Text::Argument& argument, std::string& line) {
   std::visit(Overloaded{[&](const std::string& words) { line += 's' + clean(words); },
-                        [&](const Text::Length& length) {
-                          line += (length.whole ? 'L' : 'l') + number(length.metres);
-                        },
+                        [&](const Text::Length& length) { line += (length.whole ? 'L' : 'l') + number(length.metres); },
                         [&](const Text::Angle& angle) { line += 'a' + number(angle.radians); },
                         [&](std::int64_t count) { line += 'n' + std::to_string(count); },
                         [&](const std::vector<Text>& texts) {

@@ -20,8 +20,9 @@ std::string fewDigits(double value) {
   return {text.data(), end.ptr};
 }
 
-std::string withUnit(double value, const std::string& unit) {
-  return fewDigits(value) + (unit.empty() ? " of the limit" : " " + unit);
+Text withUnit(double value, const std::string& unit) {
+  if (unit.empty()) return Text("%1 of the limit", fewDigits(value));
+  return fewDigits(value) + ' ' + unit;
 }
 
 /// By which share of what was asked the promise is missed. Infinite for a measurement that is no number.
@@ -54,14 +55,13 @@ const Promise* Promises::worst() const {
 Error Promises::missed(const std::string& file) const {
   const Promise* promise = worst();
   HAPTICELL_DEMAND(promise != nullptr);
-  const std::string bound = promise->is_at_least ? "at least " : "at most ";
-  std::string fix = help;
-  if (!fix.empty()) fix += ' ';
+  const Text asked = withUnit(promise->asked, promise->unit);
+  const Text unwritten = "Nothing is written without --allow-miss.";
   return {.file = file,
           .place = promise->place,
-          .found = promise->name + " " + withUnit(promise->measured, promise->unit),
-          .expected = bound + withUnit(promise->asked, promise->unit),
-          .fix = fix + "Nothing is written without --allow-miss."};
+          .found = Text("%1 %2", promise->name, withUnit(promise->measured, promise->unit)),
+          .expected = promise->is_at_least ? Text("at least %1", asked) : Text("at most %1", asked),
+          .fix = help.empty() ? unwritten : Text("%1 %2", help, unwritten)};
 }
 
 }  // namespace hapticell

@@ -15,7 +15,7 @@ struct Promise {
   double asked = 0.0;        ///< In the unit of `measured`.
   double measured = 0.0;     ///< SI, or a share of a limit.
   std::string unit{};        ///< "m", "rad", "s"; empty: a share of the limit.
-  std::string place{};       ///< Where the worst value is: "at 1.2 s, frame 30"; empty if there is no deviation.
+  Text place{};              ///< Where the worst value is: "at 1.2 s, frame 30"; empty if there is no deviation.
   bool is_at_least = false;  ///< `asked` is a minimum (a clearance), not a maximum.
   double rounding = 0.0;     ///< Rounding error of `measured`; it may exceed the limit by this much.
 
@@ -25,7 +25,7 @@ struct Promise {
 /// All promises of one result.
 struct Promises {
   std::vector<Promise> list;
-  std::string help;  ///< What the user can do if a promise is missed; a whole sentence.
+  Text help;  ///< What the user can do if a promise is missed; a whole sentence.
 
   bool areKept() const;
   /// The promise that is missed by the largest share; nullptr if all are kept.

@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What stands there instead of a file; null where it is one.
-const char* otherThanFile(mode_t mode) {
-  if (S_ISREG(mode)) return nullptr;
+/// What is there instead of a file; empty if it is a file.
+Text otherThanFile(mode_t mode) {
+  if (S_ISREG(mode)) return {};
   if (S_ISDIR(mode)) return "a folder";
   if (S_ISFIFO(mode)) return "a pipe, not a regular file";
   if (S_ISSOCK(mode)) return "a socket, not a regular file";
@@ -28,21 +28,21 @@ const char* otherThanFile(mode_t mode) {
 }
 
 std::optional<Error> faultOf(const fs::path& path, const struct stat& state, std::uintmax_t most_bytes) {
-  if (const char* const other = otherThanFile(state.st_mode))
+  if (const Text other = otherThanFile(state.st_mode); !other.empty())
     return Error{.file = path.string(), .found = other, .expected = "a file"};
   const auto size = static_cast<std::uintmax_t>(state.st_size);
   if (size <= most_bytes) return std::nullopt;
   constexpr std::uintmax_t kMega = 1'000'000;
-  const std::string most =
-      most_bytes < kMega ? std::to_string(most_bytes) + " bytes" : std::to_string(most_bytes / kMega) + " MB";
-  return Error{.file = path.string(), .found = std::to_string(size) + " bytes", .expected = "at most " + most};
+  const Text most =
+      most_bytes < kMega ? Text("at most %1 bytes", most_bytes) : Text("at most %1 MB", most_bytes / kMega);
+  return Error{.file = path.string(), .found = Text("%1 bytes", size), .expected = most};
 }
 
 Error unreadable(const fs::path& path, int fault) {
   if (fault == ENOENT || fault == ENOTDIR) return {.file = path.string(), .found = "there is no such file"};
   return {.file = path.string(),
-          .found = std::string("it cannot be read (") + std::strerror(fault) + ")",
-          .fix = fault == EACCES ? "Look at its permissions." : ""};
+          .found = Text("it cannot be read (%1)", std::strerror(fault)),
+          .fix = fault == EACCES ? Text("Check its permissions.") : Text()};
 }
 
 struct OpenFile {

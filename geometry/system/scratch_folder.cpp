@@ -54,7 +54,7 @@ Expected<ScratchFolder> ScratchFolder::make(const fs::path& parent) {
     ::close(std::exchange(made.lock_, -1));
   }
   return makeError(
-      {.file = folder.string(), .found = std::strerror(errno), .expected = "a folder that exists and may be written"});
+      {.file = folder.string(), .found = systemText(errno), .expected = "a folder that exists and is writable"});
 }
 
 ScratchFolder::ScratchFolder(ScratchFolder&& other) noexcept
@@ -79,7 +79,7 @@ Expected<void> ScratchFolder::moveContentTo(const fs::path& folder, const fs::pa
   if (fault == 0) fault = unfinished::flushFolder(folder);
   if (fault == 0) return {};
   return makeError(
-      {.file = folder.string(), .found = std::strerror(fault), .expected = "room and permission to write"});
+      {.file = folder.string(), .found = systemText(fault), .expected = "free space and permission to write"});
 }
 
 Expected<void> ScratchFolder::moveTo(const fs::path& place, bool is_private) {
@@ -97,8 +97,8 @@ Expected<void> ScratchFolder::moveTo(const fs::path& place, bool is_private) {
   }
   if (fault == 0) return {};
   return makeError({.file = place.string(),
-                    .found = std::strerror(fault),
-                    .expected = "room, and the name of a new or empty folder"});
+                    .found = systemText(fault),
+                    .expected = "free space, and the name of a new or empty folder"});
 }
 
 }  // namespace hapticell

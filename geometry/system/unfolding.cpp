@@ -26,9 +26,9 @@ constexpr std::uint64_t kEndless = std::uint64_t{1} << 60;
 
 Expected<void> checkUnfolding(const std::vector<std::vector<std::uint32_t>>& below,
                               const std::vector<std::uint32_t>& roots, const UnfoldingLimits& limits,
-                              const std::function<std::string(std::uint32_t)>& place_of) {
+                              const std::function<Text(std::uint32_t)>& place_of) {
   const std::uint64_t most = std::max<std::uint64_t>(limits.most, 20 * below.size());
-  const auto refuse = [&](std::uint32_t node, std::string found, std::string expected) {
+  const auto refuse = [&](std::uint32_t node, Text found, Text expected) {
     return makeError({.place = place_of(node),
                       .found = std::move(found),
                       .expected = std::move(expected),

@@ -21,6 +21,6 @@ struct UnfoldingLimits {
 /// the limits. `place_of` gives a node's name for the error. Linear in nodes and links, without recursion.
 Expected<void> checkUnfolding(const std::vector<std::vector<std::uint32_t>>& below,
                               const std::vector<std::uint32_t>& roots, const UnfoldingLimits& limits,
-                              const std::function<std::string(std::uint32_t)>& place_of);
+                              const std::function<Text(std::uint32_t)>& place_of);
 
 }  // namespace hapticell::geometry
