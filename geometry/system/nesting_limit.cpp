@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace hapticell::geometry {
@@ -15,9 +16,8 @@ struct TooMuch {
   Text found, expected;
 };
 
-TooMuch tooDeep(std::size_t place, const char* what, int most) {
-  return {place, std::string(what) + " nested deeper than " + std::to_string(most),
-          "at most " + std::to_string(most) + " levels"};
+TooMuch tooDeep(std::size_t place, Text found, int most) {
+  return {place, std::move(found), Text("at most %1 levels", most)};
 }
 
 /// Behind the string that begins with the quote at `i`.
@@ -44,11 +44,10 @@ std::optional<TooMuch> lookAtJson(std::string_view text, bool ordered) {
     if (c == '[' || c == '{') {
       members.push_back(0);
       if (members.size() > static_cast<std::size_t>(kDeepestNesting))
-        return tooDeep(i, "lists and objects", kDeepestNesting);
+        return tooDeep(i, Text("lists and objects nested deeper than %1", kDeepestNesting), kDeepestNesting);
     } else if (c == ':') {
       if (ordered && !members.empty() && ++members.back() > kMostMembers)
-        return TooMuch{i, "an object of more than " + std::to_string(kMostMembers) + " members",
-                       "at most " + std::to_string(kMostMembers)};
+        return TooMuch{i, Text("an object of more than %1 members", kMostMembers), Text("at most %1", kMostMembers)};
     } else if (!members.empty()) {
       members.pop_back();
     }
@@ -104,10 +103,11 @@ std::optional<TooMuch> lookAtXml(std::string_view text) {
       ++i;
     } else {
       const Tag tag = tagAt(text, i);
-      if (depth + 1 > kDeepestNesting) return tooDeep(i, "elements", kDeepestNesting);
+      if (depth + 1 > kDeepestNesting)
+        return tooDeep(i, Text("elements nested deeper than %1", kDeepestNesting), kDeepestNesting);
       if (tag.attributes > kMostAttributes)
-        return TooMuch{i, "an element with more than " + std::to_string(kMostAttributes) + " attributes",
-                       "at most " + std::to_string(kMostAttributes)};
+        return TooMuch{i, Text("an element with more than %1 attributes", kMostAttributes),
+                       Text("at most %1", kMostAttributes)};
       i = tag.end;
       if (!tag.closed) ++depth;
     }
@@ -157,7 +157,8 @@ std::optional<TooMuch> lookAtToml(std::string_view text) {
     if (c == ']' || c == '}') depth = std::max(0, depth - 1);
     if (c == '.') ++dots;
     if (c == '\n' || c == ',' || c == '=' || c == '[' || c == '{') dots = 0;
-    if (depth > kDeepestToml || dots >= kDeepestToml) return tooDeep(i, "tables and lists", kDeepestToml);
+    if (depth > kDeepestToml || dots >= kDeepestToml)
+      return tooDeep(i, Text("tables and lists nested deeper than %1", kDeepestToml), kDeepestToml);
     ++i;
   }
   return std::nullopt;
@@ -187,8 +188,7 @@ Expected<void> checkNesting(std::string_view text, NestedText kind, const std::s
   if (!found) return {};
   const std::string_view before = text.substr(0, std::min(found->place, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  return makeError(
-      {.file = file, .place = Text("line %1", line), .found = found->found, .expected = found->expected});
+  return makeError({.file = file, .place = Text("line %1", line), .found = found->found, .expected = found->expected});
 }
 
 }  // namespace hapticell::geometry

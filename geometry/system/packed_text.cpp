@@ -15,7 +15,7 @@ namespace {
 
 // A text is [id argument argument ...]; each part ends in kPartEnd. An argument starts with the letter of its kind.
 constexpr char kOpen = '\x01', kClose = '\x02', kPartEnd = '\x03';
-constexpr int kDeepest = 8;  // Texts within texts: sentences of the program nest two deep.
+constexpr int kDeepest = 16;  // Texts within texts: the program's own nest half as deep.
 constexpr std::size_t kMostArguments = 64;
 
 std::string clean(std::string_view words) {

@@ -2,6 +2,7 @@
 #include "geometry/system/unfolding.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hapticell::geometry {
 
@@ -53,19 +54,18 @@ Expected<void> checkUnfolding(const std::vector<std::vector<std::uint32_t>>& bel
           node.depth = std::max(node.depth, nodes[child].depth);
         }
         if (++node.depth > limits.deepest)
-          return refuse(step.node, "more than " + std::to_string(limits.deepest) + " levels below each other",
-                        "a tree");
+          return refuse(step.node, Text("more than %1 levels below each other", limits.deepest), Text("a tree"));
         way.pop_back();
         continue;
       }
       const std::uint32_t child = below[step.node][step.next++];
       if (child >= nodes.size() || nodes[child].state == State::kDone) continue;
-      if (nodes[child].state == State::kOpen) return refuse(child, "it holds itself: a circle", "a tree");
+      if (nodes[child].state == State::kOpen) return refuse(child, Text("it holds itself: a circle"), Text("a tree"));
       way.push_back({child, 0});
     }
     all = std::min(kEndless, all + nodes[root].count);
     if (all > most)
-      return refuse(root, "it unfolds to more than " + std::to_string(most) + " nodes", "each of them written once");
+      return refuse(root, Text("it unfolds to more than %1 nodes", most), Text("each of them written once"));
   }
   return {};
 }

@@ -28,5 +28,16 @@ TEST(Error, IsOneReadableLineWhateverTheFileHeld) {
   EXPECT_EQ(message, "a.toml: " + std::string(299, 'x') + "...; expected a word") << "no half of a character";
 }
 
+TEST(Error, AsATextSaysTheSame) {
+  const Error whole{.file = "a.stl",
+                    .place = Text("line %1", 12),
+                    .found = "end of file",
+                    .expected = "three numbers",
+                    .fix = "Export the file again."};
+  for (const Error& error : {whole, Error{.file = "a.stl", .found = "no text"},
+                             Error{.place = "header", .fix = "Do it."}, Error{.expected = "a port"}, Error{}})
+    EXPECT_EQ(english(error.text()), error.message());
+}
+
 }  // namespace
 }  // namespace hapticell
