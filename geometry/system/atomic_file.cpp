@@ -94,7 +94,7 @@ int keepFacts(const fs::path& target, int file, const std::optional<mode_t>& wan
 }
 
 Text helpFor(int fault) {
-  if (fault == ENOSPC || fault == EDQUOT || fault == EFBIG) return "Free disk space, or write to another disk.";
+  if (fault == ENOSPC || fault == EDQUOT || fault == EFBIG) return Text("Free disk space, or write to another disk.");
   return {};
 }
 

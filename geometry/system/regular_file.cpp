@@ -21,10 +21,10 @@ namespace {
 /// What is there instead of a file; empty if it is a file.
 Text otherThanFile(mode_t mode) {
   if (S_ISREG(mode)) return {};
-  if (S_ISDIR(mode)) return "a folder";
-  if (S_ISFIFO(mode)) return "a pipe, not a regular file";
-  if (S_ISSOCK(mode)) return "a socket, not a regular file";
-  return "a device, not a regular file";
+  if (S_ISDIR(mode)) return Text("a folder");
+  if (S_ISFIFO(mode)) return Text("a pipe, not a regular file");
+  if (S_ISSOCK(mode)) return Text("a socket, not a regular file");
+  return Text("a device, not a regular file");
 }
 
 std::optional<Error> faultOf(const fs::path& path, const struct stat& state, std::uintmax_t most_bytes) {
