@@ -33,10 +33,11 @@ std::vector<Color> ColorChannels::take(std::size_t count, std::optional<double> 
   return std::move(channels_);
 }
 
-void ColorChannels::report(std::string_view what, Diagnostics& diagnostics) const {
+void ColorChannels::report(Of of, Diagnostics& diagnostics) const {
   if (refused_ == 0) return;
-  diagnostics.warn(std::to_string(refused_) + " " + std::string(what) +
-                   " have a colour that is no numbers of at least 0; it was left out");
+  diagnostics.warn(of == Of::kVertices
+                       ? Text("%1 vertices have a colour that is no numbers of at least 0; it was left out", refused_)
+                       : Text("%1 faces have a colour that is no numbers of at least 0; it was left out", refused_));
 }
 
 Color meanColor(std::span<const Color> colors) {

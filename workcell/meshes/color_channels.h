@@ -25,7 +25,9 @@ class ColorChannels {
   /// (1); without it 1 where no channel is above 1, else 255. What is above it is cut to 1.
   std::vector<Color> take(std::size_t count, std::optional<double> full) &&;
 
-  void report(std::string_view what, Diagnostics& diagnostics) const;
+  /// Whose colours they are, for the report.
+  enum class Of { kVertices, kFaces };
+  void report(Of of, Diagnostics& diagnostics) const;
 
  private:
   std::vector<Color> channels_;

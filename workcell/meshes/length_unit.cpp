@@ -33,7 +33,7 @@ Expected<LengthUnit> parseLengthUnit(std::string_view text) {
   for (LengthUnit unit : {LengthUnit::kMetre, LengthUnit::kMillimetre, LengthUnit::kInch}) {
     if (text == unitName(unit)) return unit;
   }
-  return makeError({.found = "the unit '" + std::string(text.substr(0, 20)) + "'", .expected = "m, mm or in"});
+  return makeError({.found = Text("the unit '%1'", text.substr(0, 20)), .expected = "m, mm or in"});
 }
 
 LengthUnit guessUnit(const geometry::Bounds& bounds) {

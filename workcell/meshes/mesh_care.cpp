@@ -180,8 +180,8 @@ class Orienter {
   std::vector<int> turned_;  // -1: not reached yet.
 };
 
-Error refused(const char* found, const char* expected) {
-  return {.found = found, .expected = expected};
+Error withoutVolume() {
+  return {.found = "a mesh that spans no volume", .expected = "a body with a thickness"};
 }
 
 }  // namespace
@@ -193,7 +193,7 @@ double deviation(const TriangleMesh& a, const TriangleMesh& b) {
 
 Expected<MadeMesh> simplify(const TriangleMesh& mesh, double tolerance) {
   if (!(tolerance > 0.0) || !std::isfinite(tolerance)) {
-    return makeError(refused("a tolerance that is no length", "metres, above 0"));
+    return makeError({.found = "a tolerance that is no length", .expected = "metres, above 0"});
   }
   constexpr int kTries = 5;
   double allowed = tolerance;
@@ -210,11 +210,11 @@ Expected<MadeMesh> convexMesh(const TriangleMesh& mesh) {
   const double size = mesh.bounds().radius();
   const double tolerance = 1e-7 * size;
   const auto hull = collision::convexHull(mesh.vertices, tolerance);
-  if (!hull) return makeError(refused("a mesh that spans no volume", "a body with a thickness"));
+  if (!hull) return makeError(withoutVolume());
   MadeMesh made;
   made.mesh = meshOfHull(*hull, 10.0 * tolerance);
   geometry::weld(made.mesh, 0.0);
-  if (made.mesh.triangles.empty()) return makeError(refused("a mesh that spans no volume", "a body with a thickness"));
+  if (made.mesh.triangles.empty()) return makeError(withoutVolume());
   made.deviation = deviation(mesh, made.mesh);
   return made;
 }
@@ -251,8 +251,10 @@ void FacingNote::look(const geometry::TriangleMesh& mesh) {
 
 void FacingNote::tell(Diagnostics& diagnostics) const {
   if (inward_ == 0) return;
-  const std::string whose = inward_ == 1 ? "" : " of " + std::to_string(inward_) + " bodies";
-  diagnostics.warn("the triangles" + whose + " face inward; they are checked and felt as facing outward");
+  diagnostics.warn(
+      inward_ == 1
+          ? Text("the triangles face inward; they are checked and felt as facing outward")
+          : Text("the triangles of %1 bodies face inward; they are checked and felt as facing outward", inward_));
 }
 
 }  // namespace hapticell::workcell

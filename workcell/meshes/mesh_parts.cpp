@@ -96,8 +96,9 @@ void paint(std::vector<MeshPart>& parts, const MeshPieces& pieces, const Solids&
     if (isColor(most->first)) parts[k].color = most->first;
   }
   if (mixed > 0) {
-    diagnostics.warn(std::to_string(mixed) + (mixed == 1 ? " solid has" : " solids have") +
-                     " faces of several colours; shown in that of most of the area");
+    diagnostics.warn(mixed == 1
+                         ? Text("1 solid has faces of several colours; shown in that of most of the area")
+                         : Text("%1 solids have faces of several colours; shown in that of most of the area", mixed));
   }
 }
 
@@ -119,8 +120,10 @@ void tellJoined(const std::vector<std::vector<const MeshLabel*>>& used, Diagnost
     ++solids;
   }
   if (solids == 0) return;
-  diagnostics.warn(std::to_string(objects) + " objects or groups that hang together at their open borders are " +
-                   std::to_string(solids) + (solids == 1 ? " solid" : " solids"));
+  diagnostics.warn(
+      solids == 1
+          ? Text("%1 objects or groups that hang together at their open borders are 1 solid", objects)
+          : Text("%1 objects or groups that hang together at their open borders are %2 solids", objects, solids));
 }
 
 /// What all pieces of a solid have in common.
@@ -179,7 +182,7 @@ std::vector<MeshPart> partsOf(RawMesh raw, const std::map<std::string, Color>& m
   std::size_t count = *std::max_element(solids.begin(), solids.end()) + std::size_t{1};
   const bool too_many = count > kMostSolids;
   if (too_many) {
-    diagnostics.warn("the file has " + std::to_string(count) + " solids; they were taken as one");
+    diagnostics.warn(Text("the file has %1 solids; they were taken as one", count));
     solids.assign(solids.size(), 0);
     count = 1;
   }

@@ -23,7 +23,7 @@ namespace hapticell::workcell {
 
 namespace {
 
-constexpr const char* kReadable = "a mesh as STL, OBJ, PLY or OFF";
+constexpr char kReadable[] = HAPTICELL_TRANSLATED("a mesh as STL, OBJ, PLY or OFF");
 
 bool beginsWithUtf16(std::string_view content) {
   return content.starts_with("\xFF\xFE") || content.starts_with("\xFE\xFF");
@@ -45,15 +45,15 @@ bool isObjKeyword(std::string_view word) {
   return word == "usemtl" || std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
 }
 
-/// What an unreadable file seems to be, for the message.
-std::string seemsToBe(std::string_view content) {
-  if (content.starts_with("ISO-10303-21")) return "a STEP file";
-  if (content.starts_with("glTF")) return "a glTF file";
-  if (content.starts_with("PK\x03\x04")) return "a zip archive";
-  if (content.substr(0, 4096).find("<COLLADA") != std::string_view::npos) return "a Collada file";
-  if (content.substr(0, 4096).find("<robot") != std::string_view::npos) return "a URDF robot";
-  if (beginsWithUtf16(content)) return "UTF-16 text";
-  return "a content of an unknown kind";
+/// What an unreadable file seems to be, for the message; empty: unknown.
+Text seemsToBe(std::string_view content) {
+  if (content.starts_with("ISO-10303-21")) return Text("a STEP file");
+  if (content.starts_with("glTF")) return Text("a glTF file");
+  if (content.starts_with("PK\x03\x04")) return Text("a zip archive");
+  if (content.substr(0, 4096).find("<COLLADA") != std::string_view::npos) return Text("a Collada file");
+  if (content.substr(0, 4096).find("<robot") != std::string_view::npos) return Text("a URDF robot");
+  if (beginsWithUtf16(content)) return Text("UTF-16 text");
+  return {};
 }
 
 using Reader = Expected<RawMesh> (*)(std::string_view, Diagnostics&);
@@ -82,27 +82,22 @@ void warnAboutUnit(const geometry::Bounds& bounds, bool assumed, Diagnostics& di
   if (guessUnit(bounds) == LengthUnit::kMetre && !open) return;
   const dvec3 size = bounds.size();
   const double largest = std::max({size.x, size.y, size.z});
-  char text[200];
-  if (open) {
-    std::snprintf(text, sizeof text,
-                  "the file names no unit; it was read in metres and measures %.4g m; if it measures %.4g millimetres, "
-                  "say unit mm",
-                  largest, largest);
-  } else {
-    std::snprintf(
-        text, sizeof text,
-        "the file names no unit; read in metres it measures %.4g m, so millimetres seem to be meant (unit mm)",
-        largest);
-  }
-  diagnostics.warn(text);
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.4g", largest);
+  diagnostics.warn(
+      open ? Text("the file names no unit; it was read in metres and measures %1 m; if it measures %1 millimetres, say "
+                  "unit mm",
+                  std::string(digits))
+           : Text("the file names no unit; read in metres it measures %1 m, so millimetres seem to be meant (unit mm)",
+                  std::string(digits)));
 }
 
 void warnAboutWelding(const geometry::WeldReport& weld, Diagnostics& diagnostics) {
   if (weld.degenerate_triangles > 0) {
-    diagnostics.warn(std::to_string(weld.degenerate_triangles) + " triangles without area were dropped");
+    diagnostics.warn(Text("%1 triangles without area were dropped", weld.degenerate_triangles));
   }
   if (weld.duplicate_triangles > 0) {
-    diagnostics.warn(std::to_string(weld.duplicate_triangles) + " triangles were there twice and dropped once");
+    diagnostics.warn(Text("%1 triangles were there twice and dropped once", weld.duplicate_triangles));
   }
 }
 
@@ -117,7 +112,10 @@ Error unreadable(std::string_view content) {
             .expected = "plain text (UTF-8)",
             .fix = "Save it again as UTF-8 or ASCII."};
   }
-  return {.found = seemsToBe(content), .expected = kReadable, .fix = "Export it in one of these."};
+  const Text kind = seemsToBe(content);
+  return {.found = kind.empty() ? Text("a content of an unknown kind") : kind,
+          .expected = kReadable,
+          .fix = "Export it in one of these."};
 }
 
 Expected<RawMesh> parseRaw(std::string_view content, const std::filesystem::path& name, MeshFormat& format,
@@ -158,8 +156,9 @@ void warnAboutFacing(std::span<const geometry::TriangleMesh* const> meshes, cons
 }
 
 Error nothingLeft(const std::filesystem::path& name, std::uint64_t triangles_in_file) {
-  const char* found = triangles_in_file == 0 ? "no triangles" : "only triangles without area";
-  return {.file = name.string(), .found = found, .expected = "a mesh with at least one triangle"};
+  return {.file = name.string(),
+          .found = triangles_in_file == 0 ? Text("no triangles") : Text("only triangles without area"),
+          .expected = "a mesh with at least one triangle"};
 }
 
 template <typename File>
@@ -197,7 +196,7 @@ MeshFormat probeMeshFormat(std::string_view content, std::string_view extension)
   if (lowerCase(word.substr(0, 6)) == "solid") return MeshFormat::kStlAscii;
   if (isObjKeyword(word)) return MeshFormat::kObj;
   if (named == ".stl") return content.size() < 84 ? MeshFormat::kStlAscii : MeshFormat::kStlBinary;
-  if (named == ".obj" && seemsToBe(content) == "a content of an unknown kind") return MeshFormat::kObj;
+  if (named == ".obj" && seemsToBe(content).empty()) return MeshFormat::kObj;
   return MeshFormat::kUnknown;
 }
 
@@ -238,7 +237,7 @@ Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const M
   }
   const std::size_t gone = std::erase_if(file.parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });
   if (file.parts.empty()) return makeError(nothingLeft(path, file.triangles_in_file));
-  if (gone > 0) diagnostics.warn(std::to_string(gone) + " solids of triangles without area were left out");
+  if (gone > 0) diagnostics.warn(Text("%1 solids of triangles without area were left out", gone));
   warnAboutWelding(file.weld, diagnostics);
   std::vector<const geometry::TriangleMesh*> meshes;
   for (const MeshPart& part : file.parts) meshes.push_back(&part.mesh);

@@ -58,7 +58,7 @@ std::vector<fs::path> filesOf(const std::string& line, const fs::path& folder, D
     const auto file = find(std::string(word), folder);
     if (file) files.push_back(*file);
     if (!file) {
-      diagnostics.warn("its colours are missing: the material file " + inQuotes(line) + " is not beside it");
+      diagnostics.warn(Text("its colours are missing: the material file %1 is not beside it", inQuotes(line)));
       break;
     }
   }
@@ -84,9 +84,9 @@ std::map<std::string, Color> parseObjMaterials(std::string_view content, Diagnos
       ++pictures;
     }
   }
-  if (pictures > 0) diagnostics.warn(std::to_string(pictures) + " materials have a picture, which is not shown");
+  if (pictures > 0) diagnostics.warn(Text("%1 materials have a picture, which is not shown", pictures));
   if (unreadable > 0) {
-    diagnostics.warn(std::to_string(unreadable) + " materials have a colour that is not three numbers of at least 0");
+    diagnostics.warn(Text("%1 materials have a colour that is not three numbers of at least 0", unreadable));
   }
   return colors;
 }
@@ -102,12 +102,13 @@ std::map<std::string, Color> readObjMaterials(const fs::path& obj_file, const st
     for (const fs::path& file : filesOf(line, folder, diagnostics)) {
       if (!done.insert(file).second) continue;
       if (fs::file_size(file, fault) > kMostMaterialBytes || fault) {
-        diagnostics.warn("the material file " + inQuotes(file.filename().string()) + " is longer than 16 MB; not read");
+        diagnostics.warn(
+            Text("the material file %1 is longer than 16 MB; not read", inQuotes(file.filename().string())));
         continue;
       }
       const auto content = readFileContent(file);
       if (content) colors.merge(parseObjMaterials(*content, diagnostics));
-      if (!content) diagnostics.warn(content.error().message());
+      if (!content) diagnostics.warn(content.error().text());
     }
   }
   return colors;

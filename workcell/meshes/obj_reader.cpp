@@ -48,7 +48,7 @@ class ObjReader {
       HAPTICELL_TRY(done);
     }
     if (farthest_ > soup_.vertices.size()) {
-      return makeError(outOfRange("line " + std::to_string(farthest_line_), std::to_string(farthest_)));
+      return makeError(outOfRange(Text("line %1", farthest_line_), std::to_string(farthest_)));
     }
     report(diagnostics);
     soup_.vertex_colors = std::move(vertex_colors_).take(soup_.vertices.size(), std::nullopt);
@@ -104,9 +104,9 @@ class ObjReader {
 
   void report(Diagnostics& diagnostics) const {
     for (const auto& [keyword, lines] : unknown_) {
-      diagnostics.warn(std::to_string(lines) + " lines beginning with " + inQuotes(keyword) + " were not understood");
+      diagnostics.warn(Text("%1 lines beginning with %2 were not understood", lines, inQuotes(keyword)));
     }
-    vertex_colors_.report("vertices", diagnostics);
+    vertex_colors_.report(ColorChannels::Of::kVertices, diagnostics);
   }
 
   /// What stands behind the coordinates: nothing, a weight (1), a colour (3), a colour and how opaque it is (4).
@@ -124,32 +124,33 @@ class ObjReader {
   Expected<void> readVertex() {
     dvec3 point;
     for (int axis = 0; axis < 3; ++axis) {
-      const std::string place = cursor_.place();
+      const Text place = cursor_.place();
       const std::string_view word = cursor_.nextWord();
       const std::optional<double> value = parseNumber(word);
       if (!value) {
-        return makeError(
-            {.place = place,
-             .found = word.empty() ? "a vertex with fewer than three coordinates" : "vertex with " + inQuotes(word),
-             .expected = "three numbers with '.' as decimal point"});
+        return makeError({.place = place,
+                          .found = word.empty() ? Text("a vertex with fewer than three coordinates")
+                                                : Text("vertex with %1", inQuotes(word)),
+                          .expected = "three numbers with '.' as decimal point"});
       }
       point[axis] = *value;
     }
-    if (!isUsable(point)) return makeError(unusableCoordinate(cursor_.place(), "vertex", point));
+    if (!isUsable(point)) return makeError(unusableCoordinate(cursor_.place(), point));
     soup_.vertices.push_back(point);
     readVertexColor();
     return {};
   }
 
   Expected<void> readFace() {
-    const std::string place = cursor_.place();
+    const Text place = cursor_.place();
     for (std::string_view word = cursor_.nextWord(); !word.empty(); word = cursor_.nextWord()) {
       if (word.starts_with('#')) break;
       const std::string_view vertex = word.substr(0, word.find('/'));
       const std::optional<std::int64_t> index = parseInteger(vertex);
       if (!index || *index == 0) {
-        return makeError(
-            {"", place, "face corner " + inQuotes(word), "a vertex number (1 is the first, -1 the last so far)", ""});
+        return makeError({.place = place,
+                          .found = Text("face corner %1", inQuotes(word)),
+                          .expected = "a vertex number (1 is the first, -1 the last so far)"});
       }
       const auto known = static_cast<std::int64_t>(soup_.vertices.size());
       const std::int64_t absolute = *index < 0 ? known + *index : *index - 1;
@@ -165,10 +166,10 @@ class ObjReader {
     return {};
   }
 
-  Error outOfRange(const std::string& place, const std::string& index) const {
+  Error outOfRange(const Text& place, const std::string& index) const {
     return {.place = place,
-            .found = "vertex number " + inQuotes(index),
-            .expected = "one of the " + std::to_string(soup_.vertices.size()) + " vertices",
+            .found = Text("vertex number %1", inQuotes(index)),
+            .expected = Text("one of the %1 vertices", soup_.vertices.size()),
             .fix = "The file is damaged: export it again."};
   }
 

@@ -10,7 +10,7 @@ namespace hapticell::workcell {
 
 namespace {
 
-constexpr const char* kTruncated = "The file is truncated: export it again.";
+constexpr char kTruncated[] = HAPTICELL_TRANSLATED("The file is truncated: export it again.");
 
 struct Counts {
   std::uint64_t vertices = 0;
@@ -27,20 +27,22 @@ class OffReader {
     soup_.vertices.reserve(counts->vertices);
     soup_.ends.reserve(counts->faces);
     for (std::uint64_t k = 0; k < counts->vertices; ++k) {
-      if (!nextFilledLine()) return makeError(ended("vertex", k, counts->vertices));
+      if (!nextFilledLine())
+        return makeError(ended(Text("vertex %1 of %2", k + 1, counts->vertices), Text("a line for each vertex")));
       HAPTICELL_TRY(readVertex());
     }
     for (std::uint64_t k = 0; k < counts->faces; ++k) {
-      if (!nextFilledLine()) return makeError(ended("face", k, counts->faces));
+      if (!nextFilledLine())
+        return makeError(ended(Text("face %1 of %2", k + 1, counts->faces), Text("a line for each face")));
       HAPTICELL_TRY(readFace());
     }
     readTail();
-    vertex_colors_.report("vertices", diagnostics);
-    face_colors_.report("faces", diagnostics);
+    vertex_colors_.report(ColorChannels::Of::kVertices, diagnostics);
+    face_colors_.report(ColorChannels::Of::kFaces, diagnostics);
     soup_.vertex_colors = std::move(vertex_colors_).take(soup_.vertices.size(), std::nullopt);
     soup_.face_colors = std::move(face_colors_).take(soup_.ends.size(), std::nullopt);
     if (from_map_ > 0) {
-      diagnostics.warn(std::to_string(from_map_) + " faces have a colour by its number in a map; it was left out");
+      diagnostics.warn(Text("%1 faces have a colour by its number in a map; it was left out", from_map_));
     }
     Expected<RawMesh> raw = triangulate(std::move(soup_), diagnostics);
     if (raw) raw->metres_per_unit = metres_per_unit_;
@@ -119,11 +121,10 @@ class OffReader {
     const std::uint64_t room = cursor_.bytesLeft() + 1;
     const Counts counts{static_cast<std::uint64_t>(*vertices), static_cast<std::uint64_t>(*faces)};
     if (counts.vertices > room / 6 || counts.faces > room / 2) {
-      return makeError(
-          {.place = cursor_.place(),
-           .found = std::to_string(counts.vertices) + " vertices and " + std::to_string(counts.faces) + " faces",
-           .expected = "no more than the file's length can hold",
-           .fix = kTruncated});
+      return makeError({.place = cursor_.place(),
+                        .found = Text("%1 vertices and %2 faces", counts.vertices, counts.faces),
+                        .expected = "no more than the file's length can hold",
+                        .fix = kTruncated});
     }
     return counts;
   }
@@ -134,13 +135,13 @@ class OffReader {
       const std::optional<double> value = parseNumber(word_);
       if (!value) {
         return makeError({.place = cursor_.place(),
-                          .found = word_.empty() ? "a vertex with fewer than three coordinates" : inQuotes(word_),
+                          .found = word_.empty() ? Text("a vertex with fewer than three coordinates") : inQuotes(word_),
                           .expected = "three numbers with '.' as decimal point"});
       }
       point[axis] = *value;
       if (axis < 2) word_ = nextWord();
     }
-    if (!isUsable(point)) return makeError(unusableCoordinate(cursor_.place(), "vertex", point));
+    if (!isUsable(point)) return makeError(unusableCoordinate(cursor_.place(), point));
     soup_.vertices.push_back(point);
     for (int k = 0; has_normals_ && k < 3; ++k) nextWord();
     if (has_colors_) readColor(vertex_colors_, soup_.vertices.size() - 1);
@@ -157,9 +158,10 @@ class OffReader {
       const std::string_view word = nextWord();
       const std::optional<std::int64_t> index = parseInteger(word);
       if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= soup_.vertices.size()) {
-        return makeError({.place = cursor_.place(),
-                          .found = word.empty() ? "a face with too few corners" : "face corner " + inQuotes(word),
-                          .expected = "a vertex number below " + std::to_string(soup_.vertices.size())});
+        return makeError(
+            {.place = cursor_.place(),
+             .found = word.empty() ? Text("a face with too few corners") : Text("face corner %1", inQuotes(word)),
+             .expected = Text("a vertex number below %1", soup_.vertices.size())});
       }
       soup_.corners.push_back(static_cast<std::uint32_t>(*index));
     }
@@ -168,11 +170,8 @@ class OffReader {
     return {};
   }
 
-  Error ended(const char* what, std::uint64_t index, std::uint64_t count) const {
-    return {.place = std::string(what) + " " + std::to_string(index + 1) + " of " + std::to_string(count),
-            .found = "the file ends",
-            .expected = "a line for each " + std::string(what),
-            .fix = kTruncated};
+  static Error ended(Text place, Text expected) {
+    return {.place = std::move(place), .found = "the file ends", .expected = std::move(expected), .fix = kTruncated};
   }
 
   TextCursor cursor_;

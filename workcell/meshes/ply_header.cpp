@@ -99,7 +99,7 @@ class HeaderReader {
     return true;
   }
 
-  std::string place() const { return "line " + std::to_string(line_number_); }
+  Text place() const { return Text("line %1", line_number_); }
 
   /// True where the line is a comment.
   bool readComment() {
@@ -110,7 +110,7 @@ class HeaderReader {
 
   Expected<void> readFirstLines() {
     if (!nextLine() || line_.substr(0, 3) != "ply")
-      return makeError({.place = "line 1", .found = "no 'ply'", .expected = "'ply'"});
+      return makeError({.place = Text("line %1", 1), .found = "no 'ply'", .expected = "'ply'"});
     do {
       if (!nextLine()) return makeError({.place = place(), .found = "the file ends", .expected = "a line 'format'"});
     } while (readComment());
@@ -139,12 +139,13 @@ class HeaderReader {
     const std::optional<std::int64_t> count = parseInteger(word);
     if (!count || *count < 0) {
       return makeError(
-          {.place = place(), .found = inQuotes(word), .expected = "how many elements '" + element.name + "' follow"});
+          {.place = place(), .found = inQuotes(word), .expected = Text("how many elements '%1' follow", element.name)});
     }
     for (const PlyElement& other : header_.elements) {
       if (other.name == element.name) {
-        return makeError(
-            {.place = place(), .found = "a second element " + inQuotes(element.name), .expected = "each element once"});
+        return makeError({.place = place(),
+                          .found = Text("a second element %1", inQuotes(element.name)),
+                          .expected = "each element once"});
       }
     }
     element.count = static_cast<std::uint64_t>(*count);
@@ -183,9 +184,9 @@ class HeaderReader {
     for (const PlyElement& element : header_.elements) {
       const std::uint64_t least = leastBytes(element, header_.encoding);
       if (least == 0 || element.count <= room / least) continue;
-      return makeError({.place = "line " + std::to_string(element.line),
-                        .found = std::to_string(element.count) + " elements " + inQuotes(element.name),
-                        .expected = "at most the " + std::to_string(room / least) + " that the file's length can hold",
+      return makeError({.place = Text("line %1", element.line),
+                        .found = Text("%1 elements %2", element.count, inQuotes(element.name)),
+                        .expected = Text("at most the %1 that the file's length can hold", room / least),
                         .fix = "The file is truncated: export it again."});
     }
     return {};

@@ -36,8 +36,8 @@ class NumberSource {
 
   std::size_t bytesLeft() const { return encoding_ == PlyEncoding::kAscii ? words_.bytesLeft() : data_.size(); }
   /// "line 12" in text; empty in binary data.
-  std::string place(std::size_t header_lines) const {
-    return encoding_ == PlyEncoding::kAscii ? "line " + std::to_string(header_lines + words_.lineNumber()) : "";
+  Text place(std::size_t header_lines) const {
+    return encoding_ == PlyEncoding::kAscii ? Text("line %1", header_lines + words_.lineNumber()) : Text();
   }
 
  private:
@@ -135,9 +135,7 @@ class PlyReader {
       }
       keepColors(element, std::move(colors), diagnostics);
       const bool known = element.name == "vertex" || element.name == "face" || element.name == "tristrips";
-      if (!known)
-        diagnostics.warn("the " + std::to_string(element.count) + " elements " + inQuotes(element.name) +
-                         " were not used");
+      if (!known) diagnostics.warn(Text("the %1 elements %2 were not used", element.count, inQuotes(element.name)));
     }
     Expected<RawMesh> raw = triangulate(std::move(soup_), diagnostics);
     if (raw) raw->metres_per_unit = header_.metres_per_unit;
@@ -146,8 +144,9 @@ class PlyReader {
 
  private:
   void keepColors(const PlyElement& element, ColorChannels colors, Diagnostics& diagnostics) {
-    colors.report(element.name == "vertex" ? "vertices" : "faces", diagnostics);
-    if (element.name == "vertex") {
+    const bool vertices = element.name == "vertex";
+    colors.report(vertices ? ColorChannels::Of::kVertices : ColorChannels::Of::kFaces, diagnostics);
+    if (vertices) {
       soup_.vertex_colors = std::move(colors).take(soup_.vertices.size(), roles_.full);
     } else if (element.name == "face") {
       soup_.face_colors = std::move(colors).take(soup_.ends.size(), roles_.full);
@@ -164,8 +163,10 @@ class PlyReader {
     if (!vertices)
       return makeError({.place = "header", .found = "no vertices", .expected = "an element 'vertex' with x, y and z"});
     if (!faces) {
-      return makeError(
-          {"", "header", "points without faces", "an element 'face'", "Make a surface of the point cloud first."});
+      return makeError({.place = "header",
+                        .found = "points without faces",
+                        .expected = "an element 'face'",
+                        .fix = "Make a surface of the point cloud first."});
     }
     return {};
   }
@@ -190,7 +191,7 @@ class PlyReader {
       colors.set(polygons, {values[4], values[5], values[6]});
     if (!vertex) return {};
     const dvec3 point(values[1], values[2], values[3]);
-    if (!isUsable(point)) return makeError(unusableCoordinate(placeOf(element, index), "vertex", point));
+    if (!isUsable(point)) return makeError(unusableCoordinate(placeOf(element, index), point));
     soup_.vertices.push_back(point);
     return {};
   }
@@ -239,16 +240,16 @@ class PlyReader {
     soup_.closePolygon();
   }
 
-  std::string placeOf(const PlyElement& element, std::uint64_t index) const {
-    const std::string line = source_.place(header_.lines);
-    return (line.empty() ? "" : line + ", ") + element.name + " " + std::to_string(index + 1) + " of " +
-           std::to_string(element.count);
+  Text placeOf(const PlyElement& element, std::uint64_t index) const {
+    const Text one("%1 %2 of %3", element.name, index + 1, element.count);
+    const Text line = source_.place(header_.lines);
+    return line.empty() ? one : Text("%1, %2", line, one);
   }
 
   Error ended(const PlyElement& element, std::uint64_t index) const {
     return {.place = placeOf(element, index),
             .found = "the file ends",
-            .expected = std::to_string(element.count) + " elements " + inQuotes(element.name),
+            .expected = Text("%1 elements %2", element.count, inQuotes(element.name)),
             .fix = "The file is truncated: export it again."};
   }
 

@@ -65,9 +65,9 @@ class Triangulator {
   }
 
   void report(Diagnostics& diagnostics) const {
-    if (dropped_ > 0) diagnostics.warn(std::to_string(dropped_) + " faces with fewer than three corners were dropped");
+    if (dropped_ > 0) diagnostics.warn(Text("%1 faces with fewer than three corners were dropped", dropped_));
     if (crossed_ > 0) {
-      diagnostics.warn(std::to_string(crossed_) + " faces cross themselves or are not plane; they were cut as fans");
+      diagnostics.warn(Text("%1 faces cross themselves or are not plane; they were cut as fans", crossed_));
     }
   }
 
@@ -106,9 +106,9 @@ Expected<RawMesh> triangulate(PolygonSoup soup, Diagnostics& diagnostics) {
     begin = soup.ends[face];
     for (std::uint32_t index : polygon) {
       if (index < mesh.vertices.size()) continue;
-      return makeError({.place = "face " + std::to_string(face + 1) + " of " + std::to_string(soup.ends.size()),
-                        .found = "vertex index " + std::to_string(index),
-                        .expected = "less than the " + std::to_string(mesh.vertices.size()) + " vertices of the file"});
+      return makeError({.place = Text("face %1 of %2", face + 1, soup.ends.size()),
+                        .found = Text("vertex index %1", index),
+                        .expected = Text("less than the %1 vertices of the file", mesh.vertices.size())});
     }
     triangulator.add(polygon);
     if (!soup.labels.empty()) raw.label.resize(mesh.triangles.size(), soup.labels[face]);

@@ -13,17 +13,17 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 84;  // 80 of text, 4 of count.
 constexpr std::size_t kTriangleBytes = 50;
-constexpr const char* kTruncatedStl = "The file is truncated: export it again.";
+constexpr char kTruncatedStl[] = HAPTICELL_TRANSLATED("The file is truncated: export it again.");
 
-std::string triangleOf(std::size_t triangle, std::size_t count) {
-  return "triangle " + std::to_string(triangle + 1) + " of " + std::to_string(count);
+Text triangleOf(std::size_t triangle, std::size_t count) {
+  return Text("triangle %1 of %2", triangle + 1, count);
 }
 
 std::uint32_t countInHeader(std::string_view content) {
   return readNumber<std::uint32_t>(content.substr(80), std::endian::little);
 }
 
-Error wrongWord(const TextCursor& cursor, std::string_view word, const std::string& expected) {
+Error wrongWord(const TextCursor& cursor, std::string_view word, const Text& expected) {
   if (word.empty())
     return {.place = cursor.place(), .found = "the file ends", .expected = expected, .fix = kTruncatedStl};
   return {.place = cursor.place(), .found = inQuotes(word), .expected = expected};
@@ -39,8 +39,9 @@ Expected<void> readFacet(TextCursor& cursor, geometry::TriangleMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (int corner = 0; corner < 3; ++corner) {
     const std::string_view word = cursor.nextWordOfText();
-    if (!sameButForCase(word, "vertex")) return makeError(wrongWord(cursor, word, "'vertex' (three of them a facet)"));
-    const Expected<dvec3> point = readPoint(cursor, "vertex");
+    if (!sameButForCase(word, "vertex"))
+      return makeError(wrongWord(cursor, word, Text("'vertex' (three of them a facet)")));
+    const Expected<dvec3> point = readPoint(cursor);
     HAPTICELL_TRY(point);
     mesh.vertices.push_back(*point);
   }
@@ -76,16 +77,16 @@ Expected<RawMesh> readStlAscii(std::string_view content, Diagnostics&) {
       cursor.restOfLine();
       in_solid = false;
     } else {
-      return makeError(wrongWord(cursor, word, in_solid ? "'facet' or 'endsolid'" : "'solid'"));
+      return makeError(wrongWord(cursor, word, in_solid ? Text("'facet' or 'endsolid'") : Text("'solid'")));
     }
   }
-  if (in_solid) return makeError(wrongWord(cursor, {}, "'facet' or 'endsolid'"));
+  if (in_solid) return makeError(wrongWord(cursor, {}, Text("'facet' or 'endsolid'")));
   return raw;
 }
 
 Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnostics) {
   if (content.size() < kHeaderBytes) {
-    return makeError({.found = std::to_string(content.size()) + " bytes",
+    return makeError({.found = Text("%1 bytes", content.size()),
                       .expected = "at least the 84 bytes of a binary STL's header",
                       .fix = kTruncatedStl});
   }
@@ -94,17 +95,17 @@ Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnosti
   const std::size_t spare = (content.size() - kHeaderBytes) % kTriangleBytes;
   if (count > room) {
     return makeError({.place = triangleOf(room, count),
-                      .found = "the file ends after " + std::to_string(content.size()) + " bytes",
-                      .expected = std::to_string(kHeaderBytes + kTriangleBytes * count) + " bytes",
+                      .found = Text("the file ends after %1 bytes", content.size()),
+                      .expected = Text("%1 bytes", kHeaderBytes + kTriangleBytes * count),
                       .fix = kTruncatedStl});
   }
   if (count < room) {
     return makeError({.place = "header",
-                      .found = "a count of " + std::to_string(count) + " triangles",
-                      .expected = std::to_string(room) + ", which is what the file's length holds",
+                      .found = Text("a count of %1 triangles", count),
+                      .expected = Text("%1, which is what the file's length holds", room),
                       .fix = "Export the file again."});
   }
-  if (spare > 0) diagnostics.warn(std::to_string(spare) + " bytes behind the last triangle were not read");
+  if (spare > 0) diagnostics.warn(Text("%1 bytes behind the last triangle were not read", spare));
   RawMesh raw;
   raw.metres_per_unit = statedUnit(content.substr(0, kHeaderBytes - 4));
   geometry::TriangleMesh& mesh = raw.mesh;
@@ -119,7 +120,7 @@ Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnosti
         const std::size_t at = 4 * (3 * corner + axis);
         point[static_cast<int>(axis)] = readNumber<float>(bytes.substr(at), std::endian::little);
       }
-      if (!isUsable(point)) return makeError(unusableCoordinate(triangleOf(triangle, count), "vertex", point));
+      if (!isUsable(point)) return makeError(unusableCoordinate(triangleOf(triangle, count), point));
       mesh.vertices.push_back(point);
     }
     mesh.triangles.push_back({first, first + 1, first + 2});

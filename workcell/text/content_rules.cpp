@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "geometry/system/assertion.h"
 
@@ -16,16 +17,17 @@ constexpr ContentRule kSdfRules[] = {
     {"sdf/world"},
     {"sdf/model"},
     {"sdf/include"},
-    {"sdf/actor", kReported, "a figure that moves by a script"},
+    {"sdf/actor", kReported, HAPTICELL_TRANSLATED("a figure that moves by a script")},
     {"sdf/light", kNoted},
     {"world/model"},
     {"world/include"},
     {"world/frame"},
     {"world/population"},
-    {"world/actor", kReported, "a figure that moves by a script"},
-    {"world/road", kReported, "a strip along points"},
-    {"world/joint", kReported, "a joint between models of a world"},
-    {"world/state", kReported, "places saved from a run; the models stand where they are described"},
+    {"world/actor", kReported, HAPTICELL_TRANSLATED("a figure that moves by a script")},
+    {"world/road", kReported, HAPTICELL_TRANSLATED("a strip along points")},
+    {"world/joint", kReported, HAPTICELL_TRANSLATED("a joint between models of a world")},
+    {"world/state", kReported,
+     HAPTICELL_TRANSLATED("places saved from a run; the models stand where they are described")},
     {"world/light", kNoted},
     {"world/plugin", kNoted},
     {"world/physics", kNoted},
@@ -54,7 +56,7 @@ constexpr ContentRule kSdfRules[] = {
     {"include/static", kNoted},
     {"include/placement_frame"},
     {"include/plugin", kNoted},
-    {"include/experimental:params", kReported, "changes to the model that is taken in"},
+    {"include/experimental:params", kReported, HAPTICELL_TRANSLATED("changes to the model that is taken in")},
     {"model/link"},
     {"model/joint"},
     {"model/frame"},
@@ -67,7 +69,7 @@ constexpr ContentRule kSdfRules[] = {
     {"model/enable_wind", kNoted},
     {"model/plugin", kNoted},
     {"model/gripper", kNoted},
-    {"model/drake:joint", kReported, "a joint that only Drake knows"},
+    {"model/drake:joint", kReported, HAPTICELL_TRANSLATED("a joint that only Drake knows")},
     {"frame/pose"},
     {"link/pose"},
     {"link/visual"},
@@ -110,11 +112,11 @@ constexpr ContentRule kSdfRules[] = {
     {"geometry/ellipsoid"},
     {"geometry/mesh"},
     {"geometry/empty"},
-    {"geometry/plane", kReported, "a plane without end"},
-    {"geometry/heightmap", kReported, "ground from a picture"},
-    {"geometry/image", kReported, "boxes from a picture"},
-    {"geometry/polyline", kReported, "an outline that is pulled up"},
-    {"geometry/cone", kReported, "a cone"},
+    {"geometry/plane", kReported, HAPTICELL_TRANSLATED("a plane without end")},
+    {"geometry/heightmap", kReported, HAPTICELL_TRANSLATED("ground from a picture")},
+    {"geometry/image", kReported, HAPTICELL_TRANSLATED("boxes from a picture")},
+    {"geometry/polyline", kReported, HAPTICELL_TRANSLATED("an outline that is pulled up")},
+    {"geometry/cone", kReported, HAPTICELL_TRANSLATED("a cone")},
     {"box/size"},
     {"sphere/radius"},
     {"cylinder/radius"},
@@ -146,7 +148,7 @@ constexpr ContentRule kSdfRules[] = {
     {"joint/axis2"},
     {"joint/thread_pitch"},
     {"joint/screw_thread_pitch"},
-    {"joint/gearbox_ratio", kReported, "two joints that turn in a fixed ratio"},
+    {"joint/gearbox_ratio", kReported, HAPTICELL_TRANSLATED("two joints that turn in a fixed ratio")},
     {"joint/gearbox_reference_body", kNoted},
     {"joint/physics", kNoted},
     {"joint/sensor", kNoted},
@@ -179,11 +181,11 @@ constexpr ContentRule kGltfRules[] = {
     {"EXT_meshopt_compression"},
     {"EXT_mesh_gpu_instancing"},
     {"KHR_materials_pbrSpecularGlossiness"},
-    {"animations", kReported, "motion; all is shown at rest"},
-    {"skins", kReported, "bones; the mesh is shown as modelled"},
-    {"morph targets", kReported, "changes of shape; the mesh is shown as modelled"},
-    {"further scenes", kReported, "scenes beside the main one"},
-    {"points and lines", kReported, "what has no triangles"},
+    {"animations", kReported, HAPTICELL_TRANSLATED("motion; all is shown at rest")},
+    {"skins", kReported, HAPTICELL_TRANSLATED("bones; the mesh is shown as modelled")},
+    {"morph targets", kReported, HAPTICELL_TRANSLATED("changes of shape; the mesh is shown as modelled")},
+    {"further scenes", kReported, HAPTICELL_TRANSLATED("scenes beside the main one")},
+    {"points and lines", kReported, HAPTICELL_TRANSLATED("what has no triangles")},
     {"KHR_texture_transform", kNoted},
     {"KHR_texture_basisu", kNoted},
     {"EXT_texture_webp", kNoted},
@@ -217,13 +219,13 @@ constexpr ContentRule kColladaRules[] = {
     {"library_nodes"},
     {"library_materials"},
     {"library_effects"},
-    {"library_controllers", kReported, "bones and blends; the mesh is shown as modelled"},
-    {"library_animations", kReported, "motion; all is shown at rest"},
-    {"library_kinematics_models", kReported, "joints; all is read as solid bodies"},
-    {"library_articulated_systems", kReported, "joints; all is read as solid bodies"},
-    {"library_physics_models", kReported, "bodies for a simulation"},
-    {"geometry/spline", kReported, "curves"},
-    {"geometry/brep", kReported, "exact surfaces"},
+    {"library_controllers", kReported, HAPTICELL_TRANSLATED("bones and blends; the mesh is shown as modelled")},
+    {"library_animations", kReported, HAPTICELL_TRANSLATED("motion; all is shown at rest")},
+    {"library_kinematics_models", kReported, HAPTICELL_TRANSLATED("joints; all is read as solid bodies")},
+    {"library_articulated_systems", kReported, HAPTICELL_TRANSLATED("joints; all is read as solid bodies")},
+    {"library_physics_models", kReported, HAPTICELL_TRANSLATED("bodies for a simulation")},
+    {"geometry/spline", kReported, HAPTICELL_TRANSLATED("curves")},
+    {"geometry/brep", kReported, HAPTICELL_TRANSLATED("exact surfaces")},
     {"library_cameras", kNoted},
     {"library_lights", kNoted},
     {"library_images", kNoted},
@@ -238,12 +240,12 @@ constexpr ContentRule kThreeMfRules[] = {
     {"mesh"},
     {"components"},
     {"trianglesets", kNoted},
-    {"beamlattice", kReported, "beams and balls"},
-    {"slicestack", kReported, "slices beside the mesh"},
-    {"booleanshape", kReported, "one shape cut out of another"},
-    {"displacementmesh", kReported, "a mesh that a picture raises"},
-    {"levelset", kReported, "a shape given by a function"},
-    {"implicit", kReported, "a shape given by a function"},
+    {"beamlattice", kReported, HAPTICELL_TRANSLATED("beams and balls")},
+    {"slicestack", kReported, HAPTICELL_TRANSLATED("slices beside the mesh")},
+    {"booleanshape", kReported, HAPTICELL_TRANSLATED("one shape cut out of another")},
+    {"displacementmesh", kReported, HAPTICELL_TRANSLATED("a mesh that a picture raises")},
+    {"levelset", kReported, HAPTICELL_TRANSLATED("a shape given by a function")},
+    {"implicit", kReported, HAPTICELL_TRANSLATED("a shape given by a function")},
     {"other required extensions", kRefused},
 };
 
@@ -253,34 +255,29 @@ constexpr ContentRule kStepRules[] = {
     {"references to other files"},
     {"names"},
     {"colours"},
-    {"raw 8-bit names", kReported, "the encoding is guessed"},
-    {"tessellated shapes beside exact ones", kReported, "triangles as of AP242"},
-    {"faces that cannot be cut", kReported, "missing triangles"},
-    {"parts without a shape", kReported, "lines only, or a file that is missing"},
+    {"raw 8-bit names", kReported, HAPTICELL_TRANSLATED("the encoding is guessed")},
+    {"tessellated shapes beside exact ones", kReported, HAPTICELL_TRANSLATED("triangles as of AP242")},
+    {"faces that cannot be cut", kReported, HAPTICELL_TRANSLATED("missing triangles")},
+    {"parts without a shape", kReported, HAPTICELL_TRANSLATED("lines only, or a file that is missing")},
     {"product manufacturing information", kNoted},
     {"layers", kNoted},
     {"properties", kNoted},
-    {"joints", kReported, "all is read as solid bodies"},
+    {"joints", kReported, HAPTICELL_TRANSLATED("all is read as solid bodies")},
     {"tessellated shapes only", kRefused},
 };
 
 constexpr FormatRules kFormats[] = {
-    {"SDF", kSdfRules},
-    {"glTF", kGltfRules},
-    {"Collada", kColladaRules},
-    {"3MF", kThreeMfRules},
-    {"STEP", kStepRules},
+    {"SDF", kSdfRules}, {"glTF", kGltfRules}, {"Collada", kColladaRules}, {"3MF", kThreeMfRules}, {"STEP", kStepRules},
 };
 
 /// "'a', 'b' and 3 more".
-std::string placesListed(const std::vector<std::string>& places) {
+Text placesListed(const std::vector<Text>& places) {
   constexpr std::size_t kMost = 5;
-  std::string text;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (k == kMost) return text + " and " + std::to_string(places.size() - k) + " more";
-    text += (k > 0 ? ", " : "") + places[k];
+  Text list;
+  for (std::size_t k = 0; k < std::min(kMost, places.size()); ++k) {
+    list = list.empty() ? places[k] : Text("%1, %2", std::move(list), places[k]);
   }
-  return text;
+  return places.size() > kMost ? Text("%1 and %2 more", std::move(list), places.size() - kMost) : list;
 }
 
 }  // namespace
@@ -316,19 +313,19 @@ const ContentRule* ContentReport::rule(std::string_view element) const {
   return found == rules_->rules.end() ? nullptr : &*found;
 }
 
-Treatment ContentReport::meet(std::string_view element, std::string_view place) {
+Treatment ContentReport::meet(std::string_view element, const Text& place) {
   const ContentRule* const known = rule(element);
   const Treatment unknown = element.find(':') == std::string_view::npos ? kReported : kNoted;
   const Treatment treatment = known ? known->treatment : unknown;
-  if (treatment == kReported) reported_[std::string(element)].emplace_back(place);
+  if (treatment == kReported) reported_[std::string(element)].push_back(place);
   return treatment;
 }
 
 void ContentReport::tell(std::vector<Text>& warnings) const {
   for (const auto& [element, places] : reported_) {
     const ContentRule* const known = rule(element);
-    const std::string meaning(known ? known->meaning : "not known to this reader");
-    warnings.push_back(element + " (" + meaning + ") is left out: " + placesListed(places));
+    const Text meaning = known ? Text(known->meaning) : Text("not known to this reader");
+    warnings.push_back(Text("%1 (%2) is left out: %3", element, meaning, placesListed(places)));
   }
 }
 

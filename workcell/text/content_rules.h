@@ -26,7 +26,7 @@ const char* toString(Treatment treatment);
 struct ContentRule {
   std::string_view element;  ///< "parent/child" of an XML format, the name of an extension or entity otherwise.
   Treatment treatment = Treatment::kUsed;
-  std::string_view meaning = {};  ///< In warnings: what is missing or assumed.
+  const char* meaning = "";  ///< In warnings: what is missing or assumed; a Text's id.
 };
 
 /// A format and all that its reader knows; docs/user/formats-content.md shows them as a table, kept equal by a test.
@@ -48,13 +48,13 @@ class ContentReport {
   const ContentRule* rule(std::string_view element) const;
   /// How it is treated; where it is to be reported, `place` ("'arm'", "line 12") is remembered. What the table does not
   /// know is reported as unknown, unless its name has a colon: such elements belong to other programs and are noted.
-  Treatment meet(std::string_view element, std::string_view place);
+  Treatment meet(std::string_view element, const Text& place);
   /// One warning for each element that was to be reported, with the first places; in the order of the names.
   void tell(std::vector<Text>& warnings) const;
 
  private:
   const FormatRules* rules_;
-  std::map<std::string, std::vector<std::string>> reported_;
+  std::map<std::string, std::vector<Text>> reported_;
 };
 
 }  // namespace hapticell::workcell

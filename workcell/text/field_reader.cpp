@@ -11,9 +11,9 @@ namespace hapticell::workcell {
 namespace {
 
 /// What stands there, short enough for a message.
-std::string excerpt(const Json& value) {
+Text excerpt(const Json& value) {
   constexpr std::size_t kLongest = 60;
-  if (value.is_structured()) return value.is_array() ? "a list" : "an object";
+  if (value.is_structured()) return value.is_array() ? Text("a list") : Text("an object");
   std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
   if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
   return text;
@@ -46,15 +46,16 @@ void print(const Json& value, int depth, std::string& text) {
 
 }  // namespace
 
-FieldReader::FieldReader(const Json& object, std::string place, std::optional<Error>& error)
+FieldReader::FieldReader(const Json& object, Text place, std::optional<Error>& error)
     : object_(object), place_(std::move(place)), error_(error) {
   if (!object_.is_object() && !error_)
     error_ = Error{.place = place_, .found = excerpt(object_), .expected = "an object in braces"};
 }
 
-void FieldReader::fail(const std::string& key, std::string found, std::string expected) {
+void FieldReader::fail(const std::string& key, Text found, Text expected) {
   if (!error_)
-    error_ = Error{.place = place_ + ", \"" + key + "\"", .found = std::move(found), .expected = std::move(expected)};
+    error_ =
+        Error{.place = Text("%1, \"%2\"", place_, key), .found = std::move(found), .expected = std::move(expected)};
 }
 
 const Json* FieldReader::member(const char* key) {
@@ -65,26 +66,25 @@ const Json* FieldReader::member(const char* key) {
 }
 
 void FieldReader::require(const char* key) {
-  if (!error_ && !member(key))
-    error_ = Error{.place = place_, .found = "no \"" + std::string(key) + "\"", .expected = "one"};
+  if (!error_ && !member(key)) error_ = Error{.place = place_, .found = Text("no \"%1\"", key), .expected = "one"};
 }
 
 void FieldReader::read(const char* key, std::string& target) {
   const Json* value = member(key);
-  if (value && !value->is_string()) fail(key, excerpt(*value), "text in quotes");
+  if (value && !value->is_string()) fail(key, excerpt(*value), Text("text in quotes"));
   if (value && value->is_string()) target = value->get<std::string>();
 }
 
 void FieldReader::read(const char* key, bool& target) {
   const Json* value = member(key);
-  if (value && !value->is_boolean()) fail(key, excerpt(*value), "true or false");
+  if (value && !value->is_boolean()) fail(key, excerpt(*value), Text("true or false"));
   if (value && value->is_boolean()) target = value->get<bool>();
 }
 
 void FieldReader::read(const char* key, double& target) {
   const Json* value = member(key);
   if (!value) return;
-  if (!value->is_number() || !std::isfinite(value->get<double>())) return fail(key, excerpt(*value), "a number");
+  if (!value->is_number() || !std::isfinite(value->get<double>())) return fail(key, excerpt(*value), Text("a number"));
   target = value->get<double>();
 }
 
@@ -92,9 +92,9 @@ void FieldReader::read(const char* key, std::map<std::string, std::string>& targ
   const Json* value = member(key);
   if (!value) return;
   target.clear();
-  if (!value->is_object()) return fail(key, excerpt(*value), "an object in braces");
+  if (!value->is_object()) return fail(key, excerpt(*value), Text("an object in braces"));
   for (const auto& [name, item] : value->items()) {
-    if (!item.is_string()) return fail(key, excerpt(item), "texts in quotes");
+    if (!item.is_string()) return fail(key, excerpt(item), Text("texts in quotes"));
     target[name] = item.get<std::string>();
   }
 }
@@ -104,7 +104,7 @@ void FieldReader::read(const char* key, std::vector<std::string>& target) {
   if (!value) return;
   target.clear();
   for (const Json& item : *value) {
-    if (!item.is_string()) return fail(key, excerpt(item), "texts in quotes");
+    if (!item.is_string()) return fail(key, excerpt(item), Text("texts in quotes"));
     target.push_back(item.get<std::string>());
   }
 }
@@ -117,7 +117,7 @@ bool FieldReader::readNumbers(const char* key, std::size_t count, std::vector<do
         return item.is_number() && std::isfinite(item.get<double>());
       });
   if (!numbers) {
-    fail(key, excerpt(*value), std::to_string(count) + " numbers in brackets");
+    fail(key, excerpt(*value), Text("%1 numbers in brackets", count));
     return false;
   }
   target = value->get<std::vector<double>>();
@@ -127,19 +127,20 @@ bool FieldReader::readNumbers(const char* key, std::size_t count, std::vector<do
 void FieldReader::read(const char* key, Pose& target) {
   const Json* value = object(key);
   if (!value) return;
-  FieldReader fields(*value, place_ + ", \"" + key + "\"", error_);
+  FieldReader fields(*value, Text("%1, \"%2\"", place_, key), error_);
   std::vector<double> p, q;
   if (fields.readNumbers("position", 3, p)) {
     target.p = {p[0], p[1], p[2]};
     if (!Pose::translation(target.p).isValid())
-      return fields.fail("position", "a place too far away", "metres, at most 1e12");
+      return fields.fail("position", Text("a place too far away"), Text("metres, at most 1e12"));
   }
   if (!fields.readNumbers("quaternion", 4, q)) return;
   dquat turned(q[0], q[1], q[2], q[3]);
   constexpr double kNearlyUnit = 0.01;  // Hand-written ones are rounded; others are mistakes.
   const double length = glm::length(turned);
   if (!(std::abs(length - 1.0) < kNearlyUnit)) {
-    return fields.fail("quaternion", "the length " + std::to_string(length), "a quaternion w, x, y, z of length 1");
+    return fields.fail("quaternion", Text("the length %1", std::to_string(length)),
+                       Text("a quaternion w, x, y, z of length 1"));
   }
   target.q = turned;
   if (!target.isValid()) target.q = turned / length;
@@ -153,18 +154,18 @@ void FieldReader::readWord(const char* key, const std::vector<std::string>& word
     target = static_cast<int>(it - words.begin());
     return;
   }
-  fail(key, excerpt(*value), "one of " + listed(words));
+  fail(key, excerpt(*value), Text("one of %1", listed(words)));
 }
 
 const Json* FieldReader::array(const char* key) {
   const Json* value = member(key);
-  if (value && !value->is_array()) fail(key, excerpt(*value), "a list in brackets");
+  if (value && !value->is_array()) fail(key, excerpt(*value), Text("a list in brackets"));
   return value && value->is_array() ? value : nullptr;
 }
 
 const Json* FieldReader::object(const char* key) {
   const Json* value = member(key);
-  if (value && !value->is_object()) fail(key, excerpt(*value), "an object in braces");
+  if (value && !value->is_object()) fail(key, excerpt(*value), Text("an object in braces"));
   return value && value->is_object() ? value : nullptr;
 }
 
@@ -172,7 +173,7 @@ void FieldReader::warnAboutOthers(Diagnostics& diagnostics) const {
   if (!object_.is_object()) return;
   for (auto it = object_.begin(); it != object_.end(); ++it) {
     if (asked_.contains(it.key())) continue;
-    diagnostics.warn(place_ + ": the key \"" + it.key() + "\" is not known and was left out");
+    diagnostics.warn(Text("%1: the key \"%2\" is not known and was left out", place_, it.key()));
   }
 }
 

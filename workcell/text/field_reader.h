@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/pose.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::workcell {
 
@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 class FieldReader {
  public:
   /// `object` must outlive this; `place` is what messages call it ("entity 'table'").
-  FieldReader(const Json& object, std::string place, std::optional<Error>& error);
+  FieldReader(const Json& object, Text place, std::optional<Error>& error);
 
   void read(const char* key, std::string& target);
   void read(const char* key, bool& target);
@@ -40,13 +40,13 @@ class FieldReader {
   void require(const char* key);
   /// Warns of members that nobody asked for: a misspelt key would else be without effect in silence.
   void warnAboutOthers(Diagnostics& diagnostics) const;
-  void fail(const std::string& key, std::string found, std::string expected);
+  void fail(const std::string& key, Text found, Text expected);
 
  private:
   const Json* member(const char* key);
 
   const Json& object_;
-  std::string place_;
+  Text place_;
   std::optional<Error>& error_;
   std::set<std::string> asked_;
 };

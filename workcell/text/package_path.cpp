@@ -246,9 +246,10 @@ bool isBelow(const fs::path& file, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-std::string takenForPackage(const std::string& uri, const FoundFile& found) {
-  return "the package of " + uri + " is not found by its name; the folder " + found.taken_for_package.string() +
-         ", which holds the rest of the path, is taken for it";
+Text takenForPackage(const std::string& uri, const FoundFile& found) {
+  return Text(
+      "the package of %1 is not found by its name; the folder %2, which holds the rest of the path, is taken for it",
+      uri, found.taken_for_package.string());
 }
 
 }  // namespace hapticell::workcell

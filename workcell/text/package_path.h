@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "geometry/system/text.h"
+
 namespace hapticell::workcell {
 
 /// A file that a description names, and how it was found.
@@ -35,7 +37,7 @@ std::optional<FoundFile> findReference(const std::string& uri, const std::filesy
 bool isBelow(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 /// For reports: that the folder `found.taken_for_package` was taken for the package of `uri`.
-std::string takenForPackage(const std::string& uri, const FoundFile& found);
+Text takenForPackage(const std::string& uri, const FoundFile& found);
 
 /// True for a "package://" or "model://" whose ".." lead out of the package: no package needs it, and a description
 /// from a stranger might have other files looked at.

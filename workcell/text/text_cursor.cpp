@@ -10,7 +10,6 @@ namespace hapticell::workcell {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\v\f";
-constexpr const char* kNumberExpected = "a finite number with '.' as decimal point";
 
 std::string numberText(double value) {
   char buffer[32];
@@ -103,35 +102,35 @@ bool isUsable(const dvec3& point) {
   return isUsable(point.x) && isUsable(point.y) && isUsable(point.z);
 }
 
-Error unusableCoordinate(std::string place, std::string_view what, const dvec3& point) {
+Error unusableCoordinate(Text place, const dvec3& point) {
   double bad = point.x;
   if (isUsable(bad)) bad = point.y;
   if (isUsable(bad)) bad = point.z;
   return {.place = std::move(place),
-          .found = std::string(what) + " with the coordinate " + numberText(bad),
+          .found = Text("vertex with the coordinate %1", numberText(bad)),
           .expected = "finite numbers of a believable size",
           .fix = "The file is damaged: export it again."};
 }
 
-Expected<dvec3> readPoint(TextCursor& cursor, std::string_view what) {
+Expected<dvec3> readPoint(TextCursor& cursor) {
   dvec3 point;
   for (int axis = 0; axis < 3; ++axis) {
     const std::string_view word = cursor.nextWordOfText();
     const std::optional<double> value = parseNumber(word);
     if (word.empty()) {
       return makeError({.place = cursor.place(),
-                        .found = "the file ends within a " + std::string(what),
+                        .found = "the file ends within a vertex",
                         .expected = "three coordinates",
                         .fix = "The file is truncated: export it again."});
     }
     if (!value) {
       return makeError({.place = cursor.place(),
-                        .found = std::string(what) + " with " + inQuotes(word),
-                        .expected = kNumberExpected});
+                        .found = Text("vertex with %1", inQuotes(word)),
+                        .expected = "a finite number with '.' as decimal point"});
     }
     point[axis] = *value;
   }
-  if (!isUsable(point)) return makeError(unusableCoordinate(cursor.place(), what, point));
+  if (!isUsable(point)) return makeError(unusableCoordinate(cursor.place(), point));
   return point;
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/vector.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::workcell {
 
@@ -31,7 +31,7 @@ class TextCursor {
   std::string_view restOfLine();
 
   std::size_t lineNumber() const { return line_number_; }
-  std::string place() const { return "line " + std::to_string(line_number_); }
+  Text place() const { return Text("line %1", line_number_); }
   /// Bytes of the text after the last word.
   std::size_t bytesLeft() const { return line_.size() + text_.size() - next_; }
 
@@ -51,14 +51,14 @@ std::optional<std::int64_t> parseInteger(std::string_view word);
 /// The word in quotes, cut to 40 bytes, with unprintable characters replaced: for messages.
 std::string inQuotes(std::string_view word);
 
-/// Three words as a point; an error names the line and the word. Refuses what isUsable refuses.
-Expected<dvec3> readPoint(TextCursor& cursor, std::string_view what);
+/// Three words as a vertex; an error names the line and the word. Refuses what isUsable refuses.
+Expected<dvec3> readPoint(TextCursor& cursor);
 
 /// Finite and of a size that arithmetic survives (at most 1e12 in any unit).
 bool isUsable(double coordinate);
 bool isUsable(const dvec3& point);
 
-/// The words for a coordinate that is not: "vertex with the coordinate 'nan'".
-Error unusableCoordinate(std::string place, std::string_view what, const dvec3& point);
+/// The error for a vertex that is not: "vertex with the coordinate nan".
+Error unusableCoordinate(Text place, const dvec3& point);
 
 }  // namespace hapticell::workcell

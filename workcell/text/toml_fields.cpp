@@ -10,24 +10,30 @@ namespace hapticell::workcell {
 
 namespace {
 
-std::string kindOf(const toml::node& node) {
-  if (node.is_string()) return "a text";
-  if (node.is_number()) return "a number";
-  if (node.is_boolean()) return "true or false";
-  if (node.is_array()) return "a list";
-  return node.is_table() ? "a table" : "something else";
+Text kindOf(const toml::node& node) {
+  if (node.is_string()) return Text("a text");
+  if (node.is_number()) return Text("a number");
+  if (node.is_boolean()) return Text("true or false");
+  if (node.is_array()) return Text("a list");
+  return node.is_table() ? Text("a table") : Text("something else");
+}
+
+std::string fewDigits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
 }
 
 }  // namespace
 
-void TomlFields::fail(const toml::node* node, const std::string& found, const std::string& expected,
-                      const std::string& fix) {
+void TomlFields::fail(const toml::node* node, Text found, Text expected, Text fix) {
   if (error_) return;
-  std::string place = section_;
+  Text place = section_;
   const toml::node& at = node ? *node : static_cast<const toml::node&>(table_);
-  if (at.source().begin.line > 0)
-    place = "line " + std::to_string(at.source().begin.line) + (place.empty() ? "" : ", " + place);
-  error_ = Error{.place = place, .found = found, .expected = expected, .fix = fix};
+  if (const auto line = at.source().begin.line; line > 0)
+    place = section_.empty() ? Text("line %1", line) : Text("line %1, %2", line, section_);
+  error_ = Error{
+      .place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = std::move(fix)};
 }
 
 const toml::node* TomlFields::find(const char* key) {
@@ -35,37 +41,34 @@ const toml::node* TomlFields::find(const char* key) {
   return error_ ? nullptr : table_.get(key);
 }
 
-std::optional<double> TomlFields::numberOf(const toml::node& node, const std::string& what) {
+std::optional<double> TomlFields::numberOf(const toml::node& node, const Text& what) {
   const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
   if (value && std::isfinite(*value)) return value;
-  fail(&node, what + " is " + (value ? "not finite" : kindOf(node)), "a finite number");
+  fail(&node, value ? Text("%1 is not finite", what) : Text("%1 is %2", what, kindOf(node)), Text("a finite number"));
   return std::nullopt;
 }
 
 void TomlFields::read(const char* key, std::string& target) {
   const toml::node* node = find(key);
   if (!node) return;
-  if (!node->is_string()) return fail(node, std::string(key) + " is " + kindOf(*node), "a text in quotes");
+  if (!node->is_string()) return fail(node, Text("%1 is %2", key, kindOf(*node)), Text("a text in quotes"));
   target = *node->value<std::string>();
 }
 
 void TomlFields::read(const char* key, bool& target) {
   const toml::node* node = find(key);
   if (!node) return;
-  if (!node->is_boolean()) return fail(node, std::string(key) + " is " + kindOf(*node), "true or false");
+  if (!node->is_boolean()) return fail(node, Text("%1 is %2", key, kindOf(*node)), Text("true or false"));
   target = *node->value<bool>();
 }
 
 void TomlFields::read(const char* key, double& target, double unit, double least, double most) {
   const toml::node* node = find(key);
-  const auto value = node ? numberOf(*node, key) : std::nullopt;
+  const auto value = node ? numberOf(*node, std::string(key)) : std::nullopt;
   if (!value) return;
   if (*value < least || *value > most) {
-    char text[96];
-    std::snprintf(text, sizeof text, "%s = %g", key, *value);
-    char range[96];
-    std::snprintf(range, sizeof range, "%g to %g", least, most);
-    return fail(node, text, range);
+    return fail(node, std::string(key) + " = " + fewDigits(*value),
+                Text("%1 to %2", fewDigits(least), fewDigits(most)));
   }
   target = *value * unit;
 }
@@ -73,10 +76,10 @@ void TomlFields::read(const char* key, double& target, double unit, double least
 void TomlFields::readList(const char* key, std::vector<double>& target, double unit) {
   const toml::node* node = find(key);
   if (!node) return;
-  if (!node->is_array()) return fail(node, std::string(key) + " is " + kindOf(*node), "a list of numbers");
+  if (!node->is_array()) return fail(node, Text("%1 is %2", key, kindOf(*node)), Text("a list of numbers"));
   target.clear();
   for (const toml::node& element : *node->as_array()) {
-    const auto value = numberOf(element, std::string(key) + ", number " + std::to_string(target.size() + 1) + ",");
+    const auto value = numberOf(element, Text("%1, number %2,", key, target.size() + 1));
     if (!value) return;
     target.push_back(*value * unit);
   }
@@ -85,10 +88,10 @@ void TomlFields::readList(const char* key, std::vector<double>& target, double u
 void TomlFields::readList(const char* key, std::vector<std::string>& target) {
   const toml::node* node = find(key);
   if (!node) return;
-  if (!node->is_array()) return fail(node, std::string(key) + " is " + kindOf(*node), "a list of texts");
+  if (!node->is_array()) return fail(node, Text("%1 is %2", key, kindOf(*node)), Text("a list of texts"));
   target.clear();
   for (const toml::node& element : *node->as_array()) {
-    if (!element.is_string()) return fail(&element, std::string(key) + " holds " + kindOf(element), "texts in quotes");
+    if (!element.is_string()) return fail(&element, Text("%1 holds %2", key, kindOf(element)), Text("texts in quotes"));
     target.push_back(*element.value<std::string>());
   }
 }
@@ -99,8 +102,7 @@ void TomlFields::readPoint(const char* key, dvec3& target, double unit) {
   std::vector<double> numbers;
   readList(key, numbers, unit);
   if (error_) return;
-  if (numbers.size() != 3)
-    return fail(node, std::string(key) + " has " + std::to_string(numbers.size()) + " numbers", "3");
+  if (numbers.size() != 3) return fail(node, Text("%1 has %2 numbers", key, numbers.size()), "3");
   target = {numbers[0], numbers[1], numbers[2]};
 }
 
@@ -116,7 +118,7 @@ void TomlFields::readWord(const char* key, const std::vector<std::string>& words
     }
     known += (k > 0 ? ", " : "") + words[k];
   }
-  failKey(key, std::string(key) + " = \"" + word + "\"", "one of " + known);
+  failKey(key, std::string(key) + " = \"" + word + "\"", Text("one of %1", known));
 }
 
 void TomlFields::readColor(const char* key, std::array<float, 4>& target) {
@@ -125,7 +127,7 @@ void TomlFields::readColor(const char* key, std::array<float, 4>& target) {
   if (error_ || !has(key)) return;
   const bool good =
       text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  if (!good) return failKey(key, std::string(key) + " = \"" + text + "\"", "a colour such as \"#ff6600\"");
+  if (!good) return failKey(key, std::string(key) + " = \"" + text + "\"", Text("a colour such as \"#ff6600\""));
   for (std::size_t k = 0; k < 3; ++k)
     target[k] = static_cast<float>(std::stoi(text.substr(1 + 2 * k, 2), nullptr, 16)) / 255.0f;
 }
@@ -140,25 +142,25 @@ void TomlFields::readPose(Pose& target, double unit) {
     const dquat q =
         quaternion.size() == 4 ? dquat(quaternion[0], quaternion[1], quaternion[2], quaternion[3]) : dquat(0, 0, 0, 0);
     if (!(std::abs(glm::length(q) - 1.0) < 1e-3))
-      return failKey("quaternion", "a quaternion that is none", "w, x, y, z of length 1");
+      return failKey("quaternion", Text("a quaternion that is none"), Text("w, x, y, z of length 1"));
     target.q = glm::normalize(q);
   } else if (has("rpy")) {
-    if (rpy.size() != 3) return failKey("rpy", "rpy has " + std::to_string(rpy.size()) + " numbers", "3");
+    if (rpy.size() != 3) return failKey("rpy", Text("%1 has %2 numbers", "rpy", rpy.size()), "3");
     target.q = glm::normalize(glm::angleAxis(rpy[2], dvec3(0, 0, 1)) * glm::angleAxis(rpy[1], dvec3(0, 1, 0)) *
                               glm::angleAxis(rpy[0], dvec3(1, 0, 0)));
   }
-  if (!target.isValid()) failKey("position", "a place too far away", "at most 1e12 m");
+  if (!target.isValid()) failKey("position", Text("a place too far away"), Text("at most 1e12 m"));
 }
 
 void TomlFields::readRows(const char* key, std::size_t count, std::vector<std::vector<double>>& rows) {
   const toml::node* node = find(key);
   if (!node) return;
-  if (!node->is_array()) return fail(node, std::string(key) + " is " + kindOf(*node), "a list of rows");
+  if (!node->is_array()) return fail(node, Text("%1 is %2", key, kindOf(*node)), Text("a list of rows"));
   for (const toml::node& element : *node->as_array()) {
-    const std::string row = std::string(key) + ", row " + std::to_string(rows.size() + 1);
+    const Text row("%1, row %2", key, rows.size() + 1);
     const toml::array* numbers = element.as_array();
     if (!numbers || numbers->size() != count)
-      return fail(&element, row + (numbers ? " has " + std::to_string(numbers->size()) + " numbers" : " is no list"),
+      return fail(&element, numbers ? Text("%1 has %2 numbers", row, numbers->size()) : Text("%1 is no list", row),
                   std::to_string(count));
     rows.emplace_back();
     for (const toml::node& number : *numbers) {
@@ -171,8 +173,7 @@ void TomlFields::readRows(const char* key, std::size_t count, std::vector<std::v
 
 const toml::table* TomlFields::table(const char* key) {
   const toml::node* node = find(key);
-  if (node && !node->is_table())
-    fail(node, std::string(key) + " is " + kindOf(*node), "a table [" + std::string(key) + "]");
+  if (node && !node->is_table()) fail(node, Text("%1 is %2", key, kindOf(*node)), Text("a table [%1]", key));
   return node ? node->as_table() : nullptr;
 }
 
@@ -180,21 +181,21 @@ const toml::array* TomlFields::tables(const char* key) {
   const toml::node* node = find(key);
   if (!node) return nullptr;
   if (!node->is_array_of_tables()) {
-    fail(node, std::string(key) + " is " + kindOf(*node), "tables [[" + std::string(key) + "]]");
+    fail(node, Text("%1 is %2", key, kindOf(*node)), Text("tables [[%1]]", key));
     return nullptr;
   }
   return node->as_array();
 }
 
 void TomlFields::require(const char* key) {
-  if (!error_ && !table_.contains(key)) fail(nullptr, "no " + std::string(key), std::string(key) + " = …");
+  if (!error_ && !table_.contains(key)) fail(nullptr, Text("no %1", key), std::string(key) + " = …");
 }
 
 void TomlFields::refuseOthers() {
   if (error_) return;
   for (const auto& [key, node] : table_) {
     if (asked_.count(std::string(key.str()))) continue;
-    return fail(&node, "the key '" + std::string(key.str()) + "', which is not known here", "one of " + listed(asked_));
+    return fail(&node, Text("the key '%1', which is not known here", key.str()), Text("one of %1", listed(asked_)));
   }
 }
 

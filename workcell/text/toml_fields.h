@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/pose.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::workcell {
 
@@ -42,9 +42,9 @@ class TomlFields {
 
   void require(const char* key);
   void refuseOthers();
-  void fail(const toml::node* node, const std::string& found, const std::string& expected, const std::string& fix = {});
-  void failKey(const char* key, const std::string& found, const std::string& expected) {
-    fail(table_.get(key), found, expected);
+  void fail(const toml::node* node, Text found, Text expected, Text fix = {});
+  void failKey(const char* key, Text found, Text expected) {
+    fail(table_.get(key), std::move(found), std::move(expected));
   }
   const std::string& section() const { return section_; }
   const toml::table& raw() const { return table_; }
@@ -52,7 +52,7 @@ class TomlFields {
 
  private:
   const toml::node* find(const char* key);
-  std::optional<double> numberOf(const toml::node& node, const std::string& what);
+  std::optional<double> numberOf(const toml::node& node, const Text& what);
 
   const toml::table& table_;
   std::string section_;

@@ -77,7 +77,7 @@ TEST(MeshReader, ScalesAndGuessesTheUnit) {
   ASSERT_TRUE(plain.has_value());
   EXPECT_NEAR(plain->mesh.bounds().size().x, 100.0, 1e-9);
   ASSERT_EQ(notes.warnings.size(), 1u);
-  EXPECT_THAT(notes.warnings[0], HasSubstr("millimetres"));
+  EXPECT_THAT(english(notes.warnings[0]), HasSubstr("millimetres"));
 
   Diagnostics quiet;
   const auto scaled = parse(test::stlBinary(big), "part.stl", quiet, {.scale = 0.001});
@@ -115,7 +115,7 @@ TEST(MeshReader, TellsOfBodiesThatFaceInward) {
     ASSERT_TRUE(file.has_value()) << name;
     EXPECT_LT(geometry::massProperties(file->mesh).volume, 0.0) << name;
     ASSERT_EQ(notes.warnings.size(), 1u) << name;
-    EXPECT_THAT(notes.warnings[0], HasSubstr("face inward")) << name;
+    EXPECT_THAT(english(notes.warnings[0]), HasSubstr("face inward")) << name;
   }
   TriangleMesh several = geometry::makeBox(dvec3(0.5));
   geometry::append(several, inward(geometry::makeSphere(0.1)), Pose::translation({1.0, 0.0, 0.0}));
@@ -124,7 +124,7 @@ TEST(MeshReader, TellsOfBodiesThatFaceInward) {
   Diagnostics notes;
   ASSERT_TRUE(parse(test::stlBinary(several), "several.stl", notes, {.scale = 1.0}).has_value());
   ASSERT_EQ(notes.warnings.size(), 1u);
-  EXPECT_THAT(notes.warnings[0], HasSubstr("of 2 bodies face inward"));
+  EXPECT_THAT(english(notes.warnings[0]), HasSubstr("of 2 bodies face inward"));
 }
 
 TEST(MeshReader, IsIndependentOfTheLocale) {
@@ -322,7 +322,7 @@ TEST(MeshReader, ReadsTheSharedCadFilesWithTheirCounts) {
     ASSERT_TRUE(file.has_value()) << file.error().message();
     EXPECT_EQ(file->triangles_in_file, sample.triangles) << sample.file;
     EXPECT_EQ(geometry::isClosed(file->mesh), sample.closed) << sample.file;
-    for (const std::string& note : notes.warnings) std::cout << sample.file << ": " << note << '\n';
+    for (const Text& note : notes.warnings) std::cout << sample.file << ": " << english(note) << '\n';
   }
 }
 

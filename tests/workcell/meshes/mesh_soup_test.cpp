@@ -71,7 +71,7 @@ TEST(ColorChannels, WhatIsNoColourIsCounted) {
   channels.set(2, {std::numeric_limits<double>::infinity(), 0, 0});
   channels.report("vertices", diagnostics);
   ASSERT_EQ(diagnostics.warnings.size(), 1u);
-  EXPECT_THAT(diagnostics.warnings[0], HasSubstr("3 vertices"));
+  EXPECT_THAT(english(diagnostics.warnings[0]), HasSubstr("3 vertices"));
 }
 
 TEST(ColorChannels, TheMeanIsNoneWhereACornerHasNone) {

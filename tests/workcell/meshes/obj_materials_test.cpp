@@ -25,7 +25,7 @@ TEST(ObjMaterials, ReadsKdAndSurvivesTheRest) {
   EXPECT_EQ(colors.at("a b"), (Color{0.1f, 0.2f, 0.3f}));
   EXPECT_EQ(colors.at("grey"), (Color{0.5f, 0.5f, 0.5f}));
   EXPECT_EQ(colors.at("bright"), (Color{1.0f, 0.0f, 0.0f}));
-  EXPECT_THAT(notes.warnings, ElementsAre(HasSubstr("1 materials have a picture"), HasSubstr("2 materials")));
+  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("1 materials have a picture"), HasSubstr("2 materials")));
 }
 
 class ObjFolder : public testing::Test {
@@ -37,7 +37,7 @@ class ObjFolder : public testing::Test {
     Diagnostics notes;
     const auto file = readMeshParts(folder_.path() / "in/part.obj", {}, true, notes);
     EXPECT_TRUE(file.has_value());
-    if (said) *said = notes.warnings;
+    if (said) *said = sentences(notes);
     return file ? file->parts.at(0).color : std::nullopt;
   }
 

@@ -6,10 +6,18 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "workcell/meshes/mesh_parts.h"
 
 namespace hapticell::workcell {
+
+/// The warnings in English.
+inline std::vector<std::string> sentences(const Diagnostics& diagnostics) {
+  std::vector<std::string> all;
+  for (const Text& warning : diagnostics.warnings) all.push_back(english(warning));
+  return all;
+}
 
 /// Whether a colour is this one.
 inline testing::AssertionResult isNear(const std::optional<Color>& color, float red, float green, float blue) {

@@ -46,7 +46,7 @@ TEST(TextCursor, LinesEndAsOnAnySystemAndKeepTheirNumbers) {
     ASSERT_TRUE(cursor.nextLine());
     EXPECT_EQ(cursor.nextWord(), "");
     ASSERT_TRUE(cursor.nextLine());
-    EXPECT_EQ(cursor.place(), "line 3");
+    EXPECT_EQ(english(cursor.place()), "line 3");
     EXPECT_EQ(cursor.restOfLine(), "f 1");
     EXPECT_EQ(cursor.nextWord(), "") << "used up";
     EXPECT_FALSE(cursor.nextLine());
@@ -88,15 +88,15 @@ TEST(TextNumbers, CoordinatesOfAnEnormousSizeAreRefusedWithTheirLine) {
   EXPECT_TRUE(isUsable(1e12) && isUsable(dvec3(0.0)));
   EXPECT_FALSE(isUsable(1.01e12) || isUsable(std::nan("")) || isUsable(dvec3(0, INFINITY, 0)));
   TextCursor good("1 2\n3");
-  EXPECT_EQ(*readPoint(good, "vertex"), dvec3(1, 2, 3));
+  EXPECT_EQ(*readPoint(good), dvec3(1, 2, 3));
   for (const char* bad : {"\n1 nan 3", "\n1 1e13 3", "\n1 two 3", "\n1 2"}) {
     TextCursor cursor(bad);
-    const auto point = readPoint(cursor, "vertex");
+    const auto point = readPoint(cursor);
     ASSERT_FALSE(point) << bad;
     EXPECT_THAT(point.error().message(), HasSubstr("line 2")) << bad;
     EXPECT_THAT(point.error().message(), HasSubstr("vertex")) << bad;
   }
-  EXPECT_THAT(unusableCoordinate("line 2", "vertex", dvec3(1, std::nan(""), 3)).message(), HasSubstr("nan"));
+  EXPECT_THAT(unusableCoordinate("line 2", dvec3(1, std::nan(""), 3)).message(), HasSubstr("nan"));
 }
 
 TEST(TextNumbers, WordsInMessagesAreShortAndPrintable) {
@@ -181,7 +181,7 @@ TEST_F(JsonFields, WhatNobodyAskedForAndWhatIsMissingIsSaid) {
   Diagnostics diagnostics;
   fields.warnAboutOthers(diagnostics);
   ASSERT_EQ(diagnostics.warnings.size(), 1u);
-  EXPECT_THAT(diagnostics.warnings[0], HasSubstr("naem"));
+  EXPECT_THAT(english(diagnostics.warnings[0]), HasSubstr("naem"));
   fields.require("name");
   EXPECT_THAT(message(), HasSubstr("name"));
   EXPECT_EQ(fields.array("naem"), nullptr);
@@ -354,9 +354,9 @@ TEST(ContentRules, WhatAFileHoldsIsUsedNotedReportedOrRefused) {
     EXPECT_EQ(report.rule("no such thing"), nullptr);
     EXPECT_EQ(report.meet("no such thing", "line 12"), Treatment::kReported);
     EXPECT_EQ(report.meet("their:own", "line 12"), Treatment::kNoted) << "of another program";
-    std::vector<std::string> warnings;
+    std::vector<Text> warnings;
     report.tell(warnings);
-    const std::string all = ::testing::PrintToString(warnings);
+    const std::string all = english(warnings);
     EXPECT_THAT(all, HasSubstr("no such thing"));
     EXPECT_THAT(all, HasSubstr("line 12"));
   }
