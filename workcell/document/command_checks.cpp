@@ -25,31 +25,32 @@ double farthest(const dvec3& p) {
 }
 
 Error tooFar(const std::string& name, double metres) {
-  char reach[64];
-  std::snprintf(reach, sizeof reach, metres < 1e4 ? "%.0f m" : "%.0f km", metres < 1e4 ? metres : 1e-3 * metres);
-  return refusal(quotedName(name), std::string("it reaches ") + reach + " from the origin",
-                 "parts within 2 km of it, where a tenth of a millimetre can still be drawn",
-                 "Is its unit right? Otherwise move it to the origin in the program that made it.");
+  const bool near = metres < 1e4;
+  char number[64];
+  std::snprintf(number, sizeof number, "%.0f", near ? metres : 1e-3 * metres);
+  const std::string reach = number;
+  return {
+      .place = quotedName(name),
+      .found = near ? Text("it reaches %1 m from the origin", reach) : Text("it reaches %1 km from the origin", reach),
+      .expected = "parts within 2 km of it, where a tenth of a millimetre can still be drawn",
+      .fix = "Is its unit right? Otherwise move it to the origin in the program that made it."};
 }
 
 }  // namespace
-
-Error refusal(std::string place, std::string found, std::string expected, std::string fix) {
-  return {.place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = std::move(fix)};
-}
 
 std::string quotedName(const std::string& name) {
   return "'" + name + "'";
 }
 
-Expected<void> checkName(const std::string& what, const std::string& name) {
+Expected<void> checkName(const Text& what, const std::string& name) {
   if (isName(name)) return {};
-  return makeError(refusal(what, quotedName(name), "a printable name of 1 to 200 letters"));
+  return makeError({.place = what, .found = quotedName(name), .expected = "a printable name of 1 to 200 letters"});
 }
 
-Expected<void> checkPose(const std::string& what, const Pose& pose) {
+Expected<void> checkPose(const Text& what, const Pose& pose) {
   if (pose.isValid()) return {};
-  return makeError(refusal(what, "a pose that is not one", "finite numbers and a quaternion of length 1"));
+  return makeError(
+      {.place = what, .found = "a pose that is not one", .expected = "finite numbers and a quaternion of length 1"});
 }
 
 Expected<void> checkReach(const std::string& name, const dvec3& p_WE) {
@@ -69,18 +70,20 @@ Expected<void> checkReach(const Entity& entity) {
 }
 
 Error taken(const std::string& name) {
-  return refusal("", "the name " + quotedName(name) + " is taken", "a name of its own");
+  return {.found = Text("the name '%1' is taken", name), .expected = "a name of its own"};
 }
 
 Expected<void> checkJoints(const Entity& entity, const std::vector<double>& joints) {
   const std::size_t wanted = entity.robot ? entity.robot->dof() : 0;
   if (joints.size() != wanted) {
-    return makeError(refusal(quotedName(entity.name), std::to_string(joints.size()) + " joint values",
-                             std::to_string(wanted) + ", one a moving joint"));
+    return makeError({.place = quotedName(entity.name),
+                      .found = Text("%1 joint values", joints.size()),
+                      .expected = Text("%1, one a moving joint", wanted)});
   }
   for (double value : joints) {
     if (!std::isfinite(value)) {
-      return makeError(refusal(quotedName(entity.name), "a joint value that is not finite", "a number"));
+      return makeError(
+          {.place = quotedName(entity.name), .found = "a joint value that is not finite", .expected = "a number"});
     }
   }
   return {};
@@ -88,20 +91,22 @@ Expected<void> checkJoints(const Entity& entity, const std::vector<double>& join
 
 Expected<void> checkTool(const Entity& entity) {
   if (entity.robot && !entity.tip_link.empty() && entity.robot->findLink(entity.tip_link) < 0) {
-    return makeError(refusal(quotedName(entity.name), "no link " + quotedName(entity.tip_link),
-                             "a link of robot " + quotedName(entity.robot->name)));
+    return makeError({.place = quotedName(entity.name),
+                      .found = Text("no link '%1'", entity.tip_link),
+                      .expected = Text("a link of robot '%1'", entity.robot->name)});
   }
-  return checkPose("the tool of " + quotedName(entity.name), entity.X_LT);
+  return checkPose(Text("the tool of '%1'", entity.name), entity.X_LT);
 }
 
 Expected<void> checkTools(const Entity& entity) {
   std::vector<std::string> names;
   for (const ToolFrame& tool : entity.tools) {
-    const std::string place = quotedName(entity.name) + ", tool " + quotedName(tool.name);
-    if (auto checked = checkName("a tool of " + quotedName(entity.name), tool.name); !checked) return checked;
+    const Text place("'%1', tool '%2'", entity.name, tool.name);
+    if (auto checked = checkName(Text("a tool of '%1'", entity.name), tool.name); !checked) return checked;
     if (auto checked = checkPose(place, tool.X_LT); !checked) return checked;
     if (!entity.robot || entity.robot->findLink(tool.tip_link) < 0) {
-      return makeError(refusal(place, "no link " + quotedName(tool.tip_link), "a link of the robot"));
+      return makeError(
+          {.place = place, .found = Text("no link '%1'", tool.tip_link), .expected = "a link of the robot"});
     }
     if (std::find(names.begin(), names.end(), tool.name) != names.end()) return makeError(taken(tool.name));
     names.push_back(tool.name);
@@ -112,10 +117,11 @@ Expected<void> checkTools(const Entity& entity) {
 Expected<void> checkNamedPoses(const Entity& entity) {
   if (entity.named_poses.empty()) return {};
   if (!entity.robot)
-    return makeError(refusal(quotedName(entity.name), "a solid", "a robot, which can have named poses"));
+    return makeError(
+        {.place = quotedName(entity.name), .found = "a solid", .expected = "a robot, which can have named poses"});
   std::set<std::string> names;
   for (const kinematics::NamedPose& pose : entity.named_poses) {
-    if (auto checked = checkName("a pose of " + quotedName(entity.name), pose.name); !checked) return checked;
+    if (auto checked = checkName(Text("a pose of '%1'", entity.name), pose.name); !checked) return checked;
     if (!names.insert(pose.name).second) return makeError(taken(pose.name));
     if (auto checked = checkJoints(entity, pose.q); !checked) return checked;
   }
@@ -125,8 +131,8 @@ Expected<void> checkNamedPoses(const Entity& entity) {
 Expected<void> checkFrames(const Entity& entity) {
   std::vector<std::string> names;
   for (const Frame& frame : entity.frames) {
-    const std::string place = quotedName(entity.name) + ", frame " + quotedName(frame.name);
-    if (auto checked = checkName("a frame of " + quotedName(entity.name), frame.name); !checked) return checked;
+    const Text place("'%1', frame '%2'", entity.name, frame.name);
+    if (auto checked = checkName(Text("a frame of '%1'", entity.name), frame.name); !checked) return checked;
     if (auto checked = checkPose(place, frame.X_EF); !checked) return checked;
     if (std::find(names.begin(), names.end(), frame.name) != names.end()) return makeError(taken(frame.name));
     names.push_back(frame.name);
@@ -137,25 +143,31 @@ Expected<void> checkFrames(const Entity& entity) {
 Expected<void> checkProperties(const Entity& entity) {
   const bool color =
       std::all_of(entity.color.begin(), entity.color.end(), [](float part) { return part >= 0.0f && part <= 1.0f; });
-  if (!color) return makeError(refusal(quotedName(entity.name), "a colour out of range", "parts from 0 to 1"));
+  if (!color)
+    return makeError(
+        {.place = quotedName(entity.name), .found = "a colour out of range", .expected = "parts from 0 to 1"});
   if (!(entity.mass > 0.0) || !std::isfinite(entity.mass)) {
-    return makeError(refusal(quotedName(entity.name), "a mass that is none", "kilograms above 0"));
+    return makeError(
+        {.place = quotedName(entity.name), .found = "a mass that is none", .expected = "kilograms above 0"});
   }
   return {};
 }
 
 Expected<void> checkPairSet(const PairSet& set) {
-  if (auto checked = checkName("the pair set's name", set.name); !checked) return checked;
+  if (auto checked = checkName(Text("the pair set's name"), set.name); !checked) return checked;
   constexpr double kLargest = 1.0;
   for (double distance : {set.safety_distance, set.near_miss}) {
     if (!(distance >= 0.0 && distance <= kLargest)) {
-      return makeError(refusal("pair set " + quotedName(set.name), "a distance out of range", "0 to 1 m"));
+      return makeError(
+          {.place = Text("pair set '%1'", set.name), .found = "a distance out of range", .expected = "0 to 1 m"});
     }
   }
   for (const auto& color : {set.contact_color, set.near_miss_color}) {
     const bool good = !color || std::all_of(color->begin(), color->end(), [](float c) { return c >= 0 && c <= 1; });
     if (!good)
-      return makeError(refusal("pair set " + quotedName(set.name), "a colour out of range", "parts from 0 to 1"));
+      return makeError({.place = Text("pair set '%1'", set.name),
+                        .found = "a colour out of range",
+                        .expected = "parts from 0 to 1"});
   }
   return {};
 }
@@ -164,12 +176,15 @@ Expected<void> checkPairRule(const PairRule& rule, const DocumentState& state) {
   for (const auto& [name, part] :
        {std::pair{&rule.first, &rule.first_part}, std::pair{&rule.second, &rule.second_part}}) {
     const Entity* entity = state.findByName(*name);
-    if (!entity) return makeError(refusal("a pair's rule", "no entity " + quotedName(*name), "the name of one"));
+    if (!entity)
+      return makeError(
+          {.place = "a pair's rule", .found = Text("no entity '%1'", *name), .expected = "the name of one"});
     if (part->empty() || (entity->robot && entity->robot->findLink(*part) >= 0)) continue;
-    return makeError(refusal("a pair's rule", "no link " + quotedName(*part), "a link of " + quotedName(*name)));
+    return makeError(
+        {.place = "a pair's rule", .found = Text("no link '%1'", *part), .expected = Text("a link of '%1'", *name)});
   }
   if (rule.first == rule.second)
-    return makeError(refusal("a pair's rule", quotedName(rule.first) + " twice", "two entities"));
+    return makeError({.place = "a pair's rule", .found = Text("'%1' twice", rule.first), .expected = "two entities"});
   return {};
 }
 

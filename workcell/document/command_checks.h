@@ -10,9 +10,6 @@ namespace hapticell::workcell {
 
 // What commands check before they change anything. Each error is one sentence that names the entity or set.
 
-/// An error of a command: no file, but the place in the document.
-Error refusal(std::string place, std::string found, std::string expected, std::string fix = {});
-
 /// The name as messages show it: 'Gripper'.
 std::string quotedName(const std::string& name);
 
@@ -20,10 +17,10 @@ std::string quotedName(const std::string& name);
 Error taken(const std::string& name);
 
 /// Refused: empty names, more than 200 letters, control characters, spaces at the ends. `what` names the thing.
-Expected<void> checkName(const std::string& what, const std::string& name);
+Expected<void> checkName(const Text& what, const std::string& name);
 
 /// Refused: numbers that are not finite, a quaternion that is not of length 1.
-Expected<void> checkPose(const std::string& what, const Pose& pose);
+Expected<void> checkPose(const Text& what, const Pose& pose);
 
 /// How far from the origin parts may lie, m: pictures are drawn in single precision, which is a tenth of a millimetre
 /// there and gets coarser beyond.

@@ -10,7 +10,7 @@ Expected<std::vector<Command>> resizePart(const DocumentState& state, EntityId i
   const BuiltInPart* part =
       entity ? findBuiltInPart(entity->source.path.substr(0, entity->source.path.find(':'))) : nullptr;
   if (part == nullptr || !entity->mesh || partSizes(entity->source).empty())
-    return makeError({.place = entity ? "'" + entity->name + "'" : "size",
+    return makeError({.place = entity ? Text("'%1'", entity->name) : Text("size"),
                       .found = "no built-in part",
                       .expected = "a part that is made from its sizes: a box, a table, a bench"});
   auto fresh = makeBuiltInPart(partSource(*part, sizes), 1.0);

@@ -11,11 +11,13 @@ namespace hapticell::workcell {
 namespace {
 
 Expected<void> checkNew(const Entity& entity, const DocumentState& state) {
-  if (auto checked = checkName("the entity's name", entity.name); !checked) return checked;
+  if (auto checked = checkName(Text("the entity's name"), entity.name); !checked) return checked;
   const bool solid = entity.kind == EntityKind::kSolid;
   const bool shapeless = entity.kind == EntityKind::kAssembly || entity.kind == EntityKind::kFrame;
   if (!shapeless && !entity.unloaded && (solid ? !entity.mesh : !entity.robot)) {
-    return makeError(refusal(quotedName(entity.name), "nothing in it", solid ? "a mesh" : "a robot"));
+    return makeError({.place = quotedName(entity.name),
+                      .found = "nothing in it",
+                      .expected = solid ? Text("a mesh") : Text("a robot")});
   }
   if (auto checked = checkPose(quotedName(entity.name), entity.X_WE); !checked) return checked;
   if (!entity.joints.empty()) {
@@ -93,7 +95,7 @@ Expected<EntityId> perform(const RemoveEntity& command, StateEdit& edit) {
 Expected<EntityId> perform(const RenameEntity& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   HAPTICELL_TRY(entity);
-  HAPTICELL_TRY(checkName("the entity's name", command.name));
+  HAPTICELL_TRY(checkName(Text("the entity's name"), command.name));
   const Entity* other = edit.state().findByName(command.name);
   if (other && other->id != command.id) return makeError(taken(command.name));
   for (PairSet& set : edit.state().pair_sets) {
@@ -126,7 +128,9 @@ Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
   const Entity& before = **entity;
   const bool fits =
       before.kind == command.fresh.kind && (command.fresh.mesh || command.fresh.robot) && !before.mechanism;
-  if (!fits) return makeError(refusal(quotedName(before.name), "another kind of thing", "a shape of the kind it has"));
+  if (!fits)
+    return makeError(
+        {.place = quotedName(before.name), .found = "another kind of thing", .expected = "a shape of the kind it has"});
   Entity changed = before;
   changed.source = command.fresh.source;
   changed.unloaded.reset();
@@ -149,10 +153,11 @@ Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
 Expected<EntityId> perform(const SetCollisionProxy& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   HAPTICELL_TRY(entity);
-  if (!(*entity)->mesh) return makeError(refusal(quotedName((*entity)->name), "no mesh", "a solid"));
+  if (!(*entity)->mesh)
+    return makeError({.place = quotedName((*entity)->name), .found = "no mesh", .expected = "a solid"});
   const bool wanted = command.proxy.kind != CollisionProxy::Kind::kNone;
   if (wanted && (!command.proxy.mesh || command.proxy.mesh->triangles.empty())) {
-    return makeError(refusal(quotedName((*entity)->name), "nothing to check it by", "a mesh"));
+    return makeError({.place = quotedName((*entity)->name), .found = "nothing to check it by", .expected = "a mesh"});
   }
   return edit.change(command.id, [&](Entity& target) { target.proxy = wanted ? command.proxy : CollisionProxy{}; });
 }
@@ -194,7 +199,8 @@ Expected<EntityId> perform(const SetProperties& command, StateEdit& edit) {
   if (command.parent) {
     const Entity* parent = edit.state().findByName(changed.parent);
     if (parent && std::find(family.begin(), family.end(), parent->id) != family.end()) {
-      return makeError(refusal(quotedName(changed.name), "a place below itself", "another assembly"));
+      return makeError(
+          {.place = quotedName(changed.name), .found = "a place below itself", .expected = "another assembly"});
     }
   }
   if (changed.kind == EntityKind::kAssembly) {

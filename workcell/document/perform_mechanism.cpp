@@ -13,7 +13,7 @@ namespace {
 /// The model of a mechanism from its definition; joints at rest, the tool in the middle of the tip.
 Expected<void> rebuild(Entity& entity) {
   auto model = buildMechanism(entity.name, *entity.mechanism);
-  if (!model) return makeError({.place = quotedName(entity.name), .found = model.error().message()});
+  if (!model) return makeError({.place = quotedName(entity.name), .found = model.error().text()});
   entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(*model));
   entity.joints = kinematics::restPositions(*entity.robot);
   const int tip = entity.robot->defaultTip();
@@ -43,7 +43,9 @@ Expected<EntityId> perform(const MakeMechanism& command, StateEdit& edit) {
     const auto part = edit.movable(id);
     HAPTICELL_TRY(part);
     if (!(*part)->mesh) {
-      return makeError(refusal(quotedName((*part)->name), "it is no solid", "solids as parts of a mechanism"));
+      return makeError({.place = quotedName((*part)->name),
+                        .found = "it is no solid",
+                        .expected = "solids as parts of a mechanism"});
     }
     if (made.id == 0) {
       made = **part;
@@ -78,7 +80,8 @@ Expected<EntityId> perform(const EditMechanism& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
   HAPTICELL_TRY(entity);
   Entity changed = **entity;
-  if (!changed.mechanism) return makeError(refusal(quotedName(changed.name), "it is no mechanism", "a mechanism"));
+  if (!changed.mechanism)
+    return makeError({.place = quotedName(changed.name), .found = "it is no mechanism", .expected = "a mechanism"});
   auto definition = std::make_shared<MechanismDefinition>(*changed.mechanism);
   definition->joints = command.joints;
   changed.mechanism = std::move(definition);
@@ -93,7 +96,8 @@ Expected<EntityId> perform(const DissolveMechanism& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
   HAPTICELL_TRY(entity);
   const Entity mechanism = **entity;
-  if (!mechanism.mechanism) return makeError(refusal(quotedName(mechanism.name), "it is no mechanism", "a mechanism"));
+  if (!mechanism.mechanism)
+    return makeError({.place = quotedName(mechanism.name), .found = "it is no mechanism", .expected = "a mechanism"});
   DocumentState trial = edit.state();
   StateEdit there(trial, edit.newId());
   there.dropFromPairSets(mechanism.name);

@@ -31,12 +31,14 @@ std::string tipOf(const Entity& robot) {
 Expected<void> checkAttachment(const Entity& entity, const DocumentState& state) {
   if (entity.attachment.to.empty()) return {};
   const Entity* carrier = state.findByName(entity.attachment.to);
-  const std::string place = quotedName(entity.name) + ", attached";
+  const Text place("'%1', attached", entity.name);
   if (!carrier)
-    return makeError(refusal(place, "no entity " + quotedName(entity.attachment.to), "one of the document"));
-  if (!entity.attachment.link.empty() && (!carrier->robot || carrier->robot->findLink(entity.attachment.link) < 0)) {
     return makeError(
-        refusal(place, "no link " + quotedName(entity.attachment.link), "a link of " + quotedName(carrier->name)));
+        {.place = place, .found = Text("no entity '%1'", entity.attachment.to), .expected = "one of the document"});
+  if (!entity.attachment.link.empty() && (!carrier->robot || carrier->robot->findLink(entity.attachment.link) < 0)) {
+    return makeError({.place = place,
+                      .found = Text("no link '%1'", entity.attachment.link),
+                      .expected = Text("a link of '%1'", carrier->name)});
   }
   return checkPose(place, entity.attachment.X_LE);
 }
@@ -48,7 +50,9 @@ Expected<EntityId> perform(const SetTool& command, StateEdit& edit) {
   changed.tip_link = command.tip_link;
   changed.X_LT = command.X_LT;
   changed.tool.clear();
-  if (!changed.robot) return makeError(refusal(quotedName(changed.name), "a solid", "a robot, which can have a tool"));
+  if (!changed.robot)
+    return makeError(
+        {.place = quotedName(changed.name), .found = "a solid", .expected = "a robot, which can have a tool"});
   HAPTICELL_TRY(checkTool(changed));
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
@@ -57,7 +61,9 @@ Expected<EntityId> perform(const SetTools& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   HAPTICELL_TRY(entity);
   Entity changed = **entity;
-  if (!changed.robot) return makeError(refusal(quotedName(changed.name), "a solid", "a robot, which can have tools"));
+  if (!changed.robot)
+    return makeError(
+        {.place = quotedName(changed.name), .found = "a solid", .expected = "a robot, which can have tools"});
   changed.tools = command.tools;
   takeChosenTool(changed);
   HAPTICELL_TRY(checkTools(changed));
@@ -80,8 +86,9 @@ Expected<EntityId> perform(const ChooseTool& command, StateEdit& edit) {
   changed.tool = command.name;
   takeChosenTool(changed);
   if (changed.tool != command.name) {
-    return makeError(
-        refusal(quotedName(changed.name), "no tool " + quotedName(command.name), "the name of one of its tools"));
+    return makeError({.place = quotedName(changed.name),
+                      .found = Text("no tool '%1'", command.name),
+                      .expected = "the name of one of its tools"});
   }
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
@@ -92,9 +99,9 @@ Expected<EntityId> perform(const Attach& command, StateEdit& edit) {
   HAPTICELL_TRY(carrier);
   for (const Entity* at = *carrier; at; at = edit.state().findByName(at->attachment.to)) {
     if (at->id != command.id) continue;
-    return makeError(refusal(quotedName((*entity)->name),
-                             quotedName((*carrier)->name) + " is that entity or hangs on it",
-                             "another entity to hang it on"));
+    return makeError({.place = quotedName((*entity)->name),
+                      .found = Text("'%1' is that entity or hangs on it", (*carrier)->name),
+                      .expected = "another entity to hang it on"});
   }
   Attachment attachment{(*carrier)->name, command.link, {}};
   if ((*carrier)->robot && attachment.link.empty()) attachment.link = tipOf(**carrier);

@@ -11,11 +11,11 @@ namespace hapticell::workcell {
 namespace {
 
 Error unknownSet(const std::string& name) {
-  return refusal("", "no pair set " + quotedName(name), "the name of one");
+  return {.found = Text("no pair set '%1'", name), .expected = "the name of one"};
 }
 
 Error unknownGuide(const std::string& name) {
-  return refusal("", "no guide " + quotedName(name), "the name of one");
+  return {.found = Text("no guide '%1'", name), .expected = "the name of one"};
 }
 
 std::vector<PairSet>::iterator findSet(DocumentState& state, const std::string& name) {
@@ -28,7 +28,7 @@ std::vector<Guide>::iterator findGuide(DocumentState& state, const std::string& 
 }
 
 Error unknownTrajectory(const std::string& name) {
-  return refusal("", "no trajectory " + quotedName(name), "the name of one");
+  return {.found = Text("no trajectory '%1'", name), .expected = "the name of one"};
 }
 
 std::vector<TrajectoryReference>::iterator findTrajectory(DocumentState& state, const std::string& name) {
@@ -37,11 +37,13 @@ std::vector<TrajectoryReference>::iterator findTrajectory(DocumentState& state, 
 }
 
 Expected<void> checkBound(const Guide& guide, const DocumentState& state) {
-  if (auto checked = checkName("the guide's name", guide.name); !checked) return checked;
+  if (auto checked = checkName(Text("the guide's name"), guide.name); !checked) return checked;
   if (auto checked = checkGuide(guide); !checked) return checked;
   for (const std::string* name : {&guide.entity, &guide.surface}) {
     if (name->empty() || state.findByName(*name)) continue;
-    return makeError(refusal("guide " + quotedName(guide.name), "no entity " + quotedName(*name), "the name of one"));
+    return makeError({.place = Text("guide '%1'", guide.name),
+                      .found = Text("no entity '%1'", *name),
+                      .expected = "the name of one"});
   }
   return {};
 }
@@ -107,7 +109,7 @@ Expected<EntityId> perform(const RemoveGuide& command, StateEdit& edit) {
 }
 
 Expected<EntityId> perform(const AddTrajectory& command, StateEdit& edit) {
-  if (auto checked = checkName("the trajectory's name", command.trajectory.name); !checked) {
+  if (auto checked = checkName(Text("the trajectory's name"), command.trajectory.name); !checked) {
     return makeError(checked.error());
   }
   if (edit.state().findTrajectory(command.trajectory.name)) return makeError(taken(command.trajectory.name));
@@ -118,7 +120,7 @@ Expected<EntityId> perform(const AddTrajectory& command, StateEdit& edit) {
 Expected<EntityId> perform(const RenameTrajectory& command, StateEdit& edit) {
   const auto found = findTrajectory(edit.state(), command.name);
   if (found == edit.state().trajectories.end()) return makeError(unknownTrajectory(command.name));
-  HAPTICELL_TRY(checkName("the trajectory's name", command.new_name));
+  HAPTICELL_TRY(checkName(Text("the trajectory's name"), command.new_name));
   const TrajectoryReference* other = edit.state().findTrajectory(command.new_name);
   if (other && other != &*found) return makeError(taken(command.new_name));
   found->name = command.new_name;
@@ -129,7 +131,7 @@ Expected<EntityId> perform(const SetTrajectory& command, StateEdit& edit) {
   const auto found = findTrajectory(edit.state(), command.name);
   if (found == edit.state().trajectories.end()) return makeError(unknownTrajectory(command.name));
   const std::string& name = command.trajectory.name;
-  HAPTICELL_TRY(checkName("the trajectory's name", name));
+  HAPTICELL_TRY(checkName(Text("the trajectory's name"), name));
   const TrajectoryReference* other = edit.state().findTrajectory(name);
   if (other && other != &*found) return makeError(taken(name));
   *found = command.trajectory;
@@ -144,15 +146,18 @@ Expected<EntityId> perform(const RemoveTrajectory& command, StateEdit& edit) {
 }
 
 Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
-  HAPTICELL_TRY(checkName("the task's name", command.task.name));
-  const std::string place = "task " + quotedName(command.task.name);
+  HAPTICELL_TRY(checkName(Text("the task's name"), command.task.name));
+  const Text place("task '%1'", command.task.name);
   if (auto checked = ergonomics::checkWorkTask(command.task); !checked) {
-    return makeError(refusal(place, checked.error().place + " " + checked.error().found, checked.error().expected));
+    return makeError({.place = place,
+                      .found = Text("%1 %2", checked.error().place, checked.error().found),
+                      .expected = checked.error().expected});
   }
   if (!command.task.mannequin.empty()) {
     const Entity* entity = edit.state().findByName(command.task.mannequin);
     if (!entity || entity->kind != EntityKind::kMannequin)
-      return makeError(refusal(place, "no mannequin " + quotedName(command.task.mannequin), "the name of one"));
+      return makeError(
+          {.place = place, .found = Text("no mannequin '%1'", command.task.mannequin), .expected = "the name of one"});
   }
   auto& tasks = edit.state().work_tasks;
   const std::string& before = command.before.empty() ? command.task.name : command.before;
@@ -161,7 +166,7 @@ Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
   };
   const auto found = called(before);
   if (found == tasks.end() && !command.before.empty())
-    return makeError(refusal("", "no task " + quotedName(before), "the name of one"));
+    return makeError({.found = Text("no task '%1'", before), .expected = "the name of one"});
   if (before != command.task.name && called(command.task.name) != tasks.end())
     return makeError(taken(command.task.name));
   if (found == tasks.end()) {
@@ -175,7 +180,7 @@ Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
 Expected<EntityId> perform(const RemoveWorkTask& command, StateEdit& edit) {
   const auto removed =
       std::erase_if(edit.state().work_tasks, [&](const auto& task) { return task.name == command.name; });
-  if (removed == 0) return makeError(refusal("", "no task " + quotedName(command.name), "the name of one"));
+  if (removed == 0) return makeError({.found = Text("no task '%1'", command.name), .expected = "the name of one"});
   return EntityId{0};
 }
 

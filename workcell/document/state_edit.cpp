@@ -10,14 +10,15 @@ namespace hapticell::workcell {
 
 Expected<const Entity*> StateEdit::existing(EntityId id) const {
   const Entity* entity = state_.find(id);
-  if (!entity) return makeError(refusal("", "no entity " + std::to_string(id), "one that is in the document"));
+  if (!entity) return makeError({.found = Text("no entity %1", id), .expected = "one that is in the document"});
   return entity;
 }
 
 Expected<const Entity*> StateEdit::movable(EntityId id) const {
   const auto entity = existing(id);
   if (entity && (*entity)->locked) {
-    return makeError(refusal(quotedName((*entity)->name), "the entity is locked", "", "Unlock it first."));
+    return makeError(
+        {.place = quotedName((*entity)->name), .found = "the entity is locked", .fix = "Unlock it first."});
   }
   return entity;
 }

@@ -93,7 +93,7 @@ class StateReader {
       : folder_(folder), loader_(folder, true, options.monitor), diagnostics_(diagnostics), options_(options) {}
 
   Expected<DocumentState> read(const Json& json) {
-    FieldReader fields(json, "the document", error_);
+    FieldReader fields(json, Text("the document"), error_);
     readHead(fields);
     const Json* entities = fields.array("entities");
     const Json* sets = fields.array("pair_sets");
@@ -132,15 +132,16 @@ class StateReader {
     fields.read("version", version);
     if (error_) return;
     if (format != kFormat) {
-      error_ = Error{.found = format.empty() ? "no \"format\"" : "the format \"" + format.substr(0, 60) + "\"",
-                     .expected = "\"" + std::string(kFormat) + "\""};
+      error_ =
+          Error{.found = format.empty() ? Text("no \"%1\"", "format") : Text("the format \"%1\"", format.substr(0, 60)),
+                .expected = "\"" + std::string(kFormat) + "\""};
     } else if (version != std::floor(version) || version < 1.0) {
-      fields.fail("version", "no version number", "1");
+      fields.fail("version", Text("no version number"), "1");
     } else if (version > kVersion) {
       char number[32];
       std::snprintf(number, sizeof number, "%.0f", version);
-      fields.fail("version", number, "at most 1, the newest that this program knows");
-      error_->fix = "Open the document with a newer HaptiCell.";
+      fields.fail("version", std::string(number), Text("at most 1, the newest that this program knows"));
+      error_->fix = Text("Open the document with a newer HaptiCell.");
     }
   }
 
@@ -155,9 +156,9 @@ class StateReader {
     Levels levels = levelsOf(parents, kDeepestParents);
     in_circle_ = std::move(levels.in_circle);
     if (levels.too_deep.empty()) return;
-    error_ = Error{.place = "entity '" + levels.too_deep + "'",
-                   .found = "more than " + std::to_string(kDeepestParents) + " assemblies within each other",
-                   .expected = "at most " + std::to_string(kDeepestParents) + " levels",
+    error_ = Error{.place = Text("entity '%1'", levels.too_deep),
+                   .found = Text("more than %1 assemblies within each other", kDeepestParents),
+                   .expected = Text("at most %1 levels", kDeepestParents),
                    .fix = "Correct \"parent\" in the document."};
   }
 
@@ -178,10 +179,10 @@ class StateReader {
   void readEntity(const Json& json, std::size_t index) {
     Entity head;
     int kind = -1;
-    FieldReader naming(json, "entity " + std::to_string(index + 1), error_);
+    FieldReader naming(json, Text("entity %1", index + 1), error_);
     naming.require("name");
     naming.read("name", head.name);
-    const std::string place = "entity '" + head.name + "'";
+    const Text place("entity '%1'", head.name);
     FieldReader fields(json, place, error_);
     fields.read("name", head.name);
     fields.readWord("kind", entityKindWords(), kind);
@@ -203,16 +204,15 @@ class StateReader {
     loaded->name = head.name;
     if (kind >= 0 && kind != static_cast<int>(loaded->kind)) {
       const std::string& is = entityKindWords()[static_cast<std::size_t>(loaded->kind)];
-      return fields.fail("kind", entityKindWords()[static_cast<std::size_t>(kind)], is + ", as its file is");
+      return fields.fail("kind", entityKindWords()[static_cast<std::size_t>(kind)], Text("%1, as its file is", is));
     }
     addEntity(fields, place, std::move(*loaded));
   }
 
   /// The entity stays in the document as it is written there; what can be known without its file is read.
-  void keepUnloaded(const Json& json, FieldReader& fields, const std::string& place, Entity entity,
-                    const Error& cause) {
+  void keepUnloaded(const Json& json, FieldReader& fields, const Text& place, Entity entity, const Error& cause) {
     error_.reset();
-    const std::string remark = place + " is kept without its shape: " + cause.message();
+    const Text remark("%1 is kept without its shape: %2", place, cause.text());
     diagnostics_.warn(remark);
     if (options_.unloaded != nullptr) options_.unloaded->push_back({entity.name, cause, remark});
     entity.unloaded = std::make_shared<const std::string>(json.dump());
@@ -221,9 +221,9 @@ class StateReader {
     add(place, std::move(entity));
   }
 
-  bool add(const std::string& place, Entity entity) {
+  bool add(const Text& place, Entity entity) {
     if (in_circle_.contains(entity.name)) {
-      diagnostics_.warn(place + " stands below itself by way of '" + entity.parent + "'; it is put at the top");
+      diagnostics_.warn(Text("%1 stands below itself by way of '%2'; it is put at the top", place, entity.parent));
       entity.parent.clear();
     }
     const std::string name = entity.name;
@@ -240,11 +240,11 @@ class StateReader {
                                                                             : state_.entities[found->second].get();
   }
 
-  void addEntity(FieldReader& fields, const std::string& place, Entity entity) {
+  void addEntity(FieldReader& fields, const Text& place, Entity entity) {
     readEntityFields(fields, place, context_, entity);
     if (error_) return;
     fields.warnAboutOthers(diagnostics_);
-    if (const auto near = checkReach(entity); !near) diagnostics_.warn(near.error().message());
+    if (const auto near = checkReach(entity); !near) diagnostics_.warn(near.error().text());
     // What it hangs on may stand further down in the file.
     Attachment attachment;
     std::swap(attachment, entity.attachment);
@@ -260,20 +260,20 @@ class StateReader {
     for (const Hanging& hanging : attachments_)
       carriers.emplace(state_.entities[hanging.index]->name, hanging.attachment.to);
     if (const Levels levels = levelsOf(carriers, kMostCarriers); !levels.too_deep.empty()) {
-      error_ = Error{.place = "entity '" + levels.too_deep + "'",
-                     .found = "it hangs on more than " + std::to_string(kMostCarriers) + " entities in a row",
+      error_ = Error{.place = Text("entity '%1'", levels.too_deep),
+                     .found = Text("it hangs on more than %1 entities in a row", kMostCarriers),
                      .expected = "fewer",
                      .fix = "Correct \"attached\" in the document."};
       return;
     }
     for (auto& [index, attachment, placed] : attachments_) {
       auto entity = std::make_shared<Entity>(*state_.entities[index]);
-      const std::string place = "entity '" + entity->name + "'";
+      const Text place("entity '%1'", entity->name);
       const Entity* carrier = named(attachment.to);
       for (const Entity* at = carrier; at; at = at->attachment.to.empty() ? nullptr : named(at->attachment.to)) {
         if (at->name == entity->name) {
           error_ = Error{.place = place,
-                         .found = "it is attached to itself by way of '" + attachment.to + "'",
+                         .found = Text("it is attached to itself by way of '%1'", attachment.to),
                          .expected = "another entity"};
           return;
         }
@@ -282,8 +282,9 @@ class StateReader {
                                           (carrier->robot && carrier->robot->findLink(attachment.link) >= 0));
       if (!link_there) {
         error_ = Error{.place = place,
-                       .found = "it is attached to '" + attachment.to + (carrier ? "', link '" + attachment.link : "") +
-                                "', which is not there",
+                       .found = carrier ? Text("it is attached to '%1', link '%2', which is not there", attachment.to,
+                                               attachment.link)
+                                        : Text("it is attached to '%1', which is not there", attachment.to),
                        .expected = "an entity and a link of it"};
         return;
       }
@@ -322,8 +323,9 @@ class StateReader {
       const Twist off = difference(X_WE, entity->X_WE);
       if (glm::length(off.linear) < kSamePlace && glm::length(off.angular) < kSamePlace) return;
       entity->X_WE = X_WE;
-      diagnostics_.warn("entity '" + entity->name + "': its \"placement\" is not where it hangs on '" + carrier->name +
-                        "'; it is placed where it hangs");
+      diagnostics_.warn(
+          Text("entity '%1': its \"placement\" is not where it hangs on '%2'; it is placed where it hangs",
+               entity->name, carrier->name));
     }
     state_.entities[hanging.index] = std::move(entity);
   }
@@ -331,7 +333,7 @@ class StateReader {
   void readPairSet(const Json& json, std::size_t index) {
     PairSet set;
     int on_contact = -1;
-    FieldReader fields(json, "pair set " + std::to_string(index + 1), error_);
+    FieldReader fields(json, Text("pair set %1", index + 1), error_);
     fields.require("name");
     fields.read("name", set.name);
     fields.read("enabled", set.enabled);
@@ -347,10 +349,10 @@ class StateReader {
     fields.warnAboutOthers(diagnostics_);
     for (const auto* side : {&set.first, &set.second}) {
       for (const std::string& name : *side) {
-        if (!named(name)) diagnostics_.warn("pair set '" + set.name + "' names '" + name + "', which is not there");
+        if (!named(name)) diagnostics_.warn(Text("pair set '%1' names '%2', which is not there", set.name, name));
       }
     }
-    const std::string place = "pair set '" + set.name + "'";
+    const Text place("pair set '%1'", set.name);
     const auto added = apply(AddPairSet{std::move(set)}, state_, 0);
     if (!added) context_.failIn(place, added.error());
   }
@@ -365,7 +367,7 @@ class StateReader {
   void readPairRule(const Json& json, std::size_t index) {
     PairRule rule;
     int on_contact = -1;
-    FieldReader fields(json, "pair rule " + std::to_string(index + 1), error_);
+    FieldReader fields(json, Text("pair rule %1", index + 1), error_);
     fields.require("first");
     fields.require("second");
     fields.read("first", rule.first);
@@ -377,16 +379,16 @@ class StateReader {
     if (error_) return;
     if (on_contact >= 0) rule.on_contact = static_cast<OnContact>(on_contact);
     fields.warnAboutOthers(diagnostics_);
-    const std::string about = "the rule for '" + rule.first + "' and '" + rule.second + "'";
+    const std::string first = rule.first, second = rule.second;
     // As with sets: what it is about may be missing, the rest of the cell is not.
     if (const auto added = apply(SetPairRules{{std::move(rule)}, {}}, state_, 0); !added)
-      diagnostics_.warn(about + " is left out: " + added.error().message());
+      diagnostics_.warn(Text("the rule for '%1' and '%2' is left out: %3", first, second, added.error().text()));
   }
 
   void readGuide(const Json& json, std::size_t index) {
     Guide guide = guideFromJson(json, index, error_, diagnostics_);
     if (error_) return;
-    const std::string place = "guide '" + guide.name + "'";
+    const Text place("guide '%1'", guide.name);
     const auto added = apply(AddGuide{std::move(guide)}, state_, 0);
     if (!added) context_.failIn(place, added.error());
   }
@@ -394,20 +396,20 @@ class StateReader {
   void readWorkTask(const Json& json, std::size_t index) {
     ergonomics::WorkTask task = workTaskFromJson(json, index, error_, diagnostics_);
     if (error_) return;
-    const std::string place = "task '" + task.name + "'";
+    const Text place("task '%1'", task.name);
     if (state_.findWorkTask(task.name)) {
       error_ = Error{.place = place, .found = "a second one of that name", .expected = "names that are all different"};
       return;
     }
     // As with sets: who does it may be missing, the rest of the cell is not.
     if (const auto added = apply(SetWorkTask{std::move(task)}, state_, 0); !added)
-      diagnostics_.warn(place + " is left out: " + added.error().message());
+      diagnostics_.warn(Text("%1 is left out: %2", place, added.error().text()));
   }
 
   void readView(FieldReader& fields) {
     const Json* json = fields.object("view");
     if (!json) return;
-    FieldReader view(*json, "\"view\"", error_);
+    FieldReader view(*json, std::string("\"view\""), error_);
     std::vector<double> eye, target;
     if (!view.readNumbers("eye", 3, eye) || !view.readNumbers("target", 3, target)) return;
     view.warnAboutOthers(diagnostics_);
@@ -418,7 +420,7 @@ class StateReader {
     const Json* list = fields.array("trajectories");
     for (std::size_t k = 0; list && k < list->size() && !error_; ++k) {
       TrajectoryReference reference;
-      FieldReader trajectory((*list)[k], "trajectory " + std::to_string(k + 1), error_);
+      FieldReader trajectory((*list)[k], Text("trajectory %1", k + 1), error_);
       trajectory.require("file");
       trajectory.read("name", reference.name);
       trajectory.read("file", reference.path);
@@ -426,7 +428,7 @@ class StateReader {
       std::error_code ignored;
       if (const auto regular = geometry::checkRegularFile(reference.path);
           !regular && fs::exists(reference.path, ignored))
-        diagnostics_.warn("trajectory '" + reference.name + "' is not read: " + regular.error().message());
+        diagnostics_.warn(Text("trajectory '%1' is not read: %2", reference.name, regular.error().text()));
       state_.trajectories.push_back(std::move(reference));
     }
   }

@@ -20,9 +20,9 @@ Error inFile(Error error, const std::string& name) {
 }
 
 /// "line 12" of a byte in the text.
-std::string lineOf(std::string_view text, std::size_t byte) {
+Text lineOf(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte, text.size()));
-  return "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n'));
+  return Text("line %1", 1 + std::count(before.begin(), before.end(), '\n'));
 }
 
 Expected<Json> parseJson(std::string_view text, const std::string& name) {

@@ -18,7 +18,7 @@ namespace hapticell::workcell {
 struct UnloadedEntity {
   std::string name;
   Error cause;
-  std::string remark;  ///< The sentence in the diagnostics.
+  Text remark;  ///< The sentence in the diagnostics.
 };
 
 /// How a document with files that are not there is read.
@@ -35,9 +35,9 @@ struct LoadOptions {
   ImportMonitor* monitor = nullptr;
 };
 
-/// Reads a workcell document (*.hcell, docs/user/formats.md) with the meshes and robots that it names. On error there is no
-/// document at all; the message names file and entity. A newer version than ours is refused. Unknown but harmless items
-/// (a key, a name in a pair set) are reported in `diagnostics`. The document is not dirty and knows its path.
+/// Reads a workcell document (*.hcell, docs/user/formats.md) with the meshes and robots that it names. On error there
+/// is no document at all; the message names file and entity. A newer version than ours is refused. Unknown but harmless
+/// items (a key, a name in a pair set) are reported in `diagnostics`. The document is not dirty and knows its path.
 Expected<Document> loadDocument(const std::filesystem::path& path, Diagnostics& diagnostics,
                                 const LoadOptions& options = {});
 

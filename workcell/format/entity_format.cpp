@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "workcell/format/mechanism_format.h"
-#include "workcell/meshes/mesh_care.h"
 #include "workcell/format/motion_format.h"
 #include "workcell/format/robot_format.h"
 #include "workcell/format/source_format.h"
+#include "workcell/meshes/mesh_care.h"
 
 namespace hapticell::workcell {
 
@@ -26,10 +26,10 @@ Json jsonFromProxy(const CollisionProxy& proxy) {
 }
 
 /// Makes the collision shape again from the mesh: only how it was made is kept.
-void readProxy(const Json& json, const std::string& place, const FormatContext& context, Entity& entity) {
+void readProxy(const Json& json, const Text& place, const FormatContext& context, Entity& entity) {
   int kind = 0;
   double tolerance = 0.0;
-  FieldReader fields(json, place + ", \"proxy\"", context.error);
+  FieldReader fields(json, Text("%1, \"%2\"", place, "proxy"), context.error);
   fields.readWord("kind", kProxyWords, kind);
   fields.read("tolerance", tolerance);
   if (context.error) return;
@@ -39,7 +39,7 @@ void readProxy(const Json& json, const std::string& place, const FormatContext& 
   if (proxy) {
     entity.proxy = std::move(*proxy);
   } else {
-    context.failIn(place + ", \"proxy\"", proxy.error());
+    context.failIn(Text("%1, \"%2\"", place, "proxy"), proxy.error());
   }
 }
 
@@ -52,10 +52,10 @@ Json jsonFromUnloaded(const Entity& entity) {
   return json;
 }
 
-void readFrames(const Json& frames, const std::string& place, const FormatContext& context, Entity& entity) {
+void readFrames(const Json& frames, const Text& place, const FormatContext& context, Entity& entity) {
   for (const Json& json : frames) {
     Frame frame;
-    FieldReader fields(json, place + ", frame " + std::to_string(entity.frames.size() + 1), context.error);
+    FieldReader fields(json, Text("%1, frame %2", place, entity.frames.size() + 1), context.error);
     fields.require("name");
     fields.read("name", frame.name);
     fields.read("placement", frame.X_EF);
@@ -102,7 +102,7 @@ Json jsonFromEntity(const Entity& entity, const fs::path& folder) {
   return json;
 }
 
-void readEntityFields(FieldReader& fields, const std::string& place, const FormatContext& context, Entity& entity) {
+void readEntityFields(FieldReader& fields, const Text& place, const FormatContext& context, Entity& entity) {
   int on_contact = static_cast<int>(entity.on_contact), force_class = static_cast<int>(entity.force_class);
   std::vector<double> color;
   fields.read("placement", entity.X_WE);
@@ -124,7 +124,7 @@ void readEntityFields(FieldReader& fields, const std::string& place, const Forma
     entity.motion = motionFromJson(*motion, place, context.error, context.diagnostics);
   }
   if (const Json* attached = fields.object("attached")) {
-    FieldReader attached_fields(*attached, place + ", \"attached\"", context.error);
+    FieldReader attached_fields(*attached, Text("%1, \"%2\"", place, "attached"), context.error);
     attached_fields.require("to");
     attached_fields.read("to", entity.attachment.to);
     attached_fields.read("link", entity.attachment.link);

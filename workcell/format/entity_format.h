@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "workcell/text/field_reader.h"
 #include "workcell/format/format_context.h"
+#include "workcell/text/field_reader.h"
 
 namespace hapticell::workcell {
 
@@ -19,6 +19,6 @@ Json jsonFromEntity(const Entity& entity, const std::filesystem::path& folder);
 
 /// Reads what every entity has (placement, colour, flags, frames, attachment, what it is checked by) and what robots
 /// have, into one whose shape is there. Messages use `place`.
-void readEntityFields(FieldReader& fields, const std::string& place, const FormatContext& context, Entity& entity);
+void readEntityFields(FieldReader& fields, const Text& place, const FormatContext& context, Entity& entity);
 
 }  // namespace hapticell::workcell

@@ -20,10 +20,10 @@ struct FormatContext {
   std::optional<Error>& error;  ///< The first that was found; the rest then has no effect.
 
   /// What went wrong with a part, as said of the entity that needs it.
-  void failIn(const std::string& place, const Error& cause) const {
+  void failIn(const Text& place, const Error& cause) const {
     Error plain = cause;
-    plain.fix.clear();
-    error = Error{.place = place, .found = plain.message(), .fix = cause.fix};
+    plain.fix = {};
+    error = Error{.place = place, .found = plain.text(), .fix = cause.fix};
   }
 };
 

@@ -42,7 +42,7 @@ Json jsonFromGuide(const Guide& guide) {
 
 Guide guideFromJson(const Json& json, std::size_t index, std::optional<Error>& error, Diagnostics& diagnostics) {
   Guide guide;
-  FieldReader fields(json, "guide " + std::to_string(index + 1), error);
+  FieldReader fields(json, Text("guide %1", index + 1), error);
   fields.require("name");
   fields.require("kind");
   fields.require("entity");
@@ -73,7 +73,8 @@ Guide guideFromJson(const Json& json, std::size_t index, std::optional<Error>& e
   if (const Json* locked = fields.array("locked")) {
     for (std::size_t i = 0; i < std::min<std::size_t>(6, locked->size()); ++i) {
       if (!(*locked)[i].is_boolean()) {
-        if (!error) fields.fail("locked", "an element that is neither true nor false", "six of true or false");
+        if (!error)
+          fields.fail("locked", Text("an element that is neither true nor false"), Text("six of true or false"));
         break;
       }
       guide.locked[i] = (*locked)[i].get<bool>();
@@ -84,7 +85,7 @@ Guide guideFromJson(const Json& json, std::size_t index, std::optional<Error>& e
       const bool triple =
           point.is_array() && point.size() == 3 && point[0].is_number() && point[1].is_number() && point[2].is_number();
       if (!triple) {
-        if (!error) fields.fail("path", "a point that is not three numbers", "[x, y, z] in metres");
+        if (!error) fields.fail("path", Text("a point that is not three numbers"), Text("[x, y, z] in metres"));
         break;
       }
       guide.path.push_back({point[0].get<double>(), point[1].get<double>(), point[2].get<double>()});

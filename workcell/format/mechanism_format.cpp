@@ -33,7 +33,7 @@ Json jsonFromJoint(const MechanismJoint& joint) {
   return json;
 }
 
-void readPart(const Json& json, const std::string& place, const FormatContext& context, SourceReader& sources,
+void readPart(const Json& json, const Text& place, const FormatContext& context, SourceReader& sources,
               MechanismDefinition& definition) {
   MechanismPart part;
   std::vector<double> color;
@@ -51,13 +51,13 @@ void readPart(const Json& json, const std::string& place, const FormatContext& c
   fields.warnAboutOthers(context.diagnostics);
   Expected<Entity> loaded = context.loader.loadSource(part.source, context.diagnostics);
   if (!loaded) return context.failIn(place, loaded.error());
-  if (!loaded->mesh) return fields.fail("source", "a robot", "a solid");
+  if (!loaded->mesh) return fields.fail("source", Text("a robot"), Text("a solid"));
   part.mesh = loaded->mesh;
   part.source = loaded->source;
   definition.parts.push_back(std::move(part));
 }
 
-void readMechanismJoint(const Json& json, const std::string& place, const FormatContext& context,
+void readMechanismJoint(const Json& json, const Text& place, const FormatContext& context,
                         MechanismDefinition& definition) {
   MechanismJoint joint;
   int type = static_cast<int>(joint.type);
@@ -79,7 +79,7 @@ void readMechanismJoint(const Json& json, const std::string& place, const Format
   fields.read("pitch", joint.pitch);
   if (const Json* coupling = fields.object("coupling")) {
     JointCoupling read;
-    FieldReader coupling_fields(*coupling, place + ", \"coupling\"", context.error);
+    FieldReader coupling_fields(*coupling, Text("%1, \"%2\"", place, "coupling"), context.error);
     coupling_fields.require("joint");
     coupling_fields.read("joint", read.joint);
     coupling_fields.read("ratio", read.ratio);
@@ -107,17 +107,17 @@ Json jsonFromMechanism(const MechanismDefinition& definition, const fs::path& fo
   return {{"parts", std::move(parts)}, {"joints", std::move(joints)}};
 }
 
-Expected<Entity> mechanismFromJson(const Json& json, const std::string& name, const std::string& place,
+Expected<Entity> mechanismFromJson(const Json& json, const std::string& name, const Text& place,
                                    const FormatContext& context, SourceReader& sources) {
   auto definition = std::make_shared<MechanismDefinition>();
-  FieldReader fields(json, place + ", \"mechanism\"", context.error);
+  FieldReader fields(json, Text("%1, \"%2\"", place, "mechanism"), context.error);
   const Json* parts = fields.array("parts");
   const Json* joints = fields.array("joints");
   if (!context.error) fields.warnAboutOthers(context.diagnostics);
   for (std::size_t k = 0; parts && k < parts->size() && !context.error; ++k)
-    readPart((*parts)[k], place + ", part " + std::to_string(k + 1), context, sources, *definition);
+    readPart((*parts)[k], Text("%1, part %2", place, k + 1), context, sources, *definition);
   for (std::size_t k = 0; joints && k < joints->size() && !context.error; ++k)
-    readMechanismJoint((*joints)[k], place + ", joint " + std::to_string(k + 1), context, *definition);
+    readMechanismJoint((*joints)[k], Text("%1, joint %2", place, k + 1), context, *definition);
   if (context.error) return makeError(*context.error);
   auto model = buildMechanism(name, *definition);
   HAPTICELL_TRY(model);

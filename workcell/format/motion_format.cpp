@@ -23,10 +23,10 @@ Json jsonFromMotion(const ScriptedMotion& motion) {
   return json;
 }
 
-ScriptedMotion motionFromJson(const Json& json, const std::string& place, std::optional<Error>& error,
+ScriptedMotion motionFromJson(const Json& json, const Text& place, std::optional<Error>& error,
                               Diagnostics& diagnostics) {
   ScriptedMotion motion;
-  FieldReader fields(json, place + ", \"motion\"", error);
+  FieldReader fields(json, Text("%1, \"%2\"", place, "motion"), error);
   fields.require("path");
   int repeat = 0;
   fields.readWord("repeat", repeatWords(), repeat);
@@ -36,7 +36,8 @@ ScriptedMotion motionFromJson(const Json& json, const std::string& place, std::o
       const bool good = point.is_array() && point.size() == 4 &&
                         std::all_of(point.begin(), point.end(), [](const Json& n) { return n.is_number(); });
       if (!good) {
-        if (!error) fields.fail("path", "a point that is not four numbers", "[t, x, y, z] in seconds and metres");
+        if (!error)
+          fields.fail("path", Text("a point that is not four numbers"), Text("[t, x, y, z] in seconds and metres"));
         return motion;
       }
       motion.points.push_back(
@@ -46,7 +47,7 @@ ScriptedMotion motionFromJson(const Json& json, const std::string& place, std::o
   if (error) return motion;
   fields.warnAboutOthers(diagnostics);
   if (const auto checked = checkMotion(motion); !checked) {
-    fields.fail("path", checked.error().place + ": " + checked.error().found, checked.error().expected);
+    fields.fail("path", Text("%1: %2", checked.error().place, checked.error().found), checked.error().expected);
   }
   return motion;
 }

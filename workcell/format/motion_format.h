@@ -4,15 +4,15 @@
 #include <optional>
 #include <string>
 
-#include "workcell/text/field_reader.h"
 #include "workcell/entity/scripted_motion.h"
+#include "workcell/text/field_reader.h"
 
 namespace hapticell::workcell {
 
 /// {"path": [[t, x, y, z], ...], "repeat": "once" | "loop" | "back"}
 Json jsonFromMotion(const ScriptedMotion& motion);
 /// Reads and checks one; `place` is what messages call its entity.
-ScriptedMotion motionFromJson(const Json& json, const std::string& place, std::optional<Error>& error,
+ScriptedMotion motionFromJson(const Json& json, const Text& place, std::optional<Error>& error,
                               Diagnostics& diagnostics);
 
 }  // namespace hapticell::workcell

@@ -36,9 +36,9 @@ Json jsonFromPoses(const Entity& entity) {
 }
 
 /// Positions by the joints' names; those that are not there as in `before`, or at rest where that is empty.
-std::vector<double> readJoints(const Json& json, const std::string& place, const FormatContext& context,
+std::vector<double> readJoints(const Json& json, const Text& place, const FormatContext& context,
                                const kinematics::RobotModel& model, const std::vector<double>& before) {
-  FieldReader fields(json, place + ", \"joints\"", context.error);
+  FieldReader fields(json, Text("%1, \"%2\"", place, "joints"), context.error);
   std::vector<double> positions = before.size() == model.dof() ? before : kinematics::restPositions(model);
   for (std::size_t i = 0; i < model.moving.size(); ++i) {
     fields.read(model.joints[static_cast<std::size_t>(model.moving[i])].name.c_str(), positions[i]);
@@ -47,10 +47,10 @@ std::vector<double> readJoints(const Json& json, const std::string& place, const
   return positions;
 }
 
-void readTools(const Json& tools, const std::string& place, const FormatContext& context, Entity& entity) {
+void readTools(const Json& tools, const Text& place, const FormatContext& context, Entity& entity) {
   for (const Json& json : tools) {
     ToolFrame tool;
-    FieldReader fields(json, place + ", tool " + std::to_string(entity.tools.size() + 1), context.error);
+    FieldReader fields(json, Text("%1, tool %2", place, entity.tools.size() + 1), context.error);
     fields.require("name");
     fields.read("name", tool.name);
     fields.read("tip_link", tool.tip_link);
@@ -60,10 +60,10 @@ void readTools(const Json& tools, const std::string& place, const FormatContext&
   }
 }
 
-void readPoses(const Json& poses, const std::string& place, const FormatContext& context, Entity& entity) {
+void readPoses(const Json& poses, const Text& place, const FormatContext& context, Entity& entity) {
   for (const Json& json : poses) {
     kinematics::NamedPose pose;
-    const std::string here = place + ", pose " + std::to_string(entity.named_poses.size() + 1);
+    const Text here = Text("%1, pose %2", place, entity.named_poses.size() + 1);
     FieldReader fields(json, here, context.error);
     fields.require("name");
     fields.read("name", pose.name);
@@ -87,7 +87,7 @@ void addRobotFields(const Entity& entity, Json& json) {
   if (!entity.named_poses.empty()) json["poses"] = jsonFromPoses(entity);
 }
 
-void readRobotFields(FieldReader& fields, const std::string& place, const FormatContext& context, Entity& entity) {
+void readRobotFields(FieldReader& fields, const Text& place, const FormatContext& context, Entity& entity) {
   if (!entity.robot) return;
   if (const Json* tools = fields.array("tools")) readTools(*tools, place, context, entity);
   if (const Json* poses = fields.array("poses")) readPoses(*poses, place, context, entity);

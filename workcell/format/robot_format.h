@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "workcell/text/field_reader.h"
 #include "workcell/format/format_context.h"
+#include "workcell/text/field_reader.h"
 
 namespace hapticell::workcell {
 
@@ -10,6 +10,6 @@ namespace hapticell::workcell {
 void addRobotFields(const Entity& entity, Json& json);
 
 /// Reads them into an entity whose model is there; Messages use `place`.
-void readRobotFields(FieldReader& fields, const std::string& place, const FormatContext& context, Entity& entity);
+void readRobotFields(FieldReader& fields, const Text& place, const FormatContext& context, Entity& entity);
 
 }  // namespace hapticell::workcell

@@ -64,8 +64,8 @@ void SourceReader::locate(std::string& path) {
   moved_folders_.try_emplace(file.parent_path(), fs::path(path).parent_path());
 }
 
-void SourceReader::read(const Json& json, const std::string& place, SourceFile& source) {
-  FieldReader fields(json, place + ", \"source\"", context_.error);
+void SourceReader::read(const Json& json, const Text& place, SourceFile& source) {
+  FieldReader fields(json, Text("%1, \"%2\"", place, "source"), context_.error);
   int axis = -1;
   source.scale = 0.0;
   fields.require("file");
@@ -82,13 +82,13 @@ void SourceReader::read(const Json& json, const std::string& place, SourceFile& 
   locate(source.path);
   if (axis >= 0) source.up_axis = static_cast<UpAxis>(axis);
   if (json.contains("scale") && !(source.scale >= 1e-9 && source.scale <= 1e9)) {
-    fields.fail("scale", "out of range", "metres per unit, 1e-9 to 1e9");
+    fields.fail("scale", Text("out of range"), Text("metres per unit, 1e-9 to 1e9"));
   } else if (!(source.tessellation.chord >= 1e-9 && source.tessellation.chord <= 1e3)) {
-    fields.fail("chord", "out of range", "metres, 1e-9 to 1000");
+    fields.fail("chord", Text("out of range"), Text("metres, 1e-9 to 1000"));
   } else if (!(source.tessellation.angle >= 1e-3 && source.tessellation.angle <= 3.0)) {
-    fields.fail("angle", "out of range", "radians, 0.001 to 3");
+    fields.fail("angle", Text("out of range"), Text("radians, 0.001 to 3"));
   } else if (!(source.simplified >= 0.0 && source.simplified <= 1e3)) {
-    fields.fail("simplified", "out of range", "metres, 0 to 1000");
+    fields.fail("simplified", Text("out of range"), Text("metres, 0 to 1000"));
   } else {
     fields.warnAboutOthers(context_.diagnostics);
   }

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "workcell/text/field_reader.h"
 #include "workcell/format/format_context.h"
+#include "workcell/text/field_reader.h"
 
 namespace hapticell::workcell {
 
@@ -23,7 +23,7 @@ class SourceReader {
  public:
   explicit SourceReader(const FormatContext& context) : context_(context) {}
   /// Messages use `place`.
-  void read(const Json& json, const std::string& place, SourceFile& source);
+  void read(const Json& json, const Text& place, SourceFile& source);
 
  private:
   void locate(std::string& path);

@@ -48,7 +48,7 @@ Json jsonFromWorkTask(const ergonomics::WorkTask& task) {
 ergonomics::WorkTask workTaskFromJson(const Json& json, std::size_t index, std::optional<Error>& error,
                                       Diagnostics& diagnostics) {
   ergonomics::WorkTask task;
-  FieldReader fields(json, "task " + std::to_string(index + 1), error);
+  FieldReader fields(json, Text("task %1", index + 1), error);
   if (error) return task;
   fields.require("name");
   fields.read("name", task.name);

@@ -34,7 +34,7 @@ class Demonstration : public ::testing::Test {
 };
 
 TEST_F(Demonstration, OpensWithoutAWord) {
-  EXPECT_TRUE(diagnostics_.warnings.empty()) << diagnostics_.warnings.front();
+  EXPECT_TRUE(diagnostics_.warnings.empty()) << english(diagnostics_.warnings);
 }
 
 TEST_F(Demonstration, SavingItChangesNoByte) {

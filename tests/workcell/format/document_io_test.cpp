@@ -114,7 +114,7 @@ TEST_F(DocumentFile, LoadThenSaveChangesNoByte) {
   ASSERT_TRUE(second.has_value()) << second.error().message();
   EXPECT_FALSE(second->isDirty());
   EXPECT_FALSE(second->canUndo());
-  for (const std::string& note : notes.warnings) ADD_FAILURE() << note;
+  for (const Text& note : notes.warnings) ADD_FAILURE() << english(note);
   ASSERT_TRUE(saveDocument(*second, path).has_value());
   EXPECT_EQ(contentOf(path), written);
 }
@@ -238,8 +238,8 @@ TEST(DocumentText, WarnsOfUnknownKeysAndNames) {
                                   "/nowhere", "c", notes);
   ASSERT_TRUE(cell.has_value());
   ASSERT_EQ(notes.warnings.size(), 2u);
-  EXPECT_THAT(notes.warnings[0], HasSubstr("\"colour\""));
-  EXPECT_THAT(notes.warnings[1], HasSubstr("'bell'"));
+  EXPECT_THAT(english(notes.warnings[0]), HasSubstr("\"colour\""));
+  EXPECT_THAT(english(notes.warnings[1]), HasSubstr("'bell'"));
 }
 
 TEST(DocumentText, WhatHangsOnSomethingIsPlacedWhereItHangsAndThatIsSaid) {
@@ -256,7 +256,7 @@ TEST(DocumentText, WhatHangsOnSomethingIsPlacedWhereItHangsAndThatIsSaid) {
   ASSERT_TRUE(moved.has_value()) << moved.error().message();
   EXPECT_LT(glm::length(moved->findByName("last")->X_WE.p - dvec3(1, 2, 3)), 1e-12) << "by its carrier's carrier";
   ASSERT_EQ(told.warnings.size(), 1u);
-  EXPECT_THAT(told.warnings[0], HasSubstr("'last'"));
+  EXPECT_THAT(english(told.warnings[0]), HasSubstr("'last'"));
   EXPECT_LT(glm::length(moved->findByName("loose")->X_WE.p - dvec3(5, 0, 0)), 1e-12);
   EXPECT_LT(glm::length(moved->findByName("loose")->attachment.X_LE.p - dvec3(4, 0, 0)), 1e-12) << "where it stands";
   EXPECT_TRUE(parseDocument(chain(R"("placement": {"position": [1, 2, 3]}, )"), "/nowhere", "c", silent));
