@@ -325,7 +325,7 @@ TEST(PackagePath, PackagesAreFoundBesideAndAboveTheDescription) {
   const auto guessed = findReference("package://renamed/meshes/link 1.stl", urdf);
   ASSERT_TRUE(guessed);
   EXPECT_FALSE(guessed->taken_for_package.empty());
-  EXPECT_THAT(takenForPackage("package://renamed/meshes/link 1.stl", *guessed), HasSubstr("renamed"));
+  EXPECT_THAT(english(takenForPackage("package://renamed/meshes/link 1.stl", *guessed)), HasSubstr("renamed"));
 }
 
 TEST(PackagePath, ReferencesThatLeaveTheirPackageAreSeen) {
