@@ -64,12 +64,12 @@ TEST(ColorChannels, TheGreatestNumberTellsTheRange) {
 TEST(ColorChannels, WhatIsNoColourIsCounted) {
   ColorChannels channels;
   Diagnostics diagnostics;
-  channels.report("vertices", diagnostics);
+  channels.report(ColorChannels::Of::kVertices, diagnostics);
   EXPECT_TRUE(diagnostics.warnings.empty());
   channels.set(0, {-0.1, 0, 0});
   channels.set(1, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
   channels.set(2, {std::numeric_limits<double>::infinity(), 0, 0});
-  channels.report("vertices", diagnostics);
+  channels.report(ColorChannels::Of::kVertices, diagnostics);
   ASSERT_EQ(diagnostics.warnings.size(), 1u);
   EXPECT_THAT(english(diagnostics.warnings[0]), HasSubstr("3 vertices"));
 }
