@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/system/packed_text.h"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <utility>
@@ -18,11 +18,17 @@ constexpr char kOpen = '\x01', kClose = '\x02', kPartEnd = '\x03';
 constexpr int kDeepest = 16;  // Texts within texts: the program's own nest half as deep.
 constexpr std::size_t kMostArguments = 64;
 
+bool isControl(char c) {
+  return static_cast<unsigned char>(c) < 0x20;
+}
+
+bool hasControls(std::string_view words) {
+  return std::any_of(words.begin(), words.end(), isControl);
+}
+
 std::string clean(std::string_view words) {
   std::string result(words);
-  for (char& c : result) {
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  }
+  std::replace_if(result.begin(), result.end(), isControl, ' ');
   return result;
 }
 
@@ -84,6 +90,7 @@ class Unpacker {
     if (end == std::string_view::npos) return std::nullopt;
     const std::string_view words = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
+    if (hasControls(words)) return std::nullopt;
     return words;
   }
 

@@ -74,7 +74,8 @@ TEST(PackedText, DamagedLinesAreRefused) {
   EXPECT_FALSE(unpackedText(line + " ").has_value());
   EXPECT_FALSE(unpackedText(line + line).has_value());
   EXPECT_FALSE(unpackedText("plain words").has_value());
-  for (const std::string argument : {"n", "n12x", "n1.5", "n99999999999999999999", "l", "l0.5m", "a ", "lnone", "x1"}) {
+  for (const std::string argument :
+       {"n", "n12x", "n1.5", "n99999999999999999999", "l", "l0.5m", "a ", "lnone", "x1", "sa\x01", "sa\nb"}) {
     EXPECT_FALSE(unpackedText("\x01id %1\x03" + argument + "\x03\x02").has_value()) << argument;
   }
   EXPECT_TRUE(unpackedText("\x01id %1\x03n12\x03\x02").has_value());
