@@ -30,9 +30,9 @@ int run(const Action& chosen, const std::string& json_file) {
   try {
     return static_cast<int>(chosen(writer));
   } catch (const std::bad_alloc&) {
-    report({"", "", "not enough memory", "", "Use a smaller or coarser model."});
+    report({.found = "not enough memory", .fix = "Use a smaller or coarser model."});
   } catch (const std::exception& exception) {
-    report({"", "", std::string("unexpected error: ") + exception.what(), "", "This is a bug. Please report it."});
+    report({.found = Text("unexpected error: %1", exception.what()), .fix = "This is a bug. Please report it."});
   }
   return static_cast<int>(ExitStatus::kBadInput);
 }
@@ -41,7 +41,7 @@ int run(const Action& chosen, const std::string& json_file) {
 int reportUnknownCommand(const CLI::App& app, const std::string& word) {
   const std::string known =
       listed(app.get_subcommands({}), [](const CLI::App* command) { return command->get_name(); });
-  report({"", "", "no command is named '" + word + "'", "one of " + known, ""});
+  report({.found = Text("no command is named '%1'", word), .expected = Text("one of %1", known)});
   return static_cast<int>(ExitStatus::kBadInput);
 }
 
@@ -94,7 +94,7 @@ int runCommandLine(int argc, char** argv) {
     return app.exit(problem) == 0 ? 0 : static_cast<int>(ExitStatus::kBadInput);
   }
   if (!chosen) {
-    report({"", "", "the command needs a subcommand", "", "See hapticell-cli COMMAND --help."});
+    report({.found = "the command needs a subcommand", .fix = "See hapticell-cli COMMAND --help."});
     return static_cast<int>(ExitStatus::kBadInput);
   }
   return run(chosen, json_file);

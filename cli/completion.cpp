@@ -149,7 +149,7 @@ int runCompletion(const CLI::App& app, const std::vector<std::string>& words) {
   }
   const std::string_view script = words.size() == 1 ? completionScript(words.front()) : std::string_view();
   if (script.empty()) {
-    report({"", "completion", "no shell given", "bash, zsh or fish", ""});
+    report({.place = "completion", .found = "no shell given", .expected = "bash, zsh or fish"});
     return static_cast<int>(ExitStatus::kBadInput);
   }
   std::fwrite(script.data(), 1, script.size(), stdout);

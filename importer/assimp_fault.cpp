@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kAgain = "Export it again.";
-constexpr const char* kCopyAgain = "Copy or export it again: it is not whole.";
+constexpr char kAgain[] = HAPTICELL_TRANSLATED("Export it again.");
+constexpr char kCopyAgain[] = HAPTICELL_TRANSLATED("Copy or export it again: it is not whole.");
 
 /// A 32-bit little-endian number, nothing beyond the end.
 std::optional<std::uint32_t> numberAt(std::string_view bytes, std::size_t at) {
@@ -26,48 +26,28 @@ std::optional<std::uint32_t> numberAt(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// What is wrong with the header of a binary glTF file ("glTF 2.0 specification", section 4.4), if it is that.
-std::optional<Error> binaryGltfFault(const fs::path& file, std::string_view head) {
-  std::error_code fault;
-  const std::uintmax_t size = fs::file_size(file, fault);
+/// What is wrong with the length of the first chunk of a binary glTF 2.0 file.
+std::optional<Error> firstChunkFault(std::string_view head) {
   const auto version = numberAt(head, 4), length = numberAt(head, 8), json = numberAt(head, 12);
-  if (fault || !version || !length || !json) {
-    return Error{.place = "header",
-                 .found = "the file ends after " + std::to_string(size) + " bytes",
-                 .expected = "the 20 bytes of a binary glTF file's header and more",
-                 .fix = kCopyAgain};
-  }
-  if (*version != 2 && *version != 1) {
-    return Error{
-        .place = "header", .found = "version " + std::to_string(*version), .expected = "1 or 2", .fix = kAgain};
-  }
-  if (size < *length) {
-    return Error{.place = "header",
-                 .found = "the file ends after " + std::to_string(size) + " bytes",
-                 .expected = std::to_string(*length) + " bytes",
-                 .fix = kCopyAgain};
-  }
-  if (*version == 2 && *json > *length) {
-    return Error{.place = "first chunk",
-                 .found = "a length of " + std::to_string(*json) + " bytes",
-                 .expected = "less than the file's " + std::to_string(*length),
-                 .fix = kAgain};
-  }
-  return std::nullopt;
+  if (!json || *version != 2 || *json <= *length) return std::nullopt;
+  return Error{.place = "first chunk",
+               .found = Text("a length of %1 bytes", *json),
+               .expected = Text("less than the file's %1", *length),
+               .fix = kAgain};
 }
 
-std::string formatWord(const fs::path& file) {
+Text formatWord(const fs::path& file) {
   std::string extension = file.extension().string();
   if (!extension.empty()) extension.erase(0, 1);
   extension = upperCase(extension);
-  if (extension == "GLTF" || extension == "GLB") return "a glTF file";
-  if (extension == "DAE") return "a Collada file";
-  if (extension.empty()) return "a file";
-  return (extension == "FBX" ? "an " : "a ") + extension + " file";
+  if (extension == "GLTF" || extension == "GLB") return Text("a glTF file");
+  if (extension == "DAE") return Text("a Collada file");
+  if (extension.empty()) return Text("a file");
+  return extension == "FBX" ? Text("an FBX file") : Text("a %1 file", extension);
 }
 
 /// Takes "(offset 0x1f)" out of a message; gives "byte 31".
-std::string placeIn(std::string& message) {
+Text placeIn(std::string& message) {
   constexpr std::string_view kBegin = "(offset 0x";
   const std::size_t at = message.find(kBegin);
   const std::size_t end = at == std::string::npos ? at : message.find(')', at);
@@ -76,7 +56,7 @@ std::string placeIn(std::string& message) {
   const char* digits = message.data() + at + kBegin.size();
   if (std::from_chars(digits, message.data() + end, offset, 16).ptr != message.data() + end) return {};
   message.erase(at, end + 1 - at);
-  return "byte " + std::to_string(offset);
+  return Text("byte %1", offset);
 }
 
 /// One line without blanks at its ends or two in a row, and without the file's path, which stands before it anyway.
@@ -97,11 +77,34 @@ std::string tidied(std::string message, const fs::path& file) {
 
 }  // namespace
 
+std::optional<Error> binaryGltfFault(const fs::path& file, std::string_view head) {
+  std::error_code fault;
+  const std::uintmax_t size = fs::file_size(file, fault);
+  const auto version = numberAt(head, 4), length = numberAt(head, 8);
+  if (fault || !version || !length || !numberAt(head, 12)) {
+    return Error{.place = "header",
+                 .found = Text("the file ends after %1 bytes", size),
+                 .expected = "the 20 bytes of a binary glTF file's header and more",
+                 .fix = kCopyAgain};
+  }
+  if (*version != 2 && *version != 1) {
+    return Error{.place = "header", .found = Text("version %1", *version), .expected = "1 or 2", .fix = kAgain};
+  }
+  if (size < *length) {
+    return Error{.place = "header",
+                 .found = Text("the file ends after %1 bytes", size),
+                 .expected = Text("%1 bytes", *length),
+                 .fix = kCopyAgain};
+  }
+  return std::nullopt;
+}
+
 Error assimpFault(const fs::path& file, std::string_view head, std::string message) {
   if (head.starts_with("glTF")) {
     if (auto fault = binaryGltfFault(file, head)) return *fault;
+    if (auto fault = firstChunkFault(head)) return *fault;
   }
-  const std::string expected = "the content of " + formatWord(file);
+  const Text expected("the content of %1", formatWord(file));
   if (message.find("No suitable reader") != std::string::npos || message.empty()) {
     return {.place = "beginning", .found = "a content that is not of this format", .expected = expected, .fix = kAgain};
   }
@@ -109,12 +112,12 @@ Error assimpFault(const fs::path& file, std::string_view head, std::string messa
       message.find("_M_") != std::string::npos || message.find("basic_string") != std::string::npos ||
       message == "map::at") {
     Error fault = libraryFault(message);
-    fault.expected += " in " + formatWord(file);
+    fault.expected = Text("%1 in %2", fault.expected, formatWord(file));
     return fault;
   }
-  std::string place = placeIn(message);
+  Text place = placeIn(message);
   return {.place = std::move(place),
-          .found = "the reader refused it (" + tidied(std::move(message), file) + ")",
+          .found = Text("the reader refused it (%1)", tidied(std::move(message), file)),
           .expected = expected,
           .fix = kAgain};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,5 +14,9 @@ namespace hapticell::importer {
 /// found and what a sound file has. A binary glTF file whose length is not that of its header is reported as such;
 /// messages that only say that no reader took it are replaced. `head` is the beginning of the file.
 Error assimpFault(const std::filesystem::path& file, std::string_view head, std::string message);
+
+/// If a binary glTF file is cut off, or of a version that is not known, what is wrong with it ("glTF 2.0
+/// specification", section 4.4).
+std::optional<Error> binaryGltfFault(const std::filesystem::path& file, std::string_view head);
 
 }  // namespace hapticell::importer

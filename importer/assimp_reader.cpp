@@ -152,9 +152,9 @@ class AssimpSceneBuilder {
   ImportedScene build() {
     add(*source_.mRootNode, dmat4(1.0), Pose::identity(), -1, 0);
     if (dropped_ > 0) {
-      scene_.warnings.push_back(std::to_string(dropped_) + " triangles with a corner that is no point were dropped");
+      scene_.warnings.push_back(Text("%1 triangles with a corner that is no point were dropped", dropped_));
     }
-    if (too_deep_) scene_.warnings.push_back("nodes below the 500th level were left out");
+    if (too_deep_) scene_.warnings.push_back(Text("nodes below the 500th level were left out"));
     return std::move(scene_);
   }
 
@@ -171,8 +171,8 @@ class AssimpSceneBuilder {
     if (depth > kDeepest) return;
     dmat4 M_FN = M_FP * toMatrix(source.mTransformation);
     if (!isFinite(M_FN)) {
-      scene_.warnings.push_back("'" + std::string(source.mName.C_Str()) +
-                                "' has a placement that is none; it stands at its parent");
+      scene_.warnings.push_back(
+          Text("'%1' has a placement that is none; it stands at its parent", source.mName.C_Str()));
       M_FN = M_FP;
     }
     const Pose X_FN = rigidPart(M_FN);
@@ -311,7 +311,7 @@ Expected<ImportedScene> readOwnGltf(const Reading& reading, const std::string& h
   if (model) return built(*model->scene, reading, "gltf", {}, model->warnings);
   Error error = model.error();
   if (head.starts_with("glTF")) {  // A file that is cut off says so, whatever was missed first.
-    if (const Error whole = assimpFault(reading.file, head, error.found); whole.place == "header") error = whole;
+    if (auto cut_off = binaryGltfFault(reading.file, head)) error = *cut_off;
   }
   return makeError(std::move(error));
 }

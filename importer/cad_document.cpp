@@ -71,8 +71,8 @@ bool looksLikeStep(const std::filesystem::path& file) {
 }
 
 Error unreadable(const char* format) {
-  return {.found = std::string("it is not readable as ") + format,
-          .expected = std::string("a sound ") + format + " file",
+  return {.found = Text("it is not readable as %1", format),
+          .expected = Text("a sound %1 file", format),
           .fix = "Export it again."};
 }
 
@@ -103,12 +103,12 @@ Expected<CadDocument> openStep(const std::string& name, const Message_ProgressRa
   CadDocument result = newCadDocument();
   result.format = "step";
   if (const auto damaged = damagedEntries(reader.ChangeReader().StepModel()); !damaged.empty()) {
-    const std::string which = std::to_string(damaged.size()) +
-                              (damaged.size() == 1 ? " damaged entry (" : " damaged entries (the first: ") +
-                              damaged.front() + ")";
+    const Text which = damaged.size() == 1
+                           ? Text("1 damaged entry (%1)", damaged.front())
+                           : Text("%1 damaged entries (the first: %2)", damaged.size(), damaged.front());
     // Where the library breaks down at them, this is the place that is named.
-    indicator.setStage("reading " + which);
-    result.warnings.push_back("the file has " + which + "; what is made of it is missing or wrong. Export it again.");
+    indicator.setStage("reading " + english(which));
+    result.warnings.push_back(Text("the file has %1; what is made of it is missing or wrong. Export it again.", which));
   }
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
@@ -218,7 +218,7 @@ Expected<void> checkTree(const CadDocument& cad) {
     for (const TDF_Label& component : components) below.back().push_back(numberOf(component));
   }
   return geometry::checkUnfolding(below, roots, {},
-                                  [&](std::uint32_t node) { return "'" + nameOf(labels[node]) + "'"; });
+                                  [&](std::uint32_t node) -> Text { return "'" + nameOf(labels[node]) + "'"; });
 }
 
 CadDocument newCadDocument() {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/pose.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::importer {
 

@@ -194,7 +194,7 @@ class CadSceneBuilder {
         fault = libraryFault(failure.what());
       }
     }
-    scene_.warnings.push_back("'" + name + "' is left out: " + fault.found);
+    scene_.warnings.push_back(Text("'%1' is left out: %2", name, fault.found));
     if (first_fault_.empty()) first_fault_ = fault.found;
     return std::nullopt;
   }
@@ -204,12 +204,12 @@ class CadSceneBuilder {
     if (!part) return {};
     MeshedShape& meshed = *part;
     if (meshed.missing_faces > 0) {
-      scene_.warnings.push_back("'" + name + "': " + std::to_string(meshed.missing_faces) + " of " +
-                                std::to_string(meshed.faces) +
-                                " faces could not be cut into triangles and are missing");
+      scene_.warnings.push_back(Text("'%1': %2 of %3 faces could not be cut into triangles and are missing", name,
+                                     meshed.missing_faces, meshed.faces));
     }
     if (meshed.several_colors) {
-      scene_.warnings.push_back("'" + name + "' has faces of several colours; it is shown in that of most of its area");
+      scene_.warnings.push_back(
+          Text("'%1' has faces of several colours; it is shown in that of most of its area", name));
     }
     Known known{-1, meshed.color, meshed.several_colors};
     if (meshed.mesh.triangles.empty()) return known;
@@ -225,14 +225,14 @@ class CadSceneBuilder {
     node.mesh = known.mesh;
     node.color = known.color;
     scene_.nodes.push_back(std::move(node));
-    scene_.warnings.push_back(std::to_string(loose_shapes_) +
-                              " surfaces that belong to no solid were put into one part");
+    scene_.warnings.push_back(Text("%1 surfaces that belong to no solid were put into one part", loose_shapes_));
   }
 
   void tellMissing() {
     if (without_shape_ == 0) return;
-    scene_.warnings.push_back(std::to_string(without_shape_) + " parts have no shape (first '" + first_without_shape_ +
-                              "'): a file that they refer to is missing, or they hold lines only");
+    scene_.warnings.push_back(
+        Text("%1 parts have no shape (first '%2'): a file that they refer to is missing, or they hold lines only",
+             without_shape_, first_without_shape_));
   }
 
   const Reading& reading_;
@@ -251,7 +251,7 @@ class CadSceneBuilder {
   int done_ = 0;
   int without_shape_ = 0;
   std::string first_without_shape_;
-  std::string first_fault_;  ///< Why the first of the parts that are left out is.
+  Text first_fault_;  ///< Why the first of the parts that are left out is.
 };
 
 }  // namespace

@@ -144,8 +144,8 @@ class ColladaTidier {
       const int lost = cutPolygonsWithHoles(mesh, polygons);
       changed_ = true;
       if (lost > 0) {
-        result_.warnings.push_back("'" + name + "': " + std::to_string(lost) +
-                                   " polygons with holes could not be cut into triangles and are missing");
+        result_.warnings.push_back(
+            Text("'%1': %2 polygons with holes could not be cut into triangles and are missing", name, lost));
       }
     }
   }
@@ -171,7 +171,7 @@ class NodeGraph {
 
   Expected<void> check() const {
     return geometry::checkUnfolding(below_, roots_, {},
-                                    [this](std::uint32_t node) { return "node '" + ids_[node] + "'"; });
+                                    [this](std::uint32_t node) { return Text("node '%1'", ids_[node]); });
   }
 
  private:
@@ -224,8 +224,8 @@ Expected<ColladaText> readColladaText(const std::filesystem::path& file) {
   if (!parsed || !root) {
     const auto end = content->begin() + std::clamp<std::ptrdiff_t>(parsed.offset, 0, std::ssize(*content));
     const auto line = 1 + std::count(content->begin(), end, '\n');
-    return makeError({.place = parsed ? "" : "line " + std::to_string(line),
-                      .found = parsed ? "no <COLLADA>" : parsed.description(),
+    return makeError({.place = parsed ? Text() : Text("line %1", line),
+                      .found = parsed ? Text("no <COLLADA>") : Text(std::string(parsed.description())),
                       .expected = "the content of a Collada file",
                       .fix = "Export it again."});
   }

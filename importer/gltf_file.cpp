@@ -23,7 +23,7 @@ constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 constexpr std::size_t kMostElements = 200'000'000;
 constexpr std::size_t kMostZeros = 1'000'000;  ///< That a sparse accessor starts from.
 
-Error fault(std::string place, std::string found, std::string expected = "the content of a glTF file") {
+Error fault(Text place, Text found, Text expected = Text("the content of a glTF file")) {
   return damagedFile(std::move(place), std::move(found), std::move(expected));
 }
 
@@ -43,7 +43,8 @@ Expected<std::pair<std::string_view, std::string_view>> chunksOf(std::string_vie
     const std::size_t length = word(content, at);
     const std::uint32_t kind = word(content, at + 4);
     at += kChunkHeader;
-    if (length > content.size() - at) return makeError(fault("chunk", "a length beyond the end of the file"));
+    if (length > content.size() - at)
+      return makeError(fault(Text("chunk"), Text("a length beyond the end of the file")));
     if (kind == 0x4E4F534A && json.empty()) json = content.substr(at, length);
     if (kind == 0x004E4942 && binary.empty()) binary = content.substr(at, length);
     at += length + (4 - length % 4) % 4;
@@ -158,11 +159,11 @@ Expected<GltfFile> GltfFile::open(const fs::path& file) {
   try {
     result.json_ = Json::parse(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text);
   } catch (const Json::parse_error& problem) {
-    return makeError(fault("byte " + std::to_string(problem.byte) + " of its JSON", "text that is not JSON"));
+    return makeError(fault(Text("byte %1 of its JSON", problem.byte), Text("text that is not JSON")));
   } catch (const Json::exception&) {
-    return makeError(fault("its JSON", "a number that no computer holds"));
+    return makeError(fault(Text("its JSON"), Text("a number that no computer holds")));
   }
-  if (!result.json_.is_object()) return makeError(fault("", "no JSON object"));
+  if (!result.json_.is_object()) return makeError(fault("", Text("no JSON object")));
   HAPTICELL_TRY(result.loadBuffers(file, std::string(chunks->second)));
   return result;
 }
@@ -170,14 +171,15 @@ Expected<GltfFile> GltfFile::open(const fs::path& file) {
 Expected<void> GltfFile::loadBuffers(const fs::path& file, std::string binary) {
   const Json& list = gltfMember(json_, "buffers");
   for (std::size_t k = 0; list.is_array() && k < list.size(); ++k) {
-    const std::string place = "buffer " + std::to_string(k), uri = gltfText(list[k], "uri");
+    const Text place("buffer %1", k);
+    const std::string uri = gltfText(list[k], "uri");
     const std::size_t length = gltfNumber(list[k], "byteLength", 0);
     std::string bytes;
     if (uri.empty()) {
       if (k == 0) bytes = std::move(binary);  // Further ones without a URI are for EXT_meshopt_compression to fill.
     } else if (uri.starts_with("data:")) {
       const std::size_t comma = uri.find(',');
-      if (comma == std::string::npos) return makeError(fault(place, "a data URI without data"));
+      if (comma == std::string::npos) return makeError(fault(place, Text("a data URI without data")));
       bytes = decodedBase64(std::string_view(uri).substr(comma + 1));
     } else {
       fs::path path = file.parent_path() / uri;
@@ -186,14 +188,14 @@ Expected<void> GltfFile::loadBuffers(const fs::path& file, std::string binary) {
       auto content = workcell::readFileContent(path);
       if (!content) {
         return makeError({.place = place,
-                          .found = "its file " + uri.substr(0, 100) + ": " + content.error().found,
+                          .found = Text("its file %1: %2", uri.substr(0, 100), content.error().found),
                           .expected = "a file beside it",
                           .fix = "Put it there: a .gltf needs its .bin files."});
       }
       bytes = std::move(*content);
     }
     if (!bytes.empty() && bytes.size() < length) {
-      return makeError(fault(place, std::to_string(bytes.size()) + " bytes", std::to_string(length) + " bytes"));
+      return makeError(fault(place, Text("%1 bytes", bytes.size()), Text("%1 bytes", length)));
     }
     buffers_.push_back(std::move(bytes));
   }
@@ -202,22 +204,22 @@ Expected<void> GltfFile::loadBuffers(const fs::path& file, std::string binary) {
 
 Expected<std::string_view> GltfFile::view(std::size_t index) {
   const Json& view = gltfElement(gltfMember(json_, "bufferViews"), index);
-  const std::string place = "buffer view " + std::to_string(index);
+  const Text place("buffer view %1", index);
   const Json& compressed = gltfMember(gltfMember(view, "extensions"), "EXT_meshopt_compression");
   if (!compressed.empty()) return compressedView(index, compressed);
   const std::size_t buffer = gltfNumber(view, "buffer", kNone), offset = gltfNumber(view, "byteOffset", 0);
   const std::size_t length = gltfNumber(view, "byteLength", kNone);
-  if (buffer >= buffers_.size()) return makeError(fault(place, "it is not there, or its buffer is not"));
+  if (buffer >= buffers_.size()) return makeError(fault(place, Text("it is not there, or its buffer is not")));
   const std::string_view bytes = buffers_[buffer];
   if (offset > bytes.size() || length > bytes.size() - offset) {
-    return makeError(fault(place, "more bytes than its buffer holds"));
+    return makeError(fault(place, Text("more bytes than its buffer holds")));
   }
   return bytes.substr(offset, length);
 }
 
 Expected<std::string_view> GltfFile::compressedView(std::size_t index, const Json& how) {
   if (const auto known = unpacked_.find(index); known != unpacked_.end()) return std::string_view(known->second);
-  const std::string place = "buffer view " + std::to_string(index);
+  const Text place("buffer view %1", index);
   const std::size_t buffer = gltfNumber(how, "buffer", kNone), offset = gltfNumber(how, "byteOffset", 0);
   const std::size_t length = gltfNumber(how, "byteLength", kNone), stride = gltfNumber(how, "byteStride", 0);
   const std::size_t count = gltfNumber(how, "count", kNone);
@@ -227,7 +229,7 @@ Expected<std::string_view> GltfFile::compressedView(std::size_t index, const Jso
   constexpr std::size_t kPackedFold = 64, kAlways = 65536;
   if (!there || stride == 0 || stride > 256 || count > kMostElements ||
       count * stride > kPackedFold * length + kAlways) {
-    return makeError(fault(place, "more bytes than its buffer holds"));
+    return makeError(fault(place, Text("more bytes than its buffer holds")));
   }
   const auto* const source = reinterpret_cast<const unsigned char*>(buffers_[buffer].data() + offset);
   std::string bytes(count * stride, '\0');
@@ -240,14 +242,15 @@ Expected<std::string_view> GltfFile::compressedView(std::size_t index, const Jso
   } else if (mode == "INDICES" && (stride == 2 || stride == 4)) {
     status = meshopt_decodeIndexSequence(bytes.data(), count, stride, source, length);
   }
-  if (status != 0) return makeError(fault(place, "data of EXT_meshopt_compression that cannot be unpacked"));
+  if (status != 0) return makeError(fault(place, Text("data of EXT_meshopt_compression that cannot be unpacked")));
   if (filter == "EXPONENTIAL") meshopt_decodeFilterExp(bytes.data(), count, stride);
   if (filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) meshopt_decodeFilterOct(bytes.data(), count, stride);
   if (filter == "QUATERNION" && stride == 8) meshopt_decodeFilterQuat(bytes.data(), count, stride);
   return std::string_view(unpacked_[index] = std::move(bytes));
 }
 
-Expected<GltfFile::Layout> GltfFile::layoutOf(const Json& accessor, std::size_t components) {
+Expected<GltfFile::Layout> GltfFile::layoutOf(std::size_t index, const Json& accessor, std::size_t components) {
+  const Text place("accessor %1", index);
   Layout layout;
   layout.kind = static_cast<int>(gltfNumber(accessor, "componentType", 0));
   layout.count = gltfNumber(accessor, "count", kNone);
@@ -256,16 +259,15 @@ Expected<GltfFile::Layout> GltfFile::layoutOf(const Json& accessor, std::size_t 
   layout.normalized = normalized != accessor.end() && normalized->is_boolean() && normalized->get<bool>();
   const std::size_t size = bytesOf(layout.kind) * layout.components;
   if (size == 0 || layout.components != components || layout.count > kMostElements) {
-    return makeError(fault("accessor", "another type than is needed there, or none"));
+    return makeError(fault(place, Text("another type than is needed there, or none")));
   }
   layout.stride = size;
   const std::size_t number = gltfNumber(accessor, "bufferView", kNone);
   if (number == kNone) {  // Zeros, for a sparse one to fill.
     const bool sparse = !gltfMember(accessor, "sparse").empty();
-    if (!sparse && layout.count > 0) return makeError(fault("accessor", "no data"));
+    if (!sparse && layout.count > 0) return makeError(fault(place, Text("no data")));
     if (layout.count > kMostZeros)
-      return makeError(
-          fault("accessor", std::to_string(layout.count) + " elements without data", "fewer than a million"));
+      return makeError(fault(place, Text("%1 elements without data", layout.count), Text("fewer than a million")));
     return layout;
   }
   const auto bytes = view(number);
@@ -277,7 +279,7 @@ Expected<GltfFile::Layout> GltfFile::layoutOf(const Json& accessor, std::size_t 
   const std::size_t offset = gltfNumber(accessor, "byteOffset", 0);
   const std::size_t needed = layout.count == 0 ? 0 : (layout.count - 1) * layout.stride + size;
   if (layout.stride < size || layout.stride > 4096 || offset > bytes->size() || needed > bytes->size() - offset) {
-    return makeError(fault("accessor", std::to_string(layout.count) + " elements, more than its buffer view holds"));
+    return makeError(fault(place, Text("%1 elements, more than its buffer view holds", layout.count)));
   }
   layout.bytes = bytes->substr(offset);
   return layout;
@@ -285,12 +287,8 @@ Expected<GltfFile::Layout> GltfFile::layoutOf(const Json& accessor, std::size_t 
 
 Expected<std::vector<double>> GltfFile::numbers(std::size_t index, std::size_t components) {
   const Json& accessor = gltfElement(gltfMember(json_, "accessors"), index);
-  const auto layout = layoutOf(accessor, components);
-  if (!layout) {
-    Error error = layout.error();
-    if (error.place == "accessor") error.place += " " + std::to_string(index);
-    return makeError(std::move(error));
-  }
+  const auto layout = layoutOf(index, accessor, components);
+  HAPTICELL_TRY(layout);
   std::vector<double> values(layout->count * components, 0.0);
   const std::size_t size = bytesOf(layout->kind);
   for (std::size_t k = 0; !layout->bytes.empty() && k < layout->count; ++k) {
@@ -318,11 +316,11 @@ Expected<void> GltfFile::putSparse(const Json& accessor, const Layout& layout, s
   if (bytesOf(kind) == 0 || kind == 5126 || count > kMostElements || offset > where->size() ||
       count * bytesOf(kind) > where->size() - offset || value_offset > what->size() ||
       count * element > what->size() - value_offset) {
-    return makeError(fault("sparse accessor", "more elements than its buffer views hold"));
+    return makeError(fault(Text("sparse accessor"), Text("more elements than its buffer views hold")));
   }
   for (std::size_t k = 0; k < count; ++k) {
     const auto at = static_cast<std::size_t>(valueAt(where->data() + offset + k * bytesOf(kind), kind, false));
-    if (at >= layout.count) return makeError(fault("sparse accessor", "an element beyond the last"));
+    if (at >= layout.count) return makeError(fault(Text("sparse accessor"), Text("an element beyond the last")));
     for (std::size_t c = 0; c < layout.components; ++c) {
       values[at * layout.components + c] =
           valueAt(what->data() + value_offset + k * element + c * size, layout.kind, layout.normalized);

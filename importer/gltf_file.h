@@ -46,7 +46,7 @@ class GltfFile {
 
   Expected<void> loadBuffers(const std::filesystem::path& file, std::string binary);
   Expected<std::string_view> compressedView(std::size_t index, const nlohmann::json& how);
-  Expected<Layout> layoutOf(const nlohmann::json& accessor, std::size_t components);
+  Expected<Layout> layoutOf(std::size_t index, const nlohmann::json& accessor, std::size_t components);
   Expected<std::vector<double>> numbers(std::size_t accessor, std::size_t components);
   Expected<void> putSparse(const nlohmann::json& accessor, const Layout& layout, std::vector<double>& values);
 };

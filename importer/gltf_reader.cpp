@@ -63,7 +63,7 @@ class GltfReader {
       HAPTICELL_TRY(node);
       roots.push_back(std::move(*node));
     }
-    if (roots.empty()) return makeError(damagedFile("", "a scene without nodes", "nodes with meshes"));
+    if (roots.empty()) return makeError(damagedFile("", Text("a scene without nodes"), Text("nodes with meshes")));
     ModelScene result;
     std::unique_ptr<aiNode> root;
     if (roots.size() == 1) {
@@ -87,7 +87,7 @@ class GltfReader {
       using workcell::Treatment;
       if (rule && (rule->treatment == Treatment::kUsed || rule->treatment == Treatment::kNoted)) continue;
       return makeError({.place = "extensionsRequired",
-                        .found = "the extension " + name.get<std::string>() + ", which is not read",
+                        .found = Text("the extension %1, which is not read", name.get<std::string>()),
                         .expected = "extensions that docs/user/formats.md lists",
                         .fix = "Export it without that extension, or convert it with a tool that can take it out."});
     }
@@ -166,8 +166,8 @@ class GltfReader {
     }
     const std::size_t vertices = positions.size() / 3;
     if (std::any_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return i >= vertices; })) {
-      return makeError(damagedFile("mesh '" + name + "'", "a corner beyond the last of " + std::to_string(vertices),
-                                   "corners of the mesh"));
+      return makeError(damagedFile(Text("mesh '%1'", name), Text("a corner beyond the last of %1", vertices),
+                                   Text("corners of the mesh")));
     }
     return indices.empty() ? nullptr : newMesh(name, positions, indices, used);
   }
@@ -237,22 +237,22 @@ class GltfReader {
       if (known(index)) roots.push_back(static_cast<std::uint32_t>(index));
     }
     return geometry::checkUnfolding(below, roots, {kDeepestNode + 1, kMostNodes},
-                                    [](std::uint32_t node) { return "node " + std::to_string(node); });
+                                    [](std::uint32_t node) { return Text("node %1", node); });
   }
 
   Expected<std::unique_ptr<aiNode>> nodeOf(std::size_t index, int depth) {
     const json& nodes = gltfMember(file_.json(), "nodes");
-    const std::string place = "node " + std::to_string(index);
+    const Text place("node %1", index);
     if (!nodes.is_array() || index >= nodes.size()) {
-      return makeError(damagedFile(place, "no such node", "a node of the file"));
+      return makeError(damagedFile(place, Text("no such node"), Text("a node of the file")));
     }
-    if (depth > kDeepestNode) return makeError(damagedFile(place, "more than 500 levels below each other", "a tree"));
+    if (depth > kDeepestNode)
+      return makeError(damagedFile(place, Text("more than 500 levels below each other"), Text("a tree")));
     const json& source = nodes[index];
     const std::size_t number = gltfNumber(source, "mesh", kNoIndex);
     const json& mesh = gltfElement(gltfMember(file_.json(), "meshes"), number);
     if (number != kNoIndex && number >= of_mesh_.size()) {
-      return makeError(
-          damagedFile(place, "mesh " + std::to_string(number) + ", which is not there", "a mesh of the file"));
+      return makeError(damagedFile(place, Text("mesh %1, which is not there", number), Text("a mesh of the file")));
     }
     std::string name = gltfText(source, "name");
     if (name.empty()) name = gltfText(mesh, "name");
@@ -301,8 +301,7 @@ class GltfReader {
       count = std::max(count, lists[k].size() / sizes[k]);
     }
     if ((made_ += count) > kMostNodes)
-      return makeError(
-          damagedFile("node '" + name + "'", "more than " + std::to_string(kMostNodes) + " instances", "fewer"));
+      return makeError(damagedFile(Text("node '%1'", name), Text("more than %1 instances", kMostNodes), Text("fewer")));
     for (std::size_t k = 0; k < count; ++k) {
       const auto element = [&](int list, std::vector<float> otherwise) {
         const std::size_t at = k * otherwise.size();

@@ -11,17 +11,19 @@ struct Meaning {
   const char* expected;
 };
 
-constexpr const char* kTooLarge = "a count that is larger than what the file holds, or more than an import may use";
-constexpr const char* kNoNumber = "a text where a number belongs, or a number that no computer holds";
-constexpr const char* kBeyond = "a reference or a count that points beyond what the file holds";
-constexpr const char* kNothing = "a reference to something that is not in the file";
-constexpr const char* kFlat = "a direction of no length, or axes that fall together";
-constexpr const char* kShape = "numbers that make no shape";
+constexpr char kTooLarge[] =
+    HAPTICELL_TRANSLATED("a count that is larger than what the file holds, or more than an import may use");
+constexpr char kNoNumber[] = HAPTICELL_TRANSLATED("a text where a number belongs, or a number that no computer holds");
+constexpr char kBeyond[] = HAPTICELL_TRANSLATED("a reference or a count that points beyond what the file holds");
+constexpr char kNothing[] = HAPTICELL_TRANSLATED("a reference to something that is not in the file");
+constexpr char kFlat[] = HAPTICELL_TRANSLATED("a direction of no length, or axes that fall together");
+constexpr char kShape[] = HAPTICELL_TRANSLATED("numbers that make no shape");
 
-constexpr const char* kCounts = "counts that fit the file";
-constexpr const char* kNumber = "a number";
-constexpr const char* kReference = "references to what is there";
-constexpr const char* kSolid = "curves and surfaces that exist";
+constexpr char kCounts[] = HAPTICELL_TRANSLATED("counts that fit the file");
+constexpr char kNumber[] = HAPTICELL_TRANSLATED("a number");
+constexpr char kReference[] = HAPTICELL_TRANSLATED("references to what is there");
+constexpr char kDirections[] = HAPTICELL_TRANSLATED("directions that differ");
+constexpr char kSolid[] = HAPTICELL_TRANSLATED("curves and surfaces that exist");
 
 /// The first that stands in the words counts.
 constexpr Meaning kMeanings[] = {
@@ -50,8 +52,8 @@ constexpr Meaning kMeanings[] = {
     {"Standard_NullValue", kNothing, kReference},
     {"Standard_NoSuchObject", kNothing, kReference},
     {"Standard_TypeMismatch", kNothing, kReference},
-    {"gp_VectorWithNullMagnitude", kFlat, "directions that differ"},
-    {"Standard_DivideByZero", kFlat, "directions that differ"},
+    {"gp_VectorWithNullMagnitude", kFlat, kDirections},
+    {"Standard_DivideByZero", kFlat, kDirections},
     {"Standard_ConstructionError", kShape, kSolid},
     {"Standard_DomainError", kShape, kSolid},
     {"StdFail_NotDone", kShape, kSolid},
@@ -66,12 +68,13 @@ constexpr Meaning kMeanings[] = {
 Error libraryFault(const std::string& words) {
   for (const Meaning& meaning : kMeanings) {
     if (words.find(meaning.word) != std::string::npos)
-      return {.found = meaning.found,
-              .expected = meaning.expected,
+      return {.found = Text(meaning.found),
+              .expected = Text(meaning.expected),
               .fix = "Export it again, or in another format (STEP, glTF, STL)."};
   }
   const bool says_nothing = words.empty() || words.find("std::") != std::string::npos;
-  return {.found = "content that contradicts itself" + (says_nothing ? "" : " (" + words + ")"),
+  return {.found = says_nothing ? Text("content that contradicts itself")
+                                : Text("content that contradicts itself (%1)", words),
           .expected = "a sound file",
           .fix = "Export it again, or in another format (STEP, glTF, STL)."};
 }

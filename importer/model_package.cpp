@@ -66,12 +66,13 @@ Expected<ModelPackage> unpackModel(const fs::path& file) {
     const char* const told = archive_entry_pathname(entry);
     const std::string name = told ? told : "";
     if (leadsOut(name) || archive_entry_filetype(entry) == AE_IFLNK) {
-      return makeError(
-          {"", "entry '" + name + "'", "a name or link that leads out of the archive", "files inside it", ""});
+      return makeError({.place = Text("entry '%1'", name),
+                        .found = "a name or link that leads out of the archive",
+                        .expected = "files inside it"});
     }
     bytes += std::max<std::int64_t>(archive_entry_size(entry), 0);
     if (bytes > kMostBytes || (bytes > kHarmless && bytes > kMostFold * packed)) {
-      return makeError({.place = "entry '" + name + "'",
+      return makeError({.place = Text("entry '%1'", name),
                         .found = "more than it may unpack to",
                         .expected = "at most 1 GB, and 200 times its own size",
                         .fix = "Split the model, or export it again."});
@@ -80,7 +81,7 @@ Expected<ModelPackage> unpackModel(const fs::path& file) {
     std::string part = contentOf(in.get(), kMostBytes);  // Whatever size it states.
     unpacked += static_cast<std::int64_t>(part.size());
     if (unpacked > kMostBytes || (unpacked > kHarmless && unpacked > kMostFold * packed)) {
-      return makeError({.place = "entry '" + name + "'",
+      return makeError({.place = Text("entry '%1'", name),
                         .found = "more than it may unpack to",
                         .expected = "at most 1 GB, and 200 times its own size",
                         .fix = "Split the model, or export it again."});
@@ -89,7 +90,9 @@ Expected<ModelPackage> unpackModel(const fs::path& file) {
   }
   if (status != ARCHIVE_EOF) {
     const char* const why = archive_error_string(in.get());
-    return makeError({.found = why ? why : "a damaged archive", .expected = "a 3MF file", .fix = "Export it again."});
+    return makeError({.found = why ? Text(std::string(why)) : Text("a damaged archive"),
+                      .expected = "a 3MF file",
+                      .fix = "Export it again."});
   }
   return package;
 }

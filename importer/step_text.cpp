@@ -87,11 +87,11 @@ std::string converted(const std::string& text, const char* encoding) {
 struct EncodingWords {
   const char* guessed;
   const char* for_iconv;
-  const char* for_people;
+  const char* for_people;  ///< A Text's id.
 };
-constexpr EncodingWords kEncodings[] = {{"ISO-8859-1", "CP1252", "Latin-1 (Western Europe)"},
-                                        {"SHIFT_JIS", "CP932", "Shift-JIS (Japanese)"},
-                                        {"GB18030", "GB18030", "GB 18030 (Chinese)"}};
+constexpr EncodingWords kEncodings[] = {{"ISO-8859-1", "CP1252", HAPTICELL_TRANSLATED("Latin-1 (Western Europe)")},
+                                        {"SHIFT_JIS", "CP932", HAPTICELL_TRANSLATED("Shift-JIS (Japanese)")},
+                                        {"GB18030", "GB18030", HAPTICELL_TRANSLATED("GB 18030 (Chinese)")}};
 
 const EncodingWords& wordsOf(const std::string& encoding) {
   for (const EncodingWords& words : kEncodings)
@@ -138,7 +138,7 @@ Expected<void> checkReferences(const std::string& content, const std::filesystem
       if (fault || !std::filesystem::exists(status) || std::filesystem::is_directory(status)) continue;
       if (auto regular = geometry::checkRegularFile(path); !regular) {
         return makeError(
-            {.place = "reference to '" + name + "'", .found = regular.error().found, .expected = "a file beside it"});
+            {.place = Text("reference to '%1'", name), .found = regular.error().found, .expected = "a file beside it"});
       }
       if (beginsAsStep(geometry::headOfFile(path, 65536))) open.push_back(path.string());
     }
@@ -178,7 +178,7 @@ Expected<std::string> unpacked(const std::filesystem::path& file) {
     while ((count = archive_read_data(in.get(), block.data(), block.size())) > 0) {
       content.append(block.data(), static_cast<std::size_t>(count));
       if (content.size() > most) {
-        return makeError({.found = "more than " + std::to_string(most >> 20) + " MB once unpacked",
+        return makeError({.found = Text("more than %1 MB once unpacked", most >> 20),
                           .expected = "at most 4 GB, and 200 times its own size",
                           .fix = "Unpack it, or export it again."});
       }
@@ -303,23 +303,22 @@ Expected<StepText> StepText::open(const std::filesystem::path& file) {
   }
   const StepOutline outline = outlineOfStep(*content);
   if (outline.tessellated > 0 && outline.exact_faces == 0) {
-    return makeError({.found = "it holds tessellated shapes only (" + std::to_string(outline.tessellated) +
-                               ", triangles as of AP242), which are not read",
+    return makeError({.found = Text("it holds tessellated shapes only (%1, triangles as of AP242), which are not read",
+                                    outline.tessellated),
                       .expected = "solids or surfaces with exact faces",
                       .fix = "Export it with exact shapes (B-rep), or its triangles as STL, OBJ or 3MF."});
   }
   if (outline.tessellated > 0) {
-    result.warnings_.push_back(std::to_string(outline.tessellated) +
-                               " tessellated shapes (triangles as of AP242) are left out; exact ones are read");
+    result.warnings_.push_back(
+        Text("%1 tessellated shapes (triangles as of AP242) are left out; exact ones are read", outline.tessellated));
   }
-  if (outline.joints > 0) result.warnings_.push_back("its joints are left out; all is read as solid bodies");
+  if (outline.joints > 0) result.warnings_.push_back(Text("its joints are left out; all is read as solid bodies"));
   if (!outline.raw.empty()) {
     std::string encoding;
     *content = withNamesConverted(*content, outline, encoding);
-    result.warnings_.push_back(std::to_string(outline.raw.size()) +
-                               " texts, among them perhaps names of parts, are written in bytes "
-                               "of no stated encoding; " +
-                               wordsOf(encoding).for_people + " is assumed");
+    result.warnings_.push_back(
+        Text("%1 texts, among them perhaps names of parts, are written in bytes of no stated encoding; %2 is assumed",
+             outline.raw.size(), Text(wordsOf(encoding).for_people)));
     changed = true;
   }
   std::string_view text = *content;

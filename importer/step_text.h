@@ -16,10 +16,10 @@ bool beginsAsStep(std::string_view head);
 
 /// The content of a STEP file's text, read without building shapes.
 struct StepOutline {
-  std::size_t exact_faces = 0;   ///< Faces of exact shapes.
-  std::size_t tessellated = 0;   ///< Tessellated solids, shells and surfaces (AP242) without an exact shape behind
-                                 ///< them.
-  std::size_t joints = 0;        ///< Of a mechanism.
+  std::size_t exact_faces = 0;  ///< Faces of exact shapes.
+  std::size_t tessellated = 0;  ///< Tessellated solids, shells and surfaces (AP242) without an exact shape behind
+                                ///< them.
+  std::size_t joints = 0;       ///< Of a mechanism.
   /// Texts with bytes of 0x80 and above that are no UTF-8: where they begin and how long they are.
   std::vector<std::pair<std::size_t, std::size_t>> raw;
 };
@@ -47,7 +47,7 @@ class StepText {
   StepText() = default;
   std::string name_;
   int descriptor_ = -1;
-  std::vector<std::string> warnings_;
+  std::vector<Text> warnings_;
 };
 
 }  // namespace hapticell::importer

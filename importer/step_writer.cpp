@@ -195,7 +195,7 @@ class StepBuilder {
     constexpr std::size_t kMostFaces = 200'000;
     if (mesh.triangles.size() > kMostFaces) {
       return makeError({.place = "'" + node.name + "'",
-                        .found = std::to_string(mesh.triangles.size()) + " triangles",
+                        .found = Text("%1 triangles", mesh.triangles.size()),
                         .expected = "at most 200000 as STEP faces",
                         .fix = "Export it as glTF or STL, or make the mesh coarser first."});
     }
@@ -219,7 +219,7 @@ class StepBuilder {
     TopoDS_Shape shape = source->find(node.origin->part);
     if (shape.IsNull()) {
       return makeError({.place = "'" + node.name + "'",
-                        .found = "no part '" + node.origin->part + "' in " + node.origin->file,
+                        .found = Text("no part '%1' in %2", node.origin->part, node.origin->file),
                         .expected = "the file that it was imported from, unchanged",
                         .fix = "Import it anew."});
     }

@@ -99,7 +99,7 @@ class ThreeMfReader {
       result.metres_per_unit = metresOfUnit(unit);
       if (result.metres_per_unit == 0.0) {
         result.metres_per_unit = 1e-3;
-        result.model.warnings.push_back("the unit '" + unit + "' is not known; millimetres are assumed");
+        result.model.warnings.push_back(Text("the unit '%1' is not known; millimetres are assumed", unit));
       }
     }
     readSlicerNames();
@@ -112,7 +112,8 @@ class ThreeMfReader {
       HAPTICELL_TRY(node);
       items.push_back(std::move(*node));
     }
-    if (items.empty()) return makeError(damagedFile(root, "no <item> in its <build>", "objects to be built"));
+    if (items.empty())
+      return makeError(damagedFile(root, Text("no <item> in its <build>"), Text("objects to be built")));
     auto top = newNode("3MF");
     giveChildren(*top, std::move(items));
     if (materials_.empty()) materials_.push_back(std::make_unique<aiMaterial>());
@@ -155,16 +156,18 @@ class ThreeMfReader {
     if (known) return known.get();
     auto content = package_.parts.find(name);
     if (content == package_.parts.end()) {
-      return makeError(damagedFile(name, "that part is not in the package", "a part of the package"));
+      return makeError(damagedFile(name, Text("that part is not in the package"), Text("a part of the package")));
     }
     if (auto flat = geometry::checkNesting(content->second, geometry::NestedText::kXml, ""); !flat)
-      return makeError(damagedFile(name + ", " + flat.error().place, flat.error().found, flat.error().expected));
+      return makeError(
+          damagedFile(Text("%1, %2", name, flat.error().place), flat.error().found, flat.error().expected));
     auto document = std::make_unique<pugi::xml_document>();
     const auto parsed = document->load_buffer(content->second.data(), content->second.size());
     if (!parsed) {
-      return makeError(damagedFile(name + ", byte " + std::to_string(parsed.offset), parsed.description(), "XML"));
+      return makeError(
+          damagedFile(Text("%1, byte %2", name, parsed.offset), Text(std::string(parsed.description())), "XML"));
     }
-    if (!childNamed(*document, "model")) return makeError(damagedFile(name, "no <model>", "a 3MF model"));
+    if (!childNamed(*document, "model")) return makeError(damagedFile(name, Text("no <model>"), Text("a 3MF model")));
     content->second.clear();
     content->second.shrink_to_fit();
     known = std::move(document);
@@ -183,7 +186,7 @@ class ThreeMfReader {
       if (rule && (rule->treatment == Treatment::kUsed || rule->treatment == Treatment::kNoted)) continue;
       return makeError(
           {.place = "requiredextensions",
-           .found = "the extension '" + (name.empty() ? prefix : name) + "' (" + space + "), which is not read",
+           .found = Text("the extension '%1' (%2), which is not read", name.empty() ? prefix : name, space),
            .expected = "extensions that docs/user/formats.md lists",
            .fix = "Export it without that extension."});
     }
@@ -242,23 +245,23 @@ class ThreeMfReader {
       }
     }
     return geometry::checkUnfolding(below, roots, {kDeepestComponent, kMostUses}, [&](std::uint32_t number) {
-      return keys[number].first + ", object " + keys[number].second;
+      return Text("%1, object %2", keys[number].first, keys[number].second);
     });
   }
 
   /// An <item> or <component>: an object, placed.
   Expected<std::unique_ptr<aiNode>> use(const pugi::xml_node& source, const std::string& in_part, int depth) {
     const std::string id = attributeNamed(source, "objectid"), owner = ownerOf(source, in_part);
-    const std::string place = owner + ", object " + id;
+    const Text place("%1, object %2", owner, id);
     if (depth > kDeepestComponent)
-      return makeError(damagedFile(place, "components in a circle", "a tree of components"));
+      return makeError(damagedFile(place, Text("components in a circle"), Text("a tree of components")));
     const auto document = part(owner);
     HAPTICELL_TRY(document);
     const pugi::xml_node resources = childNamed(childNamed(**document, "model"), "resources");
     const pugi::xml_node object = objectOf(resources, owner, id);
-    if (!object) return makeError(damagedFile(place, "no such object", "an object of that part"));
+    if (!object) return makeError(damagedFile(place, Text("no such object"), Text("an object of that part")));
     const auto matrix = transformOf(source);
-    if (!matrix) return makeError(damagedFile(place, "a transform that is none", "12 numbers"));
+    if (!matrix) return makeError(damagedFile(place, Text("a transform that is none"), Text("12 numbers")));
     auto made = shapeOf(object, resources, {owner, id});
     HAPTICELL_TRY(made);
     auto node = newNode((*made)->name);
@@ -321,7 +324,9 @@ class ThreeMfReader {
       if (!isNamed(vertex, "vertex")) continue;
       for (const char* axis : {"x", "y", "z"}) {
         const auto number = numberOf(vertex, axis);
-        if (!number) return makeError(damagedFile("object '" + name + "'", "a vertex that is no point", "x, y and z"));
+        if (!number)
+          return makeError(
+              damagedFile(Text("object '%1'", name), Text("a vertex that is no point"), Text("x, y and z")));
         positions.push_back(static_cast<float>(*number));
       }
     }
@@ -332,8 +337,8 @@ class ThreeMfReader {
       for (const char* corner : {"v1", "v2", "v3"}) {
         const auto number = numberOf(triangle, corner);
         if (!number || *number < 0.0 || *number >= static_cast<double>(positions.size() / 3)) {
-          return makeError(damagedFile("object '" + name + "'", "a triangle with a corner that is not there",
-                                       "corners from 0 to " + std::to_string(positions.size() / 3)));
+          return makeError(damagedFile(Text("object '%1'", name), Text("a triangle with a corner that is not there"),
+                                       Text("corners from 0 to %1", positions.size() / 3)));
         }
         corners.push_back(static_cast<std::uint32_t>(*number));
       }

@@ -22,12 +22,14 @@ class Budget {
   void step(std::size_t count = 1) {
     steps_ += count;
     if (steps_ > kMostSteps)
-      throw Fault("more than 3 million steps of evaluation", "a robot", "Look for a macro that calls itself.");
+      throw Fault{.found = "more than 3 million steps of evaluation",
+                  .expected = "a robot",
+                  .fix = "Look for a macro that calls itself."};
   }
   /// Memory that something made takes; never given back.
   void take(std::size_t bytes) {
     bytes_ += bytes;
-    if (bytes_ > kMostBytes) throw Fault("texts and lists of more than 64 MB", "a robot");
+    if (bytes_ > kMostBytes) throw Fault{.found = "texts and lists of more than 64 MB", .expected = "a robot"};
   }
   /// The same of one text.
   const std::string& text(const std::string& made) {
@@ -36,10 +38,10 @@ class Budget {
     return made;
   }
   static void checkText(std::size_t size) {
-    if (size > kLongestText) throw Fault("a text of more than 1 MB", "a shorter one");
+    if (size > kLongestText) throw Fault{.found = "a text of more than 1 MB", .expected = "a shorter one"};
   }
   static void checkList(std::size_t size) {
-    if (size > kLongestList) throw Fault("a list of more than 100 000 values", "a shorter one");
+    if (size > kLongestList) throw Fault{.found = "a list of more than 100 000 values", .expected = "a shorter one"};
   }
 
   /// One level deeper for as long as it lives.
@@ -47,8 +49,9 @@ class Budget {
    public:
     explicit Level(Budget& budget, int levels = 1) : budget_(budget), levels_(levels) {
       if (budget_.depth_ + levels_ > kDeepest)
-        throw Fault("elements, macros or expressions nested too deeply", "fewer levels",
-                    "Look for a macro, a file or a property that contains itself.");
+        throw Fault{.found = "elements, macros or expressions nested too deeply",
+                    .expected = "fewer levels",
+                    .fix = "Look for a macro, a file or a property that contains itself."};
       budget_.depth_ += levels_;
     }
     ~Level() { budget_.depth_ -= levels_; }

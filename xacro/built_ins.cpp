@@ -39,7 +39,7 @@ Value dictionary(Call& call) {
   } else if (!call.arguments.empty()) {
     for (const Value& item : call.interpreter.itemsOf(call.arguments[0])) {
       const std::vector<Value> pair = call.interpreter.itemsOf(item);
-      if (pair.size() != 2) throw Fault("dict() of what are no pairs", "pairs of key and value");
+      if (pair.size() != 2) throw Fault{.found = "dict() of what are no pairs", .expected = "pairs of key and value"};
       items.emplace_back(pair[0], pair[1]);
     }
   }
@@ -55,7 +55,7 @@ Value length(Call& call) {
         std::count_if(text->begin(), text->end(), [](char c) { return !continuesCharacter(c); }));
   if (value.list()) return static_cast<std::int64_t>(value.list()->items.size());
   if (value.dict()) return static_cast<std::int64_t>(value.dict()->items.size());
-  throw Fault(std::string("len() of ") + kindOf(value), "a list, a dictionary or a text");
+  throw Fault{.found = Text("len() of %1", kindOf(value)), .expected = "a list, a dictionary or a text"};
 }
 
 Value wholeFrom(Call& call) {
@@ -74,10 +74,11 @@ Value wholeFrom(Call& call) {
         if (*end == '\0') return std::int64_t{whole};
       }
     }
-    throw Fault("int(\"" + text->substr(0, 40) + "\")", "a whole number");
+    throw Fault{.found = Text("int(\"%1\")", text->substr(0, 40)), .expected = "a whole number"};
   }
   const double number = numberOf(value);
-  if (!(std::abs(number) < 9.2e18)) throw Fault("int(" + numberText(number) + ")", "a number within 64 bits");
+  if (!(std::abs(number) < 9.2e18))
+    throw Fault{.found = Text("int(%1)", numberText(number)), .expected = "a number within 64 bits"};
   return static_cast<std::int64_t>(number);
 }
 
@@ -87,7 +88,7 @@ Value numberFrom(Call& call) {
   const std::string* text = call.arguments[0].text();
   if (!text) return numberOf(call.arguments[0]);
   if (const auto number = numberFromText(*text)) return *number;
-  throw Fault("float(\"" + text->substr(0, 40) + "\")", "a number");
+  throw Fault{.found = Text("float(\"%1\")", text->substr(0, 40)), .expected = "a number"};
 }
 
 Value textFrom(Call& call) {
@@ -107,7 +108,9 @@ Value extreme(Call& call, bool greatest) {
       call.arguments.size() == 1 ? call.interpreter.itemsOf(call.arguments[0]) : call.arguments;
   const auto otherwise = call.named.find("default");
   if (items.empty() && otherwise != call.named.end()) return otherwise->second;
-  if (items.empty()) throw Fault(greatest ? "max() of nothing" : "min() of nothing", "at least one value");
+  if (items.empty())
+    throw Fault{.found = greatest ? Text("max() of nothing") : Text("min() of nothing"),
+                .expected = "at least one value"};
   std::size_t best = 0;
   Value best_key = keyOf(call, items[0]);
   for (std::size_t i = 1; i < items.size(); ++i) {
@@ -131,7 +134,8 @@ Value rounded(Call& call) {
   if (value.isWhole() && digits.as<std::monostate>()) return wholeOf(value);
   const double number = numberOf(value);
   if (digits.as<std::monostate>()) {
-    if (!(std::abs(number) < 9.2e18)) throw Fault("round(" + numberText(number) + ")", "a number within 64 bits");
+    if (!(std::abs(number) < 9.2e18))
+      throw Fault{.found = Text("round(%1)", numberText(number)), .expected = "a number within 64 bits"};
     return static_cast<std::int64_t>(std::nearbyint(number));
   }
   const std::int64_t places = std::clamp<std::int64_t>(wholeOf(digits), -300, 300);
@@ -170,7 +174,7 @@ Value range(Call& call) {
   const std::int64_t first = count > 1 ? wholeOf(call.arguments[0]) : 0,
                      last = wholeOf(call.arguments[count > 1 ? 1 : 0]);
   const std::int64_t step = count > 2 ? wholeOf(call.arguments[2]) : 1;
-  if (step == 0) throw Fault("range() with a step of 0", "another step");
+  if (step == 0) throw Fault{.found = "range() with a step of 0", .expected = "another step"};
   std::vector<Value> items;
   for (std::int64_t at = first; step > 0 ? at < last : at > last;) {
     items.emplace_back(at);
@@ -343,15 +347,15 @@ const std::pair<const char*, Run> kInXacro[] = {
     {"print_location", [](Call&) -> Value { return ""; }},
     {"warning",
      [](Call& call) -> Value {
-       call.interpreter.surroundings().warn("the file warns: " + messageOf(call));
+       call.interpreter.surroundings().warn(Text("the file warns: %1", messageOf(call)));
        return "";
      }},
     {"error",
      [](Call& call) -> Value {
-       call.interpreter.surroundings().warn("the file reports an error: " + messageOf(call));
+       call.interpreter.surroundings().warn(Text("the file reports an error: %1", messageOf(call)));
        return "";
      }},
-    {"fatal", [](Call& call) -> Value { throw Fault("the file refuses itself: " + messageOf(call)); }},
+    {"fatal", [](Call& call) -> Value { throw Fault{.found = Text("the file refuses itself: %1", messageOf(call))}; }},
 };
 
 }  // namespace

@@ -11,14 +11,14 @@ namespace hapticell::xacro {
 inline void expectArguments(const Call& call, const std::string& name, std::size_t least, std::size_t most,
                             bool named = false) {
   if (call.arguments.size() >= least && call.arguments.size() <= most && (named || call.named.empty())) return;
-  throw Fault(name + "() with " + std::to_string(call.arguments.size() + call.named.size()) + " values",
-              least == most ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(most));
+  throw Fault{.found = Text("%1() with %2 values", name, call.arguments.size() + call.named.size()),
+              .expected = least == most ? Text(std::to_string(least)) : Text("%1 to %2", least, most)};
 }
 
 /// The text that was given; Fault for another kind.
 inline const std::string& textArgument(const Call& call, const std::string& name, std::size_t index) {
   const std::string* text = call.arguments[index].text();
-  if (!text) throw Fault(name + "() with " + kindOf(call.arguments[index]), "a text");
+  if (!text) throw Fault{.found = Text("%1() with %2", name, kindOf(call.arguments[index])), .expected = "a text"};
   return *text;
 }
 

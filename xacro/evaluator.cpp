@@ -37,22 +37,23 @@ Value Evaluator::valueOf(const XmlNode::Attribute& attribute, const XmlNode& nod
   } catch (Fault& fault) {
     if (fault.file.empty()) {
       fault.file = sources_.nameOf(node.file);
-      fault.line = attribute.line > 0 ? attribute.line : node.line;
+      fault.place = linePlace(attribute.line > 0 ? attribute.line : node.line);
     }
     throw;
   }
 }
 
-void Evaluator::report(const std::string& file, int line, const std::string& sentence) {
+void Evaluator::report(const std::string& file, const Text& place, const Text& sentence) {
   budget_.step(100);
-  const std::string whole = (file.empty() ? "" : file + ", line " + std::to_string(line) + ": ") + sentence;
+  const Text placed = place.empty() ? Text("%1: %2", file, sentence) : Text("%1, %2: %3", file, place, sentence);
+  const Text whole = file.empty() ? sentence : placed;
   const auto& known = diagnostics_.warnings;
   if (known.size() < kMostWarnings && std::find(known.begin(), known.end(), whole) == known.end())
     diagnostics_.warn(whole);
 }
 
-void Evaluator::warn(const std::string& sentence) {
-  report(at_ ? sources_.nameOf(at_->file) : "", at_ ? at_->line : 0, sentence);
+void Evaluator::warn(const Text& sentence) {
+  report(at_ ? sources_.nameOf(at_->file) : "", at_ ? Text("line %1", at_->line) : Text(), sentence);
 }
 
 const DeclaredArgument* Evaluator::findArgument(const std::string& name) const {
@@ -81,8 +82,9 @@ Value Evaluator::argument(const std::string& name) {
   if (const DeclaredArgument* argument = findArgument(name)) return argument->value;
   if (const auto given = arguments_.find(name); given != arguments_.end()) return given->second;
   declared_.push_back({name, "", std::nullopt, at_ ? sources_.nameOf(at_->file) : "", at_ ? at_->line : 0});
-  throw Fault("undefined substitution argument " + name.substr(0, 100), "a value for it",
-              "Give one: " + name.substr(0, 100) + ":=VALUE.");
+  throw Fault{.found = Text("undefined substitution argument %1", name.substr(0, 100)),
+              .expected = "a value for it",
+              .fix = Text("Give one: %1:=VALUE.", name.substr(0, 100))};
 }
 
 Value Evaluator::environment(const std::string& words, bool optional) {
@@ -90,8 +92,9 @@ Value Evaluator::environment(const std::string& words, bool optional) {
   const char* value = std::getenv(name.c_str());
   if (value) return std::string(value).substr(0, 4096);
   if (optional) return otherwise;
-  throw Fault("the environment variable " + name.substr(0, 100) + " is not set", "a value for it",
-              "Set it before the program is started.");
+  throw Fault{.found = Text("the environment variable %1 is not set", name.substr(0, 100)),
+              .expected = "a value for it",
+              .fix = "Set it before the program is started."};
 }
 
 /// $(eval …): the arguments, and functions for the other substitutions, are names in it.
@@ -125,7 +128,8 @@ Value Evaluator::substitution(const std::string& words, Scope& scope) {
   if (verb == "env" || verb == "optenv") return environment(rest, verb == "optenv");
   if (verb == "anon") return rest;
   if (verb != "eval")
-    throw Fault("$(" + words.substr(0, 60) + ")", "$(find), $(arg), $(env), $(optenv), $(eval), $(dirname) or $(cwd)");
+    throw Fault{.found = "$(" + words.substr(0, 60) + ")",
+                .expected = "$(find), $(arg), $(env), $(optenv), $(eval), $(dirname) or $(cwd)"};
   return expression(rest, scope);
 }
 

@@ -32,7 +32,7 @@ class Evaluator : public Surroundings {
 
   /// Takes an argument's value, or its default, unless it is known. One without either is reported where it is used.
   void declare(const std::string& name, const XmlNode& node, Scope& scope);
-  void report(const std::string& file, int line, const std::string& sentence);
+  void report(const std::string& file, const Text& place, const Text& sentence);
 
   Value substitution(const std::string& words, Scope& scope) override;
   std::string readText(const std::string& reference, std::string& file) override {
@@ -40,7 +40,7 @@ class Evaluator : public Surroundings {
   }
   std::string absoluteName(const std::string& reference) override { return sources_.absoluteName(reference); }
   Value argument(const std::string& name) override;
-  void warn(const std::string& sentence) override;
+  void warn(const Text& sentence) override;
 
   /// The element that is worked on, for as long as this lives.
   class At {

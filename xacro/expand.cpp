@@ -55,7 +55,7 @@ Expected<Expanded> expand(const std::filesystem::path& file, const Arguments& ar
   } catch (const Fault& fault) {
     const std::string name = fault.file.empty() ? file.string() : fault.file;
     return makeError(
-        {name, fault.line > 0 ? "line " + std::to_string(fault.line) : "", fault.found, fault.expected, fault.fix});
+        {.file = name, .place = fault.place, .found = fault.found, .expected = fault.expected, .fix = fault.fix});
   }
 }
 

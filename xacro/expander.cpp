@@ -57,7 +57,7 @@ void Expander::expandNode(const XmlPointer& node, const Context& context, Nodes&
   } catch (Fault& fault) {
     if (fault.file.empty()) {
       fault.file = sources_.nameOf(node->file);
-      fault.line = node->line;
+      fault.place = linePlace(node->line);
     }
     throw;
   }
@@ -80,8 +80,8 @@ void Expander::expandElement(const XmlNode& node, const Context& context, Nodes&
     copyElement(node, node.name, context, out);
   } catch (const Fault& fault) {
     evaluator_.report(fault.file.empty() ? sources_.nameOf(node.file) : fault.file,
-                      fault.file.empty() ? node.line : fault.line,
-                      "<" + node.name + "> is left out, it moves nothing: " + fault.found);
+                      fault.file.empty() ? Text("line %1", node.line) : fault.place,
+                      Text("<%1> is left out, it moves nothing: %2", node.name, fault.found));
   }
 }
 
@@ -103,7 +103,7 @@ bool Expander::expandStatement(const XmlNode& node, const Context& context, Node
     setAttribute(node, context);
   } else if (statement == "element") {
     const std::string name = evaluator_.text(required(node, "xacro:name"), context.symbols);
-    if (name.empty()) throw Fault("<xacro:element> with an empty name", "a name");
+    if (name.empty()) throw Fault{.found = "<xacro:element> with an empty name", .expected = "a name"};
     XmlNode renamed = node;
     renamed.name = name;
     std::erase_if(renamed.attributes, [](const XmlNode::Attribute& one) { return one.name == "xacro:name"; });
@@ -140,7 +140,7 @@ void Expander::copyElement(const XmlNode& node, std::string name, const Context&
 
 const std::string& Expander::required(const XmlNode& node, const char* attribute) const {
   if (const XmlNode::Attribute* found = node.attribute(attribute)) return found->value;
-  throw Fault("<" + node.name + "> without " + attribute, std::string(attribute) + "=\"…\"");
+  throw Fault{.found = Text("<%1> without %2", node.name, attribute), .expected = std::string(attribute) + "=\"…\""};
 }
 
 std::string Expander::optional(const XmlNode& node, const char* attribute, const char* otherwise) const {
@@ -153,7 +153,7 @@ void Expander::checkAttributes(const XmlNode& node, std::initializer_list<const 
     const bool is_known =
         std::any_of(known.begin(), known.end(), [&](const char* name) { return attribute.name == name; });
     if (!is_known && !attribute.name.starts_with("xmlns:"))
-      evaluator_.warn("<" + node.name + "> has '" + attribute.name + "', which xacro does not know");
+      evaluator_.warn(Text("<%1> has '%2', which xacro does not know", node.name, attribute.name));
   }
 }
 
@@ -166,7 +166,7 @@ void Expander::condition(const XmlNode& node, const Context& context, Nodes& out
 void Expander::setAttribute(const XmlNode& node, const Context& context) {
   const std::string name = evaluator_.text(required(node, "name"), context.symbols);
   const std::string value = evaluator_.text(required(node, "value"), context.symbols);
-  if (name.empty()) throw Fault("<xacro:attribute> with an empty name", "a name");
+  if (name.empty()) throw Fault{.found = "<xacro:attribute> with an empty name", .expected = "a name"};
   if (!context.parent) return;
   std::erase_if(context.parent->attributes, [&](const XmlNode::Attribute& one) { return one.name == name; });
   budget_.take(sizeof(XmlNode::Attribute) + name.size() + value.size());
@@ -179,7 +179,8 @@ void Expander::insertBlock(const XmlNode& node, const Context& context, Nodes& o
   const Value* content = context.symbols.find("**" + name, evaluator_.interpreter());
   const Value* whole = content ? content : context.symbols.find("*" + name, evaluator_.interpreter());
   if (!whole)
-    throw Fault("the block '" + name + "' is not defined", "a block of the macro, or a property with elements");
+    throw Fault{.found = Text("the block '%1' is not defined", name),
+                .expected = "a block of the macro, or a property with elements"};
   const XmlPointer block = *whole->as<XmlPointer>();
   const Budget::Level level(budget_, 2);
   if (content)
@@ -193,12 +194,13 @@ void Expander::property(const XmlNode& node, const Context& context) {
   Scope& symbols = context.symbols;
   const std::string name = evaluator_.text(required(node, "name"), symbols);
   if (!isIdentifier(name) || name.starts_with("__"))
-    throw Fault("a property with the name '" + name.substr(0, 60) + "'",
-                "letters, digits and _, no word of Python's, no __ in front");
+    throw Fault{.found = Text("a property with the name '%1'", name.substr(0, 60)),
+                .expected = "letters, digits and _, no word of Python's, no __ in front"};
   const bool remove = evaluator_.truth(optional(node, "remove", "false"), symbols);
   const XmlNode::Attribute *value = node.attribute("value"), *otherwise = node.attribute("default");
   if ((value ? 1 : 0) + (otherwise ? 1 : 0) + (remove ? 1 : 0) > 1)
-    throw Fault("the property '" + name + "' with more than one of value, default and remove", "one of them");
+    throw Fault{.found = Text("the property '%1' with more than one of value, default and remove", name),
+                .expected = "one of them"};
   if (remove) {
     symbols.remove(name);
   } else if (otherwise) {
@@ -222,7 +224,7 @@ void Expander::setProperty(const XmlNode& node, const std::string& name, Value v
     if (symbols.parent() && symbols.parent()->parent()) target = symbols.parent();
     while (!symbols.isNameSpace() && target->isNameSpace()) target = target->parent();
   } else if (!where.empty()) {
-    evaluator_.warn("scope=\"" + where + "\" is not known; the property '" + name + "' is set where it stands");
+    evaluator_.warn(Text("scope=\"%1\" is not known; the property '%2' is set where it stands", where, name));
   }
   if (const std::string* text = value.text(); text && !lazy) value = evaluator_.value(std::string(*text), symbols);
   budget_.take(sizeof(Value) * 4 + name.size() + (value.text() ? value.text()->size() : 0));
@@ -245,7 +247,7 @@ void Expander::include(const XmlNode& node, const Context& context, Nodes& out) 
   const Context inside = space.empty() ? context : nameSpace(space, context);
   if (reference.find_first_of("*?[") != std::string::npos) {
     const std::vector<fs::path> files = sources_.matching(reference);
-    if (files.empty()) evaluator_.warn("no file is like " + reference);
+    if (files.empty()) evaluator_.warn(Text("no file is like %1", reference));
     for (const fs::path& file : files) includeFile(file, inside, out);
     return;
   }
@@ -271,7 +273,8 @@ void Expander::defineMacro(const XmlNode& node, const Context& context) {
   macro.name = required(node, "name");
   if (macro.name.starts_with("xacro:")) macro.name.erase(0, 6);
   if (macro.name == "call" || macro.name.find('.') != std::string::npos)
-    throw Fault("a macro with the name '" + macro.name + "'", "a name without points, other than call");
+    throw Fault{.found = Text("a macro with the name '%1'", macro.name),
+                .expected = "a name without points, other than call"};
   macro.parameters = parametersOf(optional(node, "params", ""));
   budget_.take(sizeof(Macro) + macro.parameters.size() * sizeof(MacroParameter));
   budget_.step(macro.parameters.size());
@@ -294,9 +297,9 @@ const Macro* Expander::findMacro(const std::string& full_name, Scope*& caller, M
     macro = macros->find(rest);
   }
   if (!macro)
-    throw Fault("<xacro:" + full_name + ">: there is no macro of this name",
-                "a macro that is defined in front, or an element of xacro's",
-                "Include the file that defines it, or correct the name.");
+    throw Fault{.found = Text("<xacro:%1>: there is no macro of this name", full_name),
+                .expected = "a macro that is defined in front, or an element of xacro's",
+                .fix = "Include the file that defines it, or correct the name."};
   return macro;
 }
 
@@ -314,14 +317,13 @@ void Expander::callMacro(const XmlNode& node, const std::string& full_name, cons
   expandChildren(node, {*caller, *macros, nullptr}, blocks);
   binding.bindBlocks(std::move(blocks));
   binding.bindDefaults();
-  const Pushed<std::string> call(calls_, "macro '" + full_name + "' called in " +
-                                             std::filesystem::path(sources_.nameOf(node.file)).filename().string() +
-                                             " line " + std::to_string(node.line));
+  const std::string file = std::filesystem::path(sources_.nameOf(node.file)).filename().string();
+  const Pushed<Text> call(calls_, Text("macro '%1' called in %2 line %3", full_name, file, node.line));
   const Budget::Level level(budget_, 4);
   try {
     expandChildren(*kept.body, {inside, inside_macros, context.parent}, out);
   } catch (Fault& fault) {
-    if (fault.found.find(" (macro '") == std::string::npos) fault.found += " (" + calls_.back() + ")";
+    if (!std::exchange(fault.names_macro, true)) fault.found = Text("%1 (%2)", fault.found, calls_.back());
     throw;
   }
 }

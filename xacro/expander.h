@@ -62,7 +62,7 @@ class Expander {
   SourceFiles sources_;
   Evaluator evaluator_;
   std::deque<MacroScope> macro_scopes_;
-  std::vector<std::string> calls_;  ///< "macro 'arm' called in FILE line 3", innermost last.
+  std::vector<Text> calls_;  ///< "macro 'arm' called in FILE line 3", innermost last.
 };
 
 }  // namespace hapticell::xacro

@@ -33,7 +33,7 @@ class Parser {
 
   ExpressionPointer run() {
     ExpressionPointer whole = items();
-    if (now().kind != Token::Kind::kEnd) fail("the end of the expression");
+    if (now().kind != Token::Kind::kEnd) fail(Text("the end of the expression"));
     return whole;
   }
 
@@ -45,7 +45,8 @@ class Parser {
   struct Level {
     int& level;
     explicit Level(int& of) : level(of) {
-      if (++level > kDeepestSource) throw Fault("an expression nested deeper than 100 levels", "a simpler one");
+      if (++level > kDeepestSource)
+        throw Fault{.found = "an expression nested deeper than 100 levels", .expected = "a simpler one"};
     }
     ~Level() { --level; }
   };
@@ -63,11 +64,10 @@ class Parser {
     ++at_;
     return true;
   }
-  [[noreturn]] void fail(const std::string& expected) const {
-    std::string found = "'" + now().text + "' in the expression";
-    if (now().kind == Token::Kind::kEnd) found = "the expression ends";
-    if (now().kind == Token::Kind::kConstant) found = "a value in the expression";
-    throw Fault(found, expected);
+  [[noreturn]] void fail(const Text& expected) const {
+    if (now().kind == Token::Kind::kEnd) throw Fault{.found = "the expression ends", .expected = expected};
+    if (now().kind == Token::Kind::kConstant) throw Fault{.found = "a value in the expression", .expected = expected};
+    throw Fault{.found = Text("'%1' in the expression", now().text), .expected = expected};
   }
   void need(const char* sign) {
     if (!takeSign(sign)) fail(std::string("'") + sign + "'");
@@ -82,7 +82,8 @@ class Parser {
       deepen(clause.source);
       for (const ExpressionPointer& condition : clause.conditions) deepen(condition);
     }
-    if (node.depth > kDeepestTree) throw Fault("an expression of more than 300 nested steps", "a simpler one");
+    if (node.depth > kDeepestTree)
+      throw Fault{.found = "an expression of more than 300 nested steps", .expected = "a simpler one"};
     return std::make_shared<const Expression>(std::move(node));
   }
   ExpressionPointer make(Kind kind, std::vector<ExpressionPointer> parts, std::string name = {}) const {
@@ -135,7 +136,7 @@ class Parser {
   }
 
   std::string identifier() {
-    if (now().kind != Token::Kind::kName || !isIdentifier(now().text)) fail("a name");
+    if (now().kind != Token::Kind::kName || !isIdentifier(now().text)) fail(Text("a name"));
     return tokens_[at_++].text;
   }
 
@@ -210,7 +211,7 @@ class Parser {
     ExpressionPointer value = atom();
     for (;;) {
       if (takeSign(".")) {
-        if (now().kind != Token::Kind::kName) fail("a name");
+        if (now().kind != Token::Kind::kName) fail(Text("a name"));
         const std::string name = tokens_[at_++].text;
         value = make(Kind::kAttribute, {std::move(value)}, name);
       } else if (takeSign("(")) {
@@ -234,7 +235,7 @@ class Parser {
         node.names.push_back(identifier());
         need("=");
       } else if (!node.names.empty()) {
-        fail("named arguments behind the others");
+        fail(Text("named arguments behind the others"));
       }
       ExpressionPointer argument = single();
       if (isWord("for")) argument = comprehension(std::move(argument), nullptr);
@@ -255,7 +256,7 @@ class Parser {
     }
     need("]");
     if (slice) return make(Kind::kSlice, std::move(parts));
-    if (!parts[1]) fail("an index");
+    if (!parts[1]) fail(Text("an index"));
     parts.resize(2);
     return make(Kind::kIndex, std::move(parts));
   }
@@ -287,7 +288,7 @@ class Parser {
     if (takeSign("(")) return parentheses();
     if (takeSign("[")) return list();
     if (takeSign("{")) return dict();
-    fail("a value");
+    fail(Text("a value"));
   }
 
   ExpressionPointer literal() {
@@ -301,7 +302,7 @@ class Parser {
     if (takeWord("True")) return constant(true);
     if (takeWord("False")) return constant(false);
     if (takeWord("None")) return constant({});
-    if (kKeywords.count(now().text)) fail("a value");
+    if (kKeywords.count(now().text)) fail(Text("a value"));
     return make(Kind::kName, {}, tokens_[at_++].text);
   }
 
@@ -352,7 +353,7 @@ class Parser {
 }  // namespace
 
 ExpressionPointer parseExpression(const std::string& text) {
-  if (text.size() > kLongest) throw Fault("an expression of more than 64 kB", "a shorter one");
+  if (text.size() > kLongest) throw Fault{.found = "an expression of more than 64 kB", .expected = "a shorter one"};
   return Parser(text).run();
 }
 

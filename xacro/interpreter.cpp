@@ -2,6 +2,7 @@
 #include "xacro/interpreter.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "xacro/methods.h"
 #include "xacro/operators.h"
@@ -53,7 +54,7 @@ Value Interpreter::evaluateText(const std::string& text, Scope& scope) {
     }
     const std::size_t end = next == '{' ? text.find('}', i) : endOfSubstitution(text, i);
     if (end == std::string::npos)
-      throw Fault("'" + text.substr(i, 40) + "' that does not end", next == '{' ? "'}'" : "')'");
+      throw Fault{.found = Text("'%1' that does not end", text.substr(i, 40)), .expected = next == '{' ? "'}'" : "')'"};
     const std::string inside = text.substr(i + 2, end - i - 2);
     if (next == '{')
       add(evaluateExpression(textOfText(inside, scope), scope));
@@ -85,8 +86,8 @@ Value Interpreter::evaluateExpression(const std::string& text, Scope& scope) {
     Locals locals;
     return evaluate(*kept, scope, locals);
   } catch (Fault& fault) {
-    if (fault.found.find(" in ${") == std::string::npos)
-      fault.found += " in ${" + text.substr(0, kShownExpression) + "}";
+    if (!std::exchange(fault.names_expression, true))
+      fault.found = Text("%1 in ${%2}", fault.found, text.substr(0, kShownExpression));
     throw;
   }
 }
@@ -147,22 +148,23 @@ Value Interpreter::nameOf(const std::string& name, Scope& scope, const Locals& l
     if (local->first == name) return local->second;
   }
   if (const Value* value = scope.find(name, *this)) return *value;
-  throw Fault("name '" + name + "' is not defined", "a property, a parameter or a function that xacro knows",
-              "Correct the name, or define the property in front.");
+  throw Fault{.found = Text("name '%1' is not defined", name),
+              .expected = "a property, a parameter or a function that xacro knows",
+              .fix = "Correct the name, or define the property in front."};
 }
 
 Value Interpreter::attributeOf(const Value& value, const std::string& name) {
   if (Scope* const* name_space = value.as<Scope*>()) {
     if (const Value* inside = (*name_space)->find(name, *this)) return *inside;
-    throw Fault("name '" + name + "' is not defined in the name space", "one that is");
+    throw Fault{.found = Text("name '%1' is not defined in the name space", name), .expected = "one that is"};
   }
   if (auto method = methodOf(value, name)) return *method;
   if (const DictValue* dict = value.dict()) {
     if (const Value* item = dict->find(name)) return *item;
-    throw Fault("no key '" + name + "' in the dictionary", "one of its keys");
+    throw Fault{.found = Text("no key '%1' in the dictionary", name), .expected = "one of its keys"};
   }
-  throw Fault(std::string(kindOf(value)) + " has no '" + name + "' here",
-              "one of the functions in docs/user/formats.md");
+  throw Fault{.found = Text("%1 has no '%2' here", kindOf(value), name),
+              .expected = "one of the functions in docs/user/formats.md"};
 }
 
 Value Interpreter::unary(const std::string& sign, const Value& value) {
@@ -187,7 +189,8 @@ bool Interpreter::holds(const std::string& sign, const Value& a, const Value& b)
     } else if (b.list()) {
       for (const Value& item : b.list()->items) found = found || equal(a, item, budget_);
     } else {
-      throw Fault(std::string(kindOf(a)) + " in " + kindOf(b), "a list, a dictionary or a text behind 'in'");
+      throw Fault{.found = Text("%1 in %2", kindOf(a), kindOf(b)),
+                  .expected = "a list, a dictionary or a text behind 'in'"};
     }
     return found == (sign == "in");
   }
@@ -240,7 +243,8 @@ Value Interpreter::callOf(const Expression& node, Scope& scope, Locals& locals) 
 
 Value Interpreter::call(const Value& function, std::vector<Value> arguments, std::map<std::string, Value> named) {
   const FunctionPointer* pointer = function.as<FunctionPointer>();
-  if (!pointer) throw Fault(std::string(kindOf(function)) + " that is called like a function", "a function");
+  if (!pointer)
+    throw Fault{.found = Text("%1 that is called like a function", kindOf(function)), .expected = "a function"};
   budget_.step();
   const Budget::Level level(budget_, 4);
   const FunctionPointer kept = *pointer;
@@ -258,7 +262,7 @@ std::vector<Value> Interpreter::itemsOf(const Value& value) {
     Budget::checkList(text->size());
     for (std::string& letter : lettersOf(*text)) items.emplace_back(std::move(letter));
   } else {
-    throw Fault(std::string(kindOf(value)) + " where a list is needed", "a list");
+    throw Fault{.found = Text("%1 where a list is needed", kindOf(value)), .expected = "a list"};
   }
   budget_.step(items.size());
   return items;
@@ -286,8 +290,7 @@ void Interpreter::runClause(const Expression& node, std::size_t index, Scope& sc
   for (const Value& item : itemsOf(evaluate(*clause.source, scope, locals))) {
     const std::vector<Value> fields = clause.names.size() == 1 ? std::vector<Value>{item} : itemsOf(item);
     if (fields.size() != clause.names.size())
-      throw Fault(std::to_string(fields.size()) + " values for " + std::to_string(clause.names.size()) + " names",
-                  "as many");
+      throw Fault{.found = Text("%1 values for %2 names", fields.size(), clause.names.size()), .expected = "as many"};
     for (std::size_t i = 0; i < fields.size(); ++i) locals.emplace_back(clause.names[i], fields[i]);
     bool wanted = true;
     for (const ExpressionPointer& condition : clause.conditions)
@@ -305,9 +308,8 @@ Value Interpreter::lambdaOf(const Expression& node, Scope& scope, const Locals& 
   for (const auto& [name, value] : locals) depth = std::max(depth, depthOf(value));
   const auto run = [names, body, &scope, locals](Call& call) -> Value {
     if (call.arguments.size() != names.size() || !call.named.empty())
-      throw Fault("a lambda of " + std::to_string(names.size()) + " parameters called with " +
-                      std::to_string(call.arguments.size()),
-                  "as many");
+      throw Fault{.found = Text("a lambda of %1 parameters called with %2", names.size(), call.arguments.size()),
+                  .expected = "as many"};
     Locals inside = locals;
     for (std::size_t i = 0; i < names.size(); ++i) inside.emplace_back(names[i], call.arguments[i]);
     const Budget::Level level(call.interpreter.budget(), 1 + body->depth / 4);

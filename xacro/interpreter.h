@@ -22,7 +22,7 @@ class Surroundings {
   virtual std::string readText(const std::string& reference, std::string& file) = 0;
   virtual std::string absoluteName(const std::string& reference) = 0;
   virtual Value argument(const std::string& name) = 0;
-  virtual void warn(const std::string& sentence) = 0;
+  virtual void warn(const Text& sentence) = 0;
 };
 
 /// Evaluates texts with ${…} and $(…), and the expressions in them.

@@ -73,7 +73,8 @@ class ParameterReader {
       const char c = text_[at_++];
       if (c != '\'' && c != '"') continue;
       const std::size_t end = text_.find(c, at_);
-      if (end == std::string::npos) throw Fault("a default without its closing quote in params", std::string(1, c));
+      if (end == std::string::npos)
+        throw Fault{.found = "a default without its closing quote in params", .expected = std::string(1, c)};
       at_ = end + 1;
     }
     return text_.substr(begin, at_ - begin);

@@ -19,8 +19,8 @@ void MacroCall::bindValues(const XmlNode& call) {
     const auto place = std::find(open_.begin(), open_.end(), attribute.name);
     if (place == open_.end()) {
       const std::string known = listed(macro_.parameters, &MacroParameter::name);
-      throw Fault("the macro '" + macro_.name + "' has no parameter '" + attribute.name + "'",
-                  known.empty() ? "none" : "one of " + known.substr(0, 400));
+      throw Fault{.found = Text("the macro '%1' has no parameter '%2'", macro_.name, attribute.name),
+                  .expected = known.empty() ? Text("none") : Text("one of %1", known.substr(0, 400))};
     }
     open_.erase(place);
     inside_.set(attribute.name, evaluator_.valueOf(attribute, call, caller_), false);
@@ -33,13 +33,13 @@ void MacroCall::bindBlocks(std::vector<XmlPointer> blocks) {
   for (const MacroParameter& parameter : macro_.parameters) {
     if (!parameter.isBlock()) continue;
     if (next == blocks.size())
-      throw Fault("the macro '" + macro_.name + "' without its block " + parameter.name,
-                  "an element inside of the call for each block");
+      throw Fault{.found = Text("the macro '%1' without its block %2", macro_.name, parameter.name),
+                  .expected = "an element inside of the call for each block"};
     inside_.set(parameter.name, blocks[next++], false);
   }
   if (next < blocks.size())
-    throw Fault("<" + blocks[next]->name + "> inside of the call of macro '" + macro_.name + "'",
-                std::to_string(next) + " blocks");
+    throw Fault{.found = Text("<%1> inside of the call of macro '%2'", blocks[next]->name, macro_.name),
+                .expected = Text("%1 blocks", next)};
 }
 
 void MacroCall::bindDefaults() {
@@ -55,7 +55,8 @@ void MacroCall::bindDefaults() {
       missing += (missing.empty() ? "" : ", ") + parameter.name;
   }
   if (!missing.empty())
-    throw Fault("the macro '" + macro_.name + "' without its parameters " + missing.substr(0, 400), "a value for each");
+    throw Fault{.found = Text("the macro '%1' without its parameters %2", macro_.name, missing.substr(0, 400)),
+                .expected = "a value for each"};
 }
 
 }  // namespace hapticell::xacro

@@ -48,28 +48,29 @@ const TwoNumbers kTwo[] = {
 /// Python refuses what is no number or too large.
 double checked(const char* name, double result, bool finite, bool number) {
   if (std::isnan(result) && number)
-    throw Fault(std::string(name) + "() of a number that it is not defined for", "a number within its domain");
+    throw Fault{.found = Text("%1() of a number that it is not defined for", name),
+                .expected = "a number within its domain"};
   if (std::isinf(result) && finite)
-    throw Fault(std::string(name) + "() that is too large or not defined", "a finite result");
+    throw Fault{.found = Text("%1() that is too large or not defined", name), .expected = "a finite result"};
   return result;
 }
 
 /// The whole number next to `value` in a direction.
 Value wholeNumber(const char* name, double value) {
   if (!(std::abs(value) < 9.2e18))
-    throw Fault(std::string(name) + "() of " + numberText(value), "a number within 64 bits");
+    throw Fault{.found = Text("%1() of %2", name, numberText(value)), .expected = "a number within 64 bits"};
   return static_cast<std::int64_t>(value);
 }
 
 std::int64_t binomial(std::int64_t n, std::int64_t k, bool ordered) {
-  if (n < 0 || k < 0) throw Fault("comb() or perm() of a negative number", "0 and more");
+  if (n < 0 || k < 0) throw Fault{.found = "comb() or perm() of a negative number", .expected = "0 and more"};
   if (k > n) return 0;
   if (!ordered) k = std::min(k, n - k);
   std::int64_t result = 1;
   for (std::int64_t i = 0; i < k; ++i) {
     const std::int64_t divisor = ordered ? 1 : i + 1, common = std::gcd(result, divisor);
     if (__builtin_mul_overflow(result / common, (n - i) / (divisor / common), &result))
-      throw Fault("comb() or perm() beyond 64 bits", "smaller numbers");
+      throw Fault{.found = "comb() or perm() beyond 64 bits", .expected = "smaller numbers"};
   }
   return result;
 }
@@ -78,7 +79,7 @@ Value logarithm(Call& call) {
   expectArguments(call, "log", 1, 2);
   const auto ln = [](const Value& value) {
     const double x = numberOf(value);
-    if (!(x > 0.0)) throw Fault("log() of " + numberText(x), "a number above 0");
+    if (!(x > 0.0)) throw Fault{.found = Text("log() of %1", numberText(x)), .expected = "a number above 0"};
     return std::log(x);
   };
   if (call.arguments.size() == 1) return ln(call.arguments[0]);
@@ -126,7 +127,7 @@ Value isClose(Call& call) {
 Value distance(Call& call) {
   expectArguments(call, "dist", 2, 2);
   const auto p = call.interpreter.itemsOf(call.arguments[0]), q = call.interpreter.itemsOf(call.arguments[1]);
-  if (p.size() != q.size()) throw Fault("dist() of points of unequal dimension", "two points");
+  if (p.size() != q.size()) throw Fault{.found = "dist() of points of unequal dimension", .expected = "two points"};
   double sum = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) sum = std::hypot(sum, numberOf(p[i]) - numberOf(q[i]));
   return sum;
@@ -209,7 +210,7 @@ void addWholeFunctions(const Add& add) {
   add("isqrt", [](Call& call) -> Value {
     expectArguments(call, "isqrt", 1, 1);
     const std::int64_t n = wholeOf(call.arguments[0]);
-    if (n < 0) throw Fault("isqrt() of a negative number", "0 and more");
+    if (n < 0) throw Fault{.found = "isqrt() of a negative number", .expected = "0 and more"};
     auto root = static_cast<std::int64_t>(std::sqrt(static_cast<long double>(n)));
     return root;
   });

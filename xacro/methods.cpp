@@ -60,7 +60,7 @@ Value split(const std::string& text, Call& call) {
   if (call.arguments.empty() || call.arguments[0].as<std::monostate>())
     return makeList(splitAtBlanks(text, most), call.interpreter.budget());
   const std::string& between = textArgument(call, "split", 0);
-  if (between.empty()) throw Fault("split() at an empty text", "a text to split at");
+  if (between.empty()) throw Fault{.found = "split() at an empty text", .expected = "a text to split at"};
   std::vector<Value> words;
   std::size_t at = 0;
   for (std::size_t next;
@@ -77,7 +77,7 @@ Value join(const std::string& text, Call& call) {
   std::string result;
   bool first = true;
   for (const Value& item : call.interpreter.itemsOf(call.arguments[0])) {
-    if (!item.text()) throw Fault(std::string("join() of ") + kindOf(item), "texts");
+    if (!item.text()) throw Fault{.found = Text("join() of %1", kindOf(item)), .expected = "texts"};
     if (!std::exchange(first, false)) result += text;
     result += *item.text();
     Budget::checkText(result.size());
@@ -89,7 +89,7 @@ Value replace(const std::string& text, Call& call) {
   expectArguments(call, "replace", 2, 3);
   const std::string &old = textArgument(call, "replace", 0), &fresh = textArgument(call, "replace", 1);
   std::int64_t most = call.arguments.size() > 2 ? wholeOf(call.arguments[2]) : -1;
-  if (old.empty()) throw Fault("replace() of an empty text", "a text to replace");
+  if (old.empty()) throw Fault{.found = "replace() of an empty text", .expected = "a text to replace"};
   call.interpreter.budget().step(1 + text.size());
   std::string result;
   std::size_t at = 0;
@@ -105,7 +105,7 @@ bool startsOrEnds(const std::string& text, const Call& call, bool starts) {
   const Value& wanted = call.arguments[0];
   const auto fits = [&](const Value& one) {
     if (!one.text())
-      throw Fault(std::string(starts ? "startswith() with " : "endswith() with ") + kindOf(one), "a text");
+      throw Fault{.found = Text("%1() with %2", starts ? "startswith" : "endswith", kindOf(one)), .expected = "a text"};
     return starts ? text.starts_with(*one.text()) : text.ends_with(*one.text());
   };
   if (!wanted.list()) return fits(wanted);
@@ -115,9 +115,11 @@ bool startsOrEnds(const std::string& text, const Call& call, bool starts) {
 std::string padded(const std::string& text, const Call& call, const char* name, bool left) {
   expectArguments(call, name, 1, 2);
   const std::int64_t width = wholeOf(call.arguments[0]);
-  if (width > 1000) throw Fault(std::string(name) + "(" + std::to_string(width) + ")", "at most 1000");
+  if (width > 1000)
+    throw Fault{.found = std::string(name) + "(" + std::to_string(width) + ")", .expected = "at most 1000"};
   const std::string fill = call.arguments.size() > 1 ? textArgument(call, name, 1) : " ";
-  if (fill.size() != 1) throw Fault(std::string(name) + "() with \"" + fill.substr(0, 20) + "\"", "one sign");
+  if (fill.size() != 1)
+    throw Fault{.found = Text("%1() with \"%2\"", name, fill.substr(0, 20)), .expected = "one sign"};
   const auto missing =
       width > static_cast<std::int64_t>(text.size()) ? static_cast<std::size_t>(width) - text.size() : 0;
   return left ? std::string(missing, fill[0]) + text : text + std::string(missing, fill[0]);
@@ -126,7 +128,7 @@ std::string padded(const std::string& text, const Call& call, const char* name, 
 std::string filledWithZeros(const std::string& text, const Call& call) {
   expectArguments(call, "zfill", 1, 1);
   const std::int64_t width = wholeOf(call.arguments[0]);
-  if (width > 1000) throw Fault("zfill(" + std::to_string(width) + ")", "at most 1000");
+  if (width > 1000) throw Fault{.found = Text("zfill(%1)", width), .expected = "at most 1000"};
   const bool sign = !text.empty() && (text[0] == '-' || text[0] == '+');
   const auto missing =
       width > static_cast<std::int64_t>(text.size()) ? static_cast<std::size_t>(width) - text.size() : 0;
@@ -170,7 +172,7 @@ Value placeOfText(const std::string& text, Call& call, bool last, bool must) {
   const std::string& part = textArgument(call, "find", 0);
   const std::size_t place = last ? text.rfind(part) : text.find(part);
   if (place == std::string::npos && must)
-    throw Fault("\"" + part.substr(0, 40) + "\" that is not in the text", "a part of it");
+    throw Fault{.found = Text("\"%1\" that is not in the text", part.substr(0, 40)), .expected = "a part of it"};
   return place == std::string::npos ? std::int64_t{-1} : static_cast<std::int64_t>(place);
 }
 
@@ -240,7 +242,7 @@ std::optional<Value> listMethod(const ListPointer& list, const std::string& name
           if (!counts) return static_cast<std::int64_t>(i);
           ++count;
         }
-        if (!counts) throw Fault("a value that is not in the list", "one of its values");
+        if (!counts) throw Fault{.found = "a value that is not in the list", .expected = "one of its values"};
         return count;
       },
       depth);

@@ -15,12 +15,15 @@ namespace hapticell::xacro {
 namespace {
 
 [[noreturn]] void tooLarge() {
-  throw Fault("a whole number beyond 64 bits", "a smaller one", "Write it as a number with a point.");
+  throw Fault{.found = "a whole number beyond 64 bits",
+              .expected = "a smaller one",
+              .fix = "Write it as a number with a point."};
 }
 
 [[noreturn]] void mismatched(const std::string& sign, const Value& a, const Value& b) {
-  throw Fault(std::string(kindOf(a)) + " " + sign + " " + kindOf(b), "two numbers",
-              a.text() || b.text() ? "A property that is a text may hold a mistyped number." : "");
+  throw Fault{.found = Text("%1 %2 %3", kindOf(a), sign, kindOf(b)),
+              .expected = "two numbers",
+              .fix = a.text() || b.text() ? Text("A property that is a text may hold a mistyped number.") : Text()};
 }
 
 std::int64_t wholePower(std::int64_t base, std::int64_t exponent) {
@@ -34,7 +37,7 @@ std::int64_t wholePower(std::int64_t base, std::int64_t exponent) {
 }
 
 std::int64_t floorDivision(std::int64_t a, std::int64_t b) {
-  if (b == 0) throw Fault("a division by zero", "another divisor");
+  if (b == 0) throw Fault{.found = "a division by zero", .expected = "another divisor"};
   if (b == -1) {
     if (a == std::numeric_limits<std::int64_t>::min()) tooLarge();
     return -a;
@@ -55,7 +58,7 @@ std::optional<Value> wholeOperation(const std::string& sign, std::int64_t a, std
   } else if (sign == "//") {
     result = floorDivision(a, b);
   } else if (sign == "%") {
-    if (b == 0) throw Fault("a division by zero", "another divisor");
+    if (b == 0) throw Fault{.found = "a division by zero", .expected = "another divisor"};
     result = b == -1 ? 0 : a - b * floorDivision(a, b);
   } else if (sign == "**" && b >= 0) {
     result = wholePower(a, b);
@@ -66,7 +69,7 @@ std::optional<Value> wholeOperation(const std::string& sign, std::int64_t a, std
   } else if (sign == "^") {
     result = a ^ b;
   } else if (sign == "<<" || sign == ">>") {
-    if (b < 0 || b > 62) throw Fault("a shift by " + std::to_string(b), "0 to 62");
+    if (b < 0 || b > 62) throw Fault{.found = Text("a shift by %1", b), .expected = "0 to 62"};
     if (sign == ">>") return Value(a >> b);
     fits = !__builtin_mul_overflow(a, std::int64_t{1} << b, &result);
   } else {
@@ -81,7 +84,7 @@ Value numberOperation(const std::string& sign, double a, double b, const Value& 
   if (sign == "-") return a - b;
   if (sign == "*") return a * b;
   if (sign == "/" || sign == "//" || sign == "%") {
-    if (b == 0.0) throw Fault("a division by zero", "another divisor");
+    if (b == 0.0) throw Fault{.found = "a division by zero", .expected = "another divisor"};
     if (sign == "/") return a / b;
     double rest = std::fmod(a, b);
     if (rest != 0.0 && (rest < 0.0) != (b < 0.0)) rest += b;
@@ -92,9 +95,10 @@ Value numberOperation(const std::string& sign, double a, double b, const Value& 
   if (sign == "**") {
     const double result = std::pow(a, b);
     if ((a == 0.0 && b < 0.0) || (std::isnan(result) && !std::isnan(a) && !std::isnan(b)))
-      throw Fault("a power that is no number (" + numberText(a) + " ** " + numberText(b) + ")", "a number");
+      throw Fault{.found = Text("a power that is no number (%1 ** %2)", numberText(a), numberText(b)),
+                  .expected = "a number"};
     if (std::isinf(result) && std::isfinite(a) && std::isfinite(b))
-      throw Fault("a power that is too large", "a number");
+      throw Fault{.found = "a power that is too large", .expected = "a number"};
     return result;
   }
   mismatched(sign, left, right);
@@ -142,7 +146,8 @@ Value filledText(const std::string& pattern, const Value& values, Budget& budget
       continue;
     }
     const std::size_t end = pattern.find_first_not_of("0123456789.+- #", i + 1);
-    if (end == std::string::npos || end - i > 8) throw Fault("a '%' in a text that is filled", "%d, %s, %.3f");
+    if (end == std::string::npos || end - i > 8)
+      throw Fault{.found = "a '%' in a text that is filled", .expected = "%d, %s, %.3f"};
     const std::string spec = pattern.substr(i + 1, end - i - 1);
     const char letter = pattern[i = end];
     if (letter == '%') {
@@ -150,13 +155,14 @@ Value filledText(const std::string& pattern, const Value& values, Budget& budget
       continue;
     }
     if (std::string("dixsrfFeEgG").find(letter) == std::string::npos)
-      throw Fault(std::string("'%") + letter + "' in a text that is filled", "%d, %s, %.3f");
+      throw Fault{.found = Text("'%1' in a text that is filled", std::string{'%', letter}), .expected = "%d, %s, %.3f"};
     const std::size_t digit = spec.find_first_of("123456789");
     const unsigned long width = digit == std::string::npos ? 0 : std::strtoul(spec.c_str() + digit, nullptr, 10);
     const std::size_t point = spec.find('.');
     if (width > 99 || (point != std::string::npos && spec.size() - point > 3))
-      throw Fault("a '%' with more than two digits", "%.3f");
-    if (rest.empty()) throw Fault("a text to be filled with more places than values", "a value for each %");
+      throw Fault{.found = "a '%' with more than two digits", .expected = "%.3f"};
+    if (rest.empty())
+      throw Fault{.found = "a text to be filled with more places than values", .expected = "a value for each %"};
     result += filled(spec, letter, rest.back(), budget);
     rest.pop_back();
     Budget::checkText(result.size());
@@ -168,14 +174,14 @@ std::size_t placeOf(const Value& index, std::size_t size) {
   const std::int64_t given = wholeOf(index);
   const std::int64_t place = given < 0 ? given + static_cast<std::int64_t>(size) : given;
   if (place < 0 || place >= static_cast<std::int64_t>(size))
-    throw Fault("the index " + std::to_string(given) + " of " + std::to_string(size) + " items", "an index within");
+    throw Fault{.found = Text("the index %1 of %2 items", given, size), .expected = "an index within"};
   return static_cast<std::size_t>(place);
 }
 
 std::vector<std::size_t> placesOf(const Value& first, const Value& last, const Value& step, std::size_t size) {
   const auto given = [](const Value& value) { return value.as<std::monostate>() == nullptr; };
   const std::int64_t by = given(step) ? wholeOf(step) : 1, count = static_cast<std::int64_t>(size);
-  if (by == 0) throw Fault("a slice with a step of 0", "another step");
+  if (by == 0) throw Fault{.found = "a slice with a step of 0", .expected = "another step"};
   const std::int64_t low = by > 0 ? 0 : -1, high = by > 0 ? count : count - 1;
   const auto place = [&](const Value& value, std::int64_t otherwise) {
     if (!given(value)) return otherwise;
@@ -235,7 +241,8 @@ Value binaryOperation(const std::string& sign, const Value& a, const Value& b, B
 Value itemAt(const Value& value, const Value& index, Budget& budget) {
   if (const DictValue* dict = value.dict()) {
     if (const Value* item = dict->find(index)) return *item;
-    throw Fault("no key " + reprOf(index, budget).substr(0, 80) + " in the dictionary", "one of its keys");
+    throw Fault{.found = Text("no key %1 in the dictionary", reprOf(index, budget).substr(0, 80)),
+                .expected = "one of its keys"};
   }
   if (const ListValue* list = value.list()) return list->items[placeOf(index, list->items.size())];
   if (const std::string* text = value.text()) {
@@ -243,7 +250,7 @@ Value itemAt(const Value& value, const Value& index, Budget& budget) {
     const std::vector<std::string> letters = lettersOf(*text);
     return letters[placeOf(index, letters.size())];
   }
-  throw Fault(std::string("an index into ") + kindOf(value), "a list, a dictionary or a text");
+  throw Fault{.found = Text("an index into %1", kindOf(value)), .expected = "a list, a dictionary or a text"};
 }
 
 Value sliceOf(const Value& value, const Value& first, const Value& last, const Value& step, Budget& budget) {
@@ -254,7 +261,7 @@ Value sliceOf(const Value& value, const Value& first, const Value& last, const V
     return makeList(std::move(items), budget, list->tuple);
   }
   const std::string* text = value.text();
-  if (!text) throw Fault(std::string("a slice of ") + kindOf(value), "a list or a text");
+  if (!text) throw Fault{.found = Text("a slice of %1", kindOf(value)), .expected = "a list or a text"};
   budget.step(1 + text->size() / 64);
   const std::vector<std::string> letters = lettersOf(*text);
   std::string result;

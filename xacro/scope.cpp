@@ -82,8 +82,8 @@ bool conditionOf(const Value& value, const std::string& written) {
   if (*text == "true" || *text == "True") return true;
   if (*text == "false" || *text == "False") return false;
   if (const auto whole = wholeFromText(*text)) return *whole != 0;
-  throw Fault("the condition \"" + written.substr(0, 100) + "\", which gives \"" + text->substr(0, 100) + "\"",
-              "true, false, or a number");
+  throw Fault{.found = Text("the condition \"%1\", which gives \"%2\"", written.substr(0, 100), text->substr(0, 100)),
+              .expected = "true, false, or a number"};
 }
 
 bool Scope::holds(const std::string& name) const {
@@ -101,9 +101,9 @@ const Value* Scope::find(const std::string& name, Interpreter& interpreter) {
     if (std::find(scope->in_work_.begin(), scope->in_work_.end(), name) != scope->in_work_.end()) {
       std::string circle;
       for (const std::string& step : scope->in_work_) circle += step + " -> ";
-      throw Fault("the property '" + name + "' needs itself (" + circle.substr(0, 300) + name + ")",
-                  "properties without a circle",
-                  "Correct it, or evaluate it where it is written with lazy_eval=\"false\".");
+      throw Fault{.found = Text("the property '%1' needs itself (%2)", name, circle.substr(0, 300) + name),
+                  .expected = "properties without a circle",
+                  .fix = "Correct it, or evaluate it where it is written with lazy_eval=\"false\"."};
     }
     const InWork mark(scope->in_work_, name);
     const std::string text = *found->second.text();

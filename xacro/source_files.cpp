@@ -22,9 +22,12 @@ std::string packageOf(const std::string& reference) {
 
 Fault notFound(const std::string& reference) {
   if (!reference.starts_with("package://"))
-    return Fault("the file " + reference + " is not there", "a file", "Correct the path or put the file there.");
-  return Fault("resource not found: " + packageOf(reference) + " (" + reference + ")", "the package's folder",
-               "Put the package's folder beside the file or above it, or name its place in ROS_PACKAGE_PATH.");
+    return Fault{.found = Text("the file %1 is not there", reference),
+                 .expected = "a file",
+                 .fix = "Correct the path or put the file there."};
+  return Fault{.found = Text("resource not found: %1 (%2)", packageOf(reference), reference),
+               .expected = "the package's folder",
+               .fix = "Put the package's folder beside the file or above it, or name its place in ROS_PACKAGE_PATH."};
 }
 
 XmlPointer SourceFiles::parsed(const fs::path& file, int& index) {
@@ -35,7 +38,7 @@ XmlPointer SourceFiles::parsed(const fs::path& file, int& index) {
   }
   index = static_cast<int>(all_.size());
   const auto text = files_.read(file);
-  if (!text) throw Fault(text.error().found, text.error().expected, text.error().fix);
+  if (!text) throw Fault{.found = text.error().found, .expected = text.error().expected, .fix = text.error().fix};
   all_.push_back(file);
   budget_.take(text->size() * 4);
   XmlPointer root = readXml(*text, file.string(), index);
@@ -48,7 +51,7 @@ std::string SourceFiles::textOf(const std::string& reference, std::string& file)
   if (!found) throw notFound(reference);
   file = found->string();
   const auto text = files_.read(*found);
-  if (!text) throw Fault(text.error().found, text.error().expected, text.error().fix);
+  if (!text) throw Fault{.found = text.error().found, .expected = text.error().expected, .fix = text.error().fix};
   budget_.step(1 + text->size() / 64);
   if (std::find(all_.begin(), all_.end(), *found) == all_.end()) all_.push_back(*found);
   return *text;

@@ -67,7 +67,8 @@ class Tokenizer {
     at_ += is_long ? 3 : 1;
     std::string result;
     for (;;) {
-      if (at_ >= text_.size()) throw Fault("a text without its closing quote in the expression", std::string(1, mark));
+      if (at_ >= text_.size())
+        throw Fault{.found = "a text without its closing quote in the expression", .expected = std::string(1, mark)};
       if (is_long ? text_.compare(at_, 3, three) == 0 : text_[at_] == mark) break;
       if (text_[at_] == '\\' && !raw && at_ + 1 < text_.size())
         result += escaped();
@@ -116,17 +117,17 @@ class Tokenizer {
       if (text_[i] != '_') digits += text_[i];
     }
     const std::string shown = text_.substr(begin, at_ - begin);
-    if (isLetter(peek())) throw Fault("'" + shown + peek() + "' in the expression", "a number");
+    if (isLetter(peek())) throw Fault{.found = Text("'%1' in the expression", shown + peek()), .expected = "a number"};
     const char *first = digits.data(), *last = first + digits.size();
     std::int64_t whole = 0;
     if (!real) {
       const auto [end, problem] = std::from_chars(first, last, whole);
       if (problem == std::errc::result_out_of_range)
-        throw Fault("the whole number " + shown.substr(0, 40), "one within 64 bits");
+        throw Fault{.found = Text("the whole number %1", shown.substr(0, 40)), .expected = "one within 64 bits"};
       return {Token::Kind::kConstant, "", whole};
     }
     const std::optional<double> value = numberFromText(digits);  // what no double holds is 0 or infinite, as in Python
-    if (!value) throw Fault("'" + shown.substr(0, 40) + "' in the expression", "a number");
+    if (!value) throw Fault{.found = Text("'%1' in the expression", shown.substr(0, 40)), .expected = "a number"};
     return {Token::Kind::kConstant, "", *value};
   }
 
@@ -141,7 +142,7 @@ class Tokenizer {
     if (kind == 'x') base = 16;
     const auto [end, problem] = std::from_chars(first, last, whole, base);
     if (problem != std::errc() || end != last || first == last)
-      throw Fault("a number that is none in the expression", "0x1f");
+      throw Fault{.found = "a number that is none in the expression", .expected = "0x1f"};
     return {Token::Kind::kConstant, "", whole};
   }
 
@@ -153,7 +154,7 @@ class Tokenizer {
     }
     const char c = text_[at_];
     if (std::string_view("+-*/%()[]{},:.<>&|^~=").find(c) == std::string_view::npos)
-      throw Fault(std::string("the sign '") + c + "' in the expression", "an expression");
+      throw Fault{.found = Text("the sign '%1' in the expression", std::string(1, c)), .expected = "an expression"};
     ++at_;
     return {Token::Kind::kSign, std::string(1, c), {}};
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr int kDeepestValue = 60;
 
 int oneDeeper(int depth) {
-  if (depth >= kDeepestValue) throw Fault("lists nested deeper than 60", "a flatter list");
+  if (depth >= kDeepestValue) throw Fault{.found = "lists nested deeper than 60", .expected = "a flatter list"};
   return depth + 1;
 }
 
@@ -71,7 +71,7 @@ std::string keyText(const Value& key) {
   if (const std::string* text = key.text()) return "t" + *text;
   if (key.isNumber()) return "n" + numberText(numberOf(key));
   if (key.as<std::monostate>()) return "-";
-  throw Fault(std::string(kindOf(key)) + " as the key of a dictionary", "a text or a number");
+  throw Fault{.found = Text("%1 as the key of a dictionary", kindOf(key)), .expected = "a text or a number"};
 }
 
 }  // namespace
@@ -132,10 +132,11 @@ Value makeFunction(std::string name, std::function<Value(Call&)> run, int kept) 
       std::make_shared<const FunctionValue>(FunctionValue{std::move(name), std::move(run), oneDeeper(kept)}));
 }
 
-const char* kindOf(const Value& value) {
-  static constexpr const char* kNames[] = {"None",   "True or False", "a whole number", "a number",     "a text",
-                                           "a list", "a dictionary",  "a function",     "a name space", "a block"};
-  return kNames[value.data.index()];
+Text kindOf(const Value& value) {
+  static constexpr const char* kNames[] = {HAPTICELL_TRANSLATED("None", "True or False", "a whole number", "a number",
+                                                                "a text", "a list", "a dictionary", "a function",
+                                                                "a name space", "a block")};
+  return Text(kNames[value.data.index()]);
 }
 
 /// The shortest digits that bring the number back, in Python's form: plain from 1e-4 up to 1e16.
@@ -161,7 +162,7 @@ std::string textOf(const Value& value, Budget& budget) {
   if (const double* number = value.as<double>()) return numberText(*number);
   if (const std::string* text = value.text()) return *text;
   if (value.list() || value.dict()) return reprOf(value, budget);
-  throw Fault(std::string(kindOf(value)) + " where a text is needed", "a text, a number or a list");
+  throw Fault{.found = Text("%1 where a text is needed", kindOf(value)), .expected = "a text, a number or a list"};
 }
 
 std::string reprOf(const Value& value, Budget& budget) {
@@ -183,13 +184,13 @@ double numberOf(const Value& value) {
   if (const bool* truth = value.as<bool>()) return *truth ? 1.0 : 0.0;
   if (const auto* whole = value.as<std::int64_t>()) return static_cast<double>(*whole);
   if (const double* number = value.as<double>()) return *number;
-  throw Fault(std::string(kindOf(value)) + " where a number is needed", "a number");
+  throw Fault{.found = Text("%1 where a number is needed", kindOf(value)), .expected = "a number"};
 }
 
 std::int64_t wholeOf(const Value& value) {
   if (const bool* truth = value.as<bool>()) return *truth ? 1 : 0;
   if (const auto* whole = value.as<std::int64_t>()) return *whole;
-  throw Fault(std::string(kindOf(value)) + " where a whole number is needed", "a whole number");
+  throw Fault{.found = Text("%1 where a whole number is needed", kindOf(value)), .expected = "a whole number"};
 }
 
 bool equal(const Value& a, const Value& b, Budget& budget) {
@@ -229,7 +230,7 @@ int compare(const Value& a, const Value& b, Budget& budget) {
     }
     return order(x.size(), y.size());
   }
-  throw Fault(std::string(kindOf(a)) + " compared with " + kindOf(b), "two numbers or two texts");
+  throw Fault{.found = Text("%1 compared with %2", kindOf(a), kindOf(b)), .expected = "two numbers or two texts"};
 }
 
 }  // namespace hapticell::xacro

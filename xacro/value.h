@@ -91,7 +91,7 @@ Value makeFunction(std::string name, std::function<Value(Call&)> run, int kept =
 int depthOf(const Value& value);
 
 /// "a text", "a list" … for messages.
-const char* kindOf(const Value& value);
+Text kindOf(const Value& value);
 /// As Python's str() and repr() write it: True, None, 0.1, 1e-05, [1, 'a'].
 std::string textOf(const Value& value, Budget& budget);
 std::string reprOf(const Value& value, Budget& budget);

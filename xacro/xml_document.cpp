@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "geometry/system/nesting_limit.h"
+#include "xacro/fault.h"
 
 namespace hapticell::xacro {
 
@@ -19,21 +20,24 @@ int lineAt(const std::string& text, std::size_t place) {
 }  // namespace
 
 Expected<void> parseXml(const std::string& content, const std::string& file, TiXmlDocument& document) {
-  const auto refuse = [&file](int line, std::string found, std::string expected, std::string fix = {}) {
-    return makeError(
-        {file, line > 0 ? "line " + std::to_string(line) : "", std::move(found), std::move(expected), std::move(fix)});
+  const auto refuse = [&file](int line, Text found, Text expected, Text fix = {}) {
+    return makeError({.file = file,
+                      .place = linePlace(line),
+                      .found = std::move(found),
+                      .expected = std::move(expected),
+                      .fix = std::move(fix)});
   };
   constexpr std::string_view kNothing("\0 \t\r\n", 5);  // Some programs write NULs behind the end.
   if (const std::size_t nul = content.find('\0'); content.find_first_not_of(kNothing, nul) != std::string::npos)
-    return refuse(lineAt(content, nul), "a NUL byte", "XML text");
+    return refuse(lineAt(content, nul), Text("a NUL byte"), Text("XML text"));
   if (auto flat = geometry::checkNesting(content, geometry::NestedText::kXml, file); !flat) return flat;
   if (const auto entities = content.find("<!ENTITY"); entities != std::string::npos)
-    return refuse(lineAt(content, entities), "a document type with entities of its own (<!ENTITY ...>)",
-                  "a file without them", "Write out the text that they stand for.");
+    return refuse(lineAt(content, entities), Text("a document type with entities of its own (<!ENTITY ...>)"),
+                  Text("a file without them"), Text("Write out the text that they stand for."));
   document.Parse(content.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (!document.Error()) return {};
   return refuse(document.ErrorRow() > 0 ? document.ErrorRow() : lineAt(content, content.size()),
-                std::string("XML that does not parse (") + document.ErrorDesc() + ")", "well-formed XML");
+                Text("XML that does not parse (%1)", document.ErrorDesc()), Text("well-formed XML"));
 }
 
 }  // namespace hapticell::xacro

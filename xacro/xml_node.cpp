@@ -47,15 +47,11 @@ const XmlNode::Attribute* XmlNode::attribute(const std::string& wanted) const {
 XmlPointer readXml(const std::string& content, const std::string& file, int file_index) {
   TiXmlDocument document;
   if (const auto parsed = parseXml(content, file, document); !parsed) {
-    Fault fault(parsed.error().found, parsed.error().expected, parsed.error().fix);
-    fault.file = file;
-    if (parsed.error().place.starts_with("line ")) fault.line = std::stoi(parsed.error().place.substr(5));
-    throw fault;
+    const Error& error = parsed.error();
+    throw Fault{.found = error.found, .expected = error.expected, .fix = error.fix, .file = file, .place = error.place};
   }
   if (!document.RootElement()) {
-    Fault fault("no XML element", "<robot>");
-    fault.file = file;
-    throw fault;
+    throw Fault{.found = "no XML element", .expected = "<robot>", .file = file};
   }
   return converted(*document.RootElement(), file_index);
 }

@@ -133,7 +133,7 @@ class Converter {
   void place(Fault& fault, const YAML::Node& node) const {
     if (!fault.file.empty()) return;
     fault.file = file_;
-    fault.line = node.Mark().line + 1;
+    fault.place = linePlace(node.Mark().line + 1);
   }
 
   Value scalar(const YAML::Node& node) {
@@ -143,7 +143,8 @@ class Converter {
     if (const auto unit = kUnits.find(tag); unit != kUnits.end()) return measure(text, unit->second);
     if (tag == "!" || tag == "tag:yaml.org,2002:str") return text;
     if (tag.empty() || tag == "?" || tag.starts_with("tag:yaml.org,2002:")) return plainValue(text);
-    throw Fault("the tag " + tag, "none, or one of !degrees, !radians, !meters, !millimeters, !foot, !inches");
+    throw Fault{.found = Text("the tag %1", tag),
+                .expected = "none, or one of !degrees, !radians, !meters, !millimeters, !foot, !inches"};
   }
 
   /// An expression that may name the functions and pi, but no property.
@@ -151,14 +152,14 @@ class Converter {
     if (!globals_) addBuiltIns(*(globals_ = &scopes_.make(nullptr)), scopes_);
     const Value value = interpreter_.evaluateExpression(text, *globals_);
     const auto number = value.text() ? numberFromText(*value.text()) : std::optional(numberOf(value));
-    if (!number) throw Fault("\"" + text.substr(0, 80) + "\" with a unit", "a number");
+    if (!number) throw Fault{.found = Text("\"%1\" with a unit", text.substr(0, 80)), .expected = "a number"};
     return *number * factor;
   }
 
   static void expectPlain(const YAML::Node& node, const char* kind) {
     const std::string& tag = node.Tag();
     if (!tag.empty() && tag != "?" && tag != "!" && tag != std::string("tag:yaml.org,2002:") + kind)
-      throw Fault("the tag " + tag, "none");
+      throw Fault{.found = Text("the tag %1", tag), .expected = "none"};
   }
 
   Value sequence(const YAML::Node& node) {
@@ -191,7 +192,7 @@ class Converter {
     } else if (const ListValue* list = value.list()) {
       for (auto item = list->items.rbegin(); item != list->items.rend(); ++item) merge(*item, merged);
     } else {
-      throw Fault(std::string("<< with ") + kindOf(value), "a dictionary");
+      throw Fault{.found = Text("<< with %1", kindOf(value)), .expected = "a dictionary"};
     }
   }
 };
@@ -201,18 +202,15 @@ class Converter {
 Value loadYaml(const std::string& reference, Interpreter& interpreter) {
   std::string file;
   const std::string text = interpreter.surroundings().readText(reference, file);
-  const auto refuse = [&file](const std::string& found, int line) {
-    Fault fault(found, "a YAML file");
-    fault.file = file;
-    fault.line = line;
-    return fault;
+  const auto refuse = [&file](const Text& found, int line) {
+    return Fault{.found = found, .expected = "a YAML file", .file = file, .place = linePlace(line)};
   };
-  if (text.size() > kLongestYaml) throw refuse("a YAML file of more than 8 MB", 0);
+  if (text.size() > kLongestYaml) throw refuse(Text("a YAML file of more than 8 MB"), 0);
   interpreter.budget().take(text.size() * 8);
   try {
     return Converter(interpreter, file).convert(YAML::Load(text));
   } catch (const YAML::Exception& problem) {
-    throw refuse("what is no YAML (" + problem.msg + ")", problem.mark.line + 1);
+    throw refuse(Text("what is no YAML (%1)", problem.msg), problem.mark.line + 1);
   }
 }
 

@@ -79,8 +79,9 @@ Expected<ordered_json> judgeMotion(const std::string& method, const ErgonomicsOp
 
 Expected<ordered_json> result(const std::string& method, const ErgonomicsOptions& options) {
   if (options.input.empty() == options.motion.empty()) {
-    return makeError(
-        {"", "--input, --motion", options.input.empty() ? "neither is given" : "both are given", "one of the two", ""});
+    return makeError({.place = "--input, --motion",
+                      .found = options.input.empty() ? Text("neither is given") : Text("both are given"),
+                      .expected = "one of the two"});
   }
   if (!options.motion.empty()) return judgeMotion(method, options);
   if (!options.up.empty() || !options.markers.empty())

@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <iostream>
 #include <iterator>
-#include <sstream>
 
+#include "cli/kit/result_writer.h"
 #include "geometry/system/listed.h"
 #include "geometry/system/nesting_limit.h"
 #include "geometry/system/regular_file.h"
@@ -30,26 +30,26 @@ using nlohmann::json;
 using namespace ergonomics;
 using Names = std::initializer_list<std::string_view>;
 
-tl::unexpected<Error> refused(const std::string& field, const std::string& found, const std::string& expected) {
+tl::unexpected<Error> refused(const std::string& field, const Text& found, const Text& expected) {
   return makeError({.place = field, .found = found, .expected = expected});
 }
 
 /// Refuses fields that are not among `known`: a misspelt field would else be a missing one.
 Expected<void> checkNames(const json& object, const std::string& where, const std::vector<std::string_view>& known) {
-  if (!object.is_object()) return refused(where, shortText(object), "an object with fields");
+  if (!object.is_object()) return refused(where, shortText(object), Text("an object with fields"));
   for (const auto& [name, value] : object.items()) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      return refused(name, "no field has this name", "one of " + listed(known));
+      return refused(name, Text("no field has this name"), Text("one of %1", listed(known)));
     }
   }
   return {};
 }
 
 Expected<int> wholeNumber(const json& value, const SubScore& sub_score) {
-  const std::string expected = std::to_string(sub_score.least) + " to " + std::to_string(sub_score.greatest);
   const bool is_whole = value.is_number() && value.get<double>() == std::floor(value.get<double>());
   if (!is_whole || value.get<double>() < sub_score.least || value.get<double>() > sub_score.greatest) {
-    return refused(std::string(sub_score.name), shortText(value), "a whole number, " + expected);
+    return refused(std::string(sub_score.name), shortText(value),
+                   Text("a whole number, %1 to %2", sub_score.least, sub_score.greatest));
   }
   return static_cast<int>(value.get<double>());
 }
@@ -71,9 +71,9 @@ Expected<bool> flagOf(const PostureField& field, const json& value) {
   if (field.name == "wrist_twist") {
     if (value == "mid") return false;
     if (value == "end") return true;
-    return refused("wrist_twist", shortText(value), "\"mid\" or \"end\"");
+    return refused("wrist_twist", shortText(value), Text("\"mid\" or \"end\""));
   }
-  if (!value.is_boolean()) return refused(std::string(field.name), shortText(value), "true or false");
+  if (!value.is_boolean()) return refused(std::string(field.name), shortText(value), Text("true or false"));
   return value.get<bool>();
 }
 
@@ -94,9 +94,8 @@ Expected<PostureAngles> readAngles(const json& object) {
     const bool is_within =
         value->is_number() && value->get<double>() >= field.least && value->get<double>() <= field.greatest;
     if (!is_within) {
-      std::ostringstream range;
-      range << field.least << " to " << field.greatest << " degrees";
-      return refused(std::string(field.name), shortText(*value), range.str());
+      return refused(std::string(field.name), shortText(*value),
+                     Text("%1 to %2 degrees", shortNumber(field.least), shortNumber(field.greatest)));
     }
     angles.*field.angle = value->get<double>();
   }
@@ -111,8 +110,8 @@ Expected<ScoredInput> scoredInput(const json& input, const ScoredMethod& method,
   known.insert(known.end(), at_top.begin(), at_top.end());
   HAPTICELL_TRY(checkNames(input, "", known));
   if (input.contains("scores") == input.contains("angles")) {
-    return refused("scores, angles", input.contains("scores") ? "both are given" : "neither is given",
-                   "one of the two");
+    return refused("scores, angles", input.contains("scores") ? Text("both are given") : Text("neither is given"),
+                   Text("one of the two"));
   }
   ScoredInput result;
   result.values.resize(method.subScores().size());
@@ -201,12 +200,12 @@ Expected<LiftingTask> liftingTask(const json& object) {
       if (!missing) missing = field.name;
       continue;
     }
-    if (!value->is_number()) return refused(field.name, shortText(*value), "a number");
+    if (!value->is_number()) return refused(field.name, shortText(*value), Text("a number"));
     task.*field.member = value->get<double>();
   }
   // What is there and wrong is told before what is not there.
   HAPTICELL_TRY(checkLiftingRanges(task));
-  if (missing) return refused(missing, "it is not given", "a number; the equation needs every field");
+  if (missing) return refused(missing, Text("it is not given"), Text("a number; the equation needs every field"));
   const json coupling = object.value("coupling", json());
   if (coupling == "good") {
     task.coupling = Coupling::kGood;
@@ -215,7 +214,8 @@ Expected<LiftingTask> liftingTask(const json& object) {
   } else if (coupling == "poor") {
     task.coupling = Coupling::kPoor;
   } else {
-    return refused("coupling", coupling.is_null() ? "it is not given" : shortText(coupling), "good, fair or poor");
+    return refused("coupling", coupling.is_null() ? Text("it is not given") : Text(shortText(coupling)),
+                   Text("good, fair or poor"));
   }
   return task;
 }
@@ -284,16 +284,16 @@ Expected<ScoredInput> owasInput(const json& input) {
   if (code.is_string()) digits = code.get<std::string>();
   if (code.is_number_integer()) digits = code.dump();
   if (digits.size() != 4) {
-    return refused("code", code.is_null() ? "it is not given" : shortText(code), "four digits: back, arms, legs, load");
+    return refused("code", code.is_null() ? Text("it is not given") : Text(shortText(code)),
+                   Text("four digits: back, arms, legs, load"));
   }
   ScoredInput result;
   for (std::size_t i = 0; i < digits.size(); ++i) {
     const SubScore& digit = method.subScores()[i];
     const int value = digits[i] - '0';
     if (value < digit.least || value > digit.greatest) {
-      return refused("code",
-                     "digit " + std::to_string(i + 1) + " (" + std::string(digit.name) + ") is '" + digits[i] + "'",
-                     std::to_string(digit.least) + " to " + std::to_string(digit.greatest));
+      return refused("code", Text("digit %1 (%2) is '%3'", i + 1, digit.name, std::string(1, digits[i])),
+                     Text("%1 to %2", digit.least, digit.greatest));
     }
     result.values.emplace_back(value);
   }
@@ -309,17 +309,17 @@ Expected<LiftingInput> liftingInput(const json& input) {
   for (const ConditionField& field : kConditionFields) {
     const auto value = input.find(field.name);
     if (value == input.end()) continue;
-    if (!value->is_boolean()) return refused(field.name, shortText(*value), "true or false");
+    if (!value->is_boolean()) return refused(field.name, shortText(*value), Text("true or false"));
     result.conditions.*field.member = value->get<bool>();
   }
   result.is_composite = input.contains("tasks");
   const json tasks = result.is_composite ? input["tasks"] : json::array({input});
-  if (!tasks.is_array() || tasks.empty()) return refused("tasks", shortText(tasks), "a list of lifting tasks");
+  if (!tasks.is_array() || tasks.empty()) return refused("tasks", shortText(tasks), Text("a list of lifting tasks"));
   for (const json& task : tasks) {
-    if (!task.is_object()) return refused("tasks", shortText(task), "a list of lifting tasks");
+    if (!task.is_object()) return refused("tasks", shortText(task), Text("a list of lifting tasks"));
     auto read = liftingTask(task);
     if (!read && result.is_composite) {
-      read.error().place = "task " + std::to_string(result.tasks.size() + 1) + ", " + read.error().place;
+      read.error().place = Text("task %1, %2", result.tasks.size() + 1, read.error().place);
     }
     HAPTICELL_TRY(read);
     result.tasks.push_back(*read);

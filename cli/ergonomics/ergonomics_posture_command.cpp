@@ -47,7 +47,7 @@ struct Subject {
   PostureReportInput input;
   std::shared_ptr<const workcell::DocumentState> state{};
   workcell::EntityId id = 0;
-  std::vector<std::string> warnings{};  ///< Of reading the cell.
+  std::vector<Text> warnings{};  ///< Of reading the cell.
 };
 
 std::string today() {
@@ -69,10 +69,11 @@ Expected<Subject> subjectOfCell(const PostureOptions& options) {
     if (entity->figure && wanted) found = entity.get();
   }
   if (!found)
-    return makeError({.file = options.cell,
-                      .place = "--mannequin",
-                      .found = options.mannequin.empty() ? "no mannequin in the cell" : "'" + options.mannequin + "'",
-                      .expected = "the name of a mannequin of the cell"});
+    return makeError(
+        {.file = options.cell,
+         .place = "--mannequin",
+         .found = options.mannequin.empty() ? Text("no mannequin in the cell") : Text("'" + options.mannequin + "'"),
+         .expected = "the name of a mannequin of the cell"});
   Subject subject;
   subject.state = std::make_shared<workcell::DocumentState>(state);
   subject.id = found->id;
@@ -90,7 +91,7 @@ Expected<Subject> subjectOfFigure(const PostureOptions& options) {
     return makeError({.place = "--sex", .found = "'" + options.sex + "'", .expected = "male or female"});
   request.sex = options.sex == "male" ? mannequin::Sex::kMale : mannequin::Sex::kFemale;
   if (options.percentile.has_value() == options.stature.has_value())
-    return makeError({.found = options.stature ? "both --percentile and --stature" : "no size",
+    return makeError({.found = options.stature ? Text("both --percentile and --stature") : Text("no size"),
                       .expected = "--cell, or one of --percentile and --stature"});
   const auto stature = options.stature ? Expected<double>(*options.stature)
                                        : mannequin::statureOfPercentile(request.sex, *options.percentile);

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "cli/ergonomics/ergonomics_advice_report.h"
 #include "cli/ergonomics/ergonomics_input.h"
 #include "cli/ergonomics/ergonomics_report.h"
+#include "cli/kit/result_writer.h"
+#include "geometry/system/listed.h"
 #include "geometry/system/nesting_limit.h"
 #include "mannequin/ergonomics/advice/better_place.h"
 #include "mannequin/ergonomics/advice/method_advice.h"
@@ -47,7 +48,7 @@ constexpr std::array<const char*, kEawsPostureCount> kEawsNames{"stand_walk",
 class Fields {
  public:
   explicit Fields(const json& input) : input_(input) {
-    if (!input.is_object()) fail("", shortText(input), "an object with fields");
+    if (!input.is_object()) fail("", shortText(input), Text("an object with fields"));
   }
 
   void number(const char* name, double& target, double least, double most, bool required) {
@@ -55,12 +56,12 @@ class Fields {
     if (error_ || !input_.is_object()) return;
     const auto found = input_.find(name);
     if (found == input_.end()) {
-      if (required) fail(name, "not given", "a number of degrees");
+      if (required) fail(name, Text("not given"), Text("a number of degrees"));
       return;
     }
     const bool good = found->is_number() && std::isfinite(found->get<double>()) && found->get<double>() >= least &&
                       found->get<double>() <= most;
-    if (!good) return fail(name, shortText(*found), rangeText(least, most));
+    if (!good) return fail(name, shortText(*found), Text("a number, %1 to %2", shortNumber(least), shortNumber(most)));
     target = found->get<double>();
   }
 
@@ -69,7 +70,7 @@ class Fields {
     if (error_ || !input_.is_object()) return;
     const auto found = input_.find(name);
     if (found == input_.end()) return;
-    if (!found->is_boolean()) return fail(name, shortText(*found), "true or false");
+    if (!found->is_boolean()) return fail(name, shortText(*found), Text("true or false"));
     target = found->get<bool>();
   }
 
@@ -77,21 +78,14 @@ class Fields {
     if (error_ || !input_.is_object()) return error_;
     for (const auto& [name, value] : input_.items()) {
       if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) {
-        std::string listed;
-        for (const auto& one : asked_) listed += (listed.empty() ? "one of " : ", ") + one;
-        fail(name, "no field has this name", listed);
+        fail(name, Text("no field has this name"), Text("one of %1", listed(asked_)));
       }
     }
     return error_;
   }
 
  private:
-  static std::string rangeText(double least, double most) {
-    char text[64];
-    std::snprintf(text, sizeof text, "a number, %g to %g", least, most);
-    return text;
-  }
-  void fail(const std::string& field, const std::string& found, const std::string& expected) {
+  void fail(const std::string& field, const Text& found, const Text& expected) {
     if (!error_) error_ = Error{.place = field, .found = found, .expected = expected};
   }
 
@@ -293,8 +287,9 @@ Expected<ordered_json> eawsReport(const json& input) {
   double sum = 0.0;
   for (const double share : shares) sum += share;
   if (sum > 1.0 + 1e-9) {
-    return makeError(
-        {"", "shares", std::to_string(sum) + " in all", "shares of the cycle that add up to at most 1", ""});
+    return makeError({.place = "shares",
+                      .found = Text("%1 in all", std::to_string(sum)),
+                      .expected = "shares of the cycle that add up to at most 1"});
   }
   const double points = eawsPosturePoints(shares);
   ordered_json report{{"method", "EAWS posture section (outline)"},

@@ -108,8 +108,8 @@ double takeLikelyUnit(workcell::ImportedScene& scene, Diagnostics& notes) {
     bounds.add(geometry::transformed(X_W[k], scene.meshes[static_cast<std::size_t>(mesh)].bounds()));
   }
   const workcell::LengthUnit unit = workcell::guessUnit(bounds);
-  notes.warn(std::string("the file names no unit; by its size it is taken as ") + workcell::unitName(unit) +
-             " (--unit says otherwise)");
+  notes.warn(
+      Text("the file names no unit; by its size it is taken as %1 (--unit says otherwise)", workcell::unitName(unit)));
   if (unit != workcell::LengthUnit::kMetre) rescale(scene, workcell::metresPer(unit));
   return workcell::metresPer(unit);
 }
@@ -227,7 +227,7 @@ Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnost
 ExitStatus runConvert(const ConvertOptions& options, const ResultWriter& writer) {
   Diagnostics notes;
   const auto result = convert(options, notes);
-  for (const std::string& note : notes.warnings) warn(note);
+  for (const Text& note : notes.warnings) warn(note);
   const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
   if (written) return ExitStatus::kDone;
   report(written.error());

@@ -46,7 +46,7 @@ Expected<std::shared_ptr<const MeshCollider>> readCollider(const std::string& fi
   options.weld = false;
   Diagnostics diagnostics;
   const auto mesh = workcell::readWholeMesh(file, options, diagnostics);
-  for (const std::string& sentence : diagnostics.warnings) warn(sentence);
+  for (const Text& sentence : diagnostics.warnings) warn(sentence);
   HAPTICELL_TRY(mesh);
   const auto begin = Timing::Clock::now();
   auto collider = MeshCollider::build(*mesh);

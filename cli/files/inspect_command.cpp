@@ -69,12 +69,12 @@ void warnAboutTriangles(const std::vector<workcell::MeshPart>& parts, Diagnostic
     facing.look(part.mesh);
   }
   const auto say = [&](std::size_t count, const char* what) {
-    if (count > 0) notes.warn(what + (": " + std::to_string(count)));
+    if (count > 0) notes.warn(Text("%1: %2", Text(what), count));
   };
-  say(degenerate, "triangles without area, left out in a workcell");
-  say(duplicate, "triangles that are there twice, left out once in a workcell");
-  say(rejected, "triangles at an edge of more than two faces, or turned over");
-  say(holes, "holes in the surface");
+  say(degenerate, HAPTICELL_TRANSLATED("triangles without area, left out in a workcell"));
+  say(duplicate, HAPTICELL_TRANSLATED("triangles that are there twice, left out once in a workcell"));
+  say(rejected, HAPTICELL_TRANSLATED("triangles at an edge of more than two faces, or turned over"));
+  say(holes, HAPTICELL_TRANSLATED("holes in the surface"));
   if (open) notes.warn("the surface is not closed, so the volume means little");
   if (inward) {
     notes.warn("the triangles face inward, so the volume is negative");
@@ -94,8 +94,8 @@ Expected<double> unitOf(const InspectOptions& options, const workcell::MeshFileP
   geometry::Bounds bounds;
   for (const workcell::MeshPart& part : file.parts) bounds.add(part.mesh.bounds());
   const workcell::LengthUnit unit = workcell::guessUnit(bounds);
-  notes.warn(std::string("the file names no unit; by its size it is taken as ") + workcell::unitName(unit) +
-             " (--unit says otherwise)");
+  notes.warn(
+      Text("the file names no unit; by its size it is taken as %1 (--unit says otherwise)", workcell::unitName(unit)));
   return workcell::metresPer(unit);
 }
 
@@ -145,10 +145,10 @@ Expected<ordered_json> inspectCad(const InspectOptions& options, Diagnostics& no
   const auto scene = workcell::readScene(options.file, reading, &progress.monitor());
   HAPTICELL_TRY(scene);
   notes.warnings = scene->warnings;
-  if (!scene->unit_is_stated) notes.warn("the file names no unit; it is taken as " + unitWord(scene->metres_per_unit));
+  if (!scene->unit_is_stated)
+    notes.warn(Text("the file names no unit; it is taken as %1", unitWord(scene->metres_per_unit)));
   if (scene->up_axis != workcell::UpAxis::kZ) {
-    notes.warn(std::string("the file has ") + workcell::axisName(scene->up_axis) +
-               " up; it was turned so that z is up");
+    notes.warn(Text("the file has %1 up; it was turned so that z is up", workcell::axisName(scene->up_axis)));
   }
   const std::string unit = unitWord(scene->metres_per_unit);
   ordered_json result = inspection(scene->format.c_str(), unit.c_str(), sceneReport(*scene), notes);
@@ -253,8 +253,9 @@ Expected<ordered_json> inspect(const InspectOptions& options, Diagnostics& notes
 ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer) {
   Diagnostics notes;
   if (!options.arguments.empty() && workcell::robotFormatOf(options.file) != workcell::RobotFormat::kXacro) {
-    report({options.file, "", "'" + options.arguments.front() + "' after a file that is not xacro",
-            "no further arguments", ""});
+    report({.file = options.file,
+            .found = Text("'%1' after a file that is not xacro", options.arguments.front()),
+            .expected = "no further arguments"});
     return ExitStatus::kBadInput;
   }
   const auto result = inspect(options, notes);

@@ -19,7 +19,7 @@ Expected<void> tellPromises(const Promises& promises, const std::string& path, b
   if (promises.areKept()) return {};
   Error missed = promises.missed(path);
   if (!allow_miss) return makeError(missed);
-  missed.fix.clear();
+  missed.fix = {};
   result["missed"] = missed.message();
   warn(missed.message());
   return {};

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "geometry/system/plain_number.h"
 #include "geometry/system/plain_text.h"
 
 namespace hapticell::cli {
@@ -36,12 +37,17 @@ nlohmann::ordered_json finiteOrNull(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
+std::string shortNumber(double value) {
+  constexpr int kDigits = 6;
+  return plainNumber(value, std::chars_format::general, kDigits);
+}
+
 void report(const Error& error) {
   std::fprintf(stderr, "hapticell-cli: %s\n", error.message().c_str());
 }
 
-void warn(const std::string& sentence) {
-  std::fprintf(stderr, "hapticell-cli: %s\n", plainText(sentence, 4096).c_str());
+void warn(const Text& sentence) {
+  std::fprintf(stderr, "hapticell-cli: %s\n", plainText(english(sentence), 4096).c_str());
 }
 
 }  // namespace hapticell::cli

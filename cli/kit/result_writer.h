@@ -46,9 +46,11 @@ using workcell::writeFileAtomically;
 nlohmann::ordered_json toJson(const dvec3& v);
 /// JSON has no infinity: null stands for what is no finite number.
 nlohmann::ordered_json finiteOrNull(double value);
+/// For a sentence: six significant digits.
+std::string shortNumber(double value);
 
 /// Prints "hapticell-cli: SENTENCE" on standard error.
 void report(const Error& error);
-void warn(const std::string& sentence);
+void warn(const Text& sentence);
 
 }  // namespace hapticell::cli

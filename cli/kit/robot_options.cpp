@@ -48,15 +48,15 @@ Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::stri
                                         workcell::RobotContent content) {
   Diagnostics diagnostics;
   auto model = readModel(file, content, diagnostics);
-  for (const std::string& sentence : diagnostics.warnings) warn(sentence);
+  for (const Text& sentence : diagnostics.warnings) warn(sentence);
   HAPTICELL_TRY(model);
   RobotWithTip robot{std::move(*model), -1, {}};
   robot.tip = tip_name.empty() ? robot.model.defaultTip() : robot.model.findLink(tip_name);
   if (robot.tip < 0) {
     return makeError({.file = file,
                       .place = "--tip",
-                      .found = "no link is named '" + tip_name + "'",
-                      .expected = "one of " + listed(robot.model.links, &kinematics::Link::name)});
+                      .found = Text("no link is named '%1'", tip_name),
+                      .expected = Text("one of %1", listed(robot.model.links, &kinematics::Link::name))});
   }
   robot.variables = kinematics::variablesOfChain(robot.model, robot.tip);
   return robot;
@@ -79,7 +79,7 @@ Expected<Carrier> readCarrier(const std::string& option, const std::string& text
     const std::string& link = carrier->model.links[static_cast<std::size_t>(carrier->tip)].name;
     return makeError({.file = mounting->what,
                       .place = option,
-                      .found = "link '" + link + "' does not move",
+                      .found = Text("link '%1' does not move", link),
                       .expected = "a link behind a joint"});
   }
   return Carrier{std::move(carrier->model), carrier->tip, mounting->X_LE};

@@ -75,12 +75,13 @@ std::string saidTwice(const Arguments& arguments) {
   return {};
 }
 
-Error wrong(const std::string& option, const std::string& text, const std::string& expected) {
+Error wrong(const std::string& option, const std::string& text, const Text& expected) {
   return {.place = option, .found = "'" + text + "'", .expected = expected};
 }
 
 Expected<Pose> parsePose(const std::string& option, const std::string& text) {
-  const Error error = wrong(option + ", pose", text, "seven numbers x,y,z,qw,qx,qy,qz with a quaternion of length 1");
+  const Error error =
+      wrong(option + ", pose", text, Text("seven numbers x,y,z,qw,qx,qy,qz with a quaternion of length 1"));
   std::vector<double> numbers;
   for (const std::string& part : split(text, ',')) {
     const auto number = trajectory::parseNumber(part);
@@ -103,21 +104,21 @@ std::vector<std::string> namesOf(const std::string& side) {
 /// One option behind WHAT; an error names it.
 Expected<void> readOption(const std::string& key, const std::string& value, Addition& addition) {
   if (key == "name") {
-    if (value.empty()) return makeError(wrong("--add, name", value, "a name"));
+    if (value.empty()) return makeError(wrong("--add, name", value, Text("a name")));
     addition.name = value;
   } else if (key == "unit") {
     const auto unit = workcell::parseLengthUnit(value);
-    if (!unit) return makeError(wrong("--add, unit", value, "m, mm or in"));
+    if (!unit) return makeError(wrong("--add, unit", value, Text("m, mm or in")));
     addition.options.metres_per_unit = workcell::metresPer(*unit);
   } else if (key == "up") {
     const auto axis = workcell::parseAxis(value);
-    if (!axis) return makeError(wrong("--add, up", value, "x, y or z"));
+    if (!axis) return makeError(wrong("--add, up", value, Text("x, y or z")));
     addition.options.up_axis = *axis;
   } else if (key == "tree") {
-    if (value != "keep" && value != "merge") return makeError(wrong("--add, tree", value, "keep or merge"));
+    if (value != "keep" && value != "merge") return makeError(wrong("--add, tree", value, Text("keep or merge")));
     addition.options.merge = value == "merge";
   } else if (key == "on") {
-    if (value.empty()) return makeError(wrong("--add, on", value, "NAME or NAME:LINK"));
+    if (value.empty()) return makeError(wrong("--add, on", value, Text("NAME or NAME:LINK")));
     addition.on = value;
   } else if (key == "pose") {
     const auto pose = parsePose("--add", value);
@@ -127,7 +128,8 @@ Expected<void> readOption(const std::string& key, const std::string& value, Addi
     const bool chord = key == "chord";
     const auto number = trajectory::parseNumber(value);
     if (!number || !(*number >= (chord ? 1e-9 : 1e-3)) || !(*number <= (chord ? 1e3 : 3.0))) {
-      return makeError(wrong("--add, " + key, value, chord ? "metres, 1e-9 to 1000" : "radians, 0.001 to 3"));
+      return makeError(
+          wrong("--add, " + key, value, chord ? Text("metres, 1e-9 to 1000") : Text("radians, 0.001 to 3")));
     }
     (chord ? addition.options.tessellation.chord : addition.options.tessellation.angle) = *number;
   }
@@ -140,9 +142,9 @@ Expected<Mounting> parseMounting(const std::string& option, const std::string& t
   const Arguments arguments = splitOptions(text, {"link", "pose"});
   Mounting mounting;
   mounting.what = arguments.head;
-  if (mounting.what.empty()) return makeError(wrong(option, text, "a file, or library:NAME, first"));
+  if (mounting.what.empty()) return makeError(wrong(option, text, Text("a file, or library:NAME, first")));
   if (const std::string twice = saidTwice(arguments); !twice.empty()) {
-    return makeError(wrong(option + ", " + twice, text, "each option once"));
+    return makeError(wrong(option + ", " + twice, text, Text("each option once")));
   }
   for (const auto& [key, value] : arguments.options) {
     if (key == "link") {
@@ -163,14 +165,14 @@ Expected<Addition> parseAddition(const std::string& text) {
   FileWithArguments source = splitXacroArguments(arguments.head);
   addition.what = std::move(source.file);
   addition.options.arguments = std::move(source.arguments);
-  if (addition.what.empty()) return makeError(wrong("--add", text, "a file, or library:NAME, first"));
+  if (addition.what.empty()) return makeError(wrong("--add", text, Text("a file, or library:NAME, first")));
   if (const std::string unknown = unknownKey(addition.what); !unknown.empty()) {
-    return makeError({.place = "--add " + text,
-                      .found = "no option is named '" + unknown + "'",
-                      .expected = "one of " + listed(kKeys)});
+    return makeError({.place = Text("--add %1", text),
+                      .found = Text("no option is named '%1'", unknown),
+                      .expected = Text("one of %1", listed(kKeys))});
   }
   if (const std::string twice = saidTwice(arguments); !twice.empty()) {
-    return makeError(wrong("--add, " + twice, text, "each option once"));
+    return makeError(wrong("--add, " + twice, text, Text("each option once")));
   }
   for (const auto& [key, value] : arguments.options) {
     HAPTICELL_TRY(readOption(key, value, addition));
@@ -182,28 +184,28 @@ Expected<workcell::PairSet> parseCheck(const std::string& text) {
   const Arguments arguments = splitOptions(text, {"near_miss", "safety"});
   const std::size_t colon = arguments.head.find(':');
   if (colon == std::string::npos || arguments.head.find(':', colon + 1) != std::string::npos) {
-    return makeError(wrong("--check", arguments.head, "A+B:C+D, names of entities on either side of one colon"));
+    return makeError(wrong("--check", arguments.head, Text("A+B:C+D, names of entities on either side of one colon")));
   }
   workcell::PairSet set;
   set.first = namesOf(arguments.head.substr(0, colon));
   set.second = namesOf(arguments.head.substr(colon + 1));
   if (set.first.empty() && set.second.empty()) {
-    return makeError(wrong("--check", arguments.head, "A+B:C+D, names of entities on either side of one colon"));
+    return makeError(wrong("--check", arguments.head, Text("A+B:C+D, names of entities on either side of one colon")));
   }
   std::set<std::string> seen;
   for (const auto* side : {&set.first, &set.second}) {
     for (const std::string& name : *side) {
       if (seen.insert(name).second) continue;
-      return makeError(wrong("--check", arguments.head, "each entity once: nothing is checked against itself"));
+      return makeError(wrong("--check", arguments.head, Text("each entity once: nothing is checked against itself")));
     }
   }
   if (const std::string twice = saidTwice(arguments); !twice.empty()) {
-    return makeError(wrong("--check, " + twice, text, "each option once"));
+    return makeError(wrong("--check, " + twice, text, Text("each option once")));
   }
   for (const auto& [key, value] : arguments.options) {
     const auto number = trajectory::parseNumber(value);
     if (!number || !(*number >= 0.0 && *number <= 1.0)) {
-      return makeError(wrong("--check, " + key, value, "metres, 0 to 1"));
+      return makeError(wrong("--check, " + key, value, Text("metres, 0 to 1")));
     }
     (key == "safety" ? set.safety_distance : set.near_miss) = *number;
   }

@@ -47,15 +47,15 @@ class TargetReader {
       const auto done = header_.empty() ? readHeader(text) : readRow(fieldsOf(text));
       HAPTICELL_TRY(done);
     }
-    if (header_.empty()) return fail("", "an empty file", "a header line hand,x,y,z,qw,qx,qy,qz");
-    if (targets_.empty()) return fail("", "no row after the header", "at least one target");
+    if (header_.empty()) return fail("", Text("an empty file"), Text("a header line hand,x,y,z,qw,qx,qy,qz"));
+    if (targets_.empty()) return fail("", Text("no row after the header"), Text("at least one target"));
     return std::move(targets_);
   }
 
  private:
-  tl::unexpected<Error> fail(const std::string& column, std::string found, std::string expected) const {
-    std::string place = line_ > 0 ? "line " + std::to_string(line_) : "";
-    if (!column.empty()) place += ", column '" + column + "'";
+  tl::unexpected<Error> fail(const std::string& column, Text found, Text expected) const {
+    Text place = line_ > 0 ? Text("line %1", line_) : Text();
+    if (!column.empty()) place = Text("line %1, column '%2'", line_, column);
     return makeError(
         {.file = file_.string(), .place = place, .found = std::move(found), .expected = std::move(expected)});
   }
@@ -67,7 +67,7 @@ class TargetReader {
   Expected<void> readHeader(const std::string& text) {
     header_ = fieldsOf(text);
     for (const char* name : {"hand", "x", "y", "z", "qw", "qx", "qy", "qz"}) {
-      if (columnOf(name) == header_.size()) return fail(name, "no such column", "hand,x,y,z,qw,qx,qy,qz");
+      if (columnOf(name) == header_.size()) return fail(name, Text("no such column"), "hand,x,y,z,qw,qx,qy,qz");
     }
     return {};
   }
@@ -76,14 +76,14 @@ class TargetReader {
     const std::size_t column = columnOf(name);
     const std::string text = column < fields.size() ? fields[column] : "";
     const std::optional<double> value = trajectory::parseNumber(text);
-    if (!value) return fail(name, "'" + text.substr(0, 40) + "'", "a finite number");
+    if (!value) return fail(name, "'" + text.substr(0, 40) + "'", Text("a finite number"));
     return *value;
   }
 
   Expected<void> readRow(const Columns& fields) {
     const std::size_t hand_column = columnOf("hand");
     const std::string hand = hand_column < fields.size() ? fields[hand_column] : "";
-    if (hand != "left" && hand != "right") return fail("hand", "'" + hand.substr(0, 40) + "'", "left or right");
+    if (hand != "left" && hand != "right") return fail("hand", "'" + hand.substr(0, 40) + "'", Text("left or right"));
     std::array<double, 7> values{};
     for (std::size_t i = 0; i < 7; ++i) {
       const Expected<double> value = number(fields, kNumbers[i]);
@@ -92,7 +92,8 @@ class TargetReader {
     }
     const dquat q(values[3], values[4], values[5], values[6]);
     if (!(std::abs(glm::length(q) - 1.0) <= 1e-3)) {
-      return fail("qw,qx,qy,qz", "a quaternion of length " + std::to_string(glm::length(q)), "a unit quaternion");
+      return fail("qw,qx,qy,qz", Text("a quaternion of length %1", std::to_string(glm::length(q))),
+                  Text("a unit quaternion"));
     }
     double step = static_cast<double>(targets_.size());
     const bool stepped = columnOf("step") < header_.size();
@@ -104,7 +105,11 @@ class TargetReader {
     auto found = std::find_if(targets_.begin(), targets_.end(), [&](const HandTargets& t) { return t.step == step; });
     if (!stepped || found == targets_.end()) found = targets_.insert(targets_.end(), HandTargets{step, {}});
     std::optional<Pose>& target = found->hands[hand == "left" ? 0 : 1];
-    if (target) return fail("hand", "the " + hand + " hand again in the same step", "each hand once a step");
+    if (target)
+      return fail(
+          "hand",
+          hand == "left" ? Text("the left hand again in the same step") : Text("the right hand again in the same step"),
+          Text("each hand once a step"));
     target = Pose{{values[0], values[1], values[2]}, glm::normalize(q)};
     return {};
   }

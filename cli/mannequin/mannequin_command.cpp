@@ -60,7 +60,7 @@ Expected<Figure> figureFor(const MannequinOptions& options) {
   }
   request.sex = options.sex == "male" ? Sex::kMale : Sex::kFemale;
   if (options.percentile.has_value() == options.stature.has_value()) {
-    return makeError({.found = options.stature ? "both --percentile and --stature" : "no size",
+    return makeError({.found = options.stature ? Text("both --percentile and --stature") : Text("no size"),
                       .expected = "one of --percentile and --stature"});
   }
   if (options.stature) request.stature = *options.stature;
@@ -138,8 +138,9 @@ void describe(const Figure& figure, const Posture& posture, bool measure, ordere
   document["measures"] = std::move(measures);
   document["center_of_mass"] = cli::toJson(com);
   document["balance_margin"] = supportPolygon(figure, feetOf(pose)).margin(glm::dvec2(com));
-  document["hands"] = {{"left", toJson(handPose(pose, Side::kLeft))}, {"right", toJson(handPose(pose, Side::kRight))}};
-  document["root"] = toJson(posture.X_WR);
+  document["hands"] = {{"left", figureJson(handPose(pose, Side::kLeft))},
+                       {"right", figureJson(handPose(pose, Side::kRight))}};
+  document["root"] = figureJson(posture.X_WR);
   auto& exceeded = document["limits_exceeded"] = ordered_json::array();
   for (const LimitViolation& violation : limitViolations(posture)) exceeded.push_back(english(textOf(violation)));
   if (!measure) return;
@@ -195,7 +196,7 @@ Expected<void> checkWords(const MannequinOptions& options) {
   if (known || pipe) return {};
   return makeError({.file = options.output,
                     .place = "--output",
-                    .found = ending.empty() ? "no ending" : "the ending '" + ending + "'",
+                    .found = ending.empty() ? Text("no ending") : Text("the ending '%1'", ending),
                     .expected = ".json (the posture), .obj (the body), .x3d (H-Anim) or .bvh (the motion)"});
 }
 

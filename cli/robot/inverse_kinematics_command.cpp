@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "cli/kit/result_writer.h"
 #include "cli/kit/robot_options.h"
 #include "cli/kit/timing.h"
 #include "cli/robot/robot_commands.h"
@@ -47,25 +47,23 @@ Expected<std::vector<double>> readStart(const InverseOptions& options, const Rob
   if (numbers.size() != robot.variables.size()) {
     return makeError(
         {.place = "--start",
-         .found = std::to_string(numbers.size()) + " numbers",
-         .expected = std::to_string(robot.variables.size()) + ", one for each joint that moves the tip, base first"});
+         .found = Text("%1 numbers", numbers.size()),
+         .expected = Text("%1, one for each joint that moves the tip, base first", robot.variables.size())});
   }
   for (std::size_t i = 0; i < numbers.size(); ++i) q[static_cast<std::size_t>(robot.variables[i])] = numbers[i];
   return q;
 }
 
 /// Told, not refused: zeros are beyond the limits of many robots, and the answers do not depend on it.
-std::vector<std::string> beyondLimits(const RobotWithTip& robot, const std::vector<double>& q) {
-  std::vector<std::string> warnings;
+std::vector<Text> beyondLimits(const RobotWithTip& robot, const std::vector<double>& q) {
+  std::vector<Text> warnings;
   for (const int variable : robot.variables) {
     const auto index = static_cast<std::size_t>(variable);
     const kinematics::Joint& joint = robot.model.joints[static_cast<std::size_t>(robot.model.moving[index])];
     constexpr double kRounding = 1e-6;
     if (q[index] >= joint.lower - kRounding && q[index] <= joint.upper + kRounding) continue;
-    std::ostringstream text;
-    text << "--start: joint '" << joint.name << "' at " << q[index] << " is beyond its limits of " << joint.lower
-         << " to " << joint.upper;
-    warnings.push_back(text.str());
+    warnings.push_back(Text("--start: joint '%1' at %2 is beyond its limits of %3 to %4", joint.name,
+                            shortNumber(q[index]), shortNumber(joint.lower), shortNumber(joint.upper)));
   }
   return warnings;
 }
@@ -115,9 +113,8 @@ Expected<Answer> solve(const InverseOptions& options) {
   HAPTICELL_TRY(poses);
   const auto start = readStart(options, *robot);
   HAPTICELL_TRY(start);
-  const std::vector<std::string> warnings =
-      options.start.empty() ? std::vector<std::string>{} : beyondLimits(*robot, *start);
-  for (const std::string& warning : warnings) warn(warning);
+  const std::vector<Text> warnings = options.start.empty() ? std::vector<Text>{} : beyondLimits(*robot, *start);
+  for (const Text& warning : warnings) warn(warning);
   const auto inverse = kinematics::createInverse(robot->model, robot->tip);
   HAPTICELL_TRY(inverse);
 

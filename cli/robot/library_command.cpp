@@ -21,7 +21,7 @@ ExitStatus run(const ResultWriter& writer) {
                       {"payload", sheet.payload > 0.0 ? ordered_json(sheet.payload) : ordered_json(nullptr)},
                       {"source", sheet.source}});
   }
-  for (const std::string& note : notes.warnings) warn(note);
+  for (const Text& note : notes.warnings) warn(note);
   const auto written = writer.write({{"robots", std::move(robots)}, {"warnings", notes.warnings}});
   if (written) return ExitStatus::kDone;
   report(written.error());

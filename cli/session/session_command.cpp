@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -13,6 +12,7 @@
 #include "cli/kit/server_address.h"
 #include "cli/session/session_commands.h"
 #include "cli/session/session_settings.h"
+#include "geometry/system/plain_number.h"
 #include "manipulation/session/local_server.h"
 #include "manipulation/session/session.h"
 #include "trajectory/files/trajectory_io.h"
@@ -46,10 +46,9 @@ struct SessionWords {
 Expected<void> readRates(const SessionWords& words, SessionOptions& options) {
   const auto within = [](const char* name, double value, double low, double high) -> Expected<void> {
     if (std::isfinite(value) && value >= low && value <= high) return {};
-    char range[64], found[32];
-    std::snprintf(range, sizeof range, "%g to %g", low, high);
-    std::snprintf(found, sizeof found, "%g", value);
-    return makeError({.place = name, .found = found, .expected = range});
+    return makeError({.place = Text(name),
+                      .found = shortNumber(value),
+                      .expected = Text("%1 to %2", shortNumber(low), shortNumber(high))});
   };
   options.rate_gui_hz = words.rate_gui.value_or(options.configuration.gui.rate_hz);
   options.latency_s = 1e-3 * words.latency_ms;
@@ -64,7 +63,7 @@ Expected<void> readDevice(const std::string& name, SessionOptions& options) {
   const auto file = config::findShippedFile("devices/" + name + ".toml");
   if (!file) {
     return makeError({.place = "--device",
-                      .found = "no simulated device is named '" + name + "'",
+                      .found = Text("no simulated device is named '%1'", name),
                       .expected = "phantom_desktop, touch, touch_x, premium or premium_6dof"});
   }
   const auto profile = config::readDeviceProfile(*file);
@@ -97,8 +96,9 @@ Expected<void> readRecording(const SessionWords& words, SessionOptions& options)
     recording.spacing.position = *words.record_distance;
   }
   if (!(recording.interval_s > 0.0) || !(recording.spacing.position > 0.0)) {
-    return makeError(
-        {"", "--record-interval, --record-distance", "a value that is not positive", "seconds, metres", ""});
+    return makeError({.place = "--record-interval, --record-distance",
+                      .found = "a value that is not positive",
+                      .expected = "seconds, metres"});
   }
   options.recording = recording;
   return {};
@@ -122,18 +122,15 @@ Expected<void> saveRecording(const SessionWords& words, const SessionReport& ses
 /// What was assumed of the hand path, and what of it no stylus of this kind can follow.
 void tellOfHand(const SessionWords& words, const SessionOptions& options) {
   constexpr double kStopsGive = 0.01;  // m
-  for (const std::string& sentence : options.hand.assumptions()) warn(words.hand + ": " + sentence + ".");
+  for (const auto& sentence : options.hand.assumptions()) warn(Text("%1: %2.", words.hand, sentence));
   double outside = 0.0;
   for (const haptic::HandSample& sample : options.hand.samples()) {
     const dvec3 over = glm::abs(sample.X_DH.p) - 0.5 * options.device.workspace;
     outside = std::max({outside, over.x, over.y, over.z});
   }
   if (outside < kStopsGive) return;
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(),
-                ": the path leaves the workspace of the %.60s by %.0f mm; its stops hold the stylus.",
-                options.device.name.c_str(), 1e3 * outside);
-  warn(words.hand + text.data());
+  warn(Text("%1: the path leaves the workspace of the %2 by %3 mm; its stops hold the stylus.", words.hand,
+            options.device.name.substr(0, 60), plainNumber(1e3 * outside, std::chars_format::fixed, 0)));
 }
 
 Expected<SessionOptions> readOptions(const SessionWords& words) {
@@ -144,7 +141,7 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
 
   Diagnostics diagnostics;
   const auto document = workcell::loadDocument(words.workcell, diagnostics);
-  for (const std::string& sentence : diagnostics.warnings) warn(sentence);
+  for (const Text& sentence : diagnostics.warnings) warn(sentence);
   HAPTICELL_TRY(document);
   const workcell::Document held(workcell::withAssemblyAsSolid(document->state(), words.entity));
   options.entities = held.snapshotEntities();
@@ -159,7 +156,7 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   for (const std::string& setting : words.set) {
     const std::string key = setting.substr(0, setting.find('='));
     if (!seen.insert(key).second)
-      return makeError({.place = "--set", .found = "'" + key + "' twice", .expected = "each key once"});
+      return makeError({.place = "--set", .found = Text("'%1' twice", key), .expected = "each key once"});
     HAPTICELL_TRY(applySessionSetting(setting, options));
   }
   HAPTICELL_TRY(readRates(words, options));
@@ -306,7 +303,7 @@ ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writ
   if (!words.trace.empty()) trace = [&](const manipulation::TraceRow& row) { appendRow(rows, row); };
   const auto session = runAsAsked(words, *options, trace);
   if (!session) return failed(session.error());
-  for (const std::string& sentence : session->notices) warn(sentence);
+  for (const auto& sentence : session->notices) warn(sentence);
   if (!words.trace.empty()) {
     if (const auto written = writeFileAtomically(words.trace, rows); !written) return failed(written.error());
   }

@@ -81,8 +81,9 @@ Expected<void> applySessionSetting(const std::string& setting, SessionOptions& o
     return manipulation::setLocks(options.moved_by, *locks);
   }
   if (!isConfigurationKey(key, options)) {
-    return makeError(
-        {.place = "--set", .found = "no key is named '" + key + "'", .expected = "one of " + knownKeys(options)});
+    return makeError({.place = "--set",
+                      .found = Text("no key is named '%1'", key),
+                      .expected = Text("one of %1", knownKeys(options))});
   }
   return config::setValue(options.configuration, key, value);
 }

@@ -22,7 +22,7 @@ Expected<std::string> trajectoryText(const Trajectory& trajectory, const std::st
   if (extension == ".htraj" || extension == ".json") return toJsonText(trajectory);
   return makeError({.file = path,
                     .place = "--output",
-                    .found = "the extension '" + extension + "'",
+                    .found = Text("the extension '%1'", extension),
                     .expected = ".htraj, .json or .csv",
                     .fix = "Use trajectory export for other formats."});
 }

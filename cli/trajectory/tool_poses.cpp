@@ -28,8 +28,9 @@ Expected<ToolPoses> ToolPoses::create(const std::string& name, const Trajectory&
     if (at == names.end() && joint == "q" + std::to_string(j + 1) && j < names.size())
       at = names.begin() + static_cast<std::ptrdiff_t>(j);
     if (at == names.end())
-      return makeError(
-          {.place = "joint '" + joint + "'", .found = "the robot has no such joint", .expected = "its joints' names"});
+      return makeError({.place = Text("joint '%1'", joint),
+                        .found = "the robot has no such joint",
+                        .expected = "its joints' names"});
     tool.columns_.push_back(static_cast<std::size_t>(robot->variables[static_cast<std::size_t>(at - names.begin())]));
   }
   tool.robot_ = std::make_shared<const RobotWithTip>(std::move(*robot));

@@ -87,7 +87,7 @@ Expected<std::vector<std::shared_ptr<const trajectory::Trajectory>>> motionsToge
 Expected<Cell> cellFor(const trajectory::Trajectory& trajectory, const TrajectoryCheckOptions& options) {
   Diagnostics notes;
   auto document = workcell::loadDocument(options.workcell, notes);
-  for (const std::string& note : notes.warnings) warn(note);
+  for (const Text& note : notes.warnings) warn(note);
   HAPTICELL_TRY(document);
   auto path = pathOptions(options, trajectory);
   HAPTICELL_TRY(path);

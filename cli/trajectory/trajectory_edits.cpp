@@ -52,8 +52,9 @@ Made one(Expected<Trajectory> made) {
 Expected<Pose> poseOf(const std::vector<double>& v) {
   const dquat q = v.size() == 7 ? dquat(v[3], v[4], v[5], v[6]) : dquat(0.0, 0.0, 0.0, 0.0);
   if (v.size() != 7 || !(std::abs(glm::length(q) - 1.0) < 1e-3)) {
-    return makeError(
-        {"", "--pose", std::to_string(v.size()) + " numbers, or not a unit quaternion", "x,y,z,qw,qx,qy,qz", ""});
+    return makeError({.place = "--pose",
+                      .found = Text("%1 numbers, or not a unit quaternion", v.size()),
+                      .expected = "x,y,z,qw,qx,qy,qz"});
   }
   return Pose{{v[0], v[1], v[2]}, glm::normalize(q)};
 }
@@ -110,8 +111,7 @@ Made reorderPoints(const Trajectory& given, const EditOptions& o) {
 }
 Expected<trajectory::StraightWay> wayOf(const EditOptions& o) {
   if (o.direction.size() != 3)
-    return makeError(
-        {.place = "--direction", .found = std::to_string(o.direction.size()) + " numbers", .expected = "x,y,z"});
+    return makeError({.place = "--direction", .found = Text("%1 numbers", o.direction.size()), .expected = "x,y,z"});
   return trajectory::StraightWay{o.length, {o.direction[0], o.direction[1], o.direction[2]}, o.speed};
 }
 Made approach(const Trajectory& given, const EditOptions& o) {
@@ -222,7 +222,7 @@ Expected<void> saveTrajectory(const Trajectory& trajectory, const std::string& p
   if (extension == ".htraj" || extension == ".json") return writeFileAtomically(path, toJsonText(trajectory));
   return makeError({.file = path,
                     .place = "--output",
-                    .found = "the extension '" + extension + "'",
+                    .found = Text("the extension '%1'", extension),
                     .expected = ".htraj, .json or .csv",
                     .fix = "Use trajectory export for other formats."});
 }

@@ -110,8 +110,9 @@ Expected<void> exportAsProgram(const Trajectory& given, const TrajectoryOptions&
                                std::vector<std::string>& notes, ordered_json& result) {
   const auto format = programFormats().find(options.to);
   if (format == programFormats().end()) {
-    return makeError(
-        {"", "--to", "'" + options.to + "'", "csv, json, ros, krl, rapid, fanuc, urscript, val3 or inform", ""});
+    return makeError({.place = "--to",
+                      .found = "'" + options.to + "'",
+                      .expected = "csv, json, ros, krl, rapid, fanuc, urscript, val3 or inform"});
   }
   trajectory::ProgramOptions program = options.program;
   if (program.name.empty()) program.name = fs::path(options.output).stem().string();

@@ -22,9 +22,8 @@ constexpr std::array<double, 2> kSolidSpeed{0.5, 2.0};  ///< m/s, rad/s, assumed
 Expected<std::vector<double>> spread(const std::vector<double>& given, std::size_t count, const char* option) {
   if (given.size() == 1) return std::vector<double>(count, given.front());
   if (given.size() != count) {
-    return makeError({.place = option,
-                      .found = std::to_string(given.size()) + " numbers",
-                      .expected = "one, or " + std::to_string(count)});
+    return makeError(
+        {.place = Text(option), .found = Text("%1 numbers", given.size()), .expected = Text("one, or %1", count)});
   }
   return given;
 }
@@ -39,11 +38,11 @@ Expected<std::vector<double>> speedsOf(const RobotWithTip& robot, const Trajecto
     if (index < 0 && name == "q" + std::to_string(j + 1) && j < names.size()) index = robot.model.findJoint(names[j]);
     if (index < 0)
       return makeError(
-          {.place = "joint '" + name + "'", .found = "the robot has no such joint", .expected = "its joints' names"});
+          {.place = Text("joint '%1'", name), .found = "the robot has no such joint", .expected = "its joints' names"});
     const double speed = robot.model.joints[static_cast<std::size_t>(index)].velocity;
     if (!(speed > 0.0)) {
       return makeError(
-          {.place = "joint '" + name + "'", .found = "the robot file gives no speed", .expected = "--velocity"});
+          {.place = Text("joint '%1'", name), .found = "the robot file gives no speed", .expected = "--velocity"});
     }
     speeds.push_back(speed);
   }

@@ -114,7 +114,7 @@ Expected<manipulation::SessionOptions> sessionOf(const TrainingOptions& options,
   }
   auto hand = haptic::readHandPath(options.hand);
   HAPTICELL_TRY(hand);
-  for (const std::string& sentence : hand->assumptions()) warn(options.hand + ": " + sentence + ".");
+  for (const auto& sentence : hand->assumptions()) warn(Text("%1: %2.", options.hand, sentence));
   session.hand = std::move(*hand);
   session.axes.mode = manipulation::AxesMode::kCell;
   session.scale = {manipulation::ScaleLevel::kNumber, options.scale};
@@ -150,9 +150,11 @@ Expected<ordered_json> train(const TrainingOptions& options) {
   const bool led = *kind == trajectory::RunKind::kPractice;
   const bool practised = book.count(trajectory::RunKind::kPractice) > 0;
   if (!led && practised != (*kind == trajectory::RunKind::kRetention))
-    return makeError(
-        {options.results, "--kind", options.kind,
-         practised ? "retention: this exercise was practised" : "transfer: this exercise was not practised", ""});
+    return makeError({.file = options.results,
+                      .place = "--kind",
+                      .found = options.kind,
+                      .expected = practised ? Text("retention: this exercise was practised")
+                                            : Text("transfer: this exercise was not practised")});
   double help = 0.0;
   if (led) help = options.help >= 0.0 ? std::min(1.0, options.help) : book.nextHelp();
   const manipulation::TrainingRun scorer(*exercise, *expert, help);

@@ -52,7 +52,7 @@ Expected<void> hang(workcell::EntityId id, const Addition& addition, workcell::D
   if (carrier == nullptr) {
     return makeError({.file = "--add " + addition.what,
                       .place = "on",
-                      .found = "no entity is named '" + addition.on + "'",
+                      .found = Text("no entity is named '%1'", addition.on),
                       .expected = "NAME or NAME:LINK of an entity that was added before"});
   }
   const std::string link = whole ? "" : addition.on.substr(colon + 1);
@@ -70,7 +70,7 @@ Expected<void> addEntity(const std::string& text, workcell::EntityLoader& loader
   if (!addition->name.empty()) {
     if (document.findByName(addition->name)) {
       return makeError({.file = "--add " + text,
-                        .found = "the name '" + addition->name + "' is taken",
+                        .found = Text("the name '%1' is taken", addition->name),
                         .expected = "a unique name"});
     }
     nameImported(addition->name, imported->entities);
@@ -87,8 +87,9 @@ Expected<void> addCheck(const std::string& text, workcell::Document& document) {
     for (const std::string& name : *side) {
       if (document.findByName(name) != nullptr) continue;
       const std::string known = listed(document.state().entities, [](const auto& entity) { return entity->name; });
-      return makeError(
-          {.place = "--check " + text, .found = "no entity is named '" + name + "'", .expected = "one of " + known});
+      return makeError({.place = Text("--check %1", text),
+                        .found = Text("no entity is named '%1'", name),
+                        .expected = Text("one of %1", known)});
     }
   }
   set->name = "Set " + std::to_string(document.state().pair_sets.size() + 1);
@@ -126,7 +127,7 @@ ExitStatus runNew(const NewOptions& options, const ResultWriter& writer) {
   Diagnostics notes;
   auto document = makeDocument(options, notes);
   if (!document) return failed(document.error());
-  for (const std::string& note : notes.warnings) warn(note);
+  for (const Text& note : notes.warnings) warn(note);
   if (auto saved = workcell::saveDocument(*document, options.file); !saved) return failed(saved.error());
   ordered_json names = ordered_json::array();
   for (const auto& entity : document->state().entities) names.push_back(entity->name);

@@ -44,7 +44,7 @@ Expected<std::pair<workcell::DocumentState, workcell::DocumentState>> comparedSt
 }
 
 ExitStatus finish(const Expected<ordered_json>& result, const Diagnostics& notes, const ResultWriter& writer) {
-  for (const std::string& note : notes.warnings) warn(note);
+  for (const Text& note : notes.warnings) warn(note);
   const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
   if (written) return ExitStatus::kDone;
   report(written.error());
@@ -62,10 +62,10 @@ Expected<ordered_json> pack(const PackOptions& options, Diagnostics& notes) {
   ordered_json outside = ordered_json::array();
   for (const fs::path& file : packed->outside) outside.push_back(file.string());
   if (!packed->isWritten()) {
-    for (const fs::path& file : packed->outside) notes.warn("outside: " + file.string());
+    for (const fs::path& file : packed->outside) notes.warn(Text("outside: %1", file.string()));
     return makeError({.file = options.file,
-                      .found = std::to_string(packed->outside.size()) + " files are outside its folder",
-                      .expected = "files in " + scope.folder.string(),
+                      .found = Text("%1 files are outside its folder", packed->outside.size()),
+                      .expected = Text("files in %1", scope.folder.string()),
                       .fix = "Nothing was written. A workcell from someone else can name any file of this machine. "
                              "Check the list, then pack with --allow-outside, or move the files into the folder."});
   }
@@ -78,7 +78,7 @@ Expected<ordered_json> pack(const PackOptions& options, Diagnostics& notes) {
 Expected<ordered_json> changes(const ChangesOptions& options, Diagnostics& notes) {
   if (options.since_import != options.after.empty()) {
     return makeError({.place = "the command line",
-                      .found = options.since_import ? "a second document" : "one document",
+                      .found = options.since_import ? Text("a second document") : Text("one document"),
                       .expected = "two documents, or one with --since-import"});
   }
   const auto states = comparedStates(options, notes);

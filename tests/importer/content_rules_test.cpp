@@ -9,9 +9,9 @@
 
 #include "tests/importer/model_texts.h"
 #include "tests/support/test_data.h"
-#include "workcell/text/file_content.h"
 #include "workcell/scenes/import_scene.h"
 #include "workcell/scenes/sdf_cell_reader.h"
+#include "workcell/text/file_content.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -31,9 +31,9 @@ std::string listOf(const FormatRules& format, Treatment treatment) {
   return text;
 }
 
-bool tells(const std::vector<std::string>& warnings, std::string_view element) {
+bool tells(const std::vector<Text>& warnings, std::string_view element) {
   return std::any_of(warnings.begin(), warnings.end(),
-                     [&](const std::string& warning) { return warning.starts_with(std::string(element) + " ("); });
+                     [&](const Text& warning) { return english(warning).starts_with(std::string(element) + " ("); });
 }
 
 TEST(ContentRules, ThePageShowsWhatTheReadersDo) {
@@ -54,22 +54,24 @@ TEST(ContentRules, ThePageShowsWhatTheReadersDo) {
 TEST(ContentRules, EveryElementOfAnSdfFileIsTreatedAsListed) {
   test::TemporaryFolder folder;
   const std::string box = "<geometry><box><size>1 1 1</size></box></geometry>";
-  folder.write("models/crate/model.sdf",
-               "<sdf version='1.7'><model name='crate'><link name='l'><visual name='v'>" + box + "</visual></link></model></sdf>");
-  folder.write("m.stl", "solid m\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
-                        "endfacet\nendsolid m\n");
+  folder.write("models/crate/model.sdf", "<sdf version='1.7'><model name='crate'><link name='l'><visual name='v'>" +
+                                             box + "</visual></link></model></sdf>");
+  folder.write("m.stl",
+               "solid m\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+               "endfacet\nendsolid m\n");
   const std::string whole =
       "<sdf version='1.9'><world name='w'><model name='m'><link name='l'><visual name='v'>" + box +
       "<material><diffuse>1 0 0 1</diffuse></material></visual><collision name='c'>" + box +
       "</collision><visual name='w'><geometry><mesh><uri>m.stl</uri></mesh></geometry></visual></link><link name='k'/>"
-      "<joint name='j' type='universal'><parent>l</parent><child>k</child><axis><xyz>1 0 0</xyz><limit><lower>-1</lower>"
+      "<joint name='j' type='universal'><parent>l</parent><child>k</child><axis><xyz>1 0 "
+      "0</xyz><limit><lower>-1</lower>"
       "<upper>1</upper></limit></axis><axis2><xyz>0 1 0</xyz></axis2></joint></model><include><uri>model://crate</uri>"
       "</include></world></sdf>";
   const auto told = [&](const std::string& text) {
     auto scene = readSdfCell(folder.write("cell.sdf", text), nullptr);
     EXPECT_TRUE(scene) << scene.error().message();
-    std::vector<std::string> warnings = scene ? scene->warnings : std::vector<std::string>{};
-    std::erase_if(warnings, [](const std::string& w) { return w.find("joints that move") != std::string::npos; });
+    std::vector<Text> warnings = scene ? scene->warnings : std::vector<Text>{};
+    std::erase_if(warnings, [](const Text& w) { return english(w).find("joints that move") != std::string::npos; });
     return warnings;
   };
   EXPECT_TRUE(told(whole).empty());
@@ -83,7 +85,8 @@ TEST(ContentRules, EveryElementOfAnSdfFileIsTreatedAsListed) {
     const std::string child = "<" + std::string(rule.element.substr(parent.size() + 1)) + "/>";
     // A shape that is not read takes the place of one that is, or it would be a second one of the same body.
     if (parent == "geometry") {
-      all.insert(all.find("</link>"), "<visual name='" + std::to_string(tried) + "'><geometry>" + child + "</geometry></visual>");
+      all.insert(all.find("</link>"),
+                 "<visual name='" + std::to_string(tried) + "'><geometry>" + child + "</geometry></visual>");
     } else {
       all.insert(all.find(end), child);
     }
@@ -96,7 +99,7 @@ TEST(ContentRules, EveryElementOfAnSdfFileIsTreatedAsListed) {
   EXPECT_EQ(warnings.size(), reported.size());
   const auto unknown = told(std::string(whole).insert(whole.find("</link>"), "<wing/><my:own/>"));
   ASSERT_EQ(unknown.size(), 1u);
-  EXPECT_THAT(unknown[0], HasSubstr("link/wing (not known to this reader)"));
+  EXPECT_THAT(english(unknown[0]), HasSubstr("link/wing (not known to this reader)"));
 }
 
 TEST(ContentRules, EveryExtensionOfGltfIsTreatedAsListed) {

@@ -57,7 +57,7 @@ TEST_F(DocumentFiles, WhatCannotBeReadIsKeptAndSavedAsItWas) {
   EXPECT_FALSE(loadDocument(file(), notes_));
   auto document = loadDocument(file(), notes_, {.keep_unloaded = true});
   ASSERT_TRUE(document) << document.error().message();
-  EXPECT_THAT(notes_.warnings.at(0), HasSubstr("a.obj"));
+  EXPECT_THAT(english(notes_.warnings.at(0)), HasSubstr("a.obj"));
   EXPECT_TRUE(document->findByName("a")->unloaded);
   EXPECT_TRUE(document->findByName("b")->mesh);
   EXPECT_EQ(documentText(document->state(), folder_.path()), text);
@@ -189,7 +189,7 @@ TEST_F(DocumentFiles, APackHasWhatItsFilesName) {
   notes_.warnings.clear();
   const auto again = loadDocument(pack / "cell.hcell", notes_);
   ASSERT_TRUE(again) << again.error().message();
-  EXPECT_TRUE(notes_.warnings.empty()) << notes_.warnings.front();
+  EXPECT_TRUE(notes_.warnings.empty()) << english(notes_.warnings.front());
   EntityLoader loader(pack);
   const auto tree = loader.loadTree(again->findByName("green")->source.path, {}, notes_);
   ASSERT_TRUE(tree);
@@ -244,7 +244,7 @@ TEST_F(DocumentFiles, WhatWasOpenedWithoutItsFileIsPackedWithout) {
   const auto report = packDocument(document->state(), folder_.path() / "pack", "cell.hcell", {folder_.path()}, notes_);
   ASSERT_TRUE(report) << report.error().message();
   EXPECT_EQ(report->copied, std::vector<std::string>{"files/b.obj"});
-  EXPECT_THAT(notes_.warnings.at(0), HasSubstr("entity 'a' is packed without its file"));
+  EXPECT_THAT(english(notes_.warnings.at(0)), HasSubstr("entity 'a' is packed without its file"));
 }
 
 TEST_F(DocumentFiles, ChangesTellWhatMovedAndHowFar) {

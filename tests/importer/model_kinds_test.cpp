@@ -372,8 +372,8 @@ TEST_F(ModelKinds, EveryElementOfA3mfIsTreatedAsListed) {
   const auto scene = package(model("xmlns:x='http://schemas.example/all'", box, "<item objectid='1'/>"));
   EXPECT_EQ(scene.warnings.size(), reported.size());
   for (const std::string& element : reported) {
-    const bool told = std::any_of(scene.warnings.begin(), scene.warnings.end(), [&](const std::string& warning) {
-      return warning.find(element) != std::string::npos && warning.find("'box'") != std::string::npos;
+    const bool told = std::any_of(scene.warnings.begin(), scene.warnings.end(), [&](const Text& warning) {
+      return english(warning).find(element) != std::string::npos && english(warning).find("'box'") != std::string::npos;
     });
     EXPECT_TRUE(told) << element;
   }
@@ -421,8 +421,8 @@ TEST_F(ModelKinds, RawBytesInStepNamesAreGuessedAndTold) {
         Written{"\xE2\x9E\x91\xCC\x95\x94\x95\x69", "\xE7\xAD\x90\xE4\xBD\x93\xE9\x83\xA8\xE5\x93\x81", "Shift-JIS"},
         Written{"Geh\xC3\xA4use", "Geh\xC3\xA4use", ""}}) {
     const auto scene = read("a.step", stepOf(w.bytes));
-    const bool told = std::any_of(scene.warnings.begin(), scene.warnings.end(), [&](const std::string& warning) {
-      return *w.told != '\0' && warning.find(w.told) != std::string::npos;
+    const bool told = std::any_of(scene.warnings.begin(), scene.warnings.end(), [&](const Text& warning) {
+      return *w.told != '\0' && english(warning).find(w.told) != std::string::npos;
     });
     EXPECT_EQ(told, *w.told != '\0') << w.name;
     EXPECT_TRUE(hasNode(scene, w.name)) << w.name;
@@ -440,12 +440,12 @@ TEST_F(ModelKinds, WhatAStepFileHoldsBesideItsShapesIsTreatedAsListed) {
   const auto silent = read("a.step", with("#90001=PRESENTATION_LAYER_ASSIGNMENT('l','',(#1));\n"
                                           "#90002=DESCRIPTIVE_REPRESENTATION_ITEM('material','steel');\n"
                                           "#90003=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.),#1);\n"));
-  EXPECT_TRUE(silent.warnings.empty()) << silent.warnings.front();
+  EXPECT_TRUE(silent.warnings.empty()) << english(silent.warnings.front());
   const auto told =
       read("a.step", with("#90004=TESSELLATED_SOLID('',(#1),$);\n#90005=KINEMATIC_JOINT('',#1,#1);\n", "Geh\xE4use"));
   for (const char* words : {"Latin-1", "tessellated", "joints"}) {
-    const bool is_told = std::any_of(told.warnings.begin(), told.warnings.end(), [&](const std::string& warning) {
-      return warning.find(words) != std::string::npos;
+    const bool is_told = std::any_of(told.warnings.begin(), told.warnings.end(), [&](const Text& warning) {
+      return english(warning).find(words) != std::string::npos;
     });
     EXPECT_TRUE(is_told) << words;
   }

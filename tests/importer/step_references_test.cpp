@@ -55,7 +55,7 @@ TEST(StepReferences, APartThatIsNotThereIsToldAndTheRestComes) {
   const auto scene = readScene(folder.path() / "fixture.step", {}, nullptr);
   ASSERT_TRUE(scene) << scene.error().message();
   std::string told;
-  for (const std::string& warning : scene->warnings) told += warning + "\n";
+  for (const Text& warning : scene->warnings) told += english(warning) + "\n";
   EXPECT_THAT(told, HasSubstr("pin"));
   fs::remove(folder.path() / "part_plate.stp");
   const auto none = readScene(folder.path() / "fixture.step", {}, nullptr);

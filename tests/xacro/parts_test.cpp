@@ -48,7 +48,7 @@ std::string faultOf(const Work& work) {
   try {
     work();
   } catch (const Fault& fault) {
-    return fault.found.empty() ? "?" : fault.found;
+    return fault.found.empty() ? "?" : english(fault.found);
   }
   return {};
 }
@@ -57,7 +57,7 @@ std::string faultOf(const Work& work) {
 class OneFile final : public Surroundings {
  public:
   std::string yaml;
-  std::vector<std::string> warnings;
+  std::vector<Text> warnings;
   Value substitution(const std::string& words, Scope&) override { return "<" + words + ">"; }
   std::string readText(const std::string& reference, std::string& file) override {
     file = "/" + reference;
@@ -65,7 +65,7 @@ class OneFile final : public Surroundings {
   }
   std::string absoluteName(const std::string& reference) override { return "/" + reference; }
   Value argument(const std::string& name) override { return "argument " + name; }
-  void warn(const std::string& sentence) override { warnings.push_back(sentence); }
+  void warn(const Text& sentence) override { warnings.push_back(sentence); }
 };
 
 class XacroParts : public ::testing::Test {
@@ -105,7 +105,7 @@ TEST_F(XacroParts, APlaceOnAStackIsGivenBackWhateverIsThrown) {
   const std::string fault = faultOf([&] {
     const Pushed<int> one(stack, 1), two(stack, 2);
     EXPECT_THAT(stack, ElementsAre(1, 2));
-    throw Fault("x");
+    throw Fault{.found = "x"};
   });
   EXPECT_EQ(fault, "x");
   EXPECT_TRUE(stack.empty());
@@ -139,7 +139,7 @@ TEST_F(XacroParts, TruthEqualityAndOrderArePythons) {
   EXPECT_GT(compare(2, 1.5, budget_), 0);
   EXPECT_NE(faultOf([&] { (void)compare(1, "a", budget_); }), "");
   EXPECT_EQ(depthOf(makeList({makeList({1}, budget_)}, budget_)), 2);
-  EXPECT_STREQ(kindOf("x"), "a text");
+  EXPECT_EQ(kindOf("x"), Text("a text"));
 }
 
 TEST_F(XacroParts, ExpressionsAreSplitIntoWords) {
@@ -343,7 +343,7 @@ TEST_F(XacroCalls, AFileIsReadOnceAndKnowsItsFolder) {
   EXPECT_EQ(sources_.textOf("sizes.txt", file), "12");
   EXPECT_EQ(file, "/robots/sizes.txt");
   EXPECT_NE(faultOf([&] { (void)sources_.textOf("lost.txt", file); }), "");
-  EXPECT_THAT(notFound("lost.txt").found, HasSubstr("lost.txt"));
+  EXPECT_THAT(english(notFound("lost.txt").found), HasSubstr("lost.txt"));
 }
 
 TEST_F(XacroCalls, ACallGivesItsParametersValues) {
