@@ -34,9 +34,9 @@ Expected<trajectory::ProgramReadOptions> programReadOptions(const std::string& r
 }
 
 Expected<trajectory::Trajectory> readMotionFile(const std::string& file, const std::string& robot,
-                                                std::vector<std::string>* notes) {
-  std::vector<std::string> told;
-  std::vector<std::string>& into = notes ? *notes : told;
+                                                std::vector<Text>* notes) {
+  std::vector<Text> told;
+  std::vector<Text>& into = notes ? *notes : told;
   Expected<trajectory::Trajectory> motion = trajectory::Trajectory{};
   if (!robot.empty() && trajectory::isProgramFile(file)) {
     const auto options = programReadOptions(robot);
@@ -48,7 +48,7 @@ Expected<trajectory::Trajectory> readMotionFile(const std::string& file, const s
   } else {
     motion = trajectory::readTrajectory(file, &into);
   }
-  for (const std::string& note : told) warn(note);
+  for (const Text& note : told) warn(english(note));
   return motion;
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geometry/system/error.h"
-#include "trajectory/programs/reading/program_reader.h"
 #include "trajectory/motion/trajectory.h"
+#include "trajectory/programs/reading/program_reader.h"
 
 namespace hapticell::cli {
 
@@ -17,6 +17,6 @@ Expected<trajectory::ProgramReadOptions> programReadOptions(const std::string& r
 /// Reads a motion from any file that motions are read from. What was assumed or left out goes to `notes`, or to
 /// standard error if there are no notes. `robot` (may be empty) is for targets of programs that are given by joints.
 Expected<trajectory::Trajectory> readMotionFile(const std::string& file, const std::string& robot = {},
-                                                std::vector<std::string>* notes = nullptr);
+                                                std::vector<Text>* notes = nullptr);
 
 }  // namespace hapticell::cli

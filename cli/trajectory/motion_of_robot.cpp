@@ -30,7 +30,7 @@ Expected<std::string> trajectoryText(const Trajectory& trajectory, const std::st
 }  // namespace
 
 Expected<MotionOfRobot> withRobot(const Trajectory& given, const TrajectoryOptions& options,
-                                  std::vector<std::string>& assumptions) {
+                                  std::vector<Text>& assumptions) {
   MotionOfRobot result{given, {}};
   if (options.limits.robot.empty() || !given.hasJoints()) return result;
   auto tool = ToolPoses::create(options.limits.robot, given);

@@ -25,7 +25,7 @@ struct MotionOfRobot {
 
 /// What was assumed goes to `assumptions`. Errors: a robot that cannot be read or has other joints.
 Expected<MotionOfRobot> withRobot(const trajectory::Trajectory& given, const TrajectoryOptions& options,
-                                  std::vector<std::string>& assumptions);
+                                  std::vector<Text>& assumptions);
 
 /// `promises`, and with the robot that every pose in the file `written` is where the joints of its frame put the tool
 /// (1e-6 m, rad), or says that it is not.

@@ -62,7 +62,7 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
         options->notes.clear();
         const auto given = readMotionFile(options->file, options->limits.robot, &options->notes);
         if (handler != trajectoryInfo && handler != exportTrajectory)
-          for (const std::string& note : options->notes) warn(note);
+          for (const Text& note : options->notes) warn(english(note));
         return given ? finishTrajectory(writer, handler(*given, *options)) : failed(given.error());
       };
     });

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/kit/result_writer.h"
 #include "cli/trajectory/motion_of_robot.h"
 #include "cli/trajectory/trajectory_report.h"
 #include "geometry/system/scratch_folder.h"
@@ -35,11 +36,11 @@ const std::map<std::string, trajectory::ProgramFormat>& programFormats() {
 
 /// Controllers look for a program under its own name.
 void noteFileName(const std::string& name, const std::string& file, trajectory::ProgramFormat format,
-                  std::vector<std::string>& notes) {
+                  std::vector<Text>& notes) {
   using trajectory::ProgramFormat;
   const bool is_found_by_name = format != ProgramFormat::kUrScript && format != ProgramFormat::kRapid;
   if (is_found_by_name && !sameButForCase(name, file))
-    notes.push_back("On the controller the file must be named '" + name + "', as its program.");
+    notes.push_back(Text("On the controller the file must be named '%1', as its program.", name));
 }
 
 /// What stands in the program's files on the disk, written aside, of which nothing is left.
@@ -106,8 +107,8 @@ Expected<void> exportText(const Trajectory& given, const TrajectoryOptions& opti
 }
 
 /// As a robot's program.
-Expected<void> exportAsProgram(const Trajectory& given, const TrajectoryOptions& options,
-                               std::vector<std::string>& notes, ordered_json& result) {
+Expected<void> exportAsProgram(const Trajectory& given, const TrajectoryOptions& options, std::vector<Text>& notes,
+                               ordered_json& result) {
   const auto format = programFormats().find(options.to);
   if (format == programFormats().end()) {
     return makeError({.place = "--to",
@@ -136,7 +137,7 @@ Expected<void> exportAsProgram(const Trajectory& given, const TrajectoryOptions&
 }  // namespace
 
 Expected<ordered_json> exportTrajectory(const Trajectory& file, const TrajectoryOptions& options) {
-  std::vector<std::string> notes = options.notes;
+  std::vector<Text> notes = options.notes;
   const auto with = withRobot(file, options, notes);
   HAPTICELL_TRY(with);
   const Trajectory& given = with->motion;

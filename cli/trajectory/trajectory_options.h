@@ -26,7 +26,7 @@ struct TrajectoryOptions {
   std::string to;
   trajectory::ProgramOptions program;
   TrajectoryCheckOptions check;
-  std::vector<std::string> notes;  ///< Of reading the file.
+  std::vector<Text> notes;  ///< Of reading the file.
 };
 
 }  // namespace hapticell::cli

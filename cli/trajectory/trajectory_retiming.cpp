@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/kit/result_writer.h"
 #include "cli/trajectory/motion_of_robot.h"
 #include "cli/trajectory/trajectory_report.h"
 #include "manipulation/checks/kept_free.h"
@@ -21,7 +22,7 @@ using nlohmann::ordered_json;
 using trajectory::Trajectory;
 
 Expected<trajectory::RetimingOptions> retimingOf(const Trajectory& given, const TrajectoryOptions& options,
-                                                 std::vector<std::string>& assumptions) {
+                                                 std::vector<Text>& assumptions) {
   trajectory::RetimingOptions retiming;
   retiming.sample_s = options.sample;
   retiming.speed = options.speed;
@@ -63,7 +64,7 @@ ordered_json retimingJson(const trajectory::Retimed& made) {
 }  // namespace
 
 Expected<ordered_json> retimeTrajectory(const Trajectory& file, const TrajectoryOptions& options) {
-  std::vector<std::string> assumptions;
+  std::vector<Text> assumptions;
   const auto with = withRobot(file, options, assumptions);
   HAPTICELL_TRY(with);
   const Trajectory& given = with->motion;

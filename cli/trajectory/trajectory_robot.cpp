@@ -50,7 +50,7 @@ Expected<std::vector<double>> speedsOf(const RobotWithTip& robot, const Trajecto
 }
 
 Expected<std::vector<double>> velocitiesFor(const Trajectory& trajectory, const RobotLimitOptions& options,
-                                            std::vector<std::string>& assumptions) {
+                                            std::vector<Text>& assumptions) {
   const std::size_t count = trajectory.hasJoints() ? trajectory.joint_names.size() : 6;
   if (!options.velocity.empty()) return spread(options.velocity, count, "--velocity");
   if (!trajectory.hasJoints()) {
@@ -69,7 +69,7 @@ Expected<std::vector<double>> velocitiesFor(const Trajectory& trajectory, const 
 }  // namespace
 
 Expected<trajectory::MotionLimits> limitsFor(const Trajectory& trajectory, const RobotLimitOptions& options,
-                                             std::vector<std::string>& assumptions) {
+                                             std::vector<Text>& assumptions) {
   trajectory::MotionLimits limits;
   auto velocity = velocitiesFor(trajectory, options, assumptions);
   HAPTICELL_TRY(velocity);
@@ -92,13 +92,13 @@ Expected<trajectory::MotionLimits> limitsFor(const Trajectory& trajectory, const
 
 Expected<void> addConfigurations(const Trajectory& trajectory, const std::string& robot_name,
                                  trajectory::ProgramFormat format, trajectory::ProgramOptions& program,
-                                 std::vector<std::string>& notes) {
+                                 std::vector<Text>& notes) {
   using trajectory::ProgramFormat;
   const bool has_flags =
       format == ProgramFormat::kKrl || format == ProgramFormat::kRapid || format == ProgramFormat::kFanuc;
   if (!has_flags || !trajectory.hasJoints()) return {};
   if (robot_name.empty()) {
-    notes.push_back("No --robot: configuration data are the format's defaults; check them on the controller.");
+    notes.push_back(Text("No --robot: configuration data are the format's defaults; check them on the controller."));
     return {};
   }
   const auto robot = readRobotWithTip(robot_name, "");
@@ -106,7 +106,7 @@ Expected<void> addConfigurations(const Trajectory& trajectory, const std::string
   const auto chain = kinematics::Chain::create(robot->model, robot->tip, Pose::identity());
   HAPTICELL_TRY(chain);
   if (chain->size() != 6) {
-    notes.push_back("The robot has no six-axis configuration; configuration data are the format's defaults.");
+    notes.push_back(Text("The robot has no six-axis configuration; configuration data are the format's defaults."));
     return {};
   }
   const auto shared = std::make_shared<const kinematics::Chain>(*chain);

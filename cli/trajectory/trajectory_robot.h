@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "geometry/system/error.h"
+#include "trajectory/motion/trajectory.h"
 #include "trajectory/programs/writing/program_export.h"
 #include "trajectory/timing/time_optimal.h"
-#include "trajectory/motion/trajectory.h"
 
 namespace hapticell::cli {
 
@@ -20,12 +20,12 @@ struct RobotLimitOptions {
 /// Limits for each joint of the trajectory (for one without joints: x, y, z and the rotation about them). What nobody
 /// gave is assumed and said in `assumptions`.
 Expected<trajectory::MotionLimits> limitsFor(const trajectory::Trajectory& trajectory, const RobotLimitOptions& options,
-                                             std::vector<std::string>& assumptions);
+                                             std::vector<Text>& assumptions);
 
 /// Gives `program` the configuration data of `robot` in the notation of `format`, and adds a note to `notes` if there
 /// are no such data. Does nothing without a robot or without joints.
 Expected<void> addConfigurations(const trajectory::Trajectory& trajectory, const std::string& robot,
                                  trajectory::ProgramFormat format, trajectory::ProgramOptions& program,
-                                 std::vector<std::string>& notes);
+                                 std::vector<Text>& notes);
 
 }  // namespace hapticell::cli

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/kit/result_writer.h"
 #include "cli/trajectory/motion_of_robot.h"
 #include "cli/trajectory/trajectory_report.h"
 #include "trajectory/checks/motion_measures.h"
@@ -68,7 +69,7 @@ Expected<ordered_json> simplifyTrajectory(const Trajectory& given, const Traject
 Expected<ordered_json> smoothTrajectory(const Trajectory& file, const TrajectoryOptions& options) {
   const auto tolerance = toleranceOf(options);
   HAPTICELL_TRY(tolerance);
-  std::vector<std::string> assumptions;
+  std::vector<Text> assumptions;
   const auto with = withRobot(file, options, assumptions);
   HAPTICELL_TRY(with);
   const Trajectory& given = with->motion;

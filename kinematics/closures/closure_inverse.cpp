@@ -72,7 +72,7 @@ Expected<std::unique_ptr<InverseModel>> ClosureInverse::create(const RobotModel&
   HAPTICELL_DEMAND(model.closure && tip_link >= 0 && static_cast<std::size_t>(tip_link) < model.links.size());
   if (tip_link == 0 || model.dof() == 0) {
     return makeError(
-        {.place = "robot '" + model.name + "', link '" + model.links[static_cast<std::size_t>(tip_link)].name + "'",
+        {.place = Text("robot '%1', link '%2'", model.name, model.links[static_cast<std::size_t>(tip_link)].name),
          .found = "no moving joint carries it",
          .expected = "at least one",
          .fix = "Choose another tip link."});

@@ -65,11 +65,10 @@ class DeltaClosure final : public Closure, public std::enable_shared_from_this<D
       rods[k] = X_BL[kRods + 2 * k].rotate({1, 0, 0});
       const dvec3 side = glm::cross(dvec3(0, 0, 1), delta_.outward(static_cast<int>(k)));
       const double lean = std::asin(std::clamp(std::abs(glm::dot(rods[k], side)), 0.0, 1.0));
-      out.push_back(
-          {"the ball joint of rod " + std::to_string(k + 1), options_.ball_limit - lean, ClosureMargin::Kind::kAngle});
+      out.push_back({Text("the ball joint of rod %1", k + 1), options_.ball_limit - lean, ClosureMargin::Kind::kAngle});
     }
     const double volume = std::abs(glm::dot(rods[0], glm::cross(rods[1], rods[2])));
-    out.push_back({"the platform", volume - options_.least_regular, ClosureMargin::Kind::kSingularity});
+    out.push_back({Text("the platform"), volume - options_.least_regular, ClosureMargin::Kind::kSingularity});
   }
 
   Expected<std::unique_ptr<InverseModel>> inverse(const RobotModel& model, int tip_link,
@@ -194,16 +193,16 @@ Expected<std::unique_ptr<InverseModel>> DeltaClosure::inverse(const RobotModel& 
 
 Expected<RobotModel> buildDelta(const std::string& name, const DeltaGeometry& geometry, const DeltaOptions& options,
                                 const std::vector<JointData>& joints, const std::vector<double>& home) {
-  const std::string place = "Delta '" + name + "'";
+  const Text place("Delta '%1'", name);
   for (const double length : {geometry.base_radius, geometry.upper_arm, geometry.lower_arm, geometry.platform_radius}) {
     if (!(length > 0.0) || !std::isfinite(length))
-      return makeError(
-          {"", place, "a length that is none", "base_radius, upper_arm, lower_arm and platform_radius above 0", ""});
+      return makeError({.place = place,
+                        .found = "a length that is none",
+                        .expected = "base_radius, upper_arm, lower_arm and platform_radius above 0"});
   }
   if (joints.size() != 3 && joints.size() != 4)
-    return makeError({.place = place,
-                      .found = std::to_string(joints.size()) + " joints",
-                      .expected = "3, or 4 with the turn of the tool"});
+    return makeError(
+        {.place = place, .found = Text("%1 joints", joints.size()), .expected = "3, or 4 with the turn of the tool"});
   RobotModel model;
   model.name = name;
   const auto addLink = [&](const std::string& link, int parent, bool moving, const std::string& joint_name) {

@@ -102,14 +102,13 @@ class HexapodClosure final : public Closure, public std::enable_shared_from_this
       const auto lean = [&](const dvec3& a, const dvec3& b) {
         return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
       };
-      const std::string leg_name = "leg " + std::to_string(i + 1);
-      out.push_back({"the lower joint of " + leg_name, options_.swivel_limit - lean(leg, home_direction_B_[i]),
+      out.push_back({Text("the lower joint of leg %1", i + 1), options_.swivel_limit - lean(leg, home_direction_B_[i]),
                      ClosureMargin::Kind::kAngle});
-      out.push_back({"the upper joint of " + leg_name,
+      out.push_back({Text("the upper joint of leg %1", i + 1),
                      options_.swivel_limit - lean(X_BP.inverse().rotate(leg), home_direction_P_[i]),
                      ClosureMargin::Kind::kAngle});
     }
-    out.push_back({"the platform", hexapod_.regularity(X_BP) / regular_home_ - options_.least_regular,
+    out.push_back({Text("the platform"), hexapod_.regularity(X_BP) / regular_home_ - options_.least_regular,
                    ClosureMargin::Kind::kSingularity});
   }
 
@@ -198,9 +197,9 @@ Expected<std::unique_ptr<InverseModel>> HexapodClosure::inverse(const RobotModel
 
 Expected<RobotModel> buildHexapod(const std::string& name, const HexapodGeometry& geometry,
                                   const HexapodOptions& options, const std::vector<JointData>& joints) {
-  const std::string place = "hexapod '" + name + "'";
+  const Text place("hexapod '%1'", name);
   if (joints.size() != 6)
-    return makeError({.place = place, .found = std::to_string(joints.size()) + " joints", .expected = "6 legs"});
+    return makeError({.place = place, .found = Text("%1 joints", joints.size()), .expected = "6 legs"});
   RobotModel model;
   model.name = name;
   model.links.push_back({"base_link", -1, {}, {}});
@@ -228,15 +227,14 @@ Expected<RobotModel> buildHexapod(const std::string& name, const HexapodGeometry
     slide.velocity = joints[i].velocity;
     addLink(leg + "_lower", 0, hinge);
     addLink(leg + "_upper", static_cast<int>(model.links.size()) - 1, slide);
-    std::string at = place;
-    at.append(", ").append(leg);
+    const Text at("hexapod '%1', %2", name, leg);
     if (!(home[i] > 1e-9))
       return makeError({.place = at, .found = "hinges that fall together", .expected = "a leg with a length"});
     if (home[i] < slide.lower || home[i] > slide.upper) {
       return makeError(
           {.place = at,
-           .found = "a length of " + std::to_string(home[i]) + " m at home",
-           .expected = std::to_string(slide.lower) + " to " + std::to_string(slide.upper) + " m, its limits"});
+           .found = Text("a length of %1 m at home", std::to_string(home[i])),
+           .expected = Text("%1 to %2 m, its limits", std::to_string(slide.lower), std::to_string(slide.upper))});
     }
   }
   Joint top, flange;

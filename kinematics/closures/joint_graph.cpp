@@ -46,9 +46,9 @@ class TreeMaker {
     }
     for (std::size_t k = 0; k < link_of_.size(); ++k) {
       if (link_of_[k] >= 0) continue;
-      return makeError({.place = "link '" + graph_.links[k].link.name + "'",
-                        .found = "no joint connects it to the root link '" +
-                                 graph_.links[static_cast<std::size_t>(graph_.root)].link.name + "'",
+      return makeError({.place = Text("link '%1'", graph_.links[k].link.name),
+                        .found = Text("no joint connects it to the root link '%1'",
+                                      graph_.links[static_cast<std::size_t>(graph_.root)].link.name),
                         .expected = "a joint",
                         .fix = "Join it, if only by a fixed joint."});
     }

@@ -18,8 +18,8 @@ constexpr double kAssembled = 1e-9;      // m: what still counts as closed
 constexpr double kLongestStride = 0.15;  // rad, or part of the size: of the set joints, while following them
 constexpr int kIterations = 60;
 
-Error refusal(const RobotModel& model, const std::string& found, const std::string& expected, const std::string& fix) {
-  return {.place = "the loops of robot '" + model.name + "'", .found = found, .expected = expected, .fix = fix};
+Error refusal(const RobotModel& model, const Text& found, const Text& expected, const Text& fix) {
+  return {.place = Text("the loops of robot '%1'", model.name), .found = found, .expected = expected, .fix = fix};
 }
 
 int equationsOf(LoopConstraint::Kind kind) {
@@ -218,7 +218,7 @@ Expected<int> variableNamed(const RobotModel& tree, const std::string& name) {
   const int joint = tree.findJoint(name);
   const int variable = joint < 0 ? -1 : tree.joints[static_cast<std::size_t>(joint)].variable;
   if (variable >= 0) return variable;
-  return makeError(refusal(tree, "there is no moving joint '" + name + "'", "the name of one", ""));
+  return makeError(refusal(tree, Text("there is no moving joint '%1'", name), Text("the name of one"), ""));
 }
 
 /// Leaves only the set joints as variables of the model.
@@ -279,8 +279,8 @@ Expected<void> LoopClosure::close(RobotModel& tree, std::vector<LoopConstraint> 
   if (!closed) {
     char gap[64];
     std::snprintf(gap, sizeof gap, "%.3g mm", 1e3 * closure->gap(home));
-    return makeError(refusal(tree, std::string("they cannot be closed from the start; a gap of ") + gap + " is left",
-                             "joint positions near an assembled pose", "State a start nearer to it."));
+    return makeError(refusal(tree, Text("they cannot be closed from the start; a gap of %1 is left", std::string(gap)),
+                             Text("joint positions near an assembled pose"), Text("State a start nearer to it.")));
   }
   closure->home_ = std::move(home);
   const Eigen::MatrixXd J = genericJacobian(solver, closure->home_);
@@ -292,9 +292,9 @@ Expected<void> LoopClosure::close(RobotModel& tree, std::vector<LoopConstraint> 
   if (options.actuated.empty()) closure->actuated_ = chooseActuated(tree, J);
   closure->passive_ = allBut(tree.dof(), closure->actuated_);
   if (rankOf(columnsOf(J, closure->passive_)) < rankOf(J)) {
-    return makeError(refusal(tree, "the joints that are set hold each other",
-                             "at most " + std::to_string(J.cols() - rankOf(J)) + " independent ones",
-                             "Name fewer or other joints as actuated."));
+    return makeError(refusal(tree, Text("the joints that are set hold each other"),
+                             Text("at most %1 independent ones", J.cols() - rankOf(J)),
+                             Text("Name fewer or other joints as actuated.")));
   }
   keepVariables(tree, closure->actuated_);
   tree.home.clear();

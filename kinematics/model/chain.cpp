@@ -20,9 +20,9 @@ dmat3 rotationAbout(const dvec3& axis, double angle) {
           v.y * axis.z + w.x, v.z * axis.x + w.y, v.z * axis.y - w.x, v.z * axis.z + c};
 }
 
-Error refusal(const RobotModel& model, int tip_link, const std::string& found, const std::string& expected) {
+Error refusal(const RobotModel& model, int tip_link, const Text& found, const Text& expected) {
   const std::string& tip = model.links[static_cast<std::size_t>(tip_link)].name;
-  return {.place = "robot '" + model.name + "', link '" + tip + "'",
+  return {.place = Text("robot '%1', link '%2'", model.name, tip),
           .found = found,
           .expected = expected,
           .fix = "Choose another tip link."};
@@ -50,9 +50,9 @@ Expected<Chain> Chain::create(const RobotModel& model, int tip_link, const Pose&
   Chain chain;
   chain.variables_ = variablesOfChain(model, tip_link);
   const std::size_t count = chain.variables_.size();
-  if (count == 0) return makeError(refusal(model, tip_link, "no moving joint carries it", "at least one"));
+  if (count == 0) return makeError(refusal(model, tip_link, Text("no moving joint carries it"), Text("at least one")));
   if (count > kMaxChainVariables) {
-    return makeError(refusal(model, tip_link, std::to_string(count) + " moving joints carry it", "at most 16"));
+    return makeError(refusal(model, tip_link, Text("%1 moving joints carry it", count), Text("at most 16")));
   }
   for (std::size_t i = 0; i < count; ++i) {
     const Joint& joint =
@@ -72,8 +72,7 @@ Expected<Chain> Chain::create(const RobotModel& model, int tip_link, const Pose&
     X_PJ = Pose::identity();
   }
   if (chain.elements_.size() > kMaxChainJoints) {
-    return makeError(
-        refusal(model, tip_link, std::to_string(chain.elements_.size()) + " joints move it", "at most 24"));
+    return makeError(refusal(model, tip_link, Text("%1 joints move it", chain.elements_.size()), Text("at most 24")));
   }
   X_PJ = X_PJ * X_LT;
   chain.R_LT_ = X_PJ.R();

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/pose.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::kinematics {
 
@@ -16,7 +16,7 @@ struct RobotModel;
 /// Distance to a limit that no variable sets directly (a passive joint, a rod's ball joint, a singularity); negative
 /// beyond.
 struct ClosureMargin {
-  std::string what;    ///< "rod 3's ball joint", for a sentence such as "... is 2.1 deg from its limit".
+  Text what;           ///< "rod 3's ball joint", for a sentence such as "... is 2.1 deg from its limit".
   double value = 0.0;  ///< rad, m or (singularities) dimensionless.
   enum class Kind { kAngle, kLength, kSingularity } kind = Kind::kAngle;
 };

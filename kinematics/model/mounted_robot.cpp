@@ -12,13 +12,13 @@ namespace {
 
 Expected<void> checkTree(const RobotModel& model, int link) {
   if (model.closure) {
-    return makeError({.place = "'" + model.name + "'",
+    return makeError({.place = Text("'%1'", model.name),
                       .found = "it has closed loops",
                       .expected = "joints that follow one another"});
   }
   if (link < 0 || static_cast<std::size_t>(link) >= model.links.size()) {
     return makeError(
-        {.place = "'" + model.name + "'", .found = "there is no such link", .expected = "one of its links"});
+        {.place = Text("'%1'", model.name), .found = "there is no such link", .expected = "one of its links"});
   }
   return {};
 }

@@ -109,9 +109,10 @@ std::string inWords(const char* format, double value) {
 
 Expected<void> checkOwn(Dimension dimension, double value, double expectation) {
   if (std::isfinite(value) && value > 0.6 * expectation && value < 1.4 * expectation) return {};
-  return makeError(
-      {"", "measure '" + std::string(nameOf(dimension)) + "'", inWords("%.4g", value),
-       inWords("%.4g", 0.6 * expectation) + inWords(" to %.4g (40 %% about its expectation)", 1.4 * expectation), ""});
+  return makeError({.place = Text("measure '%1'", nameOf(dimension)),
+                    .found = inWords("%.4g", value),
+                    .expected = Text("%1 to %2 (40 % about its expectation)", inWords("%.4g", 0.6 * expectation),
+                                     inWords("%.4g", 1.4 * expectation))});
 }
 
 }  // namespace
@@ -187,8 +188,8 @@ Expected<BodyDimensions> bodyDimensions(const BodyRequest& request) {
     if (!(*request.mass >= 0.4 * likely && *request.mass <= 3.0 * likely)) {
       return makeError({.place = "mass",
                         .found = inWords("%g kg", *request.mass),
-                        .expected = inWords("%.0f", std::ceil(0.4 * likely)) +
-                                    inWords(" to %.0f kg at this stature", 3.0 * likely)});
+                        .expected = Text("%1 to %2 kg at this stature", inWords("%.0f", std::ceil(0.4 * likely)),
+                                         inWords("%.0f", 3.0 * likely))});
     }
     body[Dimension::kMass] = *request.mass;
     for (const MassRow& row : kMassRows) {

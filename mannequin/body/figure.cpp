@@ -199,22 +199,16 @@ class MassSpread {
 
 /// Heights that must rise from the floor to the vertex, with room for a joint between them.
 Expected<void> checkOrder(const std::array<dvec3, kSegmentCount>& p, double stature) {
-  const std::array<std::pair<const char*, double>, 10> heights = {{
-      {"the ankle", p[indexOf(S::kLeftFoot)].z},
-      {"the knee", p[indexOf(S::kLeftShank)].z},
-      {"the hip", p[indexOf(S::kLeftThigh)].z},
-      {"the joint L5", p[indexOf(S::kLowerBack)].z},
-      {"the joint L1", p[indexOf(S::kUpperBack)].z},
-      {"the joint T6", p[indexOf(S::kThorax)].z},
-      {"the joint C7", p[indexOf(S::kLowerNeck)].z},
-      {"the joint C4", p[indexOf(S::kUpperNeck)].z},
-      {"the base of the skull", p[indexOf(S::kHead)].z},
-      {"the top of the head", stature},
-  }};
+  const std::array<std::pair<Text, double>, 10> heights = {{HAPTICELL_TRANSLATED(
+      {"the ankle", p[indexOf(S::kLeftFoot)].z}, {"the knee", p[indexOf(S::kLeftShank)].z},
+      {"the hip", p[indexOf(S::kLeftThigh)].z}, {"the joint L5", p[indexOf(S::kLowerBack)].z},
+      {"the joint L1", p[indexOf(S::kUpperBack)].z}, {"the joint T6", p[indexOf(S::kThorax)].z},
+      {"the joint C7", p[indexOf(S::kLowerNeck)].z}, {"the joint C4", p[indexOf(S::kUpperNeck)].z},
+      {"the base of the skull", p[indexOf(S::kHead)].z}, {"the top of the head", stature})}};
   for (std::size_t i = 1; i < heights.size(); ++i) {
     if (heights[i].second - heights[i - 1].second > 0.01) continue;
     return makeError({.place = "own measures",
-                      .found = std::string(heights[i].first) + " is not above " + heights[i - 1].first,
+                      .found = Text("%1 is not above %2", heights[i].first, heights[i - 1].first),
                       .expected = "measures of one body",
                       .fix = "Change the own measures together, or leave some to the regressions."});
   }

@@ -37,7 +37,7 @@ class AsfReader {
   AsfReader(std::string_view text, const std::string& name) : words_(text), text_(text), name_(name) {}
 
   Expected<void> read() {
-    if (const std::string why = whyNoText(text_); !why.empty())
+    if (const Text why = whyNoText(text_); !why.empty())
       return makeError(
           {.file = name_, .found = why, .expected = "a skeleton in ASF", .fix = "Save it as plain text (UTF-8)."});
     while (!words_.atEnd()) {
@@ -50,7 +50,7 @@ class AsfReader {
       if (word == ":hierarchy") done = readHierarchy();
       if (!done) return done;
     }
-    if (order_.empty()) return fail("no :hierarchy", "a skeleton in ASF");
+    if (order_.empty()) return fail(Text("no :hierarchy"), Text("a skeleton in ASF"));
     return {};
   }
 
@@ -60,7 +60,7 @@ class AsfReader {
   double degrees_per_unit = 1.0;
 
  private:
-  tl::unexpected<Error> fail(std::string found, std::string expected) const {
+  tl::unexpected<Error> fail(Text found, Text expected) const {
     return makeError(
         {.file = name_, .place = words_.place(), .found = std::move(found), .expected = std::move(expected)});
   }
@@ -70,12 +70,12 @@ class AsfReader {
       const std::string_view word = words_.next();
       if (word == "length") {
         const auto value = words_.number();
-        if (!value || !(*value > 0.0)) return fail("no length unit", "a number above 0");
+        if (!value || !(*value > 0.0)) return fail(Text("no length unit"), Text("a number above 0"));
         metres_per_unit = 0.0254 / *value;
       } else if (word == "angle") {
         const std::string_view unit = words_.next();
         if (!unit.starts_with("deg") && !unit.starts_with("rad"))
-          return fail("the angle's unit '" + std::string(unit.substr(0, 40)) + "'", "deg or rad");
+          return fail(Text("the angle's unit '%1'", unit.substr(0, 40)), Text("deg or rad"));
         degrees_per_unit = unit.starts_with("rad") ? 180.0 / std::numbers::pi : 1.0;
       }
     }
@@ -85,10 +85,10 @@ class AsfReader {
   /// "XYZ" turns about x first: Rz Ry Rx.
   Expected<dquat> axesOf(const dvec3& degrees, std::string_view order) const {
     dquat axes(1.0, 0.0, 0.0, 0.0);
-    if (order.size() != 3) return fail("the order of turns '" + std::string(order.substr(0, 40)) + "'", "XYZ");
+    if (order.size() != 3) return fail(Text("the order of turns '%1'", order.substr(0, 40)), Text::plain("XYZ"));
     for (const char letter : order) {
       const int axis = std::toupper(static_cast<unsigned char>(letter)) - 'X';
-      if (axis < 0 || axis > 2) return fail("the order of turns '" + std::string(order) + "'", "XYZ");
+      if (axis < 0 || axis > 2) return fail(Text("the order of turns '%1'", order), Text::plain("XYZ"));
       axes = about(axis, degrees[axis]) * axes;
     }
     return axes;
@@ -97,7 +97,7 @@ class AsfReader {
     dvec3 values(0.0);
     for (int k = 0; k < 3; ++k) {
       const auto value = words_.number();
-      if (!value) return fail("no number", "three numbers");
+      if (!value) return fail(Text("no number"), Text("three numbers"));
       values[k] = *value;
     }
     return values;
@@ -138,7 +138,7 @@ class AsfReader {
       if (words_.next() != "begin") continue;
       Bone bone;
       if (auto done = readBone(bone); !done) return done;
-      if (bones.size() > kMostBones) return fail("more than 1000 bones", "a skeleton");
+      if (bones.size() > kMostBones) return fail(Text("more than 1000 bones"), Text("a skeleton"));
       bones[bone.name] = bone;
     }
     return {};
@@ -146,11 +146,11 @@ class AsfReader {
 
   Expected<void> readBone(Bone& bone) {
     for (std::string_view word = words_.next(); word != "end"; word = words_.next()) {
-      if (word.empty()) return fail("the end of the file in a bone", "end");
+      if (word.empty()) return fail(Text("the end of the file in a bone"), Text::plain("end"));
       if (word == "name") bone.name = std::string(words_.next());
       if (word == "length") {
         const auto value = words_.number();
-        if (!value) return fail("no length", "a number");
+        if (!value) return fail(Text("no length"), Text("a number"));
         bone.length = *value;
       }
       if (word == "direction" || word == "axis") {
@@ -182,16 +182,16 @@ class AsfReader {
 
   Expected<void> readHierarchy() {
     order_.push_back("root");
-    if (words_.next() != "begin") return fail("no begin", "begin");
+    if (words_.next() != "begin") return fail(Text("no begin"), Text::plain("begin"));
     words_.restOfLine();
     while (words_.peek() != "end") {
-      if (words_.atEnd()) return fail("the end of the file", "end");
+      if (words_.atEnd()) return fail(Text("the end of the file"), Text::plain("end"));
       const std::string parent(words_.next());
       WordReader children(words_.restOfLine());
       for (std::string_view child = children.next(); !child.empty(); child = children.next()) {
         const auto bone = bones.find(std::string(child));
         if (bone == bones.end() || !bone->second.parent.empty() || child == "root") {
-          return fail("the bone '" + std::string(child.substr(0, 40)) + "'", "a bone of :bonedata, once");
+          return fail(Text("the bone '%1'", child.substr(0, 40)), Text("a bone of :bonedata, once"));
         }
         bone->second.parent = parent;
         order_.push_back(bone->first);
@@ -221,8 +221,8 @@ class ClipBuilder {
         const auto parent = index.find(bone.parent);
         if (parent == index.end())
           return makeError({.file = name,
-                            .place = ":hierarchy",
-                            .found = "'" + bone.parent + "' before its parent",
+                            .place = Text::plain(":hierarchy"),
+                            .found = Text("'%1' before its parent", bone.parent),
                             .expected = "parents first"});
         joint.parent = static_cast<int>(parent->second);
         joint.p_Parent = endOf(skeleton_.bones.at(bone.parent));
@@ -256,7 +256,7 @@ class AmcReader {
       : skeleton_(skeleton), builder_(builder), words_(text), text_(text), name_(name) {}
 
   Expected<void> read() {
-    if (const std::string why = whyNoText(text_); !why.empty())
+    if (const Text why = whyNoText(text_); !why.empty())
       return makeError(
           {.file = name_, .found = why, .expected = "a motion in AMC", .fix = "Save it as plain text (UTF-8)."});
     if (auto done = readHead(); !done) return done;
@@ -264,25 +264,25 @@ class AmcReader {
     while (!words_.atEnd()) {
       const std::string_view word = words_.next();
       const auto number = WordReader::numberOf(word);
-      if (!number) return fail("no frame number: '" + std::string(word.substr(0, 40)) + "'", "a number");
+      if (!number) return fail(Text("no frame number: '%1'", word.substr(0, 40)), Text("a number"));
       if (last && *number != *last + 1.0) {
-        return fail("frame " + std::string(word) + " after frame " + std::to_string(std::llround(*last)),
-                    "frames that follow each other", "Frames are missing or doubled; write the file anew.");
+        return fail(Text("frame %1 after frame %2", word, std::llround(*last)), Text("frames that follow each other"),
+                    Text("Frames are missing or doubled; write the file anew."));
       }
       last = number;
       if (auto done = readFrame(); !done) return done;
     }
     for (const auto& [bone, frames] : missing_) {
-      builder_.clip.warnings.push_back("the bone '" + bone + "' has no numbers in " + std::to_string(frames) + " of " +
-                                       std::to_string(builder_.clip.frames.size()) +
-                                       " frames; it is taken at rest there");
+      builder_.clip.warnings.push_back(
+          Text("the bone '%1' has no numbers in %2 of %3 frames; it is taken at rest there", bone, frames,
+               builder_.clip.frames.size()));
     }
-    if (stretched_) builder_.clip.warnings.emplace_back("bones that slide or grow are taken as they are at rest");
+    if (stretched_) builder_.clip.warnings.push_back(Text("bones that slide or grow are taken as they are at rest"));
     return {};
   }
 
  private:
-  tl::unexpected<Error> fail(std::string found, std::string expected, std::string fix = {}) const {
+  tl::unexpected<Error> fail(Text found, Text expected, Text fix = {}) const {
     return makeError({.file = name_,
                       .place = words_.place(),
                       .found = std::move(found),
@@ -298,15 +298,14 @@ class AmcReader {
       words_.restOfLine();
       if (word != ":RADIANS" && word != ":DEGREES") continue;
       const double said = word == ":RADIANS" ? 180.0 / std::numbers::pi : 1.0;
-      if (degrees && *degrees != said) return fail(":RADIANS and :DEGREES", "one of the two");
+      if (degrees && *degrees != said) return fail(Text(":RADIANS and :DEGREES"), Text("one of the two"));
       degrees = said;
     }
     unit_ = degrees.value_or(skeleton_.degrees_per_unit);
     if (degrees && *degrees != skeleton_.degrees_per_unit) {
-      builder_.clip.warnings.emplace_back(std::string("angles of the motion are ") +
-                                          (*degrees > 1.0 ? "radians" : "degrees") +
-                                          ", as the AMC says; those of the "
-                                          "skeleton are not");
+      builder_.clip.warnings.push_back(
+          *degrees > 1.0 ? Text("angles of the motion are radians, as the AMC says; those of the skeleton are not")
+                         : Text("angles of the motion are degrees, as the AMC says; those of the skeleton are not"));
     }
     return {};
   }
@@ -322,9 +321,10 @@ class AmcReader {
     while (beginsName(words_.peek())) {
       const std::string word(words_.next());
       const auto bone = skeleton_.bones.find(word);
-      if (bone == skeleton_.bones.end()) return fail("the bone '" + word.substr(0, 40) + "'", "a bone of the skeleton");
+      if (bone == skeleton_.bones.end())
+        return fail(Text("the bone '%1'", word.substr(0, 40)), Text("a bone of the skeleton"));
       if (!there.insert(word).second)
-        return fail("the bone '" + word.substr(0, 40) + "' twice in a frame", "each bone once");
+        return fail(Text("the bone '%1' twice in a frame", word.substr(0, 40)), Text("each bone once"));
       if (auto done = readBone(bone->second, frame); !done) return done;
     }
     for (const auto& [name, bone] : skeleton_.bones) {
@@ -342,8 +342,8 @@ class AmcReader {
       const std::string_view word = words_.next();
       const auto value = WordReader::numberOf(word);
       if (!value) {
-        return fail("no number for '" + bone.name.substr(0, 40) + "': '" + std::string(word.substr(0, 40)) + "'",
-                    std::to_string(bone.dofs.size()) + " numbers");
+        return fail(Text("no number for '%1': '%2'", bone.name.substr(0, 40), word.substr(0, 40)),
+                    Text("%1 numbers", bone.dofs.size()));
       }
       if (dof < 3) M = about(dof, unit_ * *value) * M;
       if (dof >= 3 && dof < 6) p[dof - 3] = *value * skeleton_.metres_per_unit;

@@ -360,27 +360,29 @@ class BodyFrames::Finder {
   }
 
   void tell() {
-    std::vector<std::string>& said = frames_.assumptions_;
+    std::vector<Text>& said = frames_.assumptions_;
     if (!rest_) {
       said.push_back(
-          "the file has no rest position of a standing person; how its joints' frames lie is found from where "
-          "the joints are in the motion");
+          Text("the file has no rest position of a standing person; how its joints' frames lie is found from where "
+               "the joints are in the motion"));
     } else if (!turned_.empty()) {
-      said.push_back("the frames of " + listed(turned_) +
-                     " do not lie as at the rest position; found from where the joints are");
+      said.push_back(Text("the frames of %1 do not lie as at the rest position; found from where the joints are",
+                          listed(turned_)));
     }
     if (map_.neck < 0) {
-      said.push_back(std::string("there is no joint for the neck; its base is taken midway between the ") +
-                     (map_.collar[0] >= 0 && map_.collar[1] >= 0 ? "collars" : "shoulders"));
+      said.push_back(map_.collar[0] >= 0 && map_.collar[1] >= 0
+                         ? Text("there is no joint for the neck; its base is taken midway between the collars")
+                         : Text("there is no joint for the neck; its base is taken midway between the shoulders"));
     }
-    if (map_.thorax == map_.root) said.push_back("there is no joint for the spine; the trunk is one piece");
+    if (map_.thorax == map_.root) said.push_back(Text("there is no joint for the spine; the trunk is one piece"));
     if (map_.toe[0] < 0 || map_.toe[1] < 0)
-      said.push_back("there are no joints for the toes; feet follow their ankles");
-    if (map_.head_end < 0) said.push_back("nothing tells where the top of the head is; the head's own frame is taken");
+      said.push_back(Text("there are no joints for the toes; feet follow their ankles"));
+    if (map_.head_end < 0)
+      said.push_back(Text("nothing tells where the top of the head is; the head's own frame is taken"));
     if (guessed_hands_) {
       said.push_back(
-          "nothing tells how the hands are turned about the forearms (no fingers, no rest position); taken to "
-          "be neither pronated nor supinated on the whole");
+          Text("nothing tells how the hands are turned about the forearms (no fingers, no rest position); taken to "
+               "be neither pronated nor supinated on the whole"));
     }
   }
 

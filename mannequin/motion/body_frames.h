@@ -39,7 +39,7 @@ class BodyFrames {
   std::array<dmat3, 2> spine_{dmat3(1.0), dmat3(1.0)}, neck_{dmat3(1.0), dmat3(1.0)}, hand_{dmat3(1.0), dmat3(1.0)},
       foot_{dmat3(1.0), dmat3(1.0)};
   std::array<dvec3, 2> thigh_forward_{}, arm_forward_{};
-  std::vector<std::string> assumptions_;
+  std::vector<Text> assumptions_;
 };
 
 /// The neck's base at a moment: the lowest neck joint, else midway between the collars, else between the shoulders.

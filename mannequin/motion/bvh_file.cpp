@@ -27,11 +27,11 @@ class BvhReader {
   BvhReader(std::string_view text, const std::string& name) : words_(text), text_(text), name_(name) {}
 
   Expected<MotionClip> read(double metres_per_unit) {
-    if (const std::string why = whyNoText(text_); !why.empty())
+    if (const Text why = whyNoText(text_); !why.empty())
       return makeError(
           {.file = name_, .found = why, .expected = "a BVH file in UTF-8", .fix = "Save it as plain text (UTF-8)."});
-    if (!sameButForCase(words_.next(), "HIERARCHY")) return fail("no HIERARCHY", "a BVH file");
-    if (!sameButForCase(words_.next(), "ROOT")) return fail("no ROOT", "ROOT and a name");
+    if (!sameButForCase(words_.next(), "HIERARCHY")) return fail(Text("no HIERARCHY"), Text("a BVH file"));
+    if (!sameButForCase(words_.next(), "ROOT")) return fail(Text("no ROOT"), Text("ROOT and a name"));
     HAPTICELL_TRY(readTree());
     clip_.metres_per_unit = metres_per_unit > 0.0 ? metres_per_unit : guessedUnit();
     HAPTICELL_TRY(readMotion());
@@ -42,20 +42,19 @@ class BvhReader {
   }
 
  private:
-  tl::unexpected<Error> fail(std::string found, std::string expected, std::string fix = {}) const {
+  tl::unexpected<Error> fail(Text found, Text expected, Text fix = {}) const {
     return makeError({.file = name_,
                       .place = words_.place(),
                       .found = std::move(found),
                       .expected = std::move(expected),
                       .fix = std::move(fix)});
   }
-  static std::string quoted(std::string_view word) { return "'" + std::string(word.substr(0, 40)) + "'"; }
   /// A number with a comma is one of a program that writes by the rules of its country.
-  static std::string fixOf(std::string_view word) {
+  static Text fixOf(std::string_view word) {
     std::string point(word);
     std::replace(point.begin(), point.end(), ',', '.');
     const bool comma = point != word && WordReader::numberOf(point);
-    return comma ? "Write the file with decimal points; this one has commas." : "";
+    return comma ? Text("Write the file with decimal points; this one has commas.") : Text();
   }
 
   /// The root's name up to its closing brace; without recursion, so that a deep file does no harm.
@@ -65,7 +64,7 @@ class BvhReader {
     while (!open.empty()) {
       const std::string_view word = words_.next();
       if (sameButForCase(word, "JOINT") || sameButForCase(word, "End")) {
-        if (clip_.joints.size() >= kMostJoints) return fail("more than 1000 joints", "a skeleton");
+        if (clip_.joints.size() >= kMostJoints) return fail(Text("more than 1000 joints"), Text("a skeleton"));
         if (auto done = openJoint(sameButForCase(word, "End"), open); !done) return done;
       } else if (word == "}") {
         open.pop_back();
@@ -74,13 +73,15 @@ class BvhReader {
         for (int k = 0; k < 3; ++k) {
           const std::string_view number = words_.next();
           const auto value = WordReader::numberOf(number);
-          if (!value) return fail("no number in OFFSET: " + quoted(number), "three numbers", fixOf(number));
+          if (!value)
+            return fail(Text("no number in OFFSET: '%1'", number.substr(0, 40)), Text("three numbers"), fixOf(number));
           offset[k] = *value;
         }
       } else if (sameButForCase(word, "CHANNELS")) {
         if (auto done = readChannels(static_cast<std::size_t>(open.back())); !done) return done;
       } else {
-        return fail(word.empty() ? "the end of the file" : quoted(word), "JOINT, End Site, OFFSET, CHANNELS or }");
+        return fail(word.empty() ? Text("the end of the file") : Text("'%1'", word.substr(0, 40)),
+                    Text("JOINT, End Site, OFFSET, CHANNELS or }"));
       }
     }
     return {};
@@ -93,7 +94,7 @@ class BvhReader {
     joint.is_end = end;
     joint.parent = open.empty() ? -1 : open.back();
     if (end) joint.name = clip_.joints[static_cast<std::size_t>(joint.parent)].name + "_end";
-    if (!words_.take('{')) return fail("no { after " + quoted(joint.name), "{");
+    if (!words_.take('{')) return fail(Text("no { after '%1'", joint.name.substr(0, 40)), Text::plain("{"));
     open.push_back(static_cast<int>(clip_.joints.size()));
     clip_.joints.push_back(std::move(joint));
     return {};
@@ -101,13 +102,13 @@ class BvhReader {
 
   Expected<void> readChannels(std::size_t joint) {
     const auto count = words_.number();
-    if (!count || !(*count >= 0.0 && *count <= 6.0)) return fail("no count of channels", "0 to 6");
+    if (!count || !(*count >= 0.0 && *count <= 6.0)) return fail(Text("no count of channels"), Text("0 to 6"));
     for (int i = 0; i < static_cast<int>(*count); ++i) {
       const std::string_view word = words_.next();
       const std::string_view kind = word.empty() ? word : word.substr(1);
       const int axis = word.empty() ? -1 : std::toupper(static_cast<unsigned char>(word[0])) - 'X';
       if (axis < 0 || axis > 2 || (!sameButForCase(kind, "position") && !sameButForCase(kind, "rotation"))) {
-        return fail("the channel " + quoted(word), "Xposition ... Zrotation");
+        return fail(Text("the channel '%1'", word.substr(0, 40)), Text("Xposition ... Zrotation"));
       }
       channels_.push_back({joint, axis, sameButForCase(kind, "rotation")});
       moves_ = moves_ || (joint > 0 && !channels_.back().turns);
@@ -148,35 +149,35 @@ class BvhReader {
   Expected<void> readMotion() {
     const std::string_view motion = words_.next();
     if (sameButForCase(motion, "ROOT"))
-      return fail("a second ROOT " + quoted(words_.nextLine()), "one skeleton a file", "Export one person a file.");
+      return fail(Text("a second ROOT '%1'", words_.nextLine().substr(0, 40)), Text("one skeleton a file"),
+                  Text("Export one person a file."));
     if (!sameButForCase(motion, "MOTION") || !sameButForCase(words_.next(), "Frames:"))
-      return fail("no MOTION with Frames:", "MOTION");
+      return fail(Text("no MOTION with Frames:"), Text::plain("MOTION"));
     const auto count = words_.number();
     if (!count || *count < 0.0 || *count > static_cast<double>(kMostFrames))
-      return fail("no count of frames", "a number");
+      return fail(Text("no count of frames"), Text("a number"));
     const bool timed = sameButForCase(words_.next(), "Frame") && sameButForCase(words_.next(), "Time:");
     const std::string_view time = timed ? words_.next() : std::string_view();
     const auto period = WordReader::numberOf(time);
-    if (!period || !(*period > 0.0)) return fail("no Frame Time:", "seconds, above 0", fixOf(time));
+    if (!period || !(*period > 0.0)) return fail(Text("no Frame Time:"), Text("seconds, above 0"), fixOf(time));
     clip_.frame_time = *period;
     return readRows(static_cast<std::size_t>(*count));
   }
 
   Expected<void> readRows(std::size_t stated) {
-    if (channels_.empty()) return stated == 0 ? Expected<void>() : fail("no CHANNELS", "channels of the joints");
+    if (channels_.empty())
+      return stated == 0 ? Expected<void>() : fail(Text("no CHANNELS"), Text("channels of the joints"));
     for (std::string_view line = words_.nextLine(); !line.empty(); line = words_.nextLine()) {
-      if (clip_.frames.size() >= kMostFrames) return fail("more than 2000000 frames", "a motion");
+      if (clip_.frames.size() >= kMostFrames) return fail(Text("more than 2000000 frames"), Text("a motion"));
       if (auto done = readRow(line); !done) return done;
     }
     const std::size_t found = clip_.frames.size();
     if (found < stated) {
-      return fail("no frame " + std::to_string(found + 1) + ", where the file ends",
-                  std::to_string(stated) + " frames, as the file states",
-                  "The file is cut; write it anew, or correct the number behind Frames:.");
+      return fail(Text("no frame %1, where the file ends", found + 1), Text("%1 frames, as the file states", stated),
+                  Text("The file is cut; write it anew, or correct the number behind Frames:."));
     }
     if (found > stated) {
-      clip_.warnings.push_back("the file states " + std::to_string(stated) + " frames and has " +
-                               std::to_string(found) + "; all are read");
+      clip_.warnings.push_back(Text("the file states %1 frames and has %2; all are read", stated, found));
     }
     return {};
   }
@@ -187,18 +188,18 @@ class BvhReader {
     for (const ClipJoint& joint : clip_.joints) {
       if (moves_) frame.p_Parent.push_back(joint.p_Parent);
     }
-    const std::string row = "frame " + std::to_string(clip_.frames.size() + 1);
+    const std::size_t row = clip_.frames.size() + 1;
     WordReader words(line);
     std::size_t read = 0;
     for (std::string_view word = words.next(); !word.empty(); word = words.next(), ++read) {
       const auto value = WordReader::numberOf(word);
-      if (!value) return fail("no number in " + row + ": " + quoted(word), "numbers", fixOf(word));
+      if (!value)
+        return fail(Text("no number in frame %1: '%2'", row, word.substr(0, 40)), Text("numbers"), fixOf(word));
       if (read < channels_.size()) apply(channels_[read], *value, frame);
     }
     if (read != channels_.size()) {
-      return fail(std::to_string(read) + " numbers in " + row,
-                  std::to_string(channels_.size()) + " numbers, one a channel",
-                  "A frame is one line; the file is cut or was changed.");
+      return fail(Text("%1 numbers in frame %2", read, row), Text("%1 numbers, one a channel", channels_.size()),
+                  Text("A frame is one line; the file is cut or was changed."));
     }
     clip_.frames.push_back(std::move(frame));
     return {};
@@ -238,7 +239,8 @@ class BvhReader {
       clip_.joints[j].p_Parent = mean;
     }
     if (added_) {
-      clip_.warnings.emplace_back("positions of joints in the channels stay near zero; they are added to the offsets");
+      clip_.warnings.push_back(
+          Text("positions of joints in the channels stay near zero; they are added to the offsets"));
     }
     if (still) {
       for (ClipFrame& frame : clip_.frames) frame.p_Parent.clear();

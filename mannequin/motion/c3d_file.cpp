@@ -60,18 +60,19 @@ class C3dReader {
   }
 
  private:
-  tl::unexpected<Error> fail(std::size_t at, std::string found, std::string expected) const {
+  tl::unexpected<Error> fail(std::size_t at, Text found, Text expected) const {
     return c3d::fault(name_, at, std::move(found), std::move(expected));
   }
 
   Expected<void> readRate() {
     const auto sound = [](std::optional<double> rate) { return rate && *rate > 0.0 && *rate < 1e6; };
     const auto parameter = parameters_.number("POINT:RATE"), header = parameters_.bytes().real(20);
-    if (!sound(parameter) && !sound(header)) return fail(20, "no frame rate", "frames a second above 0");
+    if (!sound(parameter) && !sound(header)) return fail(20, Text("no frame rate"), Text("frames a second above 0"));
     const double rate = sound(parameter) ? *parameter : *header;
     if (sound(parameter) && sound(header) && std::abs(*parameter - *header) > 1e-3 * *header) {
-      clip_.warnings.push_back("the frame rate is " + std::to_string(*parameter) + " Hz in the parameters and " +
-                               std::to_string(*header) + " Hz in the header; the parameters' is taken");
+      clip_.warnings.push_back(
+          Text("the frame rate is %1 Hz in the parameters and %2 Hz in the header; the parameters' is taken",
+               std::to_string(*parameter), std::to_string(*header)));
     }
     clip_.frame_time = 1.0 / rate;
     return {};
@@ -81,7 +82,7 @@ class C3dReader {
     const std::vector<std::string> words = parameters_.texts("POINT:UNITS");
     const std::string unit = words.empty() ? "" : lowerCase(words.front());
     if (unit.empty()) {
-      clip_.warnings.emplace_back("the file names no unit; its numbers are taken as millimetres");
+      clip_.warnings.push_back(Text("the file names no unit; its numbers are taken as millimetres"));
       return {};
     }
     for (const C3dUnit& known : kC3dUnits) {
@@ -89,11 +90,10 @@ class C3dReader {
       const bool whole = unit == word || (word.size() > 2 && unit + "s" == word);
       if (!whole && (word.size() <= 3 || unit.size() < 3 || !word.starts_with(unit))) continue;
       clip_.metres_per_unit = known.metres;
-      if (!whole)
-        clip_.warnings.push_back("the unit '" + words.front() + "' is cut; taken as " + std::string(known.word));
+      if (!whole) clip_.warnings.push_back(Text("the unit '%1' is cut; taken as %2", words.front(), known.word));
       return {};
     }
-    return fail(parameters_.placeOf("POINT:UNITS"), "the unit '" + words.front() + "'", "mm, cm, m, in or ft");
+    return fail(parameters_.placeOf("POINT:UNITS"), Text("the unit '%1'", words.front()), Text("mm, cm, m, in or ft"));
   }
 
   void readNames() {

@@ -36,9 +36,9 @@ namespace c3d {
 inline constexpr std::size_t kBlockBytes = C3dParameters::kBlock;
 inline constexpr std::size_t kMostPoints = 10'000, kMostRows = 2'000'000, kMostAnalog = 1'000'000;
 
-inline tl::unexpected<Error> fault(std::string name, std::size_t at, std::string found, std::string expected) {
+inline tl::unexpected<Error> fault(std::string name, std::size_t at, Text found, Text expected) {
   return makeError({.file = std::move(name),
-                    .place = "byte " + std::to_string(at),
+                    .place = Text("byte %1", at),
                     .found = std::move(found),
                     .expected = std::move(expected)});
 }
@@ -65,28 +65,28 @@ class LayoutFinder {
     if (const auto other = best(true)) return finished(*other, first);
     if (fits(first)) return finished(withAllRows(first), first);
     if (const auto other = best(false)) return finished(withAllRows(*other), first);
-    return fail(first.data_at, std::to_string(rowsThere(first)) + " frames",
-                std::to_string(first.frames) + " frames, as the file states");
+    return fail(first.data_at, Text("%1 frames", rowsThere(first)),
+                Text("%1 frames, as the file states", first.frames));
   }
 
  private:
-  tl::unexpected<Error> fail(std::size_t at, std::string found, std::string expected) const {
+  tl::unexpected<Error> fail(std::size_t at, Text found, Text expected) const {
     return c3d::fault(name_, at, std::move(found), std::move(expected));
   }
 
   Expected<void> collect() {
     const double used = p_.number("POINT:USED").value_or(*b_.word(2));
-    if (!(used >= 1.0) && *b_.word(2) < 1) return fail(2, "no points", "at least one marker");
-    if (p_.number("POINT:USED") && !(used >= 1.0)) return fail(2, "no points", "at least one marker");
+    if (!(used >= 1.0) && *b_.word(2) < 1) return fail(2, Text("no points"), Text("at least one marker"));
+    if (p_.number("POINT:USED") && !(used >= 1.0)) return fail(2, Text("no points"), Text("at least one marker"));
     if (used > static_cast<double>(kMostPoints))
-      return fail(2, std::to_string(std::llround(used)) + " points", "at most 10000");
+      return fail(2, Text("%1 points", std::llround(used)), Text("at most 10000"));
     markers_.add(static_cast<std::size_t>(used));
     if (*b_.word(2) >= 1 && *b_.word(2) <= kMostPoints) markers_.add(*b_.word(2));
     collectKinds();
     collectAnalog();
     collectStarts();
     collectFrames();
-    if (kinds_.values.empty()) return fail(12, "a scale that is no number", "a real number");
+    if (kinds_.values.empty()) return fail(12, Text("a scale that is no number"), Text("a real number"));
     return {};
   }
 
@@ -191,27 +191,25 @@ class LayoutFinder {
   }
 
   Expected<C3dLayout> finished(C3dLayout l, const C3dLayout& first) const {
-    if (l.frames > kMostRows) return fail(6, std::to_string(l.frames) + " frames", "at most 2000000");
-    const auto number = [](std::size_t value) { return std::to_string(value); };
-    const auto warn = [&](std::string text) { l.warnings.push_back(std::move(text)); };
+    if (l.frames > kMostRows) return fail(6, Text("%1 frames", l.frames), Text("at most 2000000"));
+    const auto warn = [&](Text text) { l.warnings.push_back(std::move(text)); };
     const std::size_t stated = *b_.word(16);
     if (stated < 2 || l.data_at != first.data_at)
-      warn("where the points begin is not said twice alike; they are read from byte " + number(l.data_at) + " on");
+      warn(Text("where the points begin is not said twice alike; they are read from byte %1 on", l.data_at));
     if (l.real != first.real)
-      warn(std::string("header and parameters disagree on the kind of numbers; ") + (l.real ? "real" : "whole") +
-           " ones fill the file");
+      warn(l.real ? Text("header and parameters disagree on the kind of numbers; real ones fill the file")
+                  : Text("header and parameters disagree on the kind of numbers; whole ones fill the file"));
     if (l.markers != first.markers)
-      warn("the parameters state " + number(first.markers) + " points and the header " + number(l.markers) +
-           ", which fills the file");
+      warn(Text("the parameters state %1 points and the header %2, which fills the file", first.markers, l.markers));
     if (l.analog != first.analog)
-      warn("the header states " + number(first.analog) + " analog samples a frame; " + number(l.analog) +
-           " fill the file (channels by samples)");
+      warn(Text("the header states %1 analog samples a frame; %2 fill the file (channels by samples)", first.analog,
+                l.analog));
     const std::size_t header = static_cast<std::size_t>(static_cast<std::uint16_t>(*b_.word(8) - *b_.word(6))) + 1;
     if (l.frames != first.frames || (l.frames != header && header != 65'535 && header != 65'536 && l.frames < 65'536))
-      warn("the header states " + number(header) + " frames; " + number(l.frames) + " stand in the file and are read");
+      warn(Text("the header states %1 frames; %2 stand in the file and are read", header, l.frames));
     if (const std::size_t end = l.data_at + l.frames * l.rowBytes();
         b_.size() >= end + kBlockBytes && !isEmpty(end, b_.size() - end))
-      warn(number(b_.size() - end) + " bytes behind the last frame are not read; they are no whole frames");
+      warn(Text("%1 bytes behind the last frame are not read; they are no whole frames", b_.size() - end));
     l.scale = scaleOf(l);
     return l;
   }
@@ -222,11 +220,14 @@ class LayoutFinder {
     const auto parameter = p_.number("POINT:SCALE"), header = b_.real(12);
     const double written = header && *header > 0.0 ? *header : std::abs(parameter.value_or(1.0));
     if (parameter && *parameter > 0.0 && std::abs(*parameter - written) > 1e-3 * written) {
-      char text[160];
-      std::snprintf(text, sizeof text,
-                    "the scale of the points is %.6g in the header and %.6g in the parameters; the header's is taken",
-                    written, *parameter);
-      l.warnings.emplace_back(text);
+      const auto shown = [](double value) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.6g", value);
+        return std::string(text);
+      };
+      l.warnings.push_back(
+          Text("the scale of the points is %1 in the header and %2 in the parameters; the header's is taken",
+               shown(written), shown(*parameter)));
     }
     return written;
   }

@@ -50,7 +50,7 @@ class C3dParameters {
   C3dBytes bytes_;
   std::size_t end_ = 0;
   std::map<std::string, Parameter> parameters_;
-  std::vector<std::string> warnings_;
+  std::vector<Text> warnings_;
 };
 
 /// Without blanks and zeros at its ends; what is no letter of ASCII is a question mark.
@@ -66,20 +66,19 @@ inline std::string printable(std::string_view text) {
 }
 
 inline Expected<C3dParameters> C3dParameters::read(std::string_view bytes, const std::string& name) {
-  const auto fail = [&](std::size_t at, std::string found, std::string expected) {
-    return makeError({.file = name,
-                      .place = "byte " + std::to_string(at),
-                      .found = std::move(found),
-                      .expected = std::move(expected)});
+  const auto fail = [&](std::size_t at, Text found, Text expected) {
+    return makeError(
+        {.file = name, .place = Text("byte %1", at), .found = std::move(found), .expected = std::move(expected)});
   };
   constexpr std::uint8_t kMark = 0x50;
   const C3dBytes raw(bytes, C3dProcessor::kIntel);
-  if (!raw.holds(0, kBlock) || raw.byte(1) != kMark) return fail(1, "no C3D header", "a C3D file");
+  if (!raw.holds(0, kBlock) || raw.byte(1) != kMark) return fail(1, Text("no C3D header"), Text("a C3D file"));
   const std::size_t begin = (std::max<std::size_t>(*raw.byte(0), 1) - 1) * kBlock;
   const auto processor = raw.byte(begin + 3);
-  if (begin == 0 || !processor) return fail(0, "parameters that are not in the file", "a block behind the header");
+  if (begin == 0 || !processor)
+    return fail(0, Text("parameters that are not in the file"), Text("a block behind the header"));
   if (*processor < 84 || *processor > 86) {
-    return fail(begin + 3, "processor " + std::to_string(*processor), "84 (Intel), 85 (DEC) or 86 (MIPS)");
+    return fail(begin + 3, Text("processor %1", *processor), Text("84 (Intel), 85 (DEC) or 86 (MIPS)"));
   }
   C3dParameters parameters(C3dBytes(bytes, static_cast<C3dProcessor>(*processor)));
   parameters.readAll(begin);
@@ -114,7 +113,7 @@ inline void C3dParameters::readAll(std::size_t begin) {
     at = link + step;
   }
   if (unknown > 0)
-    warnings_.push_back(std::to_string(unknown) + " parameters are cut or of no known kind; they are passed over");
+    warnings_.push_back(Text("%1 parameters are cut or of no known kind; they are passed over", unknown));
   for (auto& [key, parameter] : found) {
     if (const auto group = groups.find(key.first); group != groups.end())
       parameters_[group->second + ":" + key.second] = std::move(parameter);

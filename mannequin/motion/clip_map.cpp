@@ -168,26 +168,18 @@ Expected<ClipMap> mapJoints(const MotionClip& clip) {
   const JointFinder joints(clip);
   ClipMap map;
   findLimbs(joints, map);
-  const std::pair<const char*, int> needed[] = {{"head", map.head},
-                                                {"left hip", map.hip[0]},
-                                                {"right hip", map.hip[1]},
-                                                {"left knee", map.knee[0]},
-                                                {"right knee", map.knee[1]},
-                                                {"left ankle", map.ankle[0]},
-                                                {"right ankle", map.ankle[1]},
-                                                {"left shoulder", map.shoulder[0]},
-                                                {"right shoulder", map.shoulder[1]},
-                                                {"left elbow", map.elbow[0]},
-                                                {"right elbow", map.elbow[1]},
-                                                {"left wrist", map.hand[0]},
-                                                {"right wrist", map.hand[1]}};
+  const std::pair<Text, int> needed[] = {HAPTICELL_TRANSLATED(
+      {"head", map.head}, {"left hip", map.hip[0]}, {"right hip", map.hip[1]}, {"left knee", map.knee[0]},
+      {"right knee", map.knee[1]}, {"left ankle", map.ankle[0]}, {"right ankle", map.ankle[1]},
+      {"left shoulder", map.shoulder[0]}, {"right shoulder", map.shoulder[1]}, {"left elbow", map.elbow[0]},
+      {"right elbow", map.elbow[1]}, {"left wrist", map.hand[0]}, {"right wrist", map.hand[1]})};
   for (const auto& [what, joint] : needed) {
     if (joint >= 0) continue;
     return makeError(
-        {"", "", std::string("a skeleton without a joint for the ") + what + " (its joints are " + namesIn(clip) + ")",
-         "joints named as CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens or "
-         "SMPL name them",
-         "Rename the joint in the program that wrote the file."});
+        {.found = Text("a skeleton without a joint for the %1 (its joints are %2)", what, namesIn(clip)),
+         .expected = "joints named as CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens or "
+                     "SMPL name them",
+         .fix = "Rename the joint in the program that wrote the file."});
   }
   findTrunk(joints, map);
   for (std::size_t side = 0; side < 2; ++side) findHand(joints, side, map);

@@ -29,7 +29,7 @@ bool take(const json& document, const char* key, GloveReadings& values) {
 }  // namespace
 
 Expected<GloveCalibration> readGloveCalibration(const std::filesystem::path& file) {
-  const auto refuse = [&](std::string found) {
+  const auto refuse = [&](Text found) {
     return makeError({.file = file.string(),
                       .found = std::move(found),
                       .expected = "a glove's calibration",
@@ -41,11 +41,12 @@ Expected<GloveCalibration> readGloveCalibration(const std::filesystem::path& fil
   auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
   HAPTICELL_TRY(flat);
   const json document = json::parse(*text, nullptr, false);
-  if (!document.is_object() || document.value("format", json()) != "hapticell-glove") return refuse("something else");
-  if (document.value("version", json()) != 1) return refuse("another version");
+  if (!document.is_object() || document.value("format", json()) != "hapticell-glove")
+    return refuse(Text("something else"));
+  if (document.value("version", json()) != 1) return refuse(Text("another version"));
   GloveCalibration calibration;
   if (!take(document, "gain", calibration.gain) || !take(document, "offset", calibration.offset)) {
-    return refuse("not 22 numbers each of gain and offset");
+    return refuse(Text("not 22 numbers each of gain and offset"));
   }
   return calibration;
 }

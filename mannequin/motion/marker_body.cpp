@@ -54,8 +54,8 @@ class MarkerBody {
     motion_.up = clip_.up;
     motion_.marker_set = set_.name;
     motion_.assumptions = clip_.warnings;
-    motion_.assumptions.push_back("the markers are read as " + set_.name +
-                                  "; joints are found from them with our own offsets");
+    motion_.assumptions.push_back(
+        Text("the markers are read as %1; joints are found from them with our own offsets", set_.name));
     findBlind();
     for (const auto& [landmark, markers] : set_.markers) {
       HAPTICELL_TRY(addWay(landmark, markers));
@@ -96,9 +96,9 @@ class MarkerBody {
     }
     if (count == 0) return;
     motion_.assumptions.push_back(
-        "in " + std::to_string(count) + " of " + std::to_string(blind_.size()) +
-        " frames no marker of the person is seen; it is taken to stand still or to go straight "
-        "on there, and these frames count like others");
+        Text("in %1 of %2 frames no marker of the person is seen; it is taken to stand still or to go straight on "
+             "there, and these frames count like others",
+             count, blind_.size()));
   }
 
   Expected<void> addWay(const std::string& landmark, const std::vector<std::size_t>& markers) {
@@ -121,9 +121,9 @@ class MarkerBody {
       rest.markers.erase(landmark);
       if (!missingLandmarks(rest).empty())
         return makeError({.place = "markers",
-                          .found = "the marker on " + landmark + " is never seen",
+                          .found = Text("the marker on %1 is never seen", landmark),
                           .expected = "a marker that is seen"});
-      motion_.assumptions.push_back("the marker on " + landmark + " is never seen; it is left out");
+      motion_.assumptions.push_back(Text("the marker on %1 is never seen; it is left out", landmark));
       return {};
     }
     if (unseen > 0) fill(landmark, way, seen);
@@ -155,12 +155,11 @@ class MarkerBody {
       f = end;
     }
     if (count == 0) return;
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "the marker on %s is not seen in %zu of %zu frames, %.2f s at the longest; it is "
-                  "taken on the straight way between",
-                  landmark.c_str(), count, way.size(), static_cast<double>(longest) * clip_.frame_time);
-    motion_.assumptions.emplace_back(text);
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.2f", static_cast<double>(longest) * clip_.frame_time);
+    motion_.assumptions.push_back(Text(
+        "the marker on %1 is not seen in %2 of %3 frames, %4 s at the longest; it is taken on the straight way between",
+        landmark, count, way.size(), std::string(seconds)));
   }
 
   /// How the markers of pelvis and head lie on them: where the trunk is upright the pelvis is in line with it; and a
@@ -193,24 +192,23 @@ class MarkerBody {
   bool hasLineOfHead() const { return has("head_front") && has("head_back"); }
 
   void tell() {
-    std::vector<std::string>& said = motion_.assumptions;
+    std::vector<Text>& said = motion_.assumptions;
     if (!hasThorax())
-      said.emplace_back("C7, T10, CLAV and STRN are not all there; the chest is as shoulders and hips lie");
+      said.push_back(Text("C7, T10, CLAV and STRN are not all there; the chest is as shoulders and hips lie"));
     if (hasFourOfHead() || hasLineOfHead()) {
-      said.emplace_back(head_tilt_ > 0.0
-                            ? "the head's markers lean back by " + std::to_string(std::lround(head_tilt_ / kDegree)) +
-                                  " deg on the whole; taken as their place, the head being level on the whole"
-                            : "the head's markers are taken to be level when the head is held straight");
+      said.push_back(head_tilt_ > 0.0
+                         ? Text("the head's markers lean back by %1 deg on the whole; taken as their place, the head "
+                                "being level on the whole",
+                                std::lround(head_tilt_ / kDegree))
+                         : Text("the head's markers are taken to be level when the head is held straight"));
     } else {
-      said.emplace_back("there are no markers on the head; it follows the chest, and the neck's score with it");
+      said.push_back(Text("there are no markers on the head; it follows the chest, and the neck's score with it"));
     }
-    constexpr std::pair<const char*, const char*> kStraight[] = {
-        {"finger", "the fingers; wrists"}, {"heel", "the heels; feet"}, {"toe", "the toes; feet"}};
-    for (const auto& [landmark, words] : kStraight) {
-      if (!both(landmark)) said.push_back(std::string("there are no markers on ") + words + " are taken as straight");
-    }
+    if (!both("finger")) said.push_back(Text("there are no markers on the fingers; wrists are taken as straight"));
+    if (!both("heel")) said.push_back(Text("there are no markers on the heels; feet are taken as straight"));
+    if (!both("toe")) said.push_back(Text("there are no markers on the toes; feet are taken as straight"));
     if (!both("wrist_thumb_side") || !both("wrist_little_finger_side"))
-      said.emplace_back("the wrists have one marker; the forearms are taken to be neither pronated nor supinated");
+      said.push_back(Text("the wrists have one marker; the forearms are taken to be neither pronated nor supinated"));
   }
 
   /// Hips by Harrington's regression, or as told.
@@ -409,7 +407,7 @@ class MarkerBody {
                                      glm::length(body.elbow[i] - body.shoulder[i]),
                                      glm::length(body.hand[i] - body.elbow[i]), glm::length(body.neck - body.p_root)});
       if (!(least > 0.01))
-        return makeError({.place = "frame " + std::to_string(frame_ + 1),
+        return makeError({.place = Text("frame %1", frame_ + 1),
                           .found = "markers that lie on each other",
                           .expected = "arms, legs and a trunk that have lengths"});
     }

@@ -184,10 +184,11 @@ Expected<MarkerSet> recogniseMarkers(const MarkerClip& clip) {
   const std::vector<std::string> missing = missingLandmarks(set);
   if (missing.empty()) return set;
   return makeError(
-      {"", "markers",
-       "no marker on " + listed(missing) + " by the names of " + set.name + " (the markers are " + namesOf(clip) + ")",
-       "the markers of Plug-in Gait (full body) or Helen Hayes with shoulders, elbows and wrists",
-       "Say with --markers TABLE which marker sits where (docs/user/formats.md)."});
+      {.place = "markers",
+       .found =
+           Text("no marker on %1 by the names of %2 (the markers are %3)", listed(missing), set.name, namesOf(clip)),
+       .expected = "the markers of Plug-in Gait (full body) or Helen Hayes with shoulders, elbows and wrists",
+       .fix = "Say with --markers TABLE which marker sits where (docs/user/formats.md)."});
 }
 
 Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& name, const MarkerClip& clip) {
@@ -197,13 +198,15 @@ Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& n
     table = toml::parse(text, name);
   } catch (const toml::parse_error& problem) {
     return makeError({.file = name,
-                      .place = "line " + std::to_string(problem.source().begin.line),
+                      .place = Text("line %1", problem.source().begin.line),
                       .found = std::string(problem.description()),
                       .expected = "a table in TOML"});
   }
-  const auto fail = [&](const toml::node& node, std::string seen, std::string expected) {
-    return makeError(
-        {name, "line " + std::to_string(node.source().begin.line), std::move(seen), std::move(expected), ""});
+  const auto fail = [&](const toml::node& node, Text seen, Text expected) {
+    return makeError({.file = name,
+                      .place = Text("line %1", node.source().begin.line),
+                      .found = std::move(seen),
+                      .expected = std::move(expected)});
   };
   const toml::table* markers = table["markers"].as_table();
   if (!markers)
@@ -215,13 +218,14 @@ Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& n
     const std::string landmark(key.str());
     const auto& all = landmarkNames();
     if (std::find(all.begin(), all.end(), landmark) == all.end())
-      return fail(node, "'" + landmark + "'", "one of the landmarks " + listed(all));
+      return fail(node, Text("'%1'", landmark), Text("one of the landmarks %1", listed(all)));
     std::vector<std::string> names;
     if (const auto one = node.value<std::string>()) names.push_back(*one);
     if (const toml::array* list = node.as_array()) {
       for (const toml::node& each : *list) names.push_back(each.value_or(std::string()));
     }
-    if (names.empty()) return fail(node, "no marker for " + landmark, "a marker's name, or a list of names");
+    if (names.empty())
+      return fail(node, Text("no marker for %1", landmark), Text("a marker's name, or a list of names"));
     std::vector<std::size_t>& indices = set.markers[landmark];
     indices.clear();
     for (const std::string& wanted : names) {
@@ -229,7 +233,8 @@ Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& n
         return each == wanted || bare(each) == bare(wanted);
       });
       if (same == clip.names.end() || wanted.empty())
-        return fail(node, "the marker '" + wanted + "', which is not in the recording", "one of " + namesOf(clip));
+        return fail(node, Text("the marker '%1', which is not in the recording", wanted),
+                    Text("one of %1", namesOf(clip)));
       indices.push_back(static_cast<std::size_t>(same - clip.names.begin()));
     }
   }
@@ -237,7 +242,7 @@ Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& n
   if (missing.empty()) return set;
   return makeError({.file = name,
                     .place = "markers",
-                    .found = "nothing for " + listed(missing),
+                    .found = Text("nothing for %1", listed(missing)),
                     .expected = "a marker for each of them"});
 }
 
@@ -246,7 +251,7 @@ Expected<MarkerSet> readMarkerTable(const std::filesystem::path& file, const Mar
   const auto text = geometry::readRegularFile(file, kMostTable);
   if (!text)
     return makeError({.file = file.string(),
-                      .place = "--markers",
+                      .place = Text::plain("--markers"),
                       .found = text.error().found,
                       .expected = "a table in TOML of at most 1 MB"});
   return parseMarkerTable(*text, file.string(), clip);

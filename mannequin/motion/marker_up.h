@@ -100,37 +100,38 @@ inline std::optional<UpAxis> longestSide(const MarkerClip& clip) {
   return static_cast<UpAxis>(best + (middle[best] < 0.0 ? 3 : 0));
 }
 
-inline std::string axisWord(UpAxis axis) {
-  return std::string("the file's ") + nameOf(axis) + " axis";
+inline Text axisWord(UpAxis axis) {
+  return Text("the file's %1 axis", nameOf(axis));
 }
 
 inline UpAxis chosenUp(MarkerClip& clip, std::optional<UpAxis> told, const std::string& screen) {
   std::optional<UpAxis> said;
   if (const auto axis = parseUpAxis(screen)) said = *axis;
   const std::optional<UpAxis> seen = upAxisOf(upwardsOf(clip));
-  const auto warn = [&](std::string text) { clip.warnings.push_back(std::move(text)); };
+  const auto warn = [&](Text text) { clip.warnings.push_back(std::move(text)); };
   if (told) {
     if ((seen && *seen != *told) || (!seen && said && *said != *told))
-      warn("up is " + axisWord(*told) + ", as told; " +
-           (seen ? "the body stands along " + axisWord(*seen) : "the file says " + axisWord(*said)));
+      warn(seen ? Text("up is %1, as told; the body stands along %2", axisWord(*told), axisWord(*seen))
+                : Text("up is %1, as told; the file says %2", axisWord(*told), axisWord(*said)));
     return *told;
   }
   if (seen && said && *seen != *said) {
-    warn("the file says that " + axisWord(*said) + " is up (Y_SCREEN), but the body stands along " + axisWord(*seen) +
-         ", which is taken; --up says another");
+    warn(Text("the file says that %1 is up (Y_SCREEN), but the body stands along %2, which is taken; --up says another",
+              axisWord(*said), axisWord(*seen)));
     return *seen;
   }
   if (said) return *said;
   if (seen) {
-    warn("the file does not say which axis is up; the body stands along " + axisWord(*seen) + ", which is taken");
+    warn(Text("the file does not say which axis is up; the body stands along %1, which is taken", axisWord(*seen)));
     return *seen;
   }
   if (const auto side = longestSide(clip)) {
-    warn("the file does not say which axis is up; the markers stand highest along " + axisWord(*side) +
-         ", which is taken; --up says another");
+    warn(Text(
+        "the file does not say which axis is up; the markers stand highest along %1, which is taken; --up says another",
+        axisWord(*side)));
     return *side;
   }
-  warn("the file does not say which axis is up, nor do its markers; its z axis is taken; --up says another");
+  warn(Text("the file does not say which axis is up, nor do its markers; its z axis is taken; --up says another"));
   return UpAxis::kZ;
 }
 

@@ -47,7 +47,7 @@ Expected<MotionClip> readMotionFile(const std::filesystem::path& file) {
   if (ending == ".bvh") return readBvh(*text, file.string());
   if (ending != ".amc")
     return makeError(
-        {.file = file.string(), .found = "'" + ending + "'", .expected = ".bvh, .amc beside its .asf, or .c3d"});
+        {.file = file.string(), .found = Text("'%1'", ending), .expected = ".bvh, .amc beside its .asf, or .c3d"});
   std::filesystem::path skeleton = file;
   skeleton.replace_extension(".asf");
   std::error_code ignored;

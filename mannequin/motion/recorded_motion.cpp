@@ -28,22 +28,22 @@ std::vector<dvec3> upwardsOf(const MotionClip& clip, const ClipMap& map) {
   return upwards;
 }
 
-UpAxis upOf(const MotionClip& clip, const ClipMap& map, const MotionReading& reading,
-            std::vector<std::string>& assumptions) {
+UpAxis upOf(const MotionClip& clip, const ClipMap& map, const MotionReading& reading, std::vector<Text>& assumptions) {
   const std::optional<UpAxis> seen = upAxisOf(upwardsOf(clip, map));
-  const auto axis = [](UpAxis up) { return std::string("the file's ") + nameOf(up) + " axis"; };
+  const auto axis = [](UpAxis up) { return Text("the file's %1 axis", nameOf(up)); };
   if (reading.up) {
-    assumptions.push_back("up is " + axis(*reading.up) + ", as told" +
-                          (seen && *seen != *reading.up ? "; the head is over the feet along " + axis(*seen) : ""));
+    assumptions.push_back(seen && *seen != *reading.up ? Text("up is %1, as told; the head is over the feet along %2",
+                                                              axis(*reading.up), axis(*seen))
+                                                       : Text("up is %1, as told", axis(*reading.up)));
     return *reading.up;
   }
   if (seen) {
-    assumptions.push_back("up is " + axis(*seen) + ": the head is over the feet along it");
+    assumptions.push_back(Text("up is %1: the head is over the feet along it", axis(*seen)));
     return *seen;
   }
   assumptions.push_back(
-      "the posture does not tell which axis is up (the person lies, or turns over); the file's y axis "
-      "is taken, as BVH and ASF have it; --up says another");
+      Text("the posture does not tell which axis is up (the person lies, or turns over); the file's y axis "
+           "is taken, as BVH and ASF have it; --up says another"));
   return UpAxis::kY;
 }
 
@@ -72,7 +72,7 @@ Expected<RecordedMotion> recordedMotion(const MotionClip& clip, const MotionRead
                                      glm::length(body.elbow[i] - body.shoulder[i]),
                                      glm::length(body.hand[i] - body.elbow[i]), glm::length(body.neck - body.p_root)});
       if (least > 1e-4) continue;
-      return makeError({.place = "frame " + std::to_string(motion.bodies.size()),
+      return makeError({.place = Text("frame %1", motion.bodies.size()),
                         .found = "bones without length",
                         .expected = "arms, legs and a trunk that have lengths"});
     }
@@ -94,7 +94,7 @@ Expected<RecordedMotion> recordedMarkers(const std::filesystem::path& file, cons
 Expected<RecordedMotion> recordedSkeleton(const std::filesystem::path& file, const MotionReading& reading) {
   if (!reading.markers.empty())
     return makeError({.file = file.string(),
-                      .place = "--markers",
+                      .place = Text::plain("--markers"),
                       .found = "a table of markers for a skeleton",
                       .expected = "a recording in C3D"});
   const Expected<MotionClip> clip = readMotionFile(file);

@@ -44,7 +44,7 @@ inline Expected<UpAxis> parseUpAxis(std::string_view text) {
   for (std::size_t i = 0; i < up_axis::kUpNames.size(); ++i) {
     if (word == up_axis::kUpNames[i]) return static_cast<UpAxis>(i);
   }
-  return makeError({.place = "--up", .found = "'" + std::string(text) + "'", .expected = "x, y, z, -x, -y or -z"});
+  return makeError({.place = Text::plain("--up"), .found = Text("'%1'", text), .expected = "x, y, z, -x, -y or -z"});
 }
 
 inline const char* nameOf(UpAxis axis) {

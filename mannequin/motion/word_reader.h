@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/system/text.h"
+
 namespace hapticell::mannequin {
 
 /// Words of a text with their line numbers. Lines end as on Unix, Windows or an old Mac; a byte order mark before the
@@ -68,7 +70,7 @@ class WordReader {
     return value;
   }
   bool atEnd() const { return peek().empty(); }
-  std::string place() const { return "line " + std::to_string(line_); }
+  Text place() const { return Text("line %1", line_); }
 
  private:
   /// Of a number that no double holds: it is too small for that and not too large.
@@ -90,9 +92,10 @@ class WordReader {
 };
 
 /// What to say of a text that is not one: two bytes a letter, or zeros in it. Empty where it is sound.
-inline std::string whyNoText(std::string_view text) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "a text of two bytes a letter (UTF-16)";
-  if (text.substr(0, 4096).find('\0') != std::string_view::npos) return "bytes that are no text";
+inline Text whyNoText(std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    return Text("a text of two bytes a letter (UTF-16)");
+  if (text.substr(0, 4096).find('\0') != std::string_view::npos) return Text("bytes that are no text");
   return {};
 }
 

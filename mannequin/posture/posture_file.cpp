@@ -31,14 +31,14 @@ std::optional<std::vector<double>> numbers(const ordered_json& json, std::size_t
 Expected<void> readRoot(const ordered_json& json, const std::string& name, Posture& posture) {
   if (!json.is_object())
     return makeError({.file = name,
-                      .place = "\"root\"",
+                      .place = Text::plain("\"root\""),
                       .found = "no object",
-                      .expected = "{\"position\":[..],\"orientation\":[..]}"});
+                      .expected = Text::plain("{\"position\":[..],\"orientation\":[..]}")});
   if (json.contains("position")) {
     const auto p = numbers(json["position"], 3);
     if (!p)
       return makeError({.file = name,
-                        .place = "\"root\".\"position\"",
+                        .place = Text::plain("\"root\".\"position\""),
                         .found = "no position",
                         .expected = "three numbers, metres"});
     posture.X_WR.p = {(*p)[0], (*p)[1], (*p)[2]};
@@ -48,7 +48,7 @@ Expected<void> readRoot(const ordered_json& json, const std::string& name, Postu
     const dquat raw = q ? dquat((*q)[0], (*q)[1], (*q)[2], (*q)[3]) : dquat(0.0, 0.0, 0.0, 0.0);
     if (!(std::abs(glm::length(raw) - 1.0) < 0.01)) {
       return makeError({.file = name,
-                        .place = "\"root\".\"orientation\"",
+                        .place = Text::plain("\"root\".\"orientation\""),
                         .found = "no unit quaternion",
                         .expected = "w, x, y, z of length 1"});
     }
@@ -59,11 +59,13 @@ Expected<void> readRoot(const ordered_json& json, const std::string& name, Postu
 
 Expected<void> readJoints(const ordered_json& json, double unit, const std::string& name, Posture& posture) {
   if (!json.is_object())
-    return makeError(
-        {.file = name, .place = "\"joints\"", .found = "no object", .expected = "joint names with angles"});
+    return makeError({.file = name,
+                      .place = Text::plain("\"joints\""),
+                      .found = "no object",
+                      .expected = "joint names with angles"});
   for (const auto& [key, value] : json.items()) {
     const std::optional<Dof> dof = findDof(key);
-    const std::string place = "joint '" + key.substr(0, 60) + "'";
+    const Text place("joint '%1'", key.substr(0, 60));
     if (!dof) {
       return makeError({.file = name,
                         .place = place,
@@ -85,14 +87,14 @@ Expected<void> checkHead(const ordered_json& json, const std::string& name) {
       json.contains("format") && json["format"].is_string() ? json["format"].get<std::string>() : "";
   if (format != "hapticell-posture") {
     return makeError({.file = name,
-                      .place = "\"format\"",
-                      .found = format.empty() ? "nothing" : "\"" + format.substr(0, 60) + "\"",
-                      .expected = "\"hapticell-posture\""});
+                      .place = Text::plain("\"format\""),
+                      .found = format.empty() ? Text("nothing") : Text("\"%1\"", format.substr(0, 60)),
+                      .expected = Text::plain("\"hapticell-posture\"")});
   }
   const bool known = !json.contains("version") || (json["version"].is_number_integer() && json["version"] == kVersion);
   if (!known)
     return makeError({.file = name,
-                      .place = "\"version\"",
+                      .place = Text::plain("\"version\""),
                       .found = json["version"].dump().substr(0, 40),
                       .expected = "1",
                       .fix = "Use a newer HaptiCell."});
@@ -125,8 +127,10 @@ Expected<Posture> parsePosture(std::string_view text, const std::string& name, b
   double unit = 1.0;
   if (json.contains("unit")) {
     if (json["unit"] != "deg" && json["unit"] != "rad")
-      return makeError(
-          {.file = name, .place = "\"unit\"", .found = json["unit"].dump().substr(0, 40), .expected = "rad or deg"});
+      return makeError({.file = name,
+                        .place = Text::plain("\"unit\""),
+                        .found = json["unit"].dump().substr(0, 40),
+                        .expected = "rad or deg"});
     if (json["unit"] == "deg") unit = std::numbers::pi / 180.0;
   }
   Posture posture;
@@ -140,7 +144,10 @@ Expected<Posture> parsePosture(std::string_view text, const std::string& name, b
   if (json.contains("gaze")) {
     const auto gaze = numbers(json["gaze"], 2);
     if (!gaze)
-      return makeError({.file = name, .place = "\"gaze\"", .found = "no two numbers", .expected = "[yaw, pitch]"});
+      return makeError({.file = name,
+                        .place = Text::plain("\"gaze\""),
+                        .found = "no two numbers",
+                        .expected = Text::plain("[yaw, pitch]")});
     posture.gaze = {(*gaze)[0] * unit, (*gaze)[1] * unit};
   }
   return posture;

@@ -19,8 +19,8 @@ using trajectory::Trajectory;
 constexpr double kRounding = 1e-9;   ///< m, rad: of numbers in files and of the measuring.
 constexpr double kOfLimits = 1.001;  ///< That differences of frames may use of limits.
 
-std::string atTime(double t) {
-  return "at " + trajectory::shortestText(std::round(1e4 * t) / 1e4) + " s";
+Text atTime(double t) {
+  return Text("at %1 s", trajectory::shortestText(std::round(1e4 * t) / 1e4));
 }
 
 void addDistances(Promises& promises, const Distances& off, const PathTolerance& tolerance, const Trajectory& given,

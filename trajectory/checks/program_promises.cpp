@@ -11,7 +11,7 @@ Expected<Promises> programPromises(const trajectory::Trajectory& given,
   const auto measured = trajectory::measureProgram(read, format, options, given);
   HAPTICELL_TRY(measured);
   const trajectory::PathTolerance& asked = trajectory::kProgramPromise;
-  const auto at = [](std::size_t frame) { return "at frame " + std::to_string(frame); };
+  const auto at = [](std::size_t frame) { return Text("at frame %1", frame); };
   Promises promises;
   promises.help = "Bring the motion nearer to the robot's base.";
   promises.list.push_back(

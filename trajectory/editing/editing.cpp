@@ -14,7 +14,7 @@ namespace {
 constexpr double kMetresPerRadian = 0.1;
 constexpr double kLeastTime = 1e-3;  // s
 
-Error wrong(std::string place, std::string found, std::string expected) {
+Error wrong(Text place, Text found, Text expected) {
   return {.place = std::move(place), .found = std::move(found), .expected = std::move(expected)};
 }
 
@@ -43,14 +43,14 @@ void appendPlace(Trajectory& to, const Trajectory& from, double t, double shift)
 
 Expected<void> checkFrame(const Trajectory& trajectory, std::size_t i) {
   if (i < trajectory.size()) return {};
-  return makeError(
-      wrong("frame " + std::to_string(i), "there is none", "0 to " + std::to_string(trajectory.size()) + " less one"));
+  return makeError(wrong(Text("frame %1", i), Text("there is none"), Text("0 to %1 less one", trajectory.size())));
 }
 
 Expected<void> checkWay(const Trajectory& trajectory, const StraightWay& way) {
-  if (trajectory.empty()) return makeError(wrong("frames", "none", "a motion"));
+  if (trajectory.empty()) return makeError(wrong(Text("frames"), Text("none"), Text("a motion")));
   if (!(way.length > 0.0) || !(way.speed > 0.0) || !(glm::length(way.direction_T) > 1e-9)) {
-    return makeError(wrong("approach or retract", "a length, a speed or a direction that is nought", "positive ones"));
+    return makeError(wrong(Text("approach or retract"), Text("a length, a speed or a direction that is nought"),
+                           Text("positive ones")));
   }
   return {};
 }
@@ -62,12 +62,12 @@ Pose farEnd(const Pose& X_WT, const StraightWay& way) {
 }  // namespace
 
 Expected<Trajectory> trimmed(const Trajectory& trajectory, double t0, double t1) {
-  if (trajectory.empty()) return makeError(wrong("frames", "none", "a motion"));
+  if (trajectory.empty()) return makeError(wrong(Text("frames"), Text("none"), Text("a motion")));
   const double first = std::max(t0, trajectory[0].t), last = std::min(t1, trajectory.frames().back().t);
   if (!(first <= last)) {
     return makeError(wrong(
-        "times", shortestText(t0) + " s to " + shortestText(t1) + " s",
-        "a part of " + shortestText(trajectory[0].t) + " s to " + shortestText(trajectory.frames().back().t) + " s"));
+        Text("times"), Text("%1 s to %2 s", shortestText(t0), shortestText(t1)),
+        Text("a part of %1 s to %2 s", shortestText(trajectory[0].t), shortestText(trajectory.frames().back().t))));
   }
   Trajectory result = trajectory.emptyRecording();
   const auto isFrame = [&](double t) {
@@ -89,7 +89,8 @@ Expected<Trajectory> trimmed(const Trajectory& trajectory, double t0, double t1)
 
 Expected<std::pair<Trajectory, Trajectory>> splitAt(const Trajectory& trajectory, double t) {
   if (trajectory.size() < 2 || !(t > trajectory[0].t) || !(t < trajectory.frames().back().t)) {
-    return makeError(wrong("time", shortestText(t) + " s", "one between the first and the last frame"));
+    return makeError(
+        wrong(Text("time"), Text("%1 s", shortestText(t)), Text("one between the first and the last frame")));
   }
   auto before = trimmed(trajectory, trajectory[0].t, t), after = trimmed(trajectory, t, trajectory.frames().back().t);
   HAPTICELL_TRY(before);
@@ -98,13 +99,15 @@ Expected<std::pair<Trajectory, Trajectory>> splitAt(const Trajectory& trajectory
 }
 
 Expected<Trajectory> joined(std::span<const Trajectory> parts, double speed) {
-  if (parts.size() < 2) return makeError(wrong("motions", std::to_string(parts.size()), "two or more"));
-  if (!(speed > 0.0)) return makeError(wrong("speed", shortestText(speed) + " m/s", "a positive one"));
+  if (parts.size() < 2) return makeError(wrong(Text("motions"), Text("%1", parts.size()), Text("two or more")));
+  if (!(speed > 0.0))
+    return makeError(wrong(Text("speed"), Text("%1 m/s", shortestText(speed)), Text("a positive one")));
   Trajectory result = parts.front().emptyRecording();
   double shift = parts.front().empty() ? 0.0 : -parts.front()[0].t;
   for (const Trajectory& part : parts) {
     if (part.entity != parts.front().entity || part.joint_names != parts.front().joint_names) {
-      return makeError(wrong("motion '" + part.name + "'", "another entity or other joints", "those of the first"));
+      return makeError(
+          wrong(Text("motion '%1'", part.name), Text("another entity or other joints"), Text("those of the first")));
     }
     if (part.empty()) continue;
     if (!result.empty()) {
@@ -124,9 +127,10 @@ Expected<Trajectory> joined(std::span<const Trajectory> parts, double speed) {
 }
 
 Expected<Trajectory> resampled(const Trajectory& trajectory, double step) {
-  if (trajectory.empty()) return makeError(wrong("frames", "none", "a motion"));
+  if (trajectory.empty()) return makeError(wrong(Text("frames"), Text("none"), Text("a motion")));
   if (!(step > 0.0) || trajectory.duration() / step > 1e7) {
-    return makeError(wrong("step", shortestText(step) + " s", "a positive one, at most ten million frames"));
+    return makeError(
+        wrong(Text("step"), Text("%1 s", shortestText(step)), Text("a positive one, at most ten million frames")));
   }
   std::vector<double> times;
   const double begin = trajectory[0].t, end = trajectory.frames().back().t;
@@ -194,7 +198,8 @@ Trajectory transformed(const Trajectory& trajectory, const Pose& X_WN) {
 Expected<Trajectory> withFrame(const Trajectory& trajectory, double t, const Pose& X_WT) {
   for (const Trajectory::Frame& frame : trajectory.frames()) {
     if (std::abs(frame.t - t) >= kLeastTime) continue;
-    return makeError(wrong("time", "there is a frame at " + shortestText(frame.t) + " s", "another time"));
+    return makeError(
+        wrong(Text("time"), Text("there is a frame at %1 s", shortestText(frame.t)), Text("another time")));
   }
   Trajectory result = posesOnly(trajectory);
   bool added = false;
@@ -228,8 +233,7 @@ Expected<Trajectory> withoutFrames(const Trajectory& trajectory, std::size_t fir
     HAPTICELL_TRY(checkFrame(trajectory, i));
   }
   if (first > last || last - first + 1 >= trajectory.size()) {
-    return makeError(
-        wrong("frames", std::to_string(first) + " to " + std::to_string(last), "some that leave one at least"));
+    return makeError(wrong(Text("frames"), Text("%1 to %2", first, last), Text("some that leave one at least")));
   }
   Trajectory result = trajectory.emptyRecording();
   result.touches = trajectory.touches;
@@ -242,7 +246,7 @@ Expected<Trajectory> withoutFrames(const Trajectory& trajectory, std::size_t fir
 Expected<Trajectory> withDwell(const Trajectory& trajectory, std::size_t i, double seconds) {
   HAPTICELL_TRY(checkFrame(trajectory, i));
   if (!(seconds >= 0.0) || !std::isfinite(seconds)) {
-    return makeError(wrong("dwell", shortestText(seconds) + " s", "a time of 0 s or more"));
+    return makeError(wrong(Text("dwell"), Text("%1 s", shortestText(seconds)), Text("a time of 0 s or more")));
   }
   Trajectory result = trajectory.emptyRecording();
   result.touches = trajectory.touches;
@@ -265,10 +269,10 @@ Expected<Trajectory> withName(const Trajectory& trajectory, std::size_t i, const
     return byte < 0x20 || byte == 0x7F;
   });
   if (name.size() > kLongest || !printable)
-    return makeError(wrong("name", "'" + name.substr(0, 60) + "'", "printable, at most 200 letters"));
+    return makeError(wrong(Text("name"), Text("'%1'", name.substr(0, 60)), Text("printable, at most 200 letters")));
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
     if (k != i && !name.empty() && trajectory[k].nameText() == name)
-      return makeError(wrong("name", "frame " + std::to_string(k) + " is called '" + name + "'", "a name of its own"));
+      return makeError(wrong(Text("name"), Text("frame %1 is called '%2'", k, name), Text("a name of its own")));
   }
   Trajectory result = trajectory.emptyRecording();
   result.touches = trajectory.touches;

@@ -31,8 +31,8 @@ Expected<Pose> poseOf(const std::vector<double>& row, std::size_t first, const P
   const double norm = glm::length(q);
   if (!(std::abs(norm - 1.0) <= kUnitTolerance)) {
     return makeError({.file = place.file.string(),
-                      .place = "line " + std::to_string(place.line) + ", columns qw,qx,qy,qz",
-                      .found = "a quaternion of length " + text(norm),
+                      .place = Text("line %1, columns qw,qx,qy,qz", place.line),
+                      .found = Text("a quaternion of length %1", text(norm)),
                       .expected = "a unit quaternion, w first"});
   }
   return Pose{{row[first], row[first + 1], row[first + 2]}, q / norm};
@@ -60,18 +60,20 @@ Expected<std::vector<HandSample>> readHandCsv(const std::filesystem::path& file)
   samples.reserve(table->rows.size());
   for (std::size_t i = 0; i < table->rows.size(); ++i) {
     const std::vector<double>& row = table->rows[i];
-    const std::string line = "line " + std::to_string(table->lines[i]);
+    const std::size_t line = table->lines[i];
     const auto pose = poseOf(row, 1, {file, table->lines[i]});
     HAPTICELL_TRY(pose);
     if (!samples.empty() && !(row[0] > samples.back().t)) {
       return makeError({.file = file.string(),
-                        .place = line + ", column 't'",
-                        .found = text(row[0]) + " s",
-                        .expected = "a time after that of the row before, " + text(samples.back().t) + " s"});
+                        .place = Text("line %1, column '%2'", line, "t"),
+                        .found = Text("%1 s", text(row[0])),
+                        .expected = Text("a time after that of the row before, %1 s", text(samples.back().t))});
     }
     if (row[8] != 0.0 && row[8] != 1.0) {
-      return makeError(
-          {.file = file.string(), .place = line + ", column 'button'", .found = text(row[8]), .expected = "0 or 1"});
+      return makeError({.file = file.string(),
+                        .place = Text("line %1, column '%2'", line, "button"),
+                        .found = text(row[8]),
+                        .expected = "0 or 1"});
     }
     samples.push_back({row[0], *pose, row[8] == 1.0});
   }

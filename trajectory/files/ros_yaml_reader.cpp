@@ -24,7 +24,10 @@ constexpr std::size_t kMostNodes = 1'000'000;    ///< Looked at for it: anchors 
 constexpr std::uintmax_t kLargestYaml = 256'000'000;
 constexpr int kDeepestNesting = 8;  ///< Of a JointTrajectory inside other messages.
 
-const char* const kMessage = "a JointTrajectory (joint_names and points), or JointState messages (name and position)";
+/// What is looked for.
+Text wantedMessage() {
+  return Text("a JointTrajectory (joint_names and points), or JointState messages (name and position)");
+}
 
 /// Goes through a text and keeps nothing: where each document begins.
 class Walk final : public YAML::EventHandler {
@@ -67,23 +70,23 @@ class RosYamlReader {
     try {
       if (const auto still = standstillOf(text))
         return makeError({.file = name_,
-                          .place = "line " + std::to_string(still->line + 1),
+                          .place = Text("line %1", still->line + 1),
                           .found = "no YAML",
-                          .expected = kMessage});
+                          .expected = wantedMessage()});
       documents = YAML::LoadAll(text);
       return readDocuments(documents);
     } catch (const YAML::Exception& problem) {
-      const std::string place = problem.mark.is_null() ? "" : "line " + std::to_string(problem.mark.line + 1);
-      return makeError({.file = name_, .place = place, .found = problem.msg, .expected = kMessage});
+      const Text place = problem.mark.is_null() ? Text() : Text("line %1", problem.mark.line + 1);
+      return makeError({.file = name_, .place = place, .found = problem.msg, .expected = wantedMessage()});
     }
   }
 
  private:
-  tl::unexpected<Error> fault(const YAML::Node& at, const std::string& found, const std::string& expected,
-                              const std::string& fix = {}) const {
+  tl::unexpected<Error> fault(const YAML::Node& at, const Text& found, const Text& expected,
+                              const Text& fix = {}) const {
     const YAML::Mark mark = at.IsDefined() ? at.Mark() : YAML::Mark::null_mark();
     return makeError({.file = name_,
-                      .place = mark.is_null() ? "" : "line " + std::to_string(mark.line + 1),
+                      .place = mark.is_null() ? Text() : Text("line %1", mark.line + 1),
                       .found = found,
                       .expected = expected,
                       .fix = fix});
@@ -96,8 +99,8 @@ class RosYamlReader {
       if (document.IsMap() && document["name"] && document["position"]) states.push_back(document);
     }
     if (messages.size() > 1) {
-      return fault(messages[1], std::to_string(messages.size()) + " trajectories", "one",
-                   "Keep the one that is wanted in the file.");
+      return fault(messages[1], Text("%1 trajectories", messages.size()), Text("one"),
+                   Text("Keep the one that is wanted in the file."));
     }
     auto taken = messages.size() == 1 ? takeMessage(messages.front()) : takeStates(states);
     HAPTICELL_TRY(taken);
@@ -108,7 +111,7 @@ class RosYamlReader {
   /// JointTrajectory messages anywhere in the document.
   Expected<void> search(const YAML::Node& node, std::vector<YAML::Node>& found, int depth) {
     if (depth > kDeepestNesting) return {};
-    if (++searched_ > kMostNodes) return fault(node, "no end of lists within lists", kMessage);
+    if (++searched_ > kMostNodes) return fault(node, Text("no end of lists within lists"), wantedMessage());
     if (node.IsMap()) {
       if (node["joint_names"]) {
         found.push_back(node);
@@ -132,20 +135,23 @@ class RosYamlReader {
     for (const auto& entry : map) {
       if (!entry.first.IsScalar()) continue;
       if (!keys.insert(entry.first.Scalar()).second)
-        return fault(entry.first, "'" + entry.first.Scalar() + "' a second time", "each name once");
+        return fault(entry.first, Text("'%1' a second time", entry.first.Scalar()), Text("each name once"));
     }
     return {};
   }
 
   Expected<void> takeNames(const YAML::Node& names) {
-    if (!names.IsSequence()) return fault(names, "joint names that are no list", "[joint_1, joint_2, ...]");
+    if (!names.IsSequence())
+      return fault(names, Text("joint names that are no list"), Text::plain("[joint_1, joint_2, ...]"));
     std::set<std::string> known;
     for (const YAML::Node& name : names) {
-      if (!name.IsScalar() || name.Scalar().empty()) return fault(name, "a name that is no text", "names of joints");
-      if (!known.insert(name.Scalar()).second) return fault(name, "joint '" + name.Scalar() + "' twice", "each once");
+      if (!name.IsScalar() || name.Scalar().empty())
+        return fault(name, Text("a name that is no text"), Text("names of joints"));
+      if (!known.insert(name.Scalar()).second)
+        return fault(name, Text("joint '%1' twice", name.Scalar()), Text("each once"));
       trajectory_.joint_names.push_back(name.Scalar());
     }
-    if (trajectory_.joint_names.empty()) return fault(names, "no joint names", "one a joint");
+    if (trajectory_.joint_names.empty()) return fault(names, Text("no joint names"), Text("one a joint"));
     return {};
   }
 
@@ -153,13 +159,13 @@ class RosYamlReader {
     if (auto checked = checkKeys(message); !checked) return checked;
     if (auto taken = takeNames(message["joint_names"]); !taken) return taken;
     const YAML::Node points = message["points"];
-    if (!points) return fault(message, "no points", "a list of points");
+    if (!points) return fault(message, Text("no points"), Text("a list of points"));
     if (points.IsNull()) return {};
-    if (!points.IsSequence()) return fault(points, "points that are no list", "a list of points");
+    if (!points.IsSequence()) return fault(points, Text("points that are no list"), Text("a list of points"));
     for (const YAML::Node& point : points) {
       if (!point.IsMap())
-        return fault(point, echoedShort(point) ? "a list cut short" : "a point that is no map",
-                     "positions and time_from_start", echoedShort(point) ? kFullLength : "");
+        return fault(point, echoedShort(point) ? Text("a list cut short") : Text("a point that is no map"),
+                     Text("positions and time_from_start"), echoedShort(point) ? fullLength() : Text());
       if (auto checked = checkKeys(point); !checked) return checked;
       const auto positions = numbersOf(point["positions"], point);
       HAPTICELL_TRY(positions);
@@ -172,13 +178,14 @@ class RosYamlReader {
 
   /// One frame a message, from the first one's stamp on.
   Expected<void> takeStates(const std::vector<YAML::Node>& states) {
-    if (states.empty()) return makeError({.file = name_, .found = "no such message", .expected = kMessage});
+    if (states.empty()) return makeError({.file = name_, .found = "no such message", .expected = wantedMessage()});
     if (auto taken = takeNames(states.front()["name"]); !taken) return taken;
     std::int64_t first = 0;
     for (const YAML::Node& state : states) {
       std::vector<std::string> names;
       for (const YAML::Node& name : state["name"]) names.push_back(name.IsScalar() ? name.Scalar() : "");
-      if (names != trajectory_.joint_names) return fault(state["name"], "other joints", "those of the first message");
+      if (names != trajectory_.joint_names)
+        return fault(state["name"], Text("other joints"), Text("those of the first message"));
       const auto positions = numbersOf(state["position"], state);
       HAPTICELL_TRY(positions);
       const YAML::Node header = state["header"];
@@ -194,31 +201,33 @@ class RosYamlReader {
 
   Expected<std::vector<double>> numbersOf(const YAML::Node& list, const YAML::Node& point) const {
     std::vector<double> numbers;
-    if (list && !list.IsNull() && !list.IsSequence()) return fault(list, "positions that are no list", "numbers");
+    if (list && !list.IsNull() && !list.IsSequence())
+      return fault(list, Text("positions that are no list"), Text("numbers"));
     if (list && list.IsSequence()) {
       for (const YAML::Node& item : list) {
-        if (echoedShort(item)) return fault(item, "a list cut short", "every position", kFullLength);
+        if (echoedShort(item)) return fault(item, Text("a list cut short"), Text("every position"), fullLength());
         const auto number = item.IsScalar() ? parseNumber(item.Scalar()) : std::nullopt;
-        if (!number) return fault(item, item.IsScalar() ? "'" + item.Scalar() + "'" : "no number", "a number");
+        if (!number)
+          return fault(item, item.IsScalar() ? Text("'%1'", item.Scalar()) : Text("no number"), Text("a number"));
         numbers.push_back(*number);
       }
     }
     if (numbers.size() == trajectory_.joint_names.size()) return numbers;
-    return fault(list && !list.IsNull() ? list : point, std::to_string(numbers.size()) + " positions",
-                 std::to_string(trajectory_.joint_names.size()) + ", one a joint");
+    return fault(list && !list.IsNull() ? list : point, Text("%1 positions", numbers.size()),
+                 Text("%1, one a joint", trajectory_.joint_names.size()));
   }
 
   /// Nanoseconds of `{sec, nanosec}`, `{secs, nsecs}` or a number of seconds.
   Expected<std::int64_t> timeOf(const YAML::Node& time, const YAML::Node& point, const char* what) const {
-    const char* const kExpected = "seconds and nanoseconds: {sec, nanosec} or {secs, nsecs}";
-    if (!time || time.IsNull()) return fault(point, std::string("no ") + what, kExpected);
+    const Text expected = "seconds and nanoseconds: {sec, nanosec} or {secs, nsecs}";
+    if (!time || time.IsNull()) return fault(point, Text("no %1", what), expected);
     if (time.IsScalar()) {
       const auto seconds = parseNumber(time.Scalar());
-      if (!seconds) return fault(time, "'" + time.Scalar() + "'", kExpected);
+      if (!seconds) return fault(time, Text("'%1'", time.Scalar()), expected);
       if (std::abs(*seconds) > kMostSeconds) return tooLong(time, *seconds);
       return std::llround(*seconds * static_cast<double>(kSecond));
     }
-    if (!time.IsMap()) return fault(time, std::string("a ") + what + " that is a list", kExpected);
+    if (!time.IsMap()) return fault(time, Text("a %1 that is a list", what), expected);
     HAPTICELL_TRY(checkKeys(time));
     std::int64_t sum = 0;
     bool any = false;
@@ -226,30 +235,30 @@ class RosYamlReader {
       const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
       const bool is_seconds = key == "sec" || key == "secs";
       if (!is_seconds && key != "nanosec" && key != "nsec" && key != "nsecs" && key != "nanosecs")
-        return fault(entry.first, "'" + key + "' in a time", kExpected);
+        return fault(entry.first, Text("'%1' in a time", key), expected);
       const auto number = entry.second.IsScalar() ? parseNumber(entry.second.Scalar()) : std::nullopt;
       if (!number || *number != std::floor(*number))
-        return fault(entry.second, "a time that is no whole number", "whole seconds and nanoseconds");
+        return fault(entry.second, Text("a time that is no whole number"), Text("whole seconds and nanoseconds"));
       const double seconds = is_seconds ? *number : *number / static_cast<double>(kSecond);
       if (std::abs(seconds) > 0.5 * kMostSeconds) return tooLong(entry.second, *number);
       sum += static_cast<std::int64_t>(*number) * (is_seconds ? kSecond : 1);
       any = true;
     }
-    if (!any) return fault(point, std::string("an empty ") + what, kExpected);
+    if (!any) return fault(point, Text("an empty %1", what), expected);
     return sum;
   }
 
   tl::unexpected<Error> tooLong(const YAML::Node& at, double seconds) const {
-    return fault(at, "a time of " + shortestText(seconds) + " s", "at most 9e9 s");
+    return fault(at, Text("a time of %1 s", shortestText(seconds)), Text("at most 9e9 s"));
   }
 
   Expected<void> addPoint(const YAML::Node& point, std::int64_t nanoseconds, const std::vector<double>& positions) {
     const double time = static_cast<double>(nanoseconds) / static_cast<double>(kSecond);
     if (trajectory_.addFrame({time, Pose::identity()}, positions)) return {};
-    return fault(point, "a time_from_start of " + shortestText(time) + " s", "times that increase");
+    return fault(point, Text("a time_from_start of %1 s", shortestText(time)), Text("times that increase"));
   }
 
-  static constexpr const char* kFullLength = "Echo it again with --full-length (-f).";
+  static Text fullLength() { return Text("Echo it again with --full-length (-f)."); }
 
   std::string name_;
   Trajectory trajectory_;

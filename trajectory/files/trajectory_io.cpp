@@ -39,8 +39,8 @@ Expected<Pose> poseOf(const double* v) {
   const dquat q(v[3], v[4], v[5], v[6]);
   const double norm = glm::length(q);
   if (!(std::abs(norm - 1.0) <= kUnitQuaternionTolerance)) {
-    return makeError({.place = "qw,qx,qy,qz",
-                      .found = "a quaternion of length " + shortestText(norm),
+    return makeError({.place = Text::plain("qw,qx,qy,qz"),
+                      .found = Text("a quaternion of length %1", shortestText(norm)),
                       .expected = "a unit quaternion"});
   }
   return Pose{{v[0], v[1], v[2]}, std::abs(norm - 1.0) < 1e-9 ? q : q / norm};
@@ -54,16 +54,17 @@ Expected<void> append(Trajectory& trajectory, const std::vector<double>& numbers
   const std::span<const double> joints = std::span(numbers).subspan(8, trajectory.joint_names.size());
   const std::span<const double> channels = std::span(numbers).subspan(8 + joints.size());
   if (!trajectory.addFrame({numbers[0], *pose, by_hand, dwell, std::move(name), is_pose_apart}, joints, channels)) {
-    return makeError({.place = "t",
-                      .found = shortestText(numbers[0]) + " s",
-                      .expected = "a time after the one before, " + shortestText(trajectory.frames().back().t) + " s"});
+    return makeError(
+        {.place = "t",
+         .found = Text("%1 s", shortestText(numbers[0])),
+         .expected = Text("a time after the one before, %1 s", shortestText(trajectory.frames().back().t))});
   }
   return {};
 }
 
-Error placed(Error error, const fs::path& file, const std::string& place) {
+Error placed(Error error, const fs::path& file, const Text& place) {
   error.file = file.string();
-  error.place = error.place.empty() ? place : place + ", " + error.place;
+  error.place = error.place.empty() ? place : Text("%1, %2", place, error.place);
   return error;
 }
 
@@ -121,7 +122,7 @@ Expected<Trajectory> readCsv(const fs::path& file) {
     row.resize(wanted.size());
     if (!trajectory.has_poses) row.insert(row.begin() + 1, kNoPose.begin(), kNoPose.end());
     if (auto added = append(trajectory, row, by_hand != 0.0, dwell, apart != 0.0); !added) {
-      return tl::unexpected(placed(added.error(), file, "line " + std::to_string(table->lines[i])));
+      return tl::unexpected(placed(added.error(), file, Text("line %1", table->lines[i])));
     }
   }
   return trajectory;
@@ -132,9 +133,8 @@ Expected<std::vector<double>> numbersOf(const json& list, std::size_t count) {
   const bool is_right = list.is_array() && list.size() == count &&
                         std::all_of(list.begin(), list.end(), [](const json& n) { return n.is_number(); });
   if (!is_right) {
-    return makeError(
-        {.found = list.is_array() ? std::to_string(list.size()) + " entries" : "no list of numbers",
-         .expected = std::to_string(count) + " numbers: t,x,y,z,qw,qx,qy,qz, the joints and the channels"});
+    return makeError({.found = list.is_array() ? Text("%1 entries", list.size()) : Text("no list of numbers"),
+                      .expected = Text("%1 numbers: t,x,y,z,qw,qx,qy,qz, the joints and the channels", count)});
   }
   auto numbers = list.get<std::vector<double>>();
   if (!std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); })) {
@@ -147,20 +147,22 @@ Expected<void> checkHeader(const json& document, const fs::path& file) {
   const std::string name = file.string();
   if (!document.is_object() || document.value("format", json()) != kFormat) {
     return makeError({.file = name,
-                      .place = "field 'format'",
+                      .place = Text("field '%1'", "format"),
                       .found = "no HaptiCell trajectory",
-                      .expected = std::string("\"") + kFormat + "\""});
+                      .expected = Text("\"%1\"", kFormat)});
   }
   const json version = document.value("version", json());
   if (!version.is_number_integer() || version.get<std::int64_t>() < 1) {
-    return makeError(
-        {.file = name, .place = "field 'version'", .found = version.dump(), .expected = "a whole number from 1"});
+    return makeError({.file = name,
+                      .place = Text("field '%1'", "version"),
+                      .found = version.dump(),
+                      .expected = "a whole number from 1"});
   }
   if (version.get<std::int64_t>() > kVersion) {
     return makeError({.file = name,
-                      .place = "field 'version'",
+                      .place = Text("field '%1'", "version"),
                       .found = version.dump(),
-                      .expected = "at most " + std::to_string(kVersion),
+                      .expected = Text("at most %1", kVersion),
                       .fix = "The file was written by a newer HaptiCell: open it there and export it as CSV."});
   }
   return {};
@@ -170,7 +172,7 @@ Expected<void> readText(const json& document, const char* field, std::string& te
   const auto value = document.find(field);
   if (value == document.end()) return {};
   if (!value->is_string())
-    return makeError({.place = std::string("field '") + field + "'", .found = value->dump(), .expected = "a text"});
+    return makeError({.place = Text("field '%1'", field), .found = value->dump(), .expected = "a text"});
   text = value->get<std::string>();
   return {};
 }
@@ -189,24 +191,25 @@ Expected<Marks> readMarks(const json& document, std::size_t count) {
   for (const json& index : document.value("by_hand", json::array())) {
     if (!isIndex(index))
       return makeError(
-          {.place = "field 'by_hand'", .found = index.dump(), .expected = "the number of a frame, from 0"});
+          {.place = Text("field '%1'", "by_hand"), .found = index.dump(), .expected = "the number of a frame, from 0"});
     marks.by_hand[index.get<std::size_t>()] = true;
   }
   for (const json& dwell : document.value("dwells", json::array())) {
     if (!dwell.is_array() || dwell.size() != 2 || !isIndex(dwell[0]) || !dwell[1].is_number()) {
-      return makeError({.place = "field 'dwells'", .found = dwell.dump(), .expected = "[frame, seconds]"});
+      return makeError({.place = Text("field '%1'", "dwells"), .found = dwell.dump(), .expected = "[frame, seconds]"});
     }
     marks.dwell[dwell[0].get<std::size_t>()] = dwell[1].get<double>();
   }
   for (const json& name : document.value("names", json::array())) {
     if (!name.is_array() || name.size() != 2 || !isIndex(name[0]) || !name[1].is_string()) {
-      return makeError({.place = "field 'names'", .found = name.dump(), .expected = "[frame, \"name\"]"});
+      return makeError({.place = Text("field '%1'", "names"), .found = name.dump(), .expected = "[frame, \"name\"]"});
     }
     marks.names[name[0].get<std::size_t>()] = name[1].get<std::string>();
   }
   for (const json& run : document.value("pose_apart", json::array())) {
     if (!run.is_array() || run.size() != 2 || !isIndex(run[0]) || !isIndex(run[1])) {
-      return makeError({.place = "field 'pose_apart'", .found = run.dump(), .expected = "[first frame, last frame]"});
+      return makeError(
+          {.place = Text("field '%1'", "pose_apart"), .found = run.dump(), .expected = "[first frame, last frame]"});
     }
     for (auto i = run[0].get<std::size_t>(); i <= run[1].get<std::size_t>(); ++i) marks.pose_apart[i] = true;
   }
@@ -217,8 +220,9 @@ Expected<Marks> readMarks(const json& document, std::size_t count) {
 Expected<void> readRecorded(const json& document, Trajectory& trajectory) {
   for (const json& channel : document.value("channels", json::array())) {
     if (!channel.is_string() || !isChannel(channel.get<std::string>())) {
-      return makeError(
-          {"", "field 'channels'", channel.dump(), "force_x, force_y, force_z, contact or configuration", ""});
+      return makeError({.place = Text("field '%1'", "channels"),
+                        .found = channel.dump(),
+                        .expected = "force_x, force_y, force_z, contact or configuration"});
     }
     trajectory.channel_names.push_back(channel.get<std::string>());
   }
@@ -226,8 +230,9 @@ Expected<void> readRecorded(const json& document, Trajectory& trajectory) {
     const bool is_right = touch.is_array() && touch.size() == 5 && touch[0].is_number() && touch[1].is_number() &&
                           touch[2].is_string() && touch[3].is_string() && touch[4].is_number();
     if (!is_right)
-      return makeError(
-          {.place = "field 'touches'", .found = touch.dump(), .expected = "[in, out, \"first\", \"second\", force]"});
+      return makeError({.place = Text("field '%1'", "touches"),
+                        .found = touch.dump(),
+                        .expected = "[in, out, \"first\", \"second\", force]"});
     trajectory.touches.push_back({touch[0].get<double>(), touch[1].get<double>(), touch[2].get<std::string>(),
                                   touch[3].get<std::string>(), touch[4].get<double>()});
   }
@@ -242,24 +247,25 @@ Expected<Trajectory> fromJson(const json& document) {
   }
   for (const json& joint : document.value("joints", json::array())) {
     if (!joint.is_string())
-      return makeError({.place = "field 'joints'", .found = joint.dump(), .expected = "names of joints"});
+      return makeError({.place = Text("field '%1'", "joints"), .found = joint.dump(), .expected = "names of joints"});
     trajectory.joint_names.push_back(joint.get<std::string>());
   }
   HAPTICELL_TRY(readRecorded(document, trajectory));
   const json has_poses = document.value("has_poses", json(true));
   if (!has_poses.is_boolean() || (!has_poses.get<bool>() && !trajectory.hasJoints())) {
-    return makeError(
-        {.place = "field 'has_poses'", .found = has_poses.dump(), .expected = "true, or false for a motion of joints"});
+    return makeError({.place = Text("field '%1'", "has_poses"),
+                      .found = has_poses.dump(),
+                      .expected = "true, or false for a motion of joints"});
   }
   trajectory.has_poses = has_poses.get<bool>();
   const json frames = document.value("frames", json());
   if (!frames.is_array())
-    return makeError({.place = "field 'frames'", .found = "none", .expected = "a list of frames"});
+    return makeError({.place = Text("field '%1'", "frames"), .found = "none", .expected = "a list of frames"});
   const auto marks = readMarks(document, frames.size());
   HAPTICELL_TRY(marks);
   trajectory.reserve(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const std::string place = "frame " + std::to_string(i);
+    const Text place("frame %1", i);
     auto numbers = numbersOf(frames[i], 8 + trajectory.joint_names.size() + trajectory.channel_names.size());
     if (!numbers) return tl::unexpected(placed(numbers.error(), {}, place));
     const auto named = marks->names.find(i);
@@ -308,7 +314,7 @@ void appendFrame(std::string& text, const Trajectory& trajectory, std::size_t i,
 
 }  // namespace
 
-Expected<Trajectory> readTrajectory(const fs::path& file, std::vector<std::string>* notes) {
+Expected<Trajectory> readTrajectory(const fs::path& file, std::vector<Text>* notes) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored))
     return makeError({.file = file.string(), .found = "a folder", .expected = "a trajectory file"});
@@ -325,7 +331,7 @@ Expected<Trajectory> readTrajectory(const fs::path& file, std::vector<std::strin
     return std::move(program->trajectory);
   }
   return makeError({.file = file.string(),
-                    .found = "the extension '" + extension + "'",
+                    .found = Text("the extension '%1'", extension),
                     .expected = ".htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi"});
 }
 

@@ -68,7 +68,7 @@ class Reader {
   }
 
  private:
-  std::string place() const { return "line " + std::to_string(line_number_); }
+  Text place() const { return Text("line %1", line_number_); }
 
   /// The next line that is neither empty nor a comment.
   bool nextLine() {
@@ -86,10 +86,11 @@ class Reader {
   }
 
   tl::expected<void, Error> readHeader() {
-    const std::string columns = "a header line with the columns " + listed(wanted_);
+    const Text columns("a header line with the columns %1", listed(wanted_));
     if (!nextLine())
-      return makeError(
-          {.file = name_, .found = too_long_ ? "an endless first line" : "an empty file", .expected = columns});
+      return makeError({.file = name_,
+                        .found = too_long_ ? Text("an endless first line") : Text("an empty file"),
+                        .expected = columns});
     separator_ = line_.find(';') != std::string::npos ? ';' : ',';
     splitInto(line_, separator_, fields_);
     field_count_ = fields_.size();
@@ -100,11 +101,12 @@ class Reader {
         if (!is_there && names == &wanted_) {
           return makeError({.file = name_,
                             .place = place(),
-                            .found = "no column '" + name + "' in " + excerpt(line_),
+                            .found = Text("no column '%1' in %2", name, excerpt(line_)),
                             .expected = columns});
         }
         if (is_there && std::find(found + 1, fields_.end(), name) != fields_.end()) {
-          return makeError({.file = name_, .place = place(), .found = "two columns '" + name + "'", .expected = "one"});
+          return makeError(
+              {.file = name_, .place = place(), .found = Text("two columns '%1'", name), .expected = "one"});
         }
         columns_.push_back(is_there ? found - fields_.begin() : -1);
         if (names == &optional_) table_.has_optional.push_back(is_there);
@@ -118,8 +120,8 @@ class Reader {
     if (fields_.size() != field_count_) {
       return makeError({.file = name_,
                         .place = place(),
-                        .found = std::to_string(fields_.size()) + " fields",
-                        .expected = std::to_string(field_count_) + ", as in the header"});
+                        .found = Text("%1 fields", fields_.size()),
+                        .expected = Text("%1, as in the header", field_count_)});
     }
     std::vector<double> row;
     row.reserve(columns_.size());
@@ -132,9 +134,10 @@ class Reader {
       const auto number = parseNumber(field);
       const std::string& name = i < wanted_.size() ? wanted_[i] : optional_[i - wanted_.size()];
       if (!number) {
-        const std::string found = field.empty() ? std::string("nothing") : excerpt(field);
-        return makeError(
-            {name_, place() + ", column '" + name + "'", found, "a finite number with '.' as decimal point", ""});
+        return makeError({.file = name_,
+                          .place = Text("line %1, column '%2'", line_number_, name),
+                          .found = field.empty() ? Text("nothing") : Text(excerpt(field)),
+                          .expected = "a finite number with '.' as decimal point"});
       }
       row.push_back(*number);
     }

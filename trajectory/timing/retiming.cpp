@@ -176,7 +176,7 @@ class Retimer {
       return makeError({.place = "frames", .found = "fewer than two different frames", .expected = "a motion"});
     if (!(options_.sample_s > 0.0))
       return makeError(
-          {.place = "sample", .found = shortestText(options_.sample_s) + " s", .expected = "a positive one"});
+          {.place = "sample", .found = Text("%1 s", shortestText(options_.sample_s)), .expected = "a positive one"});
     if (options_.mode == TimingMode::kTimeOptimal) {
       const std::size_t dimensions = by_ == LimitedBy::kJoints ? moving_.joint_names.size() : 6;
       const auto limits = checkLimits(dimensions, options_.limits);
@@ -191,7 +191,7 @@ class Retimer {
     for (std::size_t i = 1; i < moving_.size(); ++i) {
       const PoseDistance step = distanceBetween(moving_[i - 1].X_WT, moving_[i].X_WT);
       if (kStill.shareOf(step) <= 1.0 && jointsMove(i))
-        return makeError({.place = "frame " + std::to_string(i),
+        return makeError({.place = Text("frame %1", i),
                           .found = "joints that move while the tool stands",
                           .expected = "a tool that moves, for a constant speed of it",
                           .fix = "Time it by the joints' limits."});
@@ -203,7 +203,7 @@ class Retimer {
     for (std::size_t i = 1; i < moving_.size() && by_ == LimitedBy::kJoints; ++i) {
       const PoseDistance step = distanceBetween(moving_[i - 1].X_WT, moving_[i].X_WT);
       if (!jointsMove(i) && kStill.shareOf(step) > 100.0)
-        return makeError({.place = "frame " + std::to_string(i),
+        return makeError({.place = Text("frame %1", i),
                           .found = "a pose that moves while the joints stand",
                           .expected = "joints that move, for limits of theirs",
                           .fix = "Time it at a constant speed."});
@@ -316,7 +316,7 @@ class Retimer {
     for (const Part& part : pieces_) whole += part.timing.duration;
     if (!(whole / step <= kMostFrames)) {
       return makeError({.place = "sample",
-                        .found = shortestText(step) + " s for " + shortestText(whole) + " s",
+                        .found = Text("%1 s for %2 s", shortestText(step), shortestText(whole)),
                         .expected = "a positive one, at most ten million frames",
                         .fix = "Take a longer one, or a higher speed."});
     }

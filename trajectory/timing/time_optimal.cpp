@@ -278,8 +278,9 @@ Expected<void> checkPath(const LimitedPath& path, const MotionLimits& limits) {
 Expected<PathTiming> fastestOn(const Grid& grid, const TimingOptions& options) {
   auto speeds = reach(grid, options);
   if (!speeds) {
-    return makeError(
-        {"", "path", "a start or end speed that no motion within the limits has", "rest at both ends", ""});
+    return makeError({.place = "path",
+                      .found = "a start or end speed that no motion within the limits has",
+                      .expected = "rest at both ends"});
   }
   const LimitUse use = grid.useBetween(*speeds);
   PathTiming timing(grid.s(), std::move(*speeds));
@@ -385,10 +386,9 @@ Expected<void> checkLimits(std::size_t dimensions, const MotionLimits& limits) {
   };
   if (limits.velocity.size() != dimensions || limits.acceleration.size() != dimensions || bad(limits.velocity) ||
       bad(limits.acceleration) || (!limits.jerk.empty() && (limits.jerk.size() != dimensions || bad(limits.jerk)))) {
-    return makeError(
-        {.place = "limits",
-         .found = "limits that are missing or not positive",
-         .expected = "a positive velocity and acceleration for each of " + std::to_string(dimensions) + " axes"});
+    return makeError({.place = "limits",
+                      .found = "limits that are missing or not positive",
+                      .expected = Text("a positive velocity and acceleration for each of %1 axes", dimensions)});
   }
   return {};
 }

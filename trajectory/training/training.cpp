@@ -101,10 +101,11 @@ void visitNumbers(Score& score, Visit visit) {
 }
 
 Expected<TrainingAttempt> attemptOf(const json& entry, std::size_t index) {
-  const std::string place = "attempt " + std::to_string(index + 1);
+  const Text place("attempt %1", index + 1);
   const auto wrong = [&](const std::string& field) {
-    return makeError(
-        {.place = place + ", field '" + field + "'", .found = "none, or not what it should be", .expected = "a value"});
+    return makeError({.place = Text("%1, field '%2'", place, field),
+                      .found = "none, or not what it should be",
+                      .expected = "a value"});
   };
   if (!entry.is_object()) return makeError({.place = place, .found = "no object", .expected = "an attempt"});
   TrainingAttempt attempt;
@@ -243,26 +244,29 @@ Expected<TrainingSession> readTraining(const std::filesystem::path& file) {
   const json document = json::parse(*content, nullptr, false);
   const auto version = document.is_object() ? document.value("version", json()) : json();
   if (!document.is_object() || document.value("format", json()) != kTrainingFormat || !version.is_number_integer()) {
-    return makeError(
-        {file.string(), "field 'format'", "no training session", std::string("\"") + kTrainingFormat + "\"", ""});
+    return makeError({.file = file.string(),
+                      .place = Text("field '%1'", "format"),
+                      .found = "no training session",
+                      .expected = Text("\"%1\"", kTrainingFormat)});
   }
   if (version.get<std::int64_t>() > kTrainingVersion || version.get<std::int64_t>() < 1) {
-    return makeError(
-        {file.string(), "field 'version'", version.dump(), "at most " + std::to_string(kTrainingVersion), ""});
+    return makeError({.file = file.string(),
+                      .place = Text("field '%1'", "version"),
+                      .found = version.dump(),
+                      .expected = Text("at most %1", kTrainingVersion)});
   }
   TrainingSession session;
   for (const auto& [field, text] : {std::pair("trainee", &session.trainee), std::pair("exercise", &session.exercise)}) {
     if (!document.contains(field) || !document[field].is_string()) {
-      return makeError({.file = file.string(),
-                        .place = std::string("field '") + field + "'",
-                        .found = "none",
-                        .expected = "a text"});
+      return makeError(
+          {.file = file.string(), .place = Text("field '%1'", field), .found = "none", .expected = "a text"});
     }
     *text = document[field].get<std::string>();
   }
   const json attempts = document.value("attempts", json::array());
   if (!attempts.is_array())
-    return makeError({.file = file.string(), .place = "field 'attempts'", .found = "no list", .expected = "a list"});
+    return makeError(
+        {.file = file.string(), .place = Text("field '%1'", "attempts"), .found = "no list", .expected = "a list"});
   for (std::size_t i = 0; i < attempts.size(); ++i) {
     auto attempt = attemptOf(attempts[i], i);
     if (!attempt) {

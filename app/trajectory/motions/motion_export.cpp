@@ -44,7 +44,7 @@ ProgramFormat programFormat(const QString& word) {
 }
 
 Expected<std::vector<ProgramFile>> filesOf(const Trajectory& given, const QString& format, const QString& path,
-                                           const trajectory::ProgramOptions& options, std::vector<std::string>& notes) {
+                                           const trajectory::ProgramOptions& options, std::vector<Text>& notes) {
   const std::string wanted = path.toStdString();
   if (format == "csv") return std::vector<ProgramFile>{{wanted, trajectory::toCsvText(given)}};
   if (format == "json") return std::vector<ProgramFile>{{wanted, trajectory::toJsonText(given)}};
@@ -167,7 +167,7 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
         trajectory::PathTolerance lines = simplify.value_or(trajectory::PathTolerance{});
         lines.joint = std::numeric_limits<double>::infinity();
         const Trajectory written = simplify ? trajectory::simplified(*trajectory, lines) : *trajectory;
-        std::vector<std::string> notes;
+        std::vector<Text> notes;
         auto files = filesOf(written, format, path, options, notes);
         HAPTICELL_TRY(files);
         QStringList names;
@@ -178,8 +178,8 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
           names << place.fileName();
         }
         return BackgroundWork::Then([this, names, path, notes, frames = written.size()] {
-          for (const std::string& note : notes)
-            host_.messages().tell(Severity::kInformation, tr("Exported program"), QString::fromStdString(note));
+          for (const Text& note : notes)
+            host_.messages().tell(Severity::kInformation, tr("Exported program"), shownText(note));
           const QString line =
               tr("Saved: %1; frames: %2. Tool, base and safety settings are those of the controller. Check them there")
                   .arg(names.join(QStringLiteral(", ")))
@@ -214,7 +214,7 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
         auto motions = std::make_shared<std::vector<std::pair<std::string, Trajectory>>>();
         auto remarks = std::make_shared<QStringList>();
         for (const QString& path : paths) {
-          std::vector<std::string> notes;
+          std::vector<Text> notes;
           auto read = trajectory::readTrajectory(path.toStdString(), &notes);
           HAPTICELL_TRY(read);
           if (read->entity.empty()) read->entity = entity;
@@ -234,8 +234,7 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
           const QString name =
               read->name.empty() ? QFileInfo(path).completeBaseName() : QString::fromStdString(read->name);
           motions->emplace_back(name.toStdString(), std::move(*read));
-          for (const std::string& note : notes)
-            *remarks << QFileInfo(path).fileName() + ": " + QString::fromStdString(note);
+          for (const Text& note : notes) *remarks << QFileInfo(path).fileName() + ": " + shownText(note);
           monitor.report(path.toStdString(), static_cast<double>(motions->size()) / static_cast<double>(paths.size()));
         }
         return BackgroundWork::Then([this, motions, remarks, paths, number] {

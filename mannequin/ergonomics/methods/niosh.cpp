@@ -41,27 +41,31 @@ constexpr std::array<FrequencyRow, 17> kFrequencies{{
 struct Range {
   const char* name;
   double value, least, greatest;
-  const char* why;
+  Text why{};
 };
 
 }  // namespace
 
 Expected<void> checkLiftingRanges(const LiftingTask& task) {
   const Range ranges[] = {
-      {"load_kg", task.load_kg, 1e-3, 1000.0, ""},
-      {"h_cm", task.h_cm, 0.0, 200.0, ""},
-      {"v_cm", task.v_cm, 0.0, 300.0, ""},
-      {"d_cm", task.d_cm, 0.0, 300.0, ""},
-      {"asymmetry_deg", task.asymmetry_deg, 0.0, 180.0, ""},
-      {"frequency_per_min", task.frequency_per_min, 0.0, 60.0, ""},
-      {"duration_h", task.duration_h, 1e-3, 8.0, "The equation covers shifts of up to 8 h."},
+      {"load_kg", task.load_kg, 1e-3, 1000.0},
+      {"h_cm", task.h_cm, 0.0, 200.0},
+      {"v_cm", task.v_cm, 0.0, 300.0},
+      {"d_cm", task.d_cm, 0.0, 300.0},
+      {"asymmetry_deg", task.asymmetry_deg, 0.0, 180.0},
+      {"frequency_per_min", task.frequency_per_min, 0.0, 60.0},
+      {"duration_h", task.duration_h, 1e-3, 8.0, Text("The equation covers shifts of up to 8 h.")},
   };
   for (const Range& range : ranges) {
     if (range.value >= range.least && range.value <= range.greatest) continue;
-    char found[64], expected[64];
+    char found[64], least[64], greatest[64];
     std::snprintf(found, sizeof found, "%g", range.value);
-    std::snprintf(expected, sizeof expected, "%g to %g", range.least, range.greatest);
-    return makeError({.place = range.name, .found = found, .expected = expected, .fix = range.why});
+    std::snprintf(least, sizeof least, "%g", range.least);
+    std::snprintf(greatest, sizeof greatest, "%g", range.greatest);
+    return makeError({.place = Text::plain(range.name),
+                      .found = std::string(found),
+                      .expected = Text("%1 to %2", std::string(least), std::string(greatest)),
+                      .fix = range.why});
   }
   return {};
 }
@@ -81,7 +85,7 @@ Expected<void> checkConditions(const LiftingConditions& conditions) {
   };
   for (const auto& [applies, name] : excluded) {
     if (!applies) continue;
-    return makeError({.place = name,
+    return makeError({.place = Text::plain(name),
                       .found = "the lifting equation is not valid for this",
                       .expected = "a smooth two-handed lift, standing",
                       .fix = "Judge the task with another method, e.g. RULA, REBA or EN 1005-2."});
@@ -176,11 +180,11 @@ Expected<CompositeLifting> compositeLift(std::span<const LiftingTask> tasks, con
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     auto one = lift(tasks[i], conditions);
     if (!one) {
-      one.error().place = "task " + std::to_string(i + 1) + ", " + one.error().place;
+      one.error().place = Text("task %1, %2", i + 1, one.error().place);
       return tl::unexpected(one.error());
     }
     if (!one->lifting_index) {
-      return makeError({.place = "task " + std::to_string(i + 1),
+      return makeError({.place = Text("task %1", i + 1),
                         .found = "a task whose recommended weight limit is 0",
                         .expected = "tasks that may be done at all",
                         .fix = "Change that task first."});
@@ -200,7 +204,7 @@ Expected<CompositeLifting> compositeLift(std::span<const LiftingTask> tasks, con
     frequency += task.frequency_per_min;
     const double with = frequencyMultiplier(frequency, task.duration_h, task.v_cm);
     if (with <= 0.0) {
-      return makeError({.place = "frequency_per_min",
+      return makeError({.place = Text::plain("frequency_per_min"),
                         .found = "together more lifts a minute than the table covers",
                         .expected = "15 a minute at most, fewer in longer shifts",
                         .fix = "Spread the tasks over the day."});

@@ -401,8 +401,9 @@ Expected<void> writeReportPdf(const Report& report, const std::filesystem::path&
   cairo_surface_finish(surface.get());
   const cairo_status_t status = cairo_surface_status(surface.get());
   if (status == CAIRO_STATUS_SUCCESS) return writeFileAtomically(file, bytes);
-  return makeError(
-      {.file = file.string(), .found = cairo_status_to_string(status), .expected = "a report that can be drawn"});
+  return makeError({.file = file.string(),
+                    .found = Text::plain(cairo_status_to_string(status)),
+                    .expected = "a report that can be drawn"});
 }
 
 ReportPicture drawReportPage(const Report& report, int page, int width) {

@@ -273,8 +273,9 @@ Expected<void> writeReport(const Report& report, const std::filesystem::path& fi
   if (ending == ".html" || ending == ".htm") return writeFileAtomically(file, reportHtml(report));
   if (ending == ".csv") return writeFileAtomically(file, reportCsv(report));
   if (ending == ".json") return writeFileAtomically(file, reportJson(report));
-  return makeError(
-      {file.string(), "", ending.empty() ? "no ending" : "the ending " + ending, ".pdf, .html, .csv or .json", ""});
+  return makeError({.file = file.string(),
+                    .found = ending.empty() ? Text("no ending") : Text("the ending %1", ending),
+                    .expected = ".pdf, .html, .csv or .json"});
 }
 
 }  // namespace hapticell::ergonomics

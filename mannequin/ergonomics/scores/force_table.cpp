@@ -51,17 +51,17 @@ class TableReader {
   }
 
   Expected<ForceTable> finish() && {
-    if (columns_.empty()) return refused("", "no line of names", "limit_n, and as wanted hand, height_from_m ...");
-    if (table_.rows.empty()) return refused("", "no row", "at least one limit below the names");
+    if (columns_.empty())
+      return refused("", Text("no line of names"), Text("limit_n, and as wanted hand, height_from_m ..."));
+    if (table_.rows.empty()) return refused("", Text("no row"), Text("at least one limit below the names"));
     if (table_.source.empty()) table_.source = std::filesystem::path(file_).filename().string();
     return std::move(table_);
   }
 
  private:
-  tl::unexpected<Error> refused(std::string_view name, const std::string& found, const std::string& expected) const {
-    const std::string where = "line " + std::to_string(line_);
+  tl::unexpected<Error> refused(std::string_view name, const Text& found, const Text& expected) const {
     return makeError({.file = file_,
-                      .place = name.empty() ? where : where + ", " + std::string(name),
+                      .place = name.empty() ? Text("line %1", line_) : Text("line %1, %2", line_, name),
                       .found = found,
                       .expected = expected});
   }
@@ -70,32 +70,32 @@ class TableReader {
     for (const std::string_view name : fieldsOf(line)) {
       const auto known = std::find(kForceNames.begin(), kForceNames.end(), name);
       if (known == kForceNames.end())
-        return refused(name, "there is no column of this name",
-                       "hand, height_from_m, height_to_m, reach_from_m, reach_to_m, limit_n");
+        return refused(name, Text("there is no column of this name"),
+                       Text::plain("hand, height_from_m, height_to_m, reach_from_m, reach_to_m, limit_n"));
       const auto column = static_cast<std::size_t>(known - kForceNames.begin());
       if (std::find(columns_.begin(), columns_.end(), column) != columns_.end())
-        return refused(name, "it stands there twice", "each column once");
+        return refused(name, Text("it stands there twice"), Text("each column once"));
       columns_.push_back(column);
     }
     if (std::find(columns_.begin(), columns_.end(), kForceNames.size() - 1) == columns_.end())
-      return refused("limit_n", "it is missing", "a column limit_n in newtons");
+      return refused("limit_n", Text("it is missing"), Text("a column limit_n in newtons"));
     return {};
   }
 
   Expected<void> row(std::string_view line) {
     const auto fields = fieldsOf(line);
     if (fields.size() != columns_.size())
-      return refused("", std::to_string(fields.size()) + " fields", std::to_string(columns_.size()));
-    if (table_.rows.size() == kMostRows) return refused("", "too many rows", "at most " + std::to_string(kMostRows));
+      return refused("", Text("%1 fields", fields.size()), Text("%1", columns_.size()));
+    if (table_.rows.size() == kMostRows) return refused("", Text("too many rows"), Text("at most %1", kMostRows));
     ForceTableRow row;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (auto taken = field(columns_[i], fields[i], row); !taken) return taken;
     }
-    if (row.limit_n <= 0.0) return refused("limit_n", "it is empty", "a force in newtons");
+    if (row.limit_n <= 0.0) return refused("limit_n", Text("it is empty"), Text("a force in newtons"));
     if (row.height[1] <= row.height[0])
-      return refused("height_to_m", "it ends before it begins", "more than height_from_m");
+      return refused("height_to_m", Text("it ends before it begins"), Text("more than height_from_m"));
     if (row.reach[1] <= row.reach[0])
-      return refused("reach_to_m", "it ends before it begins", "more than reach_from_m");
+      return refused("reach_to_m", Text("it ends before it begins"), Text("more than reach_from_m"));
     table_.rows.push_back(row);
     return {};
   }
@@ -104,7 +104,7 @@ class TableReader {
     if (text.empty()) return {};
     if (column == 0) {
       if (text != "left" && text != "right" && text != "any")
-        return refused("hand", "'" + std::string(text) + "'", "left, right or any");
+        return refused("hand", Text("'%1'", text), Text("left, right or any"));
       row.hand = -1;
       if (text != "any") row.hand = text == "left" ? 0 : 1;
       return {};
@@ -114,8 +114,8 @@ class TableReader {
     const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size() && std::isfinite(value);
     const bool force = column == kForceNames.size() - 1;
     if (!whole || value < 0.0 || (force && (value == 0.0 || value > kMostForce)))
-      return refused(kForceNames[column], "'" + std::string(text) + "'",
-                     force ? "a force over 0 and up to 5000 N" : "metres, 0 or more");
+      return refused(kForceNames[column], Text("'%1'", text),
+                     force ? Text("a force over 0 and up to 5000 N") : Text("metres, 0 or more"));
     double* const targets[] = {&row.height[0], &row.height[1], &row.reach[0], &row.reach[1], &row.limit_n};
     *targets[column - 1] = value;
     return {};

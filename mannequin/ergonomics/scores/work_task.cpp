@@ -10,12 +10,11 @@ namespace {
 
 constexpr double kRepeated = 4.0;  ///< Repetitions a minute from which RULA and REBA speak of repeated action.
 
-Expected<void> within(const char* name, double value, double least, double most, const char* unit) {
+Expected<void> within(const char* name, double value, double least, double most, const Text& expected) {
   if (std::isfinite(value) && value >= least && value <= most) return {};
-  char found[64], expected[64];
+  char found[64];
   std::snprintf(found, sizeof found, "%g", value);
-  std::snprintf(expected, sizeof expected, "%g to %g %s", least, most, unit);
-  return makeError({.place = name, .found = found, .expected = expected});
+  return makeError({.place = Text::plain(name), .found = std::string(found), .expected = expected});
 }
 
 bool isRepeatedOrStatic(const WorkTask& task) {
@@ -58,13 +57,16 @@ std::optional<double> WorkTask::totalLoad() const {
 
 Expected<void> checkWorkTask(const WorkTask& task) {
   for (const auto& load : task.load_kg) {
-    if (auto good = within("load_kg", load.value_or(0.0), 0.0, 200.0, "kg"); !good) return good;
+    if (auto good = within("load_kg", load.value_or(0.0), 0.0, 200.0, Text("0 to 200 kg")); !good) return good;
   }
-  if (auto good = within("repetitions_per_min", task.repetitions_per_min.value_or(0.0), 0.0, 120.0, "a minute"); !good)
+  if (auto good =
+          within("repetitions_per_min", task.repetitions_per_min.value_or(0.0), 0.0, 120.0, Text("0 to 120 a minute"));
+      !good)
     return good;
-  if (auto good = within("duration_h", task.duration_h.value_or(0.0), 0.0, 24.0, "hours"); !good) return good;
-  if (auto good = within("lift_distance_m", task.lift_distance_m, 0.0, 2.0, "m"); !good) return good;
-  return within("asymmetry_deg", task.asymmetry_deg, 0.0, 180.0, "degrees");
+  if (auto good = within("duration_h", task.duration_h.value_or(0.0), 0.0, 24.0, Text("0 to 24 hours")); !good)
+    return good;
+  if (auto good = within("lift_distance_m", task.lift_distance_m, 0.0, 2.0, Text("0 to 2 m")); !good) return good;
+  return within("asymmetry_deg", task.asymmetry_deg, 0.0, 180.0, Text("0 to 180 degrees"));
 }
 
 const std::vector<WorkTask>& workTaskPresets() {

@@ -174,7 +174,7 @@ TEST(C3d, TheSharedRecordingIsWhatItsSourceStates) {
 
 bool warns(const MarkerClip& clip, const std::string& words) {
   return std::any_of(clip.warnings.begin(), clip.warnings.end(),
-                     [&](const std::string& each) { return each.find(words) != std::string::npos; });
+                     [&](const Text& each) { return english(each).find(words) != std::string::npos; });
 }
 
 /// x 0 to 0.19 m, y 0, 0.1, 0.2 m, z 1.5 m in 20 frames, whatever the header says.
@@ -191,7 +191,7 @@ void expectTheThreeMarkers(const C3dFile& file, const std::string& warning) {
     }
   }
   if (warning.empty())
-    EXPECT_TRUE(clip->warnings.empty()) << clip->warnings.front();
+    EXPECT_TRUE(clip->warnings.empty()) << english(clip->warnings.front());
   else
     EXPECT_TRUE(warns(*clip, warning)) << warning;
 }

@@ -191,7 +191,7 @@ TEST(MarkerBody, HelenHayesIsUnderstood) {
   ASSERT_TRUE(motion);
   EXPECT_LT(worstJoint(*motion, figure, postures), 0.07);  // One marker a wrist, at its thumb's side.
   EXPECT_NE(std::find_if(motion->assumptions.begin(), motion->assumptions.end(),
-                         [](const std::string& each) { return each.find("one marker") != std::string::npos; }),
+                         [](const Text& each) { return english(each).find("one marker") != std::string::npos; }),
             motion->assumptions.end());
 }
 
@@ -251,8 +251,9 @@ TEST(MarkerBody, WhatIsNotSeenIsBridgedAndSaid) {
     EXPECT_EQ(motion->bodies.size(), postures.size());
     EXPECT_LT(worstJoint(*motion, figure, postures), 0.05);
     EXPECT_NE(std::find_if(motion->assumptions.begin(), motion->assumptions.end(),
-                           [](const std::string& each) {
-                             return each.find("left_elbow is not seen in 5 of 50 frames, 0.05 s") != std::string::npos;
+                           [](const Text& each) {
+                             return english(each).find("left_elbow is not seen in 5 of 50 frames, 0.05 s") !=
+                                    std::string::npos;
                            }),
               motion->assumptions.end());
   }

@@ -79,9 +79,9 @@ TEST(Bvh, RefusesWhatIsBrokenWithItsLine) {
   EXPECT_FALSE(readMotionFile("/nonexistent/file.bvh").has_value());
 }
 
-bool says(const std::vector<std::string>& sentences, const std::string& words) {
+bool says(const std::vector<Text>& sentences, const std::string& words) {
   return std::any_of(sentences.begin(), sentences.end(),
-                     [&](const std::string& each) { return each.find(words) != std::string::npos; });
+                     [&](const Text& each) { return english(each).find(words) != std::string::npos; });
 }
 
 TEST(Bvh, LosesNoFrameAndShiftsNoRow) {

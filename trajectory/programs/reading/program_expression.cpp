@@ -39,7 +39,7 @@ Value ExpressionReader::expression() {
   const Depth depth(depth_);
   if (depth_ > kDeepest) {
     at_ = tokens_.size();
-    return Value::unknown("an expression of too many brackets");
+    return Value::unknown(Text("an expression of too many brackets"));
   }
   return either();
 }
@@ -71,7 +71,7 @@ Value ExpressionReader::negated() {
   while (take("not")) is_negated = !is_negated;
   Value value = compared();
   if (!is_negated || !value.isKnown()) return value;
-  return value.isNumber() ? Value::truth(value.number == 0.0) : Value::unknown("'not' of what is no truth");
+  return value.isNumber() ? Value::truth(value.number == 0.0) : Value::unknown(Text("'not' of what is no truth"));
 }
 
 Value ExpressionReader::compared() {
@@ -111,7 +111,7 @@ bool ExpressionReader::takeIndex(AccessStep& step) {
   if (!take(dialect_.has_braces_index ? "{" : "[")) return false;
   const char* closing = dialect_.has_braces_index ? "}" : "]";
   // KRL's name[] is the whole text.
-  const Value index = next().is(closing) ? Value::unknown("a text") : expression();
+  const Value index = next().is(closing) ? Value::unknown(Text("a text")) : expression();
   step.is_known = index.isNumber();
   step.index = index.number;
   if (!take(closing)) step.is_known = false;
@@ -156,7 +156,7 @@ Value ExpressionReader::postfixed() {
       }
       part = *found;
     } else {
-      part = step.field.empty() ? Value::unknown("an element that the list does not have")
+      part = step.field.empty() ? Value::unknown(Text("an element that the list does not have"))
                                 : meaning_.field(*value, step.field);
     }
     owned = std::move(part);
@@ -165,7 +165,7 @@ Value ExpressionReader::postfixed() {
 }
 
 Value ExpressionReader::primary() {
-  if (isAtEnd()) return Value::unknown("an expression that ends too early");
+  if (isAtEnd()) return Value::unknown(Text("an expression that ends too early"));
   const Token token = tokens_[at_];
   if (token.kind == Token::Kind::kNumber) return ++at_, Value::of(token.number);
   if (token.kind == Token::Kind::kText) return ++at_, Value::word(token.text);
@@ -178,7 +178,7 @@ Value ExpressionReader::primary() {
   if (take("[")) return listUntil("]", "");
   if (!dialect_.has_braces_index && take("{")) return record();
   ++at_;  // So that whoever asks again comes to an end.
-  return Value::unknown("'" + token.text + "', which is not understood");
+  return Value::unknown(Text("'%1', which is not understood", token.text));
 }
 
 Value ExpressionReader::named(const std::string& name) {
@@ -188,7 +188,7 @@ Value ExpressionReader::named(const std::string& name) {
   if (dialect_.has_poses && name == "p" && take("[")) return listUntil("]", "p");
   if (take("(")) {
     const Depth depth(depth_);
-    if (depth_ > kDeepest) return at_ = tokens_.size(), Value::unknown("too many brackets");
+    if (depth_ > kDeepest) return at_ = tokens_.size(), Value::unknown(Text("too many brackets"));
     const auto given = arguments();
     return meaning_.call(name, given);
   }
@@ -199,7 +199,7 @@ Value ExpressionReader::listUntil(const char* closing, std::string type) {
   Value list = Value::list(std::move(type), std::vector<Value>{});
   while (!isAtEnd() && !take(closing)) {
     if (take(",")) continue;
-    if (list.items.size() >= kMostItems) return Value::unknown("a list too long");
+    if (list.items.size() >= kMostItems) return Value::unknown(Text("a list too long"));
     list.items.push_back(expression());
   }
   return list;
@@ -208,7 +208,7 @@ Value ExpressionReader::listUntil(const char* closing, std::string type) {
 /// KRL: {X 1.0,Y 2.0}, {E6POS: X 1.0}, {POINT2[] "text"}.
 Value ExpressionReader::record() {
   const Depth depth(depth_);
-  if (depth_ > kDeepest) return at_ = tokens_.size(), Value::unknown("too many brackets");
+  if (depth_ > kDeepest) return at_ = tokens_.size(), Value::unknown(Text("too many brackets"));
   Value result{Value::Kind::kRecord, 0.0, {}, {}, {}};
   if (next().isWord() && at_ + 1 < tokens_.size() && tokens_[at_ + 1].is(":")) {
     result.text = next().text;
@@ -249,7 +249,7 @@ std::vector<Argument> ExpressionReader::arguments() {
   bool is_expected = true;  // "f(a,,b)" has an argument that is left out
   while (!isAtEnd() && !take(")") && !next().is("@pose") && given.size() < kMostItems) {
     if (take(",")) {
-      if (is_expected) given.push_back({"", Value::unknown("an argument that is left out")});
+      if (is_expected) given.push_back({"", Value::unknown(Text("an argument that is left out"))});
       is_expected = true;
       continue;
     }

@@ -43,8 +43,8 @@ std::optional<Circle> circleThrough(const dvec3& a, const dvec3& b, const dvec3&
   return circle;
 }
 
-std::string lineName(std::size_t line) {
-  return "line " + std::to_string(line);
+Text lineName(std::size_t line) {
+  return Text("line %1", line);
 }
 
 }  // namespace
@@ -59,22 +59,26 @@ void ProgramPath::setJointShare(double share) {
   if (share > 0.0 && std::isfinite(share)) share_ = std::min(share, 1.0);
 }
 
-void ProgramPath::setFrame(const std::optional<Pose>& X_BF, const std::string& name) {
+void ProgramPath::setFrame(const std::optional<Pose>& X_BF, const Text& name) {
   X_BF_ = X_BF;
-  frame_name_ = X_BF ? "" : name;
+  frame_name_ = X_BF ? Text() : name;
 }
 
 /// False where the targets would be in frames whose places to each other nobody knows.
 bool ProgramPath::checkFrame(std::size_t line) {
   if (hasFailed()) return false;
-  frames_.emplace(frame_name_, line);
+  const auto named = [](const Text& name) { return [&name](const auto& frame) { return frame.first == name; }; };
+  if (std::none_of(frames_.begin(), frames_.end(), named(frame_name_))) frames_.emplace_back(frame_name_, line);
   if (frames_.size() < 2) return true;
-  std::string list;
-  for (const auto& [name, first] : frames_)
-    list += (list.empty() ? "" : ", ") + (name.empty() ? std::string("the robot's base") : name) + " (" +
-            lineName(first) + ")";
-  fail(line, "targets in several frames: " + list, "one frame, or frames whose places the file gives",
-       "Write the frames' values into the program, or read its parts one by one.");
+  std::sort(frames_.begin(), frames_.end(),
+            [](const auto& a, const auto& b) { return english(a.first) < english(b.first); });
+  Text list;
+  for (const auto& [name, first] : frames_) {
+    const Text one("%1 (%2)", name.empty() ? Text("the robot's base") : name, lineName(first));
+    list = list.empty() ? one : Text("%1, %2", list, one);
+  }
+  fail(line, Text("targets in several frames: %1", list), Text("one frame, or frames whose places the file gives"),
+       Text("Write the frames' values into the program, or read its parts one by one."));
   return false;
 }
 
@@ -88,17 +92,18 @@ double ProgramPath::durationTo(const Pose& X_B, bool is_joint_move) const {
 
 void ProgramPath::add(std::size_t line, const Pose& X_B, const std::optional<Joints>& joints, bool is_joint_move) {
   if (hasFailed()) return;
-  if (!X_B.isValid()) return fail(line, "a target that is not finite", "finite numbers", "");
+  if (!X_B.isValid()) return fail(line, Text("a target that is not finite"), Text("finite numbers"), "");
   if (!missed_.empty()) {
     if (!targets_.empty()) {
-      return fail(missed_.front().first, missed_.front().second, "a target that the file gives, as moves follow it",
-                  options_.forward_kinematics ? "Write its value into the program."
-                                              : "Give the robot (--robot) where it is given by joints, else write its "
-                                                "value into the program.");
+      return fail(
+          missed_.front().first, missed_.front().second, Text("a target that the file gives, as moves follow it"),
+          options_.forward_kinematics ? Text("Write its value into the program.")
+                                      : Text("Give the robot (--robot) where it is given by joints, else write its "
+                                             "value into the program."));
     }
-    noteMissed("before the first");
+    noteMissed();
   }
-  if (targets_.size() >= kMostTargets) return fail(line, "more than 2 000 000 targets", "fewer", "");
+  if (targets_.size() >= kMostTargets) return fail(line, Text("more than 2 000 000 targets"), Text("fewer"), "");
   targets_.push_back({X_B, joints, durationTo(X_B, is_joint_move), 0.0});
   here_ = X_B;
   joints_ = joints;
@@ -111,15 +116,17 @@ void ProgramPath::moveTo(std::size_t line, const Pose& X_FT, bool is_joint_move)
 
 void ProgramPath::moveArc(std::size_t line, const Pose& via_FT, const Pose& end_FT, std::optional<double> angle) {
   if (!checkFrame(line)) return;
-  if (!here_) return fail(line, "an arc from a place that is not known", "a target before it", "");
+  if (!here_) return fail(line, Text("an arc from a place that is not known"), Text("a target before it"), "");
   const Pose X_BF = X_BF_.value_or(Pose::identity());
   const Pose begin = *here_, via = X_BF * via_FT, end = X_BF * end_FT;
   const auto circle = circleThrough(begin.p, via.p, end.p);
   if (!circle || (!angle && circle->via > circle->end)) {
-    return fail(line, "an arc whose three points lie on one line, or in another order", "three points of a circle", "");
+    return fail(line, Text("an arc whose three points lie on one line, or in another order"),
+                Text("three points of a circle"), "");
   }
   const double whole = angle ? std::abs(*angle) : circle->end;
-  if (!(whole > 0.0) || !(whole < 100.0)) return fail(line, "an arc of no or many turns", "an angle up to 100 rad", "");
+  if (!(whole > 0.0) || !(whole < 100.0))
+    return fail(line, Text("an arc of no or many turns"), Text("an angle up to 100 rad"), "");
   const double direction = angle && *angle < 0.0 ? -1.0 : 1.0;
   const double step = 2.0 * std::acos(std::clamp(1.0 - kArcError / circle->radius(), 0.0, 1.0));
   const auto piece = [&](double from, double to, bool is_last) {
@@ -135,7 +142,7 @@ void ProgramPath::moveArc(std::size_t line, const Pose& via_FT, const Pose& end_
   const bool has_via = circle->via < whole && direction > 0.0;
   if (has_via) piece(0.0, circle->via, false);
   piece(has_via ? circle->via : 0.0, whole, true);
-  note("Arcs are given by frames within 0.1 mm of them, turning evenly from their begin to their end.");
+  note(Text("Arcs are given by frames within 0.1 mm of them, turning evenly from their begin to their end."));
 }
 
 void ProgramPath::moveJoints(std::size_t line, const Joints& joints, const std::optional<Pose>& pose) {
@@ -147,26 +154,27 @@ void ProgramPath::moveJoints(std::size_t line, const Joints& joints, const std::
   }
   if (options_.forward_kinematics) {
     const std::optional<Pose> X_B = options_.forward_kinematics(joints);
-    if (!X_B) return fail(line, "joints that the robot does not have", "six joints of the robot", "");
-    const std::string frame = std::exchange(frame_name_, "");
+    if (!X_B) return fail(line, Text("joints that the robot does not have"), Text("six joints of the robot"), "");
+    const Text frame = std::exchange(frame_name_, Text());
     if (checkFrame(line)) add(line, *X_B, joints, true);
     frame_name_ = frame;
     return;
   }
-  missTarget(line, "a target given by joints");
+  missTarget(line, Text("a target given by joints"));
   joints_ = joints;
 }
 
-void ProgramPath::missTarget(std::size_t line, const std::string& why) {
+void ProgramPath::missTarget(std::size_t line, const Text& why) {
   if (hasFailed()) return;
   missed_.emplace_back(line, why);
   here_.reset();
   joints_.reset();
 }
 
-void ProgramPath::noteMissed(const char* where) {
+void ProgramPath::noteMissed() {
   for (const auto& [line, why] : missed_)
-    noteLine(line, std::string("left out, as it comes ") + where + " known target: " + why + ".");
+    noteLine(line, targets_.empty() ? Text("left out, as it comes before the first known target: %1.", why)
+                                    : Text("left out, as it comes behind the last known target: %1.", why));
   missed_.clear();
 }
 
@@ -179,12 +187,12 @@ std::optional<Pose> ProgramPath::current() const {
   return X_BF_ ? X_BF_->inverse() * *here_ : *here_;
 }
 
-void ProgramPath::note(const std::string& sentence) {
+void ProgramPath::note(const Text& sentence) {
   if (std::find(notes_.begin(), notes_.end(), sentence) == notes_.end()) notes_.push_back(sentence);
 }
 
-void ProgramPath::noteLine(std::size_t line, const std::string& sentence) {
-  const std::string text = "Line " + std::to_string(line) + ": " + sentence;
+void ProgramPath::noteLine(std::size_t line, const Text& sentence) {
+  const Text text("Line %1: %2", line, sentence);
   if (std::find(notes_.begin(), notes_.end(), text) != notes_.end()) return;
   if (++line_notes_ <= kMostLineNotes) notes_.push_back(text);
 }
@@ -194,21 +202,23 @@ void ProgramPath::skip(std::size_t line) {
     skipped_.push_back(line);
 }
 
-void ProgramPath::fail(std::size_t line, const std::string& found, const std::string& expected,
-                       const std::string& fix) {
+void ProgramPath::fail(std::size_t line, const Text& found, const Text& expected, const Text& fix) {
   if (!error_) error_ = Error{.place = lineName(line), .found = found, .expected = expected, .fix = fix};
 }
 
 void ProgramPath::noteLines() {
   if (line_notes_ > kMostLineNotes)
-    notes_.push_back("And " + std::to_string(line_notes_ - kMostLineNotes) + " more lines of these kinds.");
+    notes_.push_back(Text("And %1 more lines of these kinds.", line_notes_ - kMostLineNotes));
   if (skipped_.empty()) return;
   std::sort(skipped_.begin(), skipped_.end());
   std::string list;
   for (std::size_t i = 0; i < std::min<std::size_t>(skipped_.size(), 12); ++i)
     list += (i == 0 ? "" : ", ") + std::to_string(skipped_[i]);
-  if (skipped_.size() > 12) list += " and " + std::to_string(skipped_.size() - 12) + " more";
-  notes_.push_back("Without motion and not kept (outputs, waiting for inputs, settings): lines " + list + ".");
+  notes_.push_back(
+      skipped_.size() > 12
+          ? Text("Without motion and not kept (outputs, waiting for inputs, settings): lines %1 and %2 more.", list,
+                 skipped_.size() - 12)
+          : Text("Without motion and not kept (outputs, waiting for inputs, settings): lines %1.", list));
 }
 
 Expected<ReadProgram> ProgramPath::finish(const std::string& name) {
@@ -220,7 +230,7 @@ Expected<ReadProgram> ProgramPath::finish(const std::string& name) {
                       .expected = "a target that the file gives",
                       .fix = "Give the robot (--robot) where targets are given by joints."});
   }
-  noteMissed("behind the last");
+  noteMissed();
   noteLines();
   ReadProgram read;
   Trajectory& motion = read.trajectory;
@@ -232,7 +242,7 @@ Expected<ReadProgram> ProgramPath::finish(const std::string& name) {
     motion.joint_names = options_.joint_names;
     if (motion.joint_names.size() != 6) motion.joint_names = {"j1", "j2", "j3", "j4", "j5", "j6"};
   } else if (std::any_of(targets_.begin(), targets_.end(), has)) {
-    notes_.push_back("Joints are not kept, as not all targets have them; their poses are.");
+    notes_.push_back(Text("Joints are not kept, as not all targets have them; their poses are."));
   }
   motion.reserve(targets_.size());
   double t = 0.0;
@@ -244,10 +254,10 @@ Expected<ReadProgram> ProgramPath::finish(const std::string& name) {
     t += target.dwell;
   }
   if (const auto unknown = frames_.begin(); unknown != frames_.end() && !unknown->first.empty())
-    notes_.push_back("Poses are in " + unknown->first + ", whose place the file does not give.");
+    notes_.push_back(Text("Poses are in %1, whose place the file does not give.", unknown->first));
   notes_.push_back(
-      "A program has no times: lines take their length by their speed, joint moves are taken at 1 m/s and "
-      "180 deg/s by their share.");
+      Text("A program has no times: lines take their length by their speed, joint moves are taken at 1 m/s and "
+           "180 deg/s by their share."));
   read.notes = std::move(notes_);
   return read;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,7 +25,7 @@ class ProgramPath {
   void setAngularSpeed(double radians_per_second);
   void setJointShare(double share);  ///< Of the robot's greatest, 0 to 1.
   /// The frame that the next targets are given in, in the robot's base. Nothing: the file does not say where `name` is.
-  void setFrame(const std::optional<Pose>& X_BF, const std::string& name);
+  void setFrame(const std::optional<Pose>& X_BF, const Text& name);
   const std::optional<Pose>& frame() const { return X_BF_; }
 
   void moveTo(std::size_t line, const Pose& X_FT, bool is_joint_move);
@@ -36,17 +35,17 @@ class ProgramPath {
   void moveJoints(std::size_t line, const Joints& joints, const std::optional<Pose>& pose = {});
   /// A target that the file does not give. At the begin or end it is left out with a note, in the middle it is an
   /// error.
-  void missTarget(std::size_t line, const std::string& why);
+  void missTarget(std::size_t line, const Text& why);
   void wait(double seconds);
 
   /// Where the last target was, in the present frame; nothing where that is not known.
   std::optional<Pose> current() const;
   const std::optional<Joints>& currentJoints() const { return joints_; }
 
-  void note(const std::string& sentence);                        ///< Each sentence once.
-  void noteLine(std::size_t line, const std::string& sentence);  ///< "line 12: ..."; at most twenty.
-  void skip(std::size_t line);                                   ///< A statement without motion that is not kept.
-  void fail(std::size_t line, const std::string& found, const std::string& expected, const std::string& fix);
+  void note(const Text& sentence);                        ///< Each sentence once.
+  void noteLine(std::size_t line, const Text& sentence);  ///< "line 12: ..."; at most twenty.
+  void skip(std::size_t line);                            ///< A statement without motion that is not kept.
+  void fail(std::size_t line, const Text& found, const Text& expected, const Text& fix);
   bool hasFailed() const { return error_.has_value(); }
 
   Expected<ReadProgram> finish(const std::string& name);
@@ -61,20 +60,20 @@ class ProgramPath {
   void add(std::size_t line, const Pose& X_B, const std::optional<Joints>& joints, bool is_joint_move);
   double durationTo(const Pose& X_B, bool is_joint_move) const;
   bool checkFrame(std::size_t line);
-  void noteMissed(const char* where);
+  void noteMissed();
   void noteLines();
 
   const ProgramReadOptions& options_;
   std::vector<Target> targets_;
   std::optional<Pose> X_BF_ = Pose::identity();
-  std::string frame_name_;
-  std::map<std::string, std::size_t> frames_;  // by name, the first line with a target in it; "" where known
-  std::optional<Pose> here_;                   // the last target, in the base or in the one unknown frame
+  Text frame_name_;
+  std::vector<std::pair<Text, std::size_t>> frames_;  // by English name, the first line with a target; empty: known
+  std::optional<Pose> here_;                          // the last target, in the base or in the one unknown frame
   std::optional<Joints> joints_;
   double linear_ = 0.25, angular_ = 3.0, share_ = 1.0;
-  std::vector<std::pair<std::size_t, std::string>> missed_;  // since the last target: line, why
+  std::vector<std::pair<std::size_t, Text>> missed_;  // since the last target: line, why
   std::vector<std::size_t> skipped_;
-  std::vector<std::string> notes_;
+  std::vector<Text> notes_;
   std::size_t line_notes_ = 0;
   std::optional<Error> error_;
 };

@@ -49,7 +49,7 @@ Expected<ReadProgram> readKrlFiles(const fs::path& file, const ProgramReadOption
   if (source.empty()) {
     return makeError({.file = file.string(),
                       .found = "points without a program",
-                      .expected = stem + ".src beside it",
+                      .expected = Text("%1.src beside it", stem),
                       .fix = "Open the .src file."});
   }
   ProgramText text;
@@ -65,9 +65,10 @@ Expected<ReadProgram> readKrlFiles(const fs::path& file, const ProgramReadOption
     *into = std::move(*points);
   }
   auto program = readKrl(text, options);
-  if (program && data.empty()) program->notes.insert(program->notes.begin(), "There is no " + stem + ".dat beside it.");
+  if (program && data.empty())
+    program->notes.insert(program->notes.begin(), Text("There is no %1.dat beside it.", stem));
   if (!program && data.empty() && program.error().fix.empty())
-    program.error().fix = "There is no " + stem + ".dat beside it, where KRL keeps its points.";
+    program.error().fix = Text("There is no %1.dat beside it, where KRL keeps its points.", stem);
   return program;
 }
 
@@ -81,7 +82,7 @@ bool isProgramFile(const fs::path& file) {
 Expected<ReadProgram> readProgram(const fs::path& file, const ProgramReadOptions& options) {
   const std::string extension = lowerExtension(file);
   Expected<ReadProgram> program =
-      makeError({.found = "the extension '" + extension + "'", .expected = ".src, .mod, .ls or .script"});
+      makeError({.found = Text("the extension '%1'", extension), .expected = ".src, .mod, .ls or .script"});
   if (extension == ".src" || extension == ".dat") {
     program = readKrlFiles(file, options);
   } else if (isProgramFile(file)) {

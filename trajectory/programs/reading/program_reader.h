@@ -24,7 +24,7 @@ struct ProgramReadOptions {
 /// A program as a motion: a frame a target, arcs as frames within 0.1 mm of the arc.
 struct ReadProgram {
   Trajectory trajectory;
-  std::vector<std::string> notes;  ///< What was assumed, left out or not understood, with its lines.
+  std::vector<Text> notes;  ///< What was assumed, left out or not understood, with its lines.
 };
 
 /// True for .src, .dat (KUKA KRL), .mod, .modx, .prg, .sys (ABB RAPID), .ls (FANUC), .script, .urscript (URScript)

@@ -16,12 +16,12 @@ constexpr double kLongestList = 200'000;
 ProgramRun::ProgramRun(const Dialect& dialect, ProgramPath& path) : dialect_(dialect), path_(path) {
   meaning_.find = [this](const std::string& name) { return find(name); };
   meaning_.variable = [](const std::string& name) {
-    return Value::unknown("'" + name + "', which the file does not give");
+    return Value::unknown(Text("'%1', which the file does not give", name));
   };
   meaning_.call = [](const std::string& name, const std::vector<Argument>&) {
-    return Value::unknown("the result of '" + name + "'");
+    return Value::unknown(Text("the result of '%1'", name));
   };
-  meaning_.field = [](const Value&, const std::string& field) { return Value::unknown("the field '" + field + "'"); };
+  meaning_.field = [](const Value&, const std::string& field) { return Value::unknown(Text("the field '%1'", field)); };
 }
 
 const Value* ProgramRun::find(const std::string& name) const {
@@ -52,7 +52,7 @@ void ProgramRun::assign(const std::string& name, const std::vector<AccessStep>& 
       const auto i = static_cast<std::size_t>(found - place->fields.begin());
       if (found == place->fields.end()) {
         place->fields.push_back(step.field);
-        place->items.push_back(Value::unknown("'" + name + "." + step.field + "'"));
+        place->items.push_back(Value::unknown(Text("'%1.%2'", name, step.field)));
       }
       place = &place->items[i];
       continue;
@@ -62,7 +62,7 @@ void ProgramRun::assign(const std::string& name, const std::vector<AccessStep>& 
     if (place->kind != Value::Kind::kList) *place = Value::list("", std::vector<Value>{});
     const auto i = static_cast<std::size_t>(index);
     if (place->items.size() <= i)
-      place->items.resize(i + 1, Value::unknown("an element of '" + name + "' that has no value"));
+      place->items.resize(i + 1, Value::unknown(Text("an element of '%1' that has no value", name)));
     place = &place->items[i];
   }
   *place = std::move(value);
@@ -119,8 +119,9 @@ bool ProgramRun::isUndecided(const Statement& statement, const Value& condition)
   const bool moves = std::any_of(statement.branches.begin(), statement.branches.end(),
                                  [&](const Branch& branch) { return hasMoves(branch.body); });
   if (moves) {
-    path_.fail(statement.line, "moves that depend on " + condition.whyUnknown(), "a condition that the file decides",
-               "Take the branch that is not wanted out of a copy of the program.");
+    path_.fail(statement.line, Text("moves that depend on %1", condition.whyUnknown()),
+               Text("a condition that the file decides"),
+               Text("Take the branch that is not wanted out of a copy of the program."));
   } else {
     path_.skip(statement.line);
   }
@@ -162,7 +163,7 @@ bool ProgramRun::hasEnd(const Block& block) {
 }
 
 /// A loop without end: to its EXIT where the file decides that, else once.
-ProgramRun::Flow ProgramRun::runForever(const Statement& statement, const std::string& what) {
+ProgramRun::Flow ProgramRun::runForever(const Statement& statement, const Text& what) {
   const Block& body = statement.branches.front().body;
   const bool has_end = hasEnd(body);
   for (;;) {
@@ -174,7 +175,7 @@ ProgramRun::Flow ProgramRun::runForever(const Statement& statement, const std::s
       if (countStep(statement.line)) continue;
       return Flow::kEnd;
     }
-    if (hasMoves(body)) path_.noteLine(statement.line, what + "; its moves are read once.");
+    if (hasMoves(body)) path_.noteLine(statement.line, Text("%1; its moves are read once.", what));
     return Flow::kNext;
   }
 }
@@ -182,7 +183,7 @@ ProgramRun::Flow ProgramRun::runForever(const Statement& statement, const std::s
 bool ProgramRun::countStep(std::size_t line) {
   if (path_.hasFailed()) return false;
   if (++steps_ > most_steps_)
-    path_.fail(line, "statements that are run without end", "a program that comes to an end", "");
+    path_.fail(line, Text("statements that are run without end"), Text("a program that comes to an end"), "");
   return !path_.hasFailed();
 }
 
@@ -194,16 +195,16 @@ ProgramRun::Flow ProgramRun::runLoop(const Statement& statement) {
     return condition.size() == 1 && (condition[0].number != 0.0 || condition[0].is("true") || condition[0].is("True"));
   };
   if (branch.conditions.empty() || (!is_repeat && isAlways(branch.conditions.front())))
-    return runForever(statement, "a loop without end");
+    return runForever(statement, Text("a loop without end"));
   for (bool is_first = true;; is_first = false) {
     if (!countStep(statement.line)) return Flow::kEnd;
     if (!is_repeat || !is_first) {
       const Value condition = evaluate(branch.conditions.front());
       if (!condition.isKnown()) {
-        if (is_first) return runForever(statement, "a loop while " + condition.whyUnknown());
+        if (is_first) return runForever(statement, Text("a loop while %1", condition.whyUnknown()));
         if (hasMoves(branch.body))
           path_.noteLine(statement.line,
-                         "a loop that ends by " + condition.whyUnknown() + "; its moves are read so far.");
+                         Text("a loop that ends by %1; its moves are read so far.", condition.whyUnknown()));
         return Flow::kNext;
       }
       if ((condition.number != 0.0) == is_repeat) return Flow::kNext;
@@ -222,7 +223,7 @@ ProgramRun::Flow ProgramRun::runFor(const Statement& statement) {
   for (const Value* value : {&from, &to, &step})
     if (isUndecided(statement, *value)) return Flow::kNext;
   if (!from.isNumber() || !to.isNumber() || !step.isNumber() || step.number == 0.0) {
-    path_.fail(statement.line, "a FOR whose limits are no numbers", "numbers", "");
+    path_.fail(statement.line, Text("a FOR whose limits are no numbers"), Text("numbers"), "");
     return Flow::kEnd;
   }
   const double count = std::floor((to.number - from.number) / step.number + 1e-9);
@@ -238,7 +239,7 @@ ProgramRun::Flow ProgramRun::runFor(const Statement& statement) {
 
 ProgramRun::Flow ProgramRun::call(const Routine& routine, const std::vector<Argument>& arguments, std::size_t line) {
   if (depth_ >= kDeepestCall) {
-    path_.fail(line, "routines that call each other without end", "at most 50 within each other", "");
+    path_.fail(line, Text("routines that call each other without end"), Text("at most 50 within each other"), "");
     return Flow::kEnd;
   }
   std::map<std::string, Value> before;
@@ -246,7 +247,7 @@ ProgramRun::Flow ProgramRun::call(const Routine& routine, const std::vector<Argu
   std::size_t positional = 0;
   for (const std::string& parameter : routine.parameters) {
     if (const Value* old = find(parameter)) before[parameter] = *old;
-    Value value = Value::unknown("the parameter '" + parameter + "'");
+    Value value = Value::unknown(Text("the parameter '%1'", parameter));
     const auto named =
         std::find_if(arguments.begin(), arguments.end(), [&](const Argument& a) { return a.name == parameter; });
     if (named != arguments.end()) {

@@ -80,7 +80,7 @@ class ProgramRun {
   Flow runSwitch(const Statement& statement);
   Flow runLoop(const Statement& statement);
   Flow runFor(const Statement& statement);
-  Flow runForever(const Statement& statement, const std::string& what);
+  Flow runForever(const Statement& statement, const Text& what);
   static bool hasEnd(const Block& block);
   bool countStep(std::size_t line);
   bool isUndecided(const Statement& statement, const Value& condition);

@@ -7,22 +7,24 @@
 #include <vector>
 
 #include "geometry/shapes/pose.h"
+#include "geometry/system/text.h"
 
 namespace hapticell::trajectory {
 
 /// What an expression of a robot's program is worth, as far as the files say.
 ///
 /// A value that depends on something outside (an input, a sensor, data of another file) is unknown, with the reason in
-/// `text`; so is everything that is made of it.
+/// `why`; so is everything that is made of it.
 struct Value {
   enum class Kind { kUnknown, kNumber, kTruth, kText, kList, kRecord };
   Kind kind = Kind::kUnknown;
   double number = 0.0;              ///< Also of a truth: 1 or 0.
-  std::string text;                 ///< Of a text or enumeration; a list's type; why it is unknown.
+  std::string text;                 ///< Of a text or enumeration; a list's type.
   std::vector<Value> items;         ///< Of a list or record.
   std::vector<std::string> fields;  ///< A record's, one an item.
+  Text why{};                       ///< It is unknown.
 
-  static Value unknown(std::string why) { return {Kind::kUnknown, 0.0, std::move(why), {}, {}}; }
+  static Value unknown(Text why) { return {Kind::kUnknown, 0.0, {}, {}, {}, std::move(why)}; }
   static Value of(double number) { return {Kind::kNumber, number, {}, {}, {}}; }
   static Value truth(bool is_true) { return {Kind::kTruth, is_true ? 1.0 : 0.0, {}, {}, {}}; }
   static Value word(std::string text) { return {Kind::kText, 0.0, std::move(text), {}, {}}; }
@@ -39,7 +41,7 @@ struct Value {
   /// All numbers of a list; empty if one is not a number, or there are not `count`.
   std::optional<std::vector<double>> numbers(std::size_t count) const;
   /// Why this or a part of it is unknown; empty where all is known.
-  std::string whyUnknown() const;
+  Text whyUnknown() const;
 };
 
 /// The result of an operator ("+", "==", "and", ...). Unknown where an operand is, or where it has no such operator.

@@ -39,7 +39,7 @@ class FanucRun {
     for (at_ = 0; at_ < file_.lines.size() && !path_.hasFailed();) {
       const FanucLine& line = file_.lines[at_++];
       if (++rounds > kMostSteps + file_.lines.size())
-        return path_.fail(line.line, "a loop that does not end", "a program that comes to an end", "");
+        return path_.fail(line.line, Text("a loop that does not end"), Text("a program that comes to an end"), "");
       step(line);
     }
   }
@@ -67,8 +67,8 @@ class FanucRun {
     if (starts(text, "FOR")) return beginFor(line);
     if (starts(text, "ENDFOR")) return endFor(line);
     if (starts(text, "SELECT"))
-      return path_.fail(line.line, "SELECT", "lines that run in their order",
-                        "Take the branches that are not wanted out of a copy.");
+      return path_.fail(line.line, Text::plain("SELECT"), Text("lines that run in their order"),
+                        Text("Take the branches that are not wanted out of a copy."));
     if (starts(text, "ELSE")) return skipTo(line, {"ENDIF"});
     if (starts(text, "ENDIF")) return;
     if (starts(text, "WAIT")) return wait(line);
@@ -79,13 +79,13 @@ class FanucRun {
       return;
     }
     if (starts(text, "CALL") || starts(text, "RUN")) {
-      path_.noteLine(line.line, "'" + text + "' is not in the file; if it moves, that is missing.");
+      path_.noteLine(line.line, Text("'%1' is not in the file; if it moves, that is missing.", text));
     } else if (starts(text, "OFFSET") || starts(text, "TOOL_OFFSET") || starts(text, "VOFFSET")) {
-      path_.fail(line.line, "'" + text + "', which moves the targets that follow", "targets as they stand", "");
+      path_.fail(line.line, Text("'%1', which moves the targets that follow", text), Text("targets as they stand"), "");
     } else if (isStill(text)) {
       path_.skip(line.line);
     } else {
-      path_.noteLine(line.line, "'" + text.substr(0, 60) + "' is not understood and left out.");
+      path_.noteLine(line.line, Text("'%1' is not understood and left out.", text.substr(0, 60)));
     }
   }
 
@@ -224,9 +224,9 @@ class FanucRun {
   void jump(const FanucLine& line, const std::optional<int>& label) {
     const auto found = label ? labels_.find(*label) : labels_.end();
     if (found == labels_.end())
-      return path_.fail(line.line, "a jump to a label that is not there", "a LBL of the program", "");
+      return path_.fail(line.line, Text("a jump to a label that is not there"), Text("a LBL of the program"), "");
     if (found->second < at_ && !is_decided_) {
-      path_.noteLine(line.line, "a jump back; what it repeats is read once.");
+      path_.noteLine(line.line, Text("a jump back; what it repeats is read once."));
       return;
     }
     at_ = found->second;
@@ -261,7 +261,7 @@ class FanucRun {
     const bool is_block = then != std::string::npos;
     const std::size_t end = is_block ? then : comma;
     if (end == std::string::npos || end < 2)
-      return path_.noteLine(line.line, "'" + text.substr(0, 60) + "' is not understood and left out.");
+      return path_.noteLine(line.line, Text("'%1' is not understood and left out.", text.substr(0, 60)));
     const auto is_true = holds(text.substr(2, end - 2));
     if (is_block) {
       if (!is_true) return undecidedBlock(line);
@@ -270,7 +270,7 @@ class FanucRun {
     }
     if (!is_true) {
       path_.noteLine(line.line,
-                     "'" + text.substr(0, 60) + "' depends on what the file does not give; it is read as not so.");
+                     Text("'%1' depends on what the file does not give; it is read as not so.", text.substr(0, 60)));
       return;
     }
     if (!*is_true) return;
@@ -279,7 +279,7 @@ class FanucRun {
     if (rest.find("JMP") != std::string::npos)
       jump(line, bracketed(rest, "LBL["));
     else
-      path_.noteLine(line.line, "'" + rest + "' is not in the file; if it moves, that is missing.");
+      path_.noteLine(line.line, Text("'%1' is not in the file; if it moves, that is missing.", rest));
     is_decided_ = false;
   }
 
@@ -289,9 +289,9 @@ class FanucRun {
     for (std::size_t i = from; i < at_ && i < file_.lines.size(); ++i) {
       const std::string& text = file_.lines[i].text;
       if (text.size() > 2 && text[1] == ' ' && text[2] == 'P')
-        return path_.fail(line.line, "moves that depend on '" + line.text.substr(0, 60) + "'",
-                          "a condition that the file decides",
-                          "Take the branch that is not wanted out of a copy of the program.");
+        return path_.fail(line.line, Text("moves that depend on '%1'", line.text.substr(0, 60)),
+                          Text("a condition that the file decides"),
+                          Text("Take the branch that is not wanted out of a copy of the program."));
     }
     path_.skip(line.line);
   }
@@ -308,7 +308,7 @@ class FanucRun {
       }
       if (starts(text, "ENDIF")) --depth;
     }
-    path_.fail(line.line, "an IF without its ENDIF", "ENDIF", "");
+    path_.fail(line.line, Text("an IF without its ENDIF"), Text::plain("ENDIF"), "");
   }
 
   struct Loop {
@@ -324,12 +324,12 @@ class FanucRun {
     const auto to = text.find(is_down ? "DOWNTO" : "TO"), equals = text.find('=');
     const auto r = bracketed(text, "R[");
     if (!r || to == std::string::npos || equals == std::string::npos || equals > to)
-      return path_.fail(line.line, "a FOR that is not understood", "FOR R[1]=1 TO 3", "");
+      return path_.fail(line.line, Text("a FOR that is not understood"), Text::plain("FOR R[1]=1 TO 3"), "");
     const auto from = number(text.substr(equals + 1, to - equals - 1)),
                last = number(text.substr(to + (is_down ? 6 : 2)));
     if (!from || !last)
-      return path_.fail(line.line, "a FOR whose limits the file does not give", "numbers or registers that are set",
-                        "");
+      return path_.fail(line.line, Text("a FOR whose limits the file does not give"),
+                        Text("numbers or registers that are set"), "");
     registers_[*r] = *from;
     loops_.push_back({at_, *r, *last, is_down ? -1.0 : 1.0});
     if ((*last - *from) * loops_.back().step >= 0.0) return;
@@ -341,7 +341,7 @@ class FanucRun {
   }
 
   void endFor(const FanucLine& line) {
-    if (loops_.empty()) return path_.fail(line.line, "ENDFOR without FOR", "FOR", "");
+    if (loops_.empty()) return path_.fail(line.line, Text("ENDFOR without FOR"), Text::plain("FOR"), "");
     const Loop loop = loops_.back();
     double& value = registers_[loop.register_number];
     if ((loop.to - value - loop.step) * loop.step >= 0.0) {
@@ -375,17 +375,17 @@ class FanucRun {
     }
   }
 
-  const FanucPosition* positionIn(const FanucLine& line, std::size_t from, std::string& why) const {
+  const FanucPosition* positionIn(const FanucLine& line, std::size_t from, Text& why) const {
     const std::size_t place = line.text.find('P', from);
     if (place == std::string::npos) {
-      why = "a move without target";
+      why = Text("a move without target");
       return nullptr;
     }
     if (line.text.compare(place, 2, "PR") == 0) {
       const auto pr = registerIn(line.text.substr(place));
       const auto held = pr ? position_registers_.find(pr->first) : position_registers_.end();
       if (held != position_registers_.end()) return &held->second;
-      why = "a target in a position register, which the program does not set";
+      why = Text("a target in a position register, which the program does not set");
       return nullptr;
     }
     auto number = bracketed(line.text, "P[", place);
@@ -397,11 +397,11 @@ class FanucRun {
     }
     const auto found = number ? file_.positions.find(*number) : file_.positions.end();
     if (found == file_.positions.end()) {
-      why = number ? "P[" + std::to_string(*number) + "], which is not in /POS" : "a position by a register";
+      why = number ? Text("P[%1], which is not in /POS", *number) : Text("a position by a register");
       return nullptr;
     }
     if (!found->second.X && !found->second.joints) {
-      why = "P[" + std::to_string(*number) + "], which has no value";
+      why = Text("P[%1], which has no value", *number);
       return nullptr;
     }
     return &found->second;
@@ -410,30 +410,31 @@ class FanucRun {
   void move(const FanucLine& line) {
     const std::string& text = line.text;
     if (text.find("OFFSET") != std::string::npos) {
-      return path_.fail(line.line, "a target with an offset by a position register", "targets as they stand",
-                        "Take the offset out of a copy, or write the targets with it.");
+      return path_.fail(line.line, Text("a target with an offset by a position register"),
+                        Text("targets as they stand"),
+                        Text("Take the offset out of a copy, or write the targets with it."));
     }
     setSpeed(text);
     if (text.find(" COORD") != std::string::npos)
-      path_.note("COORD: poses are relative to what the other motion group carries; its motion is not read.");
-    std::string why;
+      path_.note(Text("COORD: poses are relative to what the other motion group carries; its motion is not read."));
+    Text why;
     const FanucPosition* position = positionIn(line, 2, why);
     if (!position) return path_.missTarget(line.line, why);
-    if (position->has_more_groups) path_.note("Only motion group 1 is read.");
-    if (position->has_external_axes) path_.note("External axes of the targets (E1 ...) are not kept.");
+    if (position->has_more_groups) path_.note(Text("Only motion group 1 is read."));
+    if (position->has_external_axes) path_.note(Text("External axes of the targets (E1 ...) are not kept."));
     if (text.front() == 'C') {
       const auto behind = text.find(']', 2);
       const std::size_t second = behind == std::string::npos ? behind : text.find('P', behind);
       if (second == std::string::npos || text.compare(second, 2, "P[") != 0)
-        return path_.fail(line.line, "C with one position", "two positions", "");
+        return path_.fail(line.line, Text("C with one position"), Text("two positions"), "");
       const FanucPosition* end = positionIn(line, second, why);
       setFrame(*position);
       if (!end || !end->X || !position->X || !path_.current())
-        return path_.missTarget(line.line, end ? "an arc without known points" : why);
+        return path_.missTarget(line.line, end ? Text("an arc without known points") : why);
       return path_.moveArc(line.line, *position->X, *end->X);
     }
     if (text.front() == 'A' || text.front() == 'S')
-      path_.noteLine(line.line, "an arc or spline by single points; it is read as straight lines between them.");
+      path_.noteLine(line.line, Text("an arc or spline by single points; it is read as straight lines between them."));
     const bool is_relative = text.find(" INC") != std::string::npos;
     if (position->joints) return moveJoints(line, *position->joints, is_relative);
     setFrame(*position);
@@ -441,7 +442,8 @@ class FanucRun {
     if (is_relative) {
       const auto here = path_.current();
       if (!here)
-        return path_.fail(line.line, "a move relative to a target that the file does not give", "a known target", "");
+        return path_.fail(line.line, Text("a move relative to a target that the file does not give"),
+                          Text("a known target"), "");
       X = {here->p + X.p, glm::normalize(X.q * here->q)};
     }
     path_.moveTo(line.line, X, text.front() == 'J');
@@ -450,15 +452,15 @@ class FanucRun {
   void setFrame(const FanucPosition& position) {
     frame_ = position.frame;
     if (position.frame == 0) return path_.setFrame(Pose::identity(), "");
-    path_.setFrame(std::nullopt, position.frame < 0 ? "the frame that is chosen"
-                                                    : "the user frame " + std::to_string(position.frame));
+    path_.setFrame(std::nullopt,
+                   position.frame < 0 ? Text("the frame that is chosen") : Text("the user frame %1", position.frame));
   }
 
   void moveJoints(const FanucLine& line, ProgramPath::Joints joints, bool is_relative) {
-    if (is_relative) return path_.missTarget(line.line, "joints relative to the target before");
+    if (is_relative) return path_.missTarget(line.line, Text("joints relative to the target before"));
     // FANUC counts axis 3 from the horizontal, models from axis 2.
     joints[2] += joints[1];
-    path_.note("FANUC's J3 is counted from the horizontal: J2 is added to it.");
+    path_.note(Text("FANUC's J3 is counted from the horizontal: J2 is added to it."));
     path_.moveJoints(line.line, joints);
   }
 
@@ -478,7 +480,8 @@ class FanucRun {
 Expected<ReadProgram> readFanuc(const std::string& text, const ProgramReadOptions& options) {
   const FanucFile file = parseFanuc(text);
   if (file.lines.empty())
-    return makeError({.place = "/MN", .found = "no lines", .expected = "a FANUC program in LS form: /PROG, /MN, /POS"});
+    return makeError(
+        {.place = Text::plain("/MN"), .found = "no lines", .expected = "a FANUC program in LS form: /PROG, /MN, /POS"});
   ProgramPath path(options);
   FanucRun(file, path).run();
   return path.finish(file.name);

@@ -99,7 +99,7 @@ class InformRun {
     for (at_ = 0; at_ < job_.lines.size() && !path_.hasFailed();) {
       const InformLine& line = job_.lines[at_++];
       if (++steps > kMostInformSteps)
-        return path_.fail(line.line, "jumps without end", "a job that comes to an end", "");
+        return path_.fail(line.line, Text("jumps without end"), Text("a job that comes to an end"), "");
       step(line);
     }
     endArc();
@@ -115,13 +115,14 @@ class InformRun {
     } else if (word == "MOVJ" || word == "MOVL" || word == "MOVS") {
       move(line);
     } else if (word == "IMOV" || word == "REFP" || word == "SFTON" || word == "MOVE") {
-      path_.fail(line.line, "'" + word + "', which moves by a variable of the controller", "MOVJ, MOVL, MOVC", "");
+      path_.fail(line.line, Text("'%1', which moves by a variable of the controller", word),
+                 Text::plain("MOVJ, MOVL, MOVC"), "");
     } else if (word == "TIMER") {
       if (const auto seconds = tagged(line, "T=")) path_.wait(*seconds);
     } else if (word == "JUMP") {
       jump(line);
     } else if (word == "CALL") {
-      path_.noteLine(line.line, "'" + joined(line) + "' is not in the file; if it moves, that is missing.");
+      path_.noteLine(line.line, Text("'%1' is not in the file; if it moves, that is missing.", joined(line)));
     } else if (word != "NOP" && word.front() != '*') {
       path_.skip(line.line);
     }
@@ -147,21 +148,21 @@ class InformRun {
     const auto found = job_.positions.find(name);
     if (found == job_.positions.end() || !found->second.X) {
       path_.missTarget(line.line, found == job_.positions.end()
-                                      ? "'" + name + "', which the file does not give"
-                                      : "'" + name + "' in pulses, which only the controller can read");
+                                      ? Text("'%1', which the file does not give", name)
+                                      : Text("'%1' in pulses, which only the controller can read", name));
       return std::nullopt;
     }
     const int user = found->second.user;
     if (user < 0)
       path_.setFrame(Pose::identity(), "");
     else
-      path_.setFrame(std::nullopt, "the user frame " + std::to_string(user));
+      path_.setFrame(std::nullopt, Text("the user frame %1", user));
     return found->second.X;
   }
 
   void move(const InformLine& line) {
     if (line.words[0] == "MOVS")
-      path_.noteLine(line.line, "a spline; it is read as straight lines between its points.");
+      path_.noteLine(line.line, Text("a spline; it is read as straight lines between its points."));
     if (const auto X = target(line)) path_.moveTo(line.line, *X, line.words[0] == "MOVJ");
   }
 
@@ -181,8 +182,7 @@ class InformRun {
 
   void endArc() {
     if (arc_.size() > 1 && arc_.size() % 2 == 0)
-      path_.fail(arc_line_, "MOVC to " + std::to_string(arc_.size()) + " points", "three, five, ... points of arcs",
-                 "");
+      path_.fail(arc_line_, Text("MOVC to %1 points", arc_.size()), Text("three, five, ... points of arcs"), "");
     arc_.clear();
   }
 
@@ -190,11 +190,12 @@ class InformRun {
     const bool is_conditional = std::find(line.words.begin(), line.words.end(), "IF") != line.words.end();
     const auto label = line.words.size() > 1 ? labels_.find(line.words[1]) : labels_.end();
     if (is_conditional) {
-      path_.noteLine(line.line, "'" + joined(line) + "' depends on what the file does not give; it is read as not so.");
+      path_.noteLine(line.line,
+                     Text("'%1' depends on what the file does not give; it is read as not so.", joined(line)));
     } else if (label == labels_.end()) {
-      path_.fail(line.line, "'" + joined(line) + "', a jump to elsewhere", "a label of the job", "");
+      path_.fail(line.line, Text("'%1', a jump to elsewhere", joined(line)), Text("a label of the job"), "");
     } else if (label->second < at_) {
-      path_.noteLine(line.line, "a jump back; what it repeats is read once.");
+      path_.noteLine(line.line, Text("a jump back; what it repeats is read once."));
     } else {
       at_ = label->second;
     }
@@ -213,7 +214,8 @@ class InformRun {
 Expected<ReadProgram> readInform(const std::string& text, const ProgramReadOptions& options) {
   const InformJob job = parseJob(text);
   if (job.lines.empty())
-    return makeError({.place = "//INST", .found = "no instructions", .expected = "a job: /JOB, //POS, //INST"});
+    return makeError(
+        {.place = Text::plain("//INST"), .found = "no instructions", .expected = "a job: /JOB, //POS, //INST"});
   ProgramPath path(options);
   InformRun(job, path).run();
   return path.finish(job.name);

@@ -99,7 +99,7 @@ class KrlRun final : public ProgramRun {
       const auto X = poseOf(a, Pose::identity()), Y = poseOf(b, Pose::identity());
       if (!a.isKnown()) return a;
       if (!b.isKnown()) return b;
-      return X && Y ? recordOf(*X * *Y) : Value::unknown("a frame that is not understood");
+      return X && Y ? recordOf(*X * *Y) : Value::unknown(Text("a frame that is not understood"));
     };
     meaning_.variable = [this](const std::string& name) { return word(name); };
     meaning_.call = [](const std::string& name, const std::vector<Argument>& given) { return function(name, given); };
@@ -121,12 +121,13 @@ class KrlRun final : public ProgramRun {
     if (isMove(statement)) {
       move(statement);
     } else if (word == "goto") {
-      path_.fail(statement.line, "GOTO", "loops and branches", "Write the lines in the order in which they run.");
+      path_.fail(statement.line, Text::plain("GOTO"), Text("loops and branches"),
+                 Text("Write the lines in the order in which they run."));
     } else if (word == "wait") {
       wait(statement);
     } else if (word == "halt" || stillWords().contains(word)) {
       if (word == "spline" || word == "ptp_spline")
-        path_.noteLine(statement.line, "a spline; it is read as straight lines between its points.");
+        path_.noteLine(statement.line, Text("a spline; it is read as straight lines between its points."));
       path_.skip(statement.line);
     } else if (isDeclaration(tokens)) {
       declare(tokens);
@@ -141,11 +142,11 @@ class KrlRun final : public ProgramRun {
     if (name == "$pos_act" || name == "$pos_act_mes" || name == "$pos_for") {
       if (const auto here = path_.current()) return recordOf(*here);
     }
-    return Value::unknown("'" + name + "', which the file does not give");
+    return Value::unknown(Text("'%1', which the file does not give", name));
   }
 
   static Value function(const std::string& name, const std::vector<Argument>& given) {
-    if (given.empty() || !given.front().value.isNumber()) return Value::unknown("the result of '" + name + "'");
+    if (given.empty() || !given.front().value.isNumber()) return Value::unknown(Text("the result of '%1'", name));
     const double x = given.front().value.number;
     if (name == "abs") return Value::of(std::abs(x));
     if (name == "sqrt") return Value::of(std::sqrt(std::max(0.0, x)));
@@ -158,7 +159,7 @@ class KrlRun final : public ProgramRun {
       return Value::of(std::atan2(x, given[1].value.number) / kRadiansPerDegree);
     // SBASE(1), STOOL2(FP1), SVEL_CP(0.2,,LCPDAT1): what they set stands in their first argument.
     if (name == "sbase" || name == "svel_cp" || name == "svel_joint") return Value::of(x);
-    return Value::unknown("the result of '" + name + "'");
+    return Value::unknown(Text("the result of '%1'", name));
   }
 
   static bool isDeclaration(const Tokens& tokens) {
@@ -180,7 +181,7 @@ class KrlRun final : public ProgramRun {
       if (reader.take("=")) {
         set(name, {}, reader.expression(), tokens.front().line);
       } else if (!find(name)) {
-        variables_[name] = Value::unknown("'" + name + "', which has no value");
+        variables_[name] = Value::unknown(Text("'%1', which has no value", name));
       }
       if (!reader.take(",")) return;
     }
@@ -216,7 +217,7 @@ class KrlRun final : public ProgramRun {
   void setBase(const Value& value) {
     if (value.isNumber()) return setBaseNumber(value);
     const auto X = poseOf(value, std::nullopt);
-    path_.setFrame(X, "the base $BASE, set from " + value.whyUnknown());
+    path_.setFrame(X, Text("the base $BASE, set from %1", value.whyUnknown()));
   }
 
   void setBaseNumber(const Value& number) {
@@ -227,9 +228,9 @@ class KrlRun final : public ProgramRun {
       if (bases && bases->items.size() >= n) {
         if (const auto X = poseOf(bases->items[n - 1], std::nullopt)) return path_.setFrame(X, "");
       }
-      return path_.setFrame(std::nullopt, "the base BASE_DATA[" + std::to_string(n) + "]");
+      return path_.setFrame(std::nullopt, Text("the base BASE_DATA[%1]", n));
     }
-    path_.setFrame(std::nullopt, "a base by " + number.whyUnknown());
+    path_.setFrame(std::nullopt, Text("a base by %1", number.whyUnknown()));
   }
 
   void wait(const Statement& statement) {
@@ -248,10 +249,10 @@ class KrlRun final : public ProgramRun {
       if (tokens[0].is("bas")) return bas(given), Flow::kNext;
       const auto routine = routines_.find(tokens[0].text);
       if (routine != routines_.end()) return call(routine->second, given, statement.line);
-      path_.noteLine(statement.line, "'" + textOf(tokens) + "' is not in the file; if it moves, that is missing.");
+      path_.noteLine(statement.line, Text("'%1' is not in the file; if it moves, that is missing.", textOf(tokens)));
       return Flow::kNext;
     }
-    path_.noteLine(statement.line, "'" + textOf(tokens) + "' is not understood and left out.");
+    path_.noteLine(statement.line, Text("'%1' is not understood and left out.", textOf(tokens)));
     return Flow::kNext;
   }
 
@@ -296,13 +297,14 @@ class KrlRun final : public ProgramRun {
     ExpressionReader reader(tokens, 1, krl(), meaning_);
     const Value target = reader.term();
     if (word.find("circ") == std::string::npos) return moveTo(statement, target, is_relative, is_joint_move, in_tool);
-    if (!reader.take(",")) return path_.fail(statement.line, "one point", "CIRC auxiliary point, end point", "");
+    if (!reader.take(","))
+      return path_.fail(statement.line, Text("one point"), Text("CIRC auxiliary point, end point"), "");
     const Value end = reader.term();
     std::optional<double> angle;
     while (reader.take(",")) {
       if (!reader.take("ca")) continue;
       const Value degrees = reader.term();
-      if (!degrees.isNumber()) return path_.fail(statement.line, degrees.whyUnknown(), "the angle CA", "");
+      if (!degrees.isNumber()) return path_.fail(statement.line, degrees.whyUnknown(), Text("the angle CA"), "");
       angle = degrees.number * kRadiansPerDegree;
     }
     const auto here = path_.current();
@@ -311,9 +313,9 @@ class KrlRun final : public ProgramRun {
     path_.moveArc(statement.line, *via_FT, *end_FT, angle);
   }
 
-  static std::string whyMissing(const Value& target) {
-    const std::string why = target.whyUnknown();
-    return why.empty() ? "a target without all its coordinates" : "a target by " + why;
+  static Text whyMissing(const Value& target) {
+    const Text why = target.whyUnknown();
+    return why.empty() ? Text("a target without all its coordinates") : Text("a target by %1", why);
   }
 
   std::optional<Pose> placed(const Value& target, bool is_relative, bool in_tool) const {
@@ -327,7 +329,7 @@ class KrlRun final : public ProgramRun {
   void noteExternalAxes(const Value& target) {
     for (const char* axis : {"e1", "e2", "e3", "e4", "e5", "e6"})
       if (target.numberOf(axis).value_or(0.0) != 0.0)
-        path_.note("External axes of the targets (E1 to E6) are not kept.");
+        path_.note(Text("External axes of the targets (E1 to E6) are not kept."));
   }
 
   void moveTo(const Statement& statement, const Value& target, bool is_relative, bool is_joint_move, bool in_tool) {
@@ -335,7 +337,8 @@ class KrlRun final : public ProgramRun {
     if (hasAxes(target)) {
       auto joints = jointsOf(target, is_relative ? ProgramPath::Joints{} : path_.currentJoints());
       if (joints && is_relative) {
-        if (!path_.currentJoints()) return path_.missTarget(statement.line, "axes relative to a target that has none");
+        if (!path_.currentJoints())
+          return path_.missTarget(statement.line, Text("axes relative to a target that has none"));
         for (std::size_t i = 0; i < joints->size(); ++i) (*joints)[i] += (*path_.currentJoints())[i];
       }
       if (!joints) return path_.missTarget(statement.line, whyMissing(target));
@@ -343,8 +346,8 @@ class KrlRun final : public ProgramRun {
     }
     if (const auto X = placed(target, is_relative, in_tool)) return path_.moveTo(statement.line, *X, is_joint_move);
     if (is_relative && target.whyUnknown().empty())
-      return path_.fail(statement.line, "a move relative to a target that the file does not give", "a known target",
-                        "");
+      return path_.fail(statement.line, Text("a move relative to a target that the file does not give"),
+                        Text("a known target"), "");
     path_.missTarget(statement.line, whyMissing(target));
   }
 

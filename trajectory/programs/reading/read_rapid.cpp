@@ -107,7 +107,7 @@ Value rapidTarget(const Pose& X, const Value& like) {
   Value target = like;
   const dvec3 p = X.p / kRapidMillimetre;
   if (target.kind != Value::Kind::kList || target.items.size() < 2)
-    target = Value::list("robtarget", std::vector<Value>(4, Value::unknown("a configuration")));
+    target = Value::list("robtarget", std::vector<Value>(4, Value::unknown(Text("a configuration"))));
   target.items[0] = Value::list("pos", {p.x, p.y, p.z});
   target.items[1] = Value::list("orient", {X.q.w, X.q.x, X.q.y, X.q.z});
   return target;
@@ -122,7 +122,7 @@ class RapidRun final : public ProgramRun {
     };
     meaning_.field = [](const Value& whole, const std::string& field) {
       const auto found = whole.kind == Value::Kind::kList ? rapidField(whole.text, field) : std::nullopt;
-      if (!found || found->first >= whole.items.size()) return Value::unknown("the field '" + field + "'");
+      if (!found || found->first >= whole.items.size()) return Value::unknown(Text("the field '%1'", field));
       Value part = whole.items[found->first];
       if (part.kind == Value::Kind::kList) part.text = found->second;
       return part;
@@ -148,10 +148,11 @@ class RapidRun final : public ProgramRun {
     } else if (word == "const" || word == "pers" || word == "var" || word == "local" || word == "task") {
       declare(tokens);
     } else if (word == "goto") {
-      path_.fail(statement.line, "GOTO", "loops and branches", "Write the lines in the order in which they run.");
+      path_.fail(statement.line, Text::plain("GOTO"), Text("loops and branches"),
+                 Text("Write the lines in the order in which they run."));
     } else if (word == "pdispset" || word == "pdispon" || word == "eoffsset" || word == "eoffson") {
-      path_.fail(statement.line, "'" + word + "', which moves all targets that follow", "targets as they stand",
-                 "Take it out of a copy of the program.");
+      path_.fail(statement.line, Text("'%1', which moves all targets that follow", word), Text("targets as they stand"),
+                 Text("Take it out of a copy of the program."));
     } else if (word == "waittime") {
       wait(statement);
     } else if (stillInstructions().contains(word)) {
@@ -174,7 +175,7 @@ class RapidRun final : public ProgramRun {
     if (name == "vmax") return Value::list("speeddata", {7000.0, 500.0, 5000.0, 1000.0});
     if (name.size() > 1 && name.front() == 'v' && name.find_first_not_of("0123456789", 1) == std::string::npos)
       return Value::list("speeddata", {parseNumber(name.substr(1)).value_or(0.0), 500.0, 5000.0, 1000.0});
-    return Value::unknown("'" + name + "', which the file does not give");
+    return Value::unknown(Text("'%1', which the file does not give", name));
   }
 
   static std::optional<double> numberAt(const std::vector<Argument>& given, std::size_t i) {
@@ -184,15 +185,14 @@ class RapidRun final : public ProgramRun {
 
   static Value unknownResult(const std::string& name, const std::vector<Argument>& given) {
     for (const Argument& argument : given)
-      if (std::string why = argument.value.whyUnknown(); !why.empty() && !argument.value.isKnown())
-        return Value::unknown(why);
-    return Value::unknown("the result of '" + name + "'");
+      if (Text why = argument.value.whyUnknown(); !why.empty() && !argument.value.isKnown()) return Value::unknown(why);
+    return Value::unknown(Text("the result of '%1'", name));
   }
 
   Value function(const std::string& name, const std::vector<Argument>& given) const {
     if (name == "crobt") {
       const auto here = path_.current();
-      return here ? rapidTarget(*here, {}) : Value::unknown("the robot's place");
+      return here ? rapidTarget(*here, {}) : Value::unknown(Text("the robot's place"));
     }
     if (given.empty()) return unknownResult(name, given);
     const Value& first = given.front().value;
@@ -255,7 +255,7 @@ class RapidRun final : public ProgramRun {
       std::vector<AccessStep> dimensions;
       const std::string name = reader.path(dimensions);
       if (name.empty()) return;
-      Value value = Value::unknown("'" + name + "', which has no value");
+      Value value = Value::unknown(Text("'%1', which has no value", name));
       if (reader.take(":=")) value = reader.expression();
       if (type == "num" && !value.isKnown() && reader.at() == at + 3) value = Value::of(0.0);
       if (value.kind == Value::Kind::kList) {
@@ -286,7 +286,7 @@ class RapidRun final : public ProgramRun {
         continue;
       }
       const auto place = rapidField(type, step.field);
-      if (!place) return path_.noteLine(statement.line, "the field '" + step.field + "' is not kept."), true;
+      if (!place) return path_.noteLine(statement.line, Text("the field '%1' is not kept.", step.field)), true;
       step = {"", static_cast<double>(place->first + 1), true};
       type = place->second;
     }
@@ -322,9 +322,9 @@ class RapidRun final : public ProgramRun {
     }
     if (tokens.front().isWord()) {
       path_.noteLine(statement.line,
-                     "'" + textOf(tokens) + "' is not in the file or not understood; if it moves, that is missing.");
+                     Text("'%1' is not in the file or not understood; if it moves, that is missing.", textOf(tokens)));
     } else {
-      path_.noteLine(statement.line, "'" + textOf(tokens) + "' is not understood and left out.");
+      path_.noteLine(statement.line, Text("'%1' is not understood and left out.", textOf(tokens)));
     }
     return Flow::kNext;
   }
@@ -336,10 +336,10 @@ class RapidRun final : public ProgramRun {
     const auto user = data.items.size() > 4 ? rapidPose(data.items[3]) : std::nullopt;
     const auto object = data.items.size() > 4 ? rapidPose(data.items[4]) : std::nullopt;
     if (user && object) return path_.setFrame(*user * *object, "");
-    std::string name = "of which the file has no value";
+    Text name = "the work object of which the file has no value";
     for (std::size_t i = 0; i + 2 < tokens.size(); ++i)
-      if (tokens[i].is("wobj") && tokens[i + 1].is(":=")) name = "'" + tokens[i + 2].text + "'";
-    path_.setFrame(std::nullopt, "the work object " + name);
+      if (tokens[i].is("wobj") && tokens[i + 1].is(":=")) name = Text("the work object '%1'", tokens[i + 2].text);
+    path_.setFrame(std::nullopt, name);
   }
 
   void setSpeed(const std::vector<Argument>& given, std::size_t place, bool is_joint_move) {
@@ -355,9 +355,9 @@ class RapidRun final : public ProgramRun {
     if (is_joint_move) path_.setJointShare(std::min(1.0, kRapidMillimetre * (*speed)[0]));
   }
 
-  static std::string whyMissing(const Value& target) {
-    const std::string why = target.kind == Value::Kind::kUnknown ? target.whyUnknown() : "";
-    return why.empty() ? "a target that is no robtarget or jointtarget" : "a target by " + why;
+  static Text whyMissing(const Value& target) {
+    const Text why = target.kind == Value::Kind::kUnknown ? target.whyUnknown() : Text();
+    return why.empty() ? Text("a target that is no robtarget or jointtarget") : Text("a target by %1", why);
   }
 
   /// 9E9 is an axis that is not there.
@@ -365,7 +365,7 @@ class RapidRun final : public ProgramRun {
     if (target.kind != Value::Kind::kList || target.items.empty()) return;
     const auto axes = target.items.back().numbers(6);
     if (axes && std::any_of(axes->begin(), axes->end(), [](double axis) { return axis < 8e9 && axis != 0.0; }))
-      path_.note("External axes of the targets are not kept.");
+      path_.note(Text("External axes of the targets are not kept."));
   }
 
   void move(const Statement& statement, const RapidMove& kind) {
@@ -375,10 +375,10 @@ class RapidRun final : public ProgramRun {
     for (Argument& argument : given)
       if (argument.name.empty()) plain.push_back(argument);
     if (kind.before > 0)
-      path_.noteLine(statement.line, "a search, which ends where a signal comes; it is read to its end point.");
+      path_.noteLine(statement.line, Text("a search, which ends where a signal comes; it is read to its end point."));
     const auto first = static_cast<std::size_t>(kind.before);
     const std::size_t last = first + (kind.is_circle ? 1 : 0);
-    if (last >= plain.size()) return path_.missTarget(statement.line, "a move without target");
+    if (last >= plain.size()) return path_.missTarget(statement.line, Text("a move without target"));
     for (const Argument& argument : given)
       if (argument.name == "v") plain.push_back(argument);
     setSpeed(plain, last + 1, kind.is_joint);
@@ -450,8 +450,11 @@ Expected<ReadProgram> readRapid(const std::string& text, const ProgramReadOption
     std::string others;
     for (const Routine& routine : routines)
       if (routine.name != main->name && moves(routine)) others += (others.empty() ? "" : ", ") + routine.name;
-    path.note("There is no PROC main() with moves: '" + main->name + "', the first with moves, is read" +
-              (others.empty() ? "." : "; not read unless it calls them: " + others + "."));
+    path.note(others.empty()
+                  ? Text("There is no PROC main() with moves: '%1', the first with moves, is read.", main->name)
+                  : Text("There is no PROC main() with moves: '%1', the first with moves, is read; not read unless it "
+                         "calls them: %2.",
+                         main->name, others));
   }
   const Routine first = *main;
   run.run(first.body);

@@ -102,12 +102,12 @@ class UrParser {
   Block block(const UrWords& ends, int depth) {
     Block result;
     if (depth > kDeepestUrBlock) {
-      path_.fail(lines_[std::min(at_, lines_.size() - 1)].front().line, "more than 100 blocks within each other",
-                 "fewer", "");
+      path_.fail(lines_[std::min(at_, lines_.size() - 1)].front().line, Text("more than 100 blocks within each other"),
+                 Text("fewer"), "");
       at_ = lines_.size();
     }
     while (at_ < lines_.size() && !isAt(ends)) statement(result, depth);
-    if (at_ >= lines_.size()) path_.fail(lines_.back().front().line, "the file's end", "'end'", "");
+    if (at_ >= lines_.size()) path_.fail(lines_.back().front().line, Text("the file's end"), Text::plain("'end'"), "");
     return result;
   }
 
@@ -206,20 +206,20 @@ class UrRun final : public ProgramRun {
     if (is_call && isUrMove(word)) {
       move(statement);
     } else if (is_call && (word.starts_with("servo") || word.starts_with("speed"))) {
-      path_.fail(statement.line, "'" + word + "', whose motion depends on the controller's clock",
-                 "movej, movel, movep, movec", "");
+      path_.fail(statement.line, Text("'%1', whose motion depends on the controller's clock", word),
+                 Text::plain("movej, movel, movep, movec"), "");
     } else if (is_call && (word == "force_mode" || word == "track_conveyor_linear" ||
                            word == "track_conveyor_circular" || word == "path_offset_set")) {
-      path_.fail(statement.line, "'" + word + "', which moves the targets that follow", "targets as they stand",
-                 "Take it out of a copy of the program.");
+      path_.fail(statement.line, Text("'%1', which moves the targets that follow", word), Text("targets as they stand"),
+                 Text("Take it out of a copy of the program."));
     } else if (is_call) {
       return callLine(statement);
     } else if (word == "run" || word == "kill" || word == "join" || word == "enter_critical" ||
                word == "exit_critical" || word == "pass") {
-      path_.noteLine(statement.line,
-                     "'" + textOf(tokens) + "' is left out" + (word == "run" ? ": threads are not read." : "."));
+      path_.noteLine(statement.line, word == "run" ? Text("'%1' is left out: threads are not read.", textOf(tokens))
+                                                   : Text("'%1' is left out.", textOf(tokens)));
     } else if (!assignment(tokens)) {
-      path_.noteLine(statement.line, "'" + textOf(tokens) + "' is not understood and left out.");
+      path_.noteLine(statement.line, Text("'%1' is not understood and left out.", textOf(tokens)));
     }
     return Flow::kNext;
   }
@@ -233,9 +233,9 @@ class UrRun final : public ProgramRun {
   Value function(const std::string& name, const std::vector<Argument>& given) const {
     if (name == "get_actual_tcp_pose" || name == "get_target_tcp_pose") {
       const auto here = path_.current();
-      return here ? urValue(*here) : Value::unknown("the robot's place");
+      return here ? urValue(*here) : Value::unknown(Text("the robot's place"));
     }
-    if (given.empty()) return Value::unknown("the result of '" + name + "'");
+    if (given.empty()) return Value::unknown(Text("the result of '%1'", name));
     const auto X = urPose(given[0].value);
     const auto Y = given.size() > 1 ? urPose(given[1].value) : std::nullopt;
     if (name == "get_inverse_kin" && X) return given[0].value;  // A move to these joints is one to that pose.
@@ -253,8 +253,8 @@ class UrRun final : public ProgramRun {
     if (name == "length" || name == "size") return Value::of(static_cast<double>(given[0].value.items.size()));
     if (const auto a = numberAt(given, 0)) return ofNumber(name, *a, given);
     for (const Argument& argument : given)
-      if (std::string why = argument.value.whyUnknown(); !why.empty()) return Value::unknown(why);
-    return Value::unknown("the result of '" + name + "'");
+      if (Text why = argument.value.whyUnknown(); !why.empty()) return Value::unknown(why);
+    return Value::unknown(Text("the result of '%1'", name));
   }
 
   static Value ofNumber(const std::string& name, double a, const std::vector<Argument>& given) {
@@ -272,7 +272,7 @@ class UrRun final : public ProgramRun {
     if (name == "ceil") return Value::of(std::ceil(a));
     if (name == "atan2" && numberAt(given, 1)) return Value::of(std::atan2(a, *numberAt(given, 1)));
     if (name == "pow" && numberAt(given, 1)) return Value::of(std::pow(a, *numberAt(given, 1)));
-    return Value::unknown("the result of '" + name + "'");
+    return Value::unknown(Text("the result of '%1'", name));
   }
 
   bool assignment(const Tokens& tokens) {
@@ -298,15 +298,15 @@ class UrRun final : public ProgramRun {
     } else if (isStillCall(word)) {
       path_.skip(statement.line);
     } else {
-      path_.noteLine(statement.line, "'" + textOf(statement.tokens) +
-                                         "' is not in the file or not understood; if it moves, that is missing.");
+      path_.noteLine(statement.line, Text("'%1' is not in the file or not understood; if it moves, that is missing.",
+                                          textOf(statement.tokens)));
     }
     return Flow::kNext;
   }
 
-  static std::string whyMissing(const Value& target) {
-    const std::string why = target.whyUnknown();
-    return why.empty() ? "a target that is neither p[...] nor six joints" : "a target by " + why;
+  static Text whyMissing(const Value& target) {
+    const Text why = target.whyUnknown();
+    return why.empty() ? Text("a target that is neither p[...] nor six joints") : Text("a target by %1", why);
   }
 
   void move(const Statement& statement) {
@@ -316,7 +316,7 @@ class UrRun final : public ProgramRun {
     const auto given = ExpressionReader(statement.tokens, 2, urscript(), meaning_).arguments();
     // In order: targets, a, v; movej and movel have t and r behind them.
     std::size_t place = 0;
-    std::vector<Value> at(targets, Value::unknown("no target"));
+    std::vector<Value> at(targets, Value::unknown(Text("no target")));
     for (const Argument& argument : given) {
       const bool is_speed = argument.name == "v" || (argument.name.empty() && place == targets + 1);
       if (argument.name == "pose" || argument.name == "q" || argument.name == "pose_via") at.front() = argument.value;

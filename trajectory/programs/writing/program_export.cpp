@@ -35,23 +35,23 @@ bool isExpression(const std::string& text, ProgramFormat format) {
 /// Tool and base as the language takes them.
 Expected<void> checkFrames(const ProgramOptions& options, ProgramFormat format) {
   struct Word {
-    const char* name;
+    Text name;
     const std::string& text;
     int least, greatest;
   };
   const bool is_fanuc = format == ProgramFormat::kFanuc;
-  for (const Word& word : {Word{"tool", options.tool, is_fanuc ? 1 : 0, is_fanuc ? 29 : 63},
-                           Word{"base", options.base, is_fanuc ? 0 : 1, is_fanuc ? 61 : 63}}) {
+  for (const Word& word : {Word{Text("tool"), options.tool, is_fanuc ? 1 : 0, is_fanuc ? 29 : 63},
+                           Word{Text("base"), options.base, is_fanuc ? 0 : 1, is_fanuc ? 61 : 63}}) {
     if (word.text.empty()) continue;
     if (is_fanuc || format == ProgramFormat::kInform) {
       if (isWholeNumber(word.text, word.least, word.greatest)) continue;
-      return makeError(
-          {"", word.name, "'" + word.text + "'",
-           "its number on the controller, " + std::to_string(word.least) + " to " + std::to_string(word.greatest), ""});
+      return makeError({.place = word.name,
+                        .found = Text("'%1'", word.text),
+                        .expected = Text("its number on the controller, %1 to %2", word.least, word.greatest)});
     }
     if (isExpression(word.text, format)) continue;
     return makeError(
-        {.place = word.name, .found = "'" + word.text + "'", .expected = "the name of one on the controller"});
+        {.place = word.name, .found = Text("'%1'", word.text), .expected = "the name of one on the controller"});
   }
   return {};
 }
@@ -70,14 +70,15 @@ std::vector<double> blendsOf(const Trajectory& trajectory, double wanted, double
 }
 
 /// What became of the name that was wanted; empty where nothing did.
-std::string nameNote(const std::string& wanted, const std::string& name, ProgramFormat format) {
+Text nameNote(const std::string& wanted, const std::string& name, ProgramFormat format) {
   if (wanted.empty() || sameButForCase(wanted, name)) return {};
   const std::string language = programNumbers(format).language;
-  const std::string why = isReservedName(wanted, format)
-                              ? "is a word of " + language + " itself"
-                              : "is no name in " + language + " (letters, digits and _, a letter first, at most " +
-                                    std::to_string(longestProgramName(format)) + " characters)";
-  return "The program is called '" + name + "': '" + wanted + "' " + why + ".";
+  if (isReservedName(wanted, format))
+    return Text("The program is called '%1': '%2' is a word of %3 itself.", name, wanted, language);
+  return Text(
+      "The program is called '%1': '%2' is no name in %3 (letters, digits and _, a letter first, at most %4 "
+      "characters).",
+      name, wanted, language, longestProgramName(format));
 }
 
 std::vector<ProgramFile> writeProgram(const ProgramInput& input, ProgramFormat format) {
@@ -123,7 +124,7 @@ std::string jointList(std::span<const double> joints, int decimals, double unit,
 }
 
 Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, ProgramFormat format,
-                                                 const ProgramOptions& options, std::vector<std::string>* notes) {
+                                                 const ProgramOptions& options, std::vector<Text>* notes) {
   if (trajectory.empty()) return makeError({.place = "frames", .found = "none", .expected = "at least one frame"});
   if (!trajectory.has_poses) {
     return makeError({.place = "poses",
@@ -133,7 +134,7 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
   }
   if (trajectory.hasJoints() && trajectory.joint_names.size() != 6) {
     return makeError({.place = "joints",
-                      .found = std::to_string(trajectory.joint_names.size()) + " joints",
+                      .found = Text("%1 joints", trajectory.joint_names.size()),
                       .expected = "six, or none",
                       .fix = "Export it as csv, json or ros."});
   }
@@ -147,21 +148,22 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
   HAPTICELL_TRY(checkFrames(options, format));
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     if (!trajectory[i].X_WT.isValid()) {
-      return makeError(
-          {"", "frame " + std::to_string(i), "an invalid pose", "finite numbers and a unit quaternion", ""});
+      return makeError({.place = Text("frame %1", i),
+                        .found = "an invalid pose",
+                        .expected = "finite numbers and a unit quaternion"});
     }
   }
   if (format == ProgramFormat::kInform && trajectory.size() > kMostInformPositions) {
     return makeError({.place = "frames",
                       .found = std::to_string(trajectory.size()),
-                      .expected = "at most " + std::to_string(kMostInformPositions) + ", as a job of INFORM can hold",
+                      .expected = Text("at most %1, as a job of INFORM can hold", kMostInformPositions),
                       .fix = "Simplify the motion first, or split it."});
   }
   const std::string wanted_name = options.name.empty() ? trajectory.name : options.name;
   const std::string name = programName(wanted_name, format);
   const ProgramNumbers& rules = programNumbers(format);
   NumberWriter numbers(rules);
-  if (options.blend > 0.0 && rules.blend.greatest > 0.0) numbers.text(rules.blend, options.blend, "blend");
+  if (options.blend > 0.0 && rules.blend.greatest > 0.0) numbers.text(rules.blend, options.blend, Text("blend"));
   const double least_blend = rules.blend.least / rules.blend.scale;
   const ProgramInput input{trajectory, options, name, blendsOf(trajectory, options.blend, least_blend), rules, numbers};
   auto files = writeProgram(input, format);
@@ -170,10 +172,11 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
   HAPTICELL_TRY(measured);
   const PoseDistance& off = measured->largest;
   if (options.must_read_back && kProgramPromise.shareOf(off) > 1.0) {
-    return makeError(
-        {"", "read back", shortestText(off.position) + " m, " + shortestText(off.angle) + " rad off",
-         "at most " + shortestText(kProgramPromise.position) + " m, " + shortestText(kProgramPromise.angle) + " rad",
-         "Nothing was written. Bring the motion nearer to the robot's base."});
+    return makeError({.place = "read back",
+                      .found = Text("%1 m, %2 rad off", shortestText(off.position), shortestText(off.angle)),
+                      .expected = Text("at most %1 m, %2 rad", shortestText(kProgramPromise.position),
+                                       shortestText(kProgramPromise.angle)),
+                      .fix = "Nothing was written. Bring the motion nearer to the robot's base."});
   }
   if (notes) {
     if (auto changed = nameNote(wanted_name, name, format); !changed.empty()) notes->push_back(std::move(changed));

@@ -47,8 +47,7 @@ struct ProgramFile {
 /// would become 0 or be cut to its range); a tool or base that is no word of the language; a program that does not read
 /// back within kProgramPromise.
 Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, ProgramFormat format,
-                                                 const ProgramOptions& options,
-                                                 std::vector<std::string>* notes = nullptr);
+                                                 const ProgramOptions& options, std::vector<Text>* notes = nullptr);
 
 /// What a written program is promised to hold: every target within this of its frame.
 inline constexpr PathTolerance kProgramPromise{1e-6, 2e-6};

@@ -58,7 +58,7 @@ Expected<ProgramMeasure> measureProgram(const std::vector<ProgramFile>& files, P
   HAPTICELL_TRY(read);
   if (read->trajectory.size() != trajectory.size()) {
     return makeError({.place = "read back",
-                      .found = std::to_string(read->trajectory.size()) + " targets",
+                      .found = Text("%1 targets", read->trajectory.size()),
                       .expected = std::to_string(trajectory.size()),
                       .fix = "Nothing was written."});
   }

@@ -70,29 +70,29 @@ const ProgramNumbers& programNumbers(ProgramFormat format) {
   return kKrl;
 }
 
-std::string NumberWriter::text(const NumberRule& rule, double value, const std::string& kind,
-                               const std::string& place) {
+std::string NumberWriter::text(const NumberRule& rule, double value, const Text& kind, const Text& place) {
   const double wanted = rule.scale * value;
   std::string written = fixedText(wanted, rule.decimals);
   const double got = parseNumber(written).value_or(0.0);
   // A hair of tolerance: 0.001 m is 1.0000000000000002e0 of something else.
   if (!std::isfinite(wanted) || wanted < rule.least * (1.0 - 1e-9) || wanted > rule.greatest * (1.0 + 1e-9)) {
     if (!error_) {
-      const std::string unit = std::string(" ") + rule.unit;
-      error_ = Error{.place = place.empty() ? kind : kind + ", " + place,
-                     .found = shortestText(wanted) + unit,
-                     .expected = shortestText(rule.least) + " to " + shortestText(rule.greatest) + unit + ", as " +
-                                 numbers_.language + " can hold",
-                     .fix = "Choose another " + kind + ". Nothing was written."};
+      error_ = Error{.place = place.empty() ? kind : Text("%1, %2", kind, place),
+                     .found = Text("%1 %2", shortestText(wanted), rule.unit),
+                     .expected = Text("%1 to %2 %3, as %4 can hold", shortestText(rule.least),
+                                      shortestText(rule.greatest), rule.unit, numbers_.language),
+                     .fix = Text("Choose another %1. Nothing was written.", kind)};
     }
     return written;
   }
   const bool is_noted = std::find(noted_kinds_.begin(), noted_kinds_.end(), kind) != noted_kinds_.end();
   if (std::abs(got - wanted) > kNotedRounding * wanted && !is_noted) {
     noted_kinds_.push_back(kind);
-    notes_.push_back("The " + kind + (place.empty() ? "" : " of " + place) + ", " + shortestText(wanted) + " " +
-                     rule.unit + ", is rounded to " + written + " " + rule.unit + ": " + numbers_.language +
-                     " has no more digits.");
+    const std::string given = shortestText(wanted);
+    notes_.push_back(place.empty() ? Text("The %1, %2 %3, is rounded to %4 %3: %5 has no more digits.", kind, given,
+                                          rule.unit, written, numbers_.language)
+                                   : Text("The %1 of %6, %2 %3, is rounded to %4 %3: %5 has no more digits.", kind,
+                                          given, rule.unit, written, numbers_.language, place));
   }
   return written;
 }

@@ -40,16 +40,16 @@ class NumberWriter {
   explicit NumberWriter(const ProgramNumbers& numbers) : numbers_(numbers) {}
 
   /// `value` in SI by `rule`; `name` is what users call it ("speed", "dwell of frame 3").
-  std::string text(const NumberRule& rule, double value, const std::string& kind, const std::string& place = "");
+  std::string text(const NumberRule& rule, double value, const Text& kind, const Text& place = {});
 
   const std::optional<Error>& error() const { return error_; }
-  const std::vector<std::string>& notes() const { return notes_; }
+  const std::vector<Text>& notes() const { return notes_; }
 
  private:
   const ProgramNumbers& numbers_;
   std::optional<Error> error_;
-  std::vector<std::string> notes_;
-  std::vector<std::string> noted_kinds_;
+  std::vector<Text> notes_;
+  std::vector<Text> noted_kinds_;
 };
 
 }  // namespace hapticell::trajectory

@@ -22,14 +22,18 @@ struct ProgramInput {
   bool hasJoints() const { return trajectory.hasJoints(); }
   std::string configurationAt(std::size_t i) const;
   /// Numbers of the options and of frame `i` in the language's unit.
-  std::string speed() const { return numbers.text(rules.speed, options.speed, "speed"); }
-  std::string acceleration() const { return numbers.text(rules.acceleration, options.acceleration, "acceleration"); }
-  std::string jointSpeed() const { return numbers.text(rules.joint_speed, options.joint_speed, "joint speed"); }
-  std::string blend(std::size_t i) const { return numbers.text(rules.blend, blends[i], "blend", placeOf(i)); }
-  std::string dwell(std::size_t i) const { return numbers.text(rules.dwell, trajectory[i].dwell, "dwell", placeOf(i)); }
+  std::string speed() const { return numbers.text(rules.speed, options.speed, Text("speed")); }
+  std::string acceleration() const {
+    return numbers.text(rules.acceleration, options.acceleration, Text("acceleration"));
+  }
+  std::string jointSpeed() const { return numbers.text(rules.joint_speed, options.joint_speed, Text("joint speed")); }
+  std::string blend(std::size_t i) const { return numbers.text(rules.blend, blends[i], Text("blend"), placeOf(i)); }
+  std::string dwell(std::size_t i) const {
+    return numbers.text(rules.dwell, trajectory[i].dwell, Text("dwell"), placeOf(i));
+  }
 
  private:
-  static std::string placeOf(std::size_t i) { return "frame " + std::to_string(i); }
+  static Text placeOf(std::size_t i) { return Text("frame %1", i); }
 };
 
 std::vector<ProgramFile> writeKrl(const ProgramInput& input);

@@ -2,8 +2,8 @@
 // One motion, written as different programs do: the scores are those of the person, not of the program.
 #include <gtest/gtest.h>
 
-#include "mannequin/ergonomics/scores/figure_measurement.h"
 #include "mannequin/ergonomics/advice/motion_scores.h"
+#include "mannequin/ergonomics/scores/figure_measurement.h"
 #include "mannequin/motion/retarget.h"
 #include "tests/mannequin/motion/rewritten_motion.h"
 #include "tests/support/test_data.h"
@@ -345,7 +345,7 @@ TEST(RecordedByAnyProgram, WithoutNeckSpinePartsOrToesTheTrunkIsTheSame) {
     EXPECT_NEAR(expected->frames[f].trunk_inclination, found->frames[f].trunk_inclination, 4.0) << f;
   const auto says = [](const mannequin::RecordedMotion& motion, const char* words) {
     return std::any_of(motion.assumptions.begin(), motion.assumptions.end(),
-                       [&](const std::string& each) { return each.find(words) != std::string::npos; });
+                       [&](const Text& each) { return english(each).find(words) != std::string::npos; });
   };
   EXPECT_TRUE(says(no_neck, "no joint for the neck"));
   EXPECT_FALSE(says(plain, "no joint for the neck"));
@@ -391,7 +391,7 @@ TEST(RecordedByAnyProgram, UpIsReportedAndCanBeTold) {
   const auto lying = mannequin::recordedMotion(*clip, told);
   ASSERT_TRUE(lying);
   EXPECT_EQ(lying->up, mannequin::UpAxis::kY);
-  EXPECT_NE(lying->assumptions.front().find("as told; the head is over the feet along the file's z axis"),
+  EXPECT_NE(english(lying->assumptions.front()).find("as told; the head is over the feet along the file's z axis"),
             std::string::npos);
   const auto score = scoreMotion(*lying, *mannequin::makeFigure({}), MotionMethod::kRula, {});
   EXPECT_GT(score->frames.front().trunk_inclination, 70.0);

@@ -78,15 +78,15 @@ TEST(Niosh, BeyondTheMultipliersNothingMayBeLifted) {
 TEST(Niosh, RefusesWhatItIsNotValidForByName) {
   const auto hours = lift(task(5, 30, 75, 25, 0, 1, 9, Coupling::kGood));
   ASSERT_FALSE(hours.has_value());
-  EXPECT_EQ(hours.error().place, "duration_h");
+  EXPECT_EQ(english(hours.error().place), "duration_h");
   LiftingConditions seated;
   seated.seated_or_kneeling = true;
   const auto refused = lift(task(5, 30, 75, 25, 0, 1, 1, Coupling::kGood), seated);
   ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().place, "seated_or_kneeling");
+  EXPECT_EQ(english(refused.error().place), "seated_or_kneeling");
   const auto negative = lift(task(5, -1, 75, 25, 0, 1, 1, Coupling::kGood));
   ASSERT_FALSE(negative.has_value());
-  EXPECT_EQ(negative.error().place, "h_cm");
+  EXPECT_EQ(english(negative.error().place), "h_cm");
 }
 
 TEST(Niosh, CompositeOfOneTaskIsThatTaskAndMoreTasksAddToIt) {

@@ -120,7 +120,7 @@ TEST(PostureScores, LiftsAreRefusedOutsideTheirValidity) {
   task.grip.reset();
   const auto refused = scoreLift(figure, pose, scores, task);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().place, "grip");
+  EXPECT_EQ(english(refused.error().place), "grip");
 }
 
 TEST(SegmentBands, FollowTheSubScoresOfTheirPart) {

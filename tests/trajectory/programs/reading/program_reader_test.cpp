@@ -25,14 +25,14 @@ void expectPose(const Trajectory& motion, std::size_t i, const dvec3& p, const d
 }
 const dquat kNoTurn(1, 0, 0, 0);
 
-bool says(const std::vector<std::string>& notes, const std::string& what) {
-  for (const std::string& note : notes)
-    if (note.find(what) != std::string::npos) return true;
+bool says(const std::vector<Text>& notes, const std::string& what) {
+  for (const Text& note : notes)
+    if (english(note).find(what) != std::string::npos) return true;
   return false;
 }
-std::string all(const std::vector<std::string>& notes) {
+std::string all(const std::vector<Text>& notes) {
   std::string text;
-  for (const std::string& note : notes) text += note + '\n';
+  for (const Text& note : notes) text += english(note) + '\n';
   return text;
 }
 
@@ -498,7 +498,7 @@ TEST(ProgramReader, FilesAreFoundByTheirEndingsAndKrlsPointsBesideThem) {
   std::ofstream(folder / "$config.dat")
       << "DEFDAT $CONFIG PUBLIC\nDECL GLOBAL FDAT FHOME={TOOL_NO 0,BASE_NO 0}\nENDDAT\n";
   for (const char* name : {"Glue.SRC", "glue.dat"}) {
-    std::vector<std::string> notes;
+    std::vector<Text> notes;
     const auto read = readTrajectory(folder / name, &notes);
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(read->size(), 9u);

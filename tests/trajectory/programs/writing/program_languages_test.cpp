@@ -110,12 +110,12 @@ TEST(ProgramLanguages, NamesKeepTheirLettersAndSayWhatChanged) {
   EXPECT_EQ(programName("test", ProgramFormat::kRapid), "p_test");
   EXPECT_EQ(programName("loop", ProgramFormat::kKrl), "p_loop");
   EXPECT_EQ(programName("weld", ProgramFormat::kFanuc), "WELD");
-  std::vector<std::string> notes;
+  std::vector<Text> notes;
   ProgramOptions options;
   options.name = "loop";
   ASSERT_TRUE(exportProgram(motionOf(3, false), ProgramFormat::kKrl, options, &notes));
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("'p_loop'"), std::string::npos) << notes[0];
+  EXPECT_NE(english(notes[0]).find("'p_loop'"), std::string::npos) << english(notes[0]);
   notes.clear();
   options.name = "weld";
   ASSERT_TRUE(exportProgram(motionOf(3, false), ProgramFormat::kFanuc, options, &notes));
@@ -189,12 +189,12 @@ TEST(ProgramLanguages, ANumberThatALanguageCannotHoldIsRefused) {
 }
 
 TEST(ProgramLanguages, RoundedNumbersAreNoted) {
-  std::vector<std::string> notes;
+  std::vector<Text> notes;
   ProgramOptions options;
   options.speed = 0.0125;
   ASSERT_TRUE(exportProgram(motionOf(3, false), ProgramFormat::kFanuc, options, &notes));
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("12.5 mm/sec"), std::string::npos) << notes[0];
+  EXPECT_NE(english(notes[0]).find("12.5 mm/sec"), std::string::npos) << english(notes[0]);
 }
 
 TEST(ProgramLanguages, ToolsAndBasesAreOfTheLanguage) {

@@ -76,8 +76,8 @@ TEST(ProgramNumbers, RoundingIsNotedOnceForEachKindOfNumber) {
   EXPECT_EQ(writer.text(numbers.speed, 0.0126, "speed"), "13");
   EXPECT_EQ(writer.text(numbers.dwell, 0.014, "dwell", "frame 2"), "0.01");
   ASSERT_EQ(writer.notes().size(), 2u);
-  EXPECT_THAT(writer.notes()[0], HasSubstr("12.4 mm/sec, is rounded to 12 mm/sec"));
-  EXPECT_THAT(writer.notes()[1], HasSubstr("dwell of frame 2"));
+  EXPECT_THAT(english(writer.notes()[0]), HasSubstr("12.4 mm/sec, is rounded to 12 mm/sec"));
+  EXPECT_THAT(english(writer.notes()[1]), HasSubstr("dwell of frame 2"));
   EXPECT_EQ(writer.text(numbers.speed, 0.25, "speed"), "250");
 }
 
