@@ -281,8 +281,8 @@ bool hasDisplay() {
 int main(int argc, char** argv) {
   QElapsedTimer since_start;
   since_start.start();
-  for (const std::string& sentence : hapticell::config::cleanEnvironment())
-    qWarning().noquote() << QString::fromStdString(sentence);
+  for (const hapticell::Text& sentence : hapticell::config::cleanEnvironment())
+    qWarning().noquote() << QString::fromStdString(hapticell::english(sentence));
   if (answersWithoutDisplay(argc, argv)) return 0;
   if (!hasDisplay()) {
     qCritical("No display found. Start hapticell on a desktop, or under xvfb-run.");

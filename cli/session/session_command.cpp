@@ -122,7 +122,7 @@ Expected<void> saveRecording(const SessionWords& words, const SessionReport& ses
 /// What was assumed of the hand path, and what of it no stylus of this kind can follow.
 void tellOfHand(const SessionWords& words, const SessionOptions& options) {
   constexpr double kStopsGive = 0.01;  // m
-  for (const std::string& sentence : options.hand.assumptions()) warn(words.hand + ": " + sentence + ".");
+  for (const Text& sentence : options.hand.assumptions()) warn(words.hand + ": " + english(sentence) + ".");
   double outside = 0.0;
   for (const haptic::HandSample& sample : options.hand.samples()) {
     const dvec3 over = glm::abs(sample.X_DH.p) - 0.5 * options.device.workspace;

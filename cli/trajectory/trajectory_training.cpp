@@ -114,7 +114,7 @@ Expected<manipulation::SessionOptions> sessionOf(const TrainingOptions& options,
   }
   auto hand = haptic::readHandPath(options.hand);
   HAPTICELL_TRY(hand);
-  for (const std::string& sentence : hand->assumptions()) warn(options.hand + ": " + sentence + ".");
+  for (const Text& sentence : hand->assumptions()) warn(options.hand + ": " + english(sentence) + ".");
   session.hand = std::move(*hand);
   session.axes.mode = manipulation::AxesMode::kCell;
   session.scale = {manipulation::ScaleLevel::kNumber, options.scale};

@@ -6,6 +6,7 @@
 
 #include "manipulation/engine/snapshot_maker.h"
 #include "manipulation/engine/stylus_holder.h"
+#include "manipulation/manipulators/manipulator_kinds.h"
 
 namespace hapticell::manipulation {
 
@@ -60,7 +61,7 @@ HeldEntity* PosedJoints::ownHand() {
   const HoldOptions options{moved_by, found.on_contact, found.force_class, true};
   auto taken = HeldEntity::take(cell_.scene(), entity, cell_.placements(), options, cell_.configuration());
   if (!taken) {
-    log_.notice(Text::plain(taken.error().message()));
+    log_.notice(wholeText(taken.error()));
     wanted_.reset();
     return nullptr;
   }

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "manipulation/manipulators/manipulator_kinds.h"
+
 namespace hapticell::manipulation {
 
 namespace {
@@ -58,7 +60,7 @@ void TakeRecording::addHeld(const Hand& hand, bool by_hand) {
   const EntityConfiguration at = grip.placement(id);
   if (grip.held()) return recorder_->take(sampleOf(hand, at), by_hand);
   const auto taken = HeldEntity::take(cell_.scene(), id, cell_.placements(), {grip.movedBy()}, cell_.configuration());
-  if (!taken) return log_.notice(Text::plain(taken.error().message()));
+  if (!taken) return log_.notice(wholeText(taken.error()));
   TakeRecorder::Sample sample;
   sample.t = cell_.clock().sinceStart();
   sample.moved_by = grip.movedBy();
