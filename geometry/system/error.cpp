@@ -17,6 +17,15 @@ std::string Error::message() const {
   return text;
 }
 
+Text wholeText(const Error& error) {
+  Text text = error.found;
+  if (!error.place.empty()) text = Text("%1: %2", error.place, text);
+  if (!error.file.empty())
+    text = error.place.empty() ? Text("%1: %2", error.file, text) : Text("%1, %2", error.file, text);
+  if (!error.expected.empty()) text = Text("%1; expected %2", text, error.expected);
+  return error.fix.empty() ? text : Text("%1. %2", text, error.fix);
+}
+
 Text systemText(int error_number) {
   return std::string(std::strerror(error_number));
 }

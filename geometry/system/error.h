@@ -32,6 +32,9 @@ inline tl::unexpected<Error> makeError(Error error) {
   return tl::unexpected<Error>(std::move(error));
 }
 
+/// An error as one text, for notices and remarks; in English as Error::message().
+Text wholeText(const Error& error);
+
 /// What the system says of an error number (errno), in the language of the system.
 Text systemText(int error_number);
 

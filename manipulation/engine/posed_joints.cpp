@@ -6,7 +6,6 @@
 
 #include "manipulation/engine/snapshot_maker.h"
 #include "manipulation/engine/stylus_holder.h"
-#include "manipulation/manipulators/manipulator_kinds.h"
 
 namespace hapticell::manipulation {
 

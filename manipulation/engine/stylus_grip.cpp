@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "manipulation/manipulators/manipulator_kinds.h"
-
 namespace hapticell::manipulation {
 
 namespace {

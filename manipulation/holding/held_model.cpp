@@ -5,7 +5,6 @@
 
 #include "geometry/system/assertion.h"
 #include "kinematics/model/mounted_robot.h"
-#include "manipulation/manipulators/manipulator_kinds.h"
 
 namespace hapticell::manipulation {
 

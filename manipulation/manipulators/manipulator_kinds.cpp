@@ -259,13 +259,4 @@ Error takingRefused(const Entity& entity, Text found, Text expected) {
   return {.place = Text("entity '%1'", entity.name), .found = std::move(found), .expected = std::move(expected)};
 }
 
-Text wholeText(const Error& error) {
-  Text text = error.found;
-  if (!error.place.empty()) text = Text("%1: %2", error.place, text);
-  if (!error.file.empty())
-    text = error.place.empty() ? Text("%1: %2", error.file, text) : Text("%1, %2", error.file, text);
-  if (!error.expected.empty()) text = Text("%1; expected %2", text, error.expected);
-  return error.fix.empty() ? text : Text("%1. %2", text, error.fix);
-}
-
 }  // namespace hapticell::manipulation

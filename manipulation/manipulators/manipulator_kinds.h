@@ -52,7 +52,5 @@ Expected<std::unique_ptr<Manipulator>> makeManipulator(const Taking& taking, std
 
 /// "entity 'X': it is locked; expected an entity that may be moved".
 Error takingRefused(const workcell::Entity& entity, Text found, Text expected);
-/// An error as one text, for notices and remarks; in English as Error::message().
-Text wholeText(const Error& error);
 
 }  // namespace hapticell::manipulation
