@@ -125,7 +125,7 @@ Expected<void> setValue(Configuration& configuration, std::string_view key, std:
   }
   if (!setter.problem_range.empty()) {
     return makeError(
-        {.place = Text("key '%1'", key), .found = '"' + std::string(text) + '"', .expected = setter.problem_range});
+        {.place = Text("key '%1'", key), .found = "\"" + std::string(text) + "\"", .expected = setter.problem_range});
   }
   return {};
 }

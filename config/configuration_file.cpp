@@ -37,7 +37,7 @@ Expected<void> applyPreset(Configuration& configuration, const toml::node& node)
   if (preset == "shipped") return {};
   if (preset != "classic")
     return makeError({.place = Text("%1, key '%2'", lineOf(node), "preset"),
-                      .found = '"' + preset + '"',
+                      .found = "\"" + preset + "\"",
                       .expected = "shipped or classic"});
   configuration.manipulation.rate_hz = 10.0;
   configuration.gui.rate_hz = 10.0;
