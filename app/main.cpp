@@ -156,9 +156,9 @@ int renderPicture(const hapticell::app::RenderCommand& command) {
   }
   hapticell::Diagnostics diagnostics;
   const auto done = hapticell::app::render(command, diagnostics);
-  for (const std::string& warning : diagnostics.warnings)
-    qWarning().noquote() << hapticell::app::plainLines(QString::fromStdString(warning));
-  if (!done) qCritical().noquote() << shownText(done.error());
+  for (const hapticell::Text& warning : diagnostics.warnings)
+    qWarning().noquote() << hapticell::app::plainLines(hapticell::app::shownText(warning));
+  if (!done) qCritical().noquote() << hapticell::app::shownText(done.error());
   return done ? 0 : 2;
 }
 
@@ -281,8 +281,8 @@ bool hasDisplay() {
 int main(int argc, char** argv) {
   QElapsedTimer since_start;
   since_start.start();
-  for (const std::string& sentence : hapticell::config::cleanEnvironment())
-    qWarning().noquote() << QString::fromStdString(sentence);
+  for (const hapticell::Text& sentence : hapticell::config::cleanEnvironment())
+    qWarning().noquote() << QString::fromStdString(hapticell::english(sentence));
   if (answersWithoutDisplay(argc, argv)) return 0;
   if (!hasDisplay()) {
     qCritical("No display found. Start hapticell on a desktop, or under xvfb-run.");
@@ -302,7 +302,7 @@ int main(int argc, char** argv) {
   QApplication::setFont(hapticell::app::textFont(hapticell::app::TextRole::kText));
   auto configuration = hapticell::config::loadConfiguration(options.configuration.toStdString());
   if (!configuration) {
-    qCritical().noquote() << shownText(configuration.error());
+    qCritical().noquote() << hapticell::app::shownText(configuration.error());
     return 2;
   }
   if (!options.theme.isEmpty()) configuration->gui.theme = options.theme == "light" ? "light" : "dark";
@@ -310,7 +310,7 @@ int main(int argc, char** argv) {
   const bool remembers = options.screenshot.isEmpty() && !options.measure && !options.measure_start;
   const QString settings = remembers ? hapticell::app::UserSettings::defaultFile() : QString();
   if (const auto own = hapticell::config::checkUserFile(settings.toStdString()); remembers && !own) {
-    qCritical().noquote() << shownText(own.error());
+    qCritical().noquote() << hapticell::app::shownText(own.error());
     return 2;
   }
   if (remembers || !options.language.isEmpty())
@@ -334,7 +334,7 @@ int main(int argc, char** argv) {
   if (!options.screenshot.isEmpty()) {
     const auto save = [&] {
       if (const auto written = hapticell::app::writePicture(window.picture().toImage(), options.screenshot); !written) {
-        qCritical().noquote() << shownText(written.error());
+        qCritical().noquote() << hapticell::app::shownText(written.error());
         status = 2;
       }
       if (options.exit) QApplication::exit(status);

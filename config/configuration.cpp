@@ -52,7 +52,7 @@ struct TextSetter {
   std::string_view wanted;
   std::string_view text;
   bool known = false;
-  std::string problem_range;  ///< Filled when the value does not fit.
+  Text problem_range;  ///< Filled when the value does not fit.
 
   void operator()(const std::string& key, bool& target, const NumberRange&) {
     if (key != wanted) return;
@@ -61,7 +61,7 @@ struct TextSetter {
     if (parse(text, value))
       target = value;
     else
-      problem_range = "true or false";
+      problem_range = Text("true or false");
   }
   template <typename Number>
   void operator()(const std::string& key, Number& target, const NumberRange& range) {
@@ -80,7 +80,7 @@ struct TextSetter {
     if (choices.empty() || std::find(choices.begin(), choices.end(), text) != choices.end())
       target = text;
     else
-      problem_range = rangeText(choices);
+      problem_range = choices.empty() ? Text("any text") : Text(listed(choices));
   }
 };
 
@@ -118,15 +118,14 @@ Expected<void> setValue(Configuration& configuration, std::string_view key, std:
   visitSettings(configuration, setter);
   if (!setter.known) {
     const std::string like = likeliest(configuration, key);
-    return makeError({.place = "key '" + std::string(key) + "'",
+    return makeError({.place = Text("key '%1'", key),
                       .found = "there is no such key",
-                      .expected = like.empty() ? "" : "a key like " + like,
+                      .expected = like.empty() ? Text() : Text("a key like %1", like),
                       .fix = "All keys stand in the shipped hapticell.toml."});
   }
   if (!setter.problem_range.empty()) {
-    return makeError({.place = "key '" + std::string(key) + "'",
-                      .found = '"' + std::string(text) + '"',
-                      .expected = setter.problem_range});
+    return makeError(
+        {.place = Text("key '%1'", key), .found = "\"" + std::string(text) + "\"", .expected = setter.problem_range});
   }
   return {};
 }

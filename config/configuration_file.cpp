@@ -36,8 +36,9 @@ Expected<void> applyPreset(Configuration& configuration, const toml::node& node)
   const std::string preset = node.value_or(std::string());
   if (preset == "shipped") return {};
   if (preset != "classic")
-    return makeError(
-        {.place = lineOf(node) + ", key 'preset'", .found = '"' + preset + '"', .expected = "shipped or classic"});
+    return makeError({.place = Text("%1, key '%2'", lineOf(node), "preset"),
+                      .found = "\"" + preset + "\"",
+                      .expected = "shipped or classic"});
   configuration.manipulation.rate_hz = 10.0;
   configuration.gui.rate_hz = 10.0;
   return {};
@@ -63,10 +64,10 @@ Expected<void> applyTable(Configuration& configuration, const toml::table& table
     const std::optional<std::string> text = textOf(node);
     auto done = text ? setValue(configuration, key, *text)
                      : Expected<void>(makeError(
-                           {.place = "key '" + key + "'", .found = "a list or a date", .expected = "one value"}));
+                           {.place = Text("key '%1'", key), .found = "a list or a date", .expected = "one value"}));
     if (!done) {
       Error error = done.error();
-      error.place = lineOf(node) + ", " + error.place;
+      error.place = Text("%1, %2", lineOf(node), error.place);
       return makeError(error);
     }
   }
@@ -84,8 +85,9 @@ Expected<Configuration> readConfiguration(const std::string& path, const Configu
     root = toml::parse(*text, path);
   } catch (const toml::parse_error& problem) {
     const auto line = problem.source().begin.line;
-    return makeError(
-        {path, line > 0 ? "line " + std::to_string(line) : "", std::string(problem.description()), "", ""});
+    return makeError({.file = path,
+                      .place = line > 0 ? Text("line %1", line) : Text(),
+                      .found = std::string(problem.description())});
   }
   Configuration configuration = base;
   Expected<void> done;

@@ -39,7 +39,7 @@ class TableReader {
     if (node == nullptr) return;
     double number = value;
     if (!node->is_integer())
-      fail(*node, key, "no whole number", rangeText(range));
+      fail(*node, key, Text("no whole number"), rangeText(range));
     else
       takeNumber(*node, key, number, range);
     value = static_cast<int>(number);
@@ -49,7 +49,7 @@ class TableReader {
     if (node == nullptr) return;
     const auto text = node->value<std::string>();
     if (!node->is_string() || text->empty())
-      fail(*node, key, "no name", "a text that is not empty");
+      fail(*node, key, Text("no name"), Text("a text that is not empty"));
     else
       value = *text;
   }
@@ -58,7 +58,7 @@ class TableReader {
     if (node == nullptr) return;
     const toml::array* numbers = node->as_array();
     if (numbers == nullptr || numbers->size() != 3) {
-      fail(*node, key, "not three numbers", "[width, depth, height], each " + rangeText(range));
+      fail(*node, key, Text("not three numbers"), Text("[width, depth, height], each %1", rangeText(range)));
       return;
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -69,7 +69,7 @@ class TableReader {
   /// The first error, a key that nobody asked for included.
   std::optional<Error> finish() {
     for (const auto& [key, node] : table_) {
-      if (!error_ && !known_.contains(key.str())) fail(node, std::string(key.str()), "there is no such key", "");
+      if (!error_ && !known_.contains(key.str())) fail(node, std::string(key.str()), Text("there is no such key"), {});
     }
     return error_;
   }
@@ -84,16 +84,16 @@ class TableReader {
   void takeNumber(const toml::node& node, const std::string& key, double& value, const Range& range) {
     const auto number = node.is_number() ? node.value<double>() : std::nullopt;
     if (!number)
-      fail(node, key, "no number", rangeText(range));
+      fail(node, key, Text("no number"), rangeText(range));
     else if (!(*number >= range.min && *number <= range.max))
       fail(node, key, textOf(*number), rangeText(range));
     else
       value = *number;
   }
-  void fail(const toml::node& node, const std::string& key, const std::string& found, const std::string& expected) {
+  void fail(const toml::node& node, const std::string& key, const Text& found, const Text& expected) {
     if (!error_)
       error_ = Error{.file = file_,
-                     .place = lineOf(node) + ", key '" + section_ + "." + key + "'",
+                     .place = Text("%1, key '%2'", lineOf(node), section_ + '.' + key),
                      .found = found,
                      .expected = expected};
   }
@@ -155,7 +155,7 @@ std::optional<Error> readSection(const toml::node& node, const std::string& key,
     const toml::table* table = node.as_table();
     if (table == nullptr)
       return Error{.file = file,
-                   .place = lineOf(node) + ", key '" + key + "'",
+                   .place = Text("%1, key '%2'", lineOf(node), key),
                    .found = "no table",
                    .expected = "[" + key + "]"};
     TableReader reader(*table, file, key);
@@ -163,7 +163,7 @@ std::optional<Error> readSection(const toml::node& node, const std::string& key,
     return reader.finish();
   }
   return Error{.file = file,
-               .place = lineOf(node) + ", key '" + key + "'",
+               .place = Text("%1, key '%2'", lineOf(node), key),
                .found = "there is no such key",
                .expected = "[capabilities], [mechanics] or [electronics]"};
 }
@@ -178,7 +178,7 @@ Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::str
     document = toml::parse(text, name);
   } catch (const toml::parse_error& problem) {
     const auto& at = problem.source().begin;
-    const std::string place = "line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
+    const Text place("line %1, column %2", at.line, at.column);
     return makeError({.file = name, .place = place, .found = std::string(problem.description()), .expected = "TOML"});
   }
   for (const auto& [key, node] : document) {
@@ -186,19 +186,19 @@ Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::str
   }
   if (profile.continuous_force > profile.peak_force) {
     return makeError({.file = name,
-                      .place = "key 'capabilities.continuous_force'",
+                      .place = Text("key '%1'", "capabilities.continuous_force"),
                       .found = textOf(profile.continuous_force),
-                      .expected = "no more than peak_force, " + textOf(profile.peak_force)});
+                      .expected = Text("no more than peak_force, %1", textOf(profile.peak_force))});
   }
   if (profile.driven_axes != 3 && profile.driven_axes != 6) {
     return makeError({.file = name,
-                      .place = "key 'capabilities.driven_axes'",
+                      .place = Text("key '%1'", "capabilities.driven_axes"),
                       .found = std::to_string(profile.driven_axes),
                       .expected = "3 (force) or 6 (force and torque)"});
   }
   if ((profile.driven_axes == 6) != (profile.peak_torque > 0.0)) {
     return makeError({.file = name,
-                      .place = "key 'capabilities.peak_torque'",
+                      .place = Text("key '%1'", "capabilities.peak_torque"),
                       .found = textOf(profile.peak_torque),
                       .expected = "above 0 with driven_axes = 6, else 0"});
   }

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <toml++/toml.h>
-#include <string>
+
+#include "geometry/system/text.h"
 
 namespace hapticell::config {
 
 /// "line 12": the place of the node in its file, for errors.
-inline std::string lineOf(const toml::node& node) {
-  return "line " + std::to_string(node.source().begin.line);
+inline Text lineOf(const toml::node& node) {
+  return Text("line %1", node.source().begin.line);
 }
 
 }  // namespace hapticell::config

@@ -10,7 +10,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <iterator>
 
 #include "geometry/system/plain_text.h"
@@ -29,29 +28,30 @@ fs::path absolutePath(const char* variable) {
   return value != nullptr && value[0] == '/' ? fs::path(value).lexically_normal() : fs::path();
 }
 
-Expected<fs::path> userFolder(const char* variable, const char* below_home, const std::string& what) {
+Expected<fs::path> userFolder(const char* variable, const char* below_home, const Text& what) {
   const fs::path own = variable != nullptr ? absolutePath(variable) : fs::path();
   if (!own.empty()) return own / "hapticell";
   const fs::path home = absolutePath("HOME");
   if (!home.empty()) return home / below_home / "hapticell";
   const char* const home_given = std::getenv("HOME");
-  std::string found = "HOME is not set";
+  Text found = "HOME is not set";
   if (home_given != nullptr) {
-    found = *home_given == '\0' ? "HOME is empty" : "HOME is '" + std::string(home_given) + "', no absolute path";
+    found = *home_given == '\0' ? Text("HOME is empty") : Text("HOME is '%1', no absolute path", home_given);
   }
-  return makeError({.place = "the folder of " + what,
+  return makeError({.place = what,
                     .found = found,
                     .expected = "the home folder of this user",
-                    .fix = std::string("Set HOME") +
-                           (variable != nullptr ? std::string(" or ") + variable : std::string()) +
-                           ". Nothing is looked for in the current folder."});
+                    .fix = variable != nullptr
+                               ? Text("Set HOME or %1. Nothing is looked for in the current folder.", variable)
+                               : Text("Set HOME. Nothing is looked for in the current folder.")});
 }
 
+/// Empty: it has no name.
 std::string nameOf(uid_t user) {
   std::array<char, kEntryBytes> room{};
   passwd entry{}, *found = nullptr;
   if (getpwuid_r(user, &entry, room.data(), room.size(), &found) == 0 && found != nullptr) return found->pw_name;
-  return "user " + std::to_string(user);
+  return {};
 }
 
 /// A group that only its owner is in, as many systems give one to each user.
@@ -60,14 +60,19 @@ bool isGroupOfItsOwn(gid_t id, uid_t owner) {
   group entry{}, *found = nullptr;
   if (getgrgid_r(id, &entry, room.data(), room.size(), &found) != 0 || found == nullptr) return false;
   const std::string user = nameOf(owner);
-  if (user != found->gr_name) return false;
+  if (user.empty() || user != found->gr_name) return false;
   for (char** member = found->gr_mem; *member != nullptr; ++member) {
     if (user != *member) return false;
   }
   return true;
 }
 
-tl::unexpected<Error> refuse(const fs::path& path, std::string found, std::string fix) {
+Text belongsTo(uid_t user) {
+  const std::string name = nameOf(user);
+  return name.empty() ? Text("it belongs to user %1", user) : Text("it belongs to %1", name);
+}
+
+tl::unexpected<Error> refuse(const fs::path& path, Text found, Text fix) {
   return makeError({.file = path.string(),
                     .found = std::move(found),
                     .expected = "what only you (and root) may write",
@@ -79,12 +84,12 @@ Expected<void> checkOne(const fs::path& path, uid_t also) {
   struct stat facts {};
   if (::stat(path.c_str(), &facts) != 0) return {};
   if (facts.st_uid != 0 && facts.st_uid != ::geteuid() && facts.st_uid != also)
-    return refuse(path, "it belongs to " + nameOf(facts.st_uid), "Remove it, or take it over with chown.");
+    return refuse(path, belongsTo(facts.st_uid), Text("Remove it, or take it over with chown."));
   const bool folder_of_all = S_ISDIR(facts.st_mode) && (facts.st_mode & S_ISVTX) != 0;  // As /tmp.
   const bool group = (facts.st_mode & S_IWGRP) != 0 && !isGroupOfItsOwn(facts.st_gid, facts.st_uid);
   if (((facts.st_mode & S_IWOTH) != 0 || group) && !folder_of_all)
-    return refuse(path, "other users may write to it",
-                  "Look at what it holds, then: chmod go-w '" + path.string() + "'.");
+    return refuse(path, Text("other users may write to it"),
+                  Text("Look at what it holds, then: chmod go-w '%1'.", path.string()));
   return {};
 }
 
@@ -106,15 +111,15 @@ uid_t ownerOfProgram() {
 }  // namespace
 
 Expected<fs::path> userSettingsFolder() {
-  return userFolder("XDG_CONFIG_HOME", ".config", "settings");
+  return userFolder("XDG_CONFIG_HOME", ".config", Text("the folder of settings"));
 }
 
 Expected<fs::path> userStateFolder() {
-  return userFolder("XDG_STATE_HOME", ".local/state", "kept states");
+  return userFolder("XDG_STATE_HOME", ".local/state", Text("the folder of kept states"));
 }
 
 Expected<fs::path> userLibraryFolder() {
-  return userFolder(nullptr, ".local/lib", "own plug-ins");
+  return userFolder(nullptr, ".local/lib", Text("the folder of own plug-ins"));
 }
 
 Expected<void> checkOwn(const fs::path& file, int levels) {
@@ -145,7 +150,7 @@ Expected<void> makeOwnFolder(const fs::path& folder) {
     made /= step;
     if (fs::exists(made, ignored)) continue;
     if (::mkdir(made.c_str(), 0700) != 0 && errno != EEXIST)
-      return makeError({.file = made.string(), .found = std::strerror(errno), .expected = "a folder that can be made"});
+      return makeError({.file = made.string(), .found = systemText(errno), .expected = "a folder that can be made"});
   }
   return checkUserFile(folder);
 }
@@ -176,8 +181,8 @@ fs::path systemProgram(const std::string& name) {
   return {};
 }
 
-std::vector<std::string> cleanEnvironment() {
-  std::vector<std::string> sentences;
+std::vector<Text> cleanEnvironment() {
+  std::vector<Text> sentences;
   // LD_LIBRARY_PATH is the loader's: it was read before main().
   for (const std::string variable : {"PATH", "QT_PLUGIN_PATH", "QT_QPA_PLATFORM_PLUGIN_PATH", "QML_IMPORT_PATH",
                                      "QML2_IMPORT_PATH", "OPENSSL_CONF", "OPENSSL_MODULES", "OPENSSL_ENGINES"}) {
@@ -196,9 +201,10 @@ std::vector<std::string> cleanEnvironment() {
     kept.empty() ? ::unsetenv(variable.c_str()) : ::setenv(variable.c_str(), kept.c_str(), 1);
     for (const std::string& entry : refused) {
       if (variable != "PATH")
-        sentences.push_back(plainText(variable + " names '" + entry +
-                                      "', which is left out: plug-ins come only from folders that are named by their "
-                                      "whole path and that no other user may write to."));
+        sentences.push_back(Text(
+            "%1 names '%2', which is left out: plug-ins come only from folders that are named by their whole path and "
+            "that no other user may write to.",
+            variable, plainText(entry)));
     }
   }
   return sentences;

@@ -47,6 +47,6 @@ std::filesystem::path systemProgram(const std::string& name);
 /// Removes all paths that are not absolute from $PATH and from the variables by which libraries find plug-ins. Call it
 /// first in main(), before there are threads; programs started later are then never found in the current folder. It
 /// also removes plug-in folders that others may write to, and returns a sentence for each of these.
-std::vector<std::string> cleanEnvironment();
+std::vector<Text> cleanEnvironment();
 
 }  // namespace hapticell::config

@@ -89,8 +89,8 @@ Expected<std::vector<Figure>> runBenchmark(const BenchmarkOptions& options) {
   if (jobs.empty()) {
     return makeError({.place = "--only",
                       .found = "'" + options.only + "'",
-                      .expected = "one of " + known,
-                      .fix = options.timing ? "" : "M7 and M11 are measured only with --timing."});
+                      .expected = Text("one of %1", known),
+                      .fix = options.timing ? Text() : Text("M7 and M11 are measured only with --timing.")});
   }
   Answers answers(jobs.size(), Expected<std::vector<Figure>>(std::vector<Figure>{}));
   runAll(jobs, options, answers);

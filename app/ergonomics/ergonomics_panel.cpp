@@ -45,20 +45,19 @@ QLabel* makeWords(const char* name, bool faint) {
 }
 
 /// Why the lifting equation does not take a lift, and what to do.
-QString refusedLiftText(const Error& why) {
-  const bool is_missing = why.found == "not entered";
+QString refusedLiftText(const Error& why, const ergonomics::WorkTask& task) {
   const std::map<std::string, QString> reasons{
       {"load_kg", QObject::tr("enter the load in Task data.")},
       {"repetitions_per_min", QObject::tr("enter the repetition in Task data.")},
-      {"duration_h", is_missing ? QObject::tr("enter the hours in a shift in Task data.")
-                                : QObject::tr("the equation covers shifts of up to 8 h.")},
+      {"duration_h", task.duration_h ? QObject::tr("the equation covers shifts of up to 8 h.")
+                                     : QObject::tr("enter the hours in a shift in Task data.")},
       {"grip",
-       is_missing ? QObject::tr("enter the grip in Task data.") : QObject::tr("it needs a good, fair or poor grip.")},
+       task.grip ? QObject::tr("it needs a good, fair or poor grip.") : QObject::tr("enter the grip in Task data.")},
       {"one_handed", QObject::tr("only one hand carries the load; it covers lifts with both hands. Use RULA or REBA.")},
       {"seated_or_kneeling",
        QObject::tr("the mannequin sits or kneels; it covers lifts while standing. Use RULA or REBA.")},
   };
-  const auto found = reasons.find(why.place);
+  const auto found = reasons.find(english(why.place));
   return found == reasons.end() ? shownText(why) : found->second;
 }
 
@@ -275,7 +274,7 @@ QString ErgonomicsPanel::liftText() const {
   }
   const auto pose = mannequin::forwardKinematics(*scores_.figure(), scores_.posture());
   const auto lift = ergonomics::scoreLift(*scores_.figure(), pose, scores_.scores(), task);
-  if (!lift) return tr("NIOSH does not apply: %1").arg(refusedLiftText(lift.error()));
+  if (!lift) return tr("NIOSH does not apply: %1").arg(refusedLiftText(lift.error(), task));
   const double limit = lift->recommended_weight_limit_kg;
   if (!lift->lifting_index) return tr("NIOSH: limit 0 kg, no load is acceptable at this place");
   const int level = ergonomics::liftingLevel(lift->lifting_index);

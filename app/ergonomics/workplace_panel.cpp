@@ -306,7 +306,7 @@ void WorkplacePanel::checkTaken(const manipulation::WorkplaceCell& place) {
         if (promises.areKept()) return;
         context_.host().messages().tell(
             Severity::kProblem, tr("This placement does not give the score that was found"),
-            shown(promises.missed("").message()) + ' ' +
+            shownText(promises.missed("")) + ' ' +
                 tr("The parts were moved. Undo, or search again in the cell as it is now."));
       });
 }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/import/bent_start.h"
 
-#include <QObject>
-#include <QStringList>
-
 #include "kinematics/model/start_posture.h"
 
 namespace hapticell::app {
@@ -13,14 +10,13 @@ void startBent(workcell::Entity& entity, workcell::ImportReport& report) {
   if (!entity.joints.empty() && entity.joints != kinematics::restPositions(*entity.robot)) return;
   auto start = kinematics::bentStart(*entity.robot, entity.robot->findLink(entity.tip_link));
   if (!start) return;
-  QStringList joints;
-  for (const std::string& joint : start->bent_joints) joints << QString::fromStdString(joint);
+  std::string joints;
+  for (const std::string& joint : start->bent_joints) joints += (joints.empty() ? "" : ", ") + joint;
   entity.joints = std::move(start->q);
   report.warnings.push_back(
-      QObject::tr("The file of %1 has no home pose, and its zero pose is singular, so it could hardly be dragged. It "
-                  "starts with %2 bent. To set a home pose, use the Robot panel.")
-          .arg(QString::fromStdString(entity.name), joints.join(QStringLiteral(", ")))
-          .toStdString());
+      Text("The file of %1 has no home pose, and its zero pose is singular, so it could hardly be dragged. It "
+           "starts with %2 bent. To set a home pose, use the Robot panel.",
+           entity.name, joints));
 }
 
 }  // namespace hapticell::app

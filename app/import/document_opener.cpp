@@ -23,7 +23,7 @@ Expected<workcell::Document> guarded(const std::function<Expected<workcell::Docu
   try {
     return read();
   } catch (const std::exception& exception) {
-    return makeError({.file = path.toStdString(), .found = std::string("it cannot be read: ") + exception.what()});
+    return makeError({.file = path.toStdString(), .found = Text("it cannot be read: %1", exception.what())});
   }
 }
 

@@ -83,10 +83,10 @@ void ExportWork::askReport(Against against) {
   if (!path.isEmpty()) reportTo(path, against, other);
 }
 
-void ExportWork::tellWritten(const QString& path, const std::vector<std::string>& notes) {
+void ExportWork::tellWritten(const QString& path, const std::vector<Text>& notes) {
   const QString name = QFileInfo(path).fileName();
-  for (const std::string& note : notes)
-    host_.messages().tell(Severity::kWarning, tr("%1 was saved with warnings").arg(name), QString::fromStdString(note));
+  for (const Text& note : notes)
+    host_.messages().tell(Severity::kWarning, tr("%1 was saved with warnings").arg(name), shownText(note));
   const QString folder = QFileInfo(path).absolutePath();
   host_.messages().tell(Severity::kInformation, tr("%1 is saved").arg(name), folder,
                         {{tr("Show folder"), [folder] { openWithSystem(folder); }}});

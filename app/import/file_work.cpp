@@ -153,7 +153,7 @@ void FileWork::tellError(const QString& title, const Error& error) {
   host_.messages().tell(Severity::kProblem, title, shownText(error) + " " + tr("The cell is unchanged."));
 }
 
-void FileWork::tellRemarks(const QString& name, const std::vector<std::string>& remarks, const NamedParts& parts) {
+void FileWork::tellRemarks(const QString& name, const std::vector<Text>& remarks, const NamedParts& parts) {
   if (remarks.empty()) return;
   std::vector<MessageLine> lines;
   for (const RemarkLine& remark : remarkLines(remarks, parts)) {
@@ -221,7 +221,7 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
     host_.documentModel().adoptCopy(std::move(document));
   else
     host_.documentModel().adopt(std::move(document));
-  std::vector<std::string> remarks = opened->notes.warnings;
+  std::vector<Text> remarks = opened->notes.warnings;
   for (const workcell::UnloadedEntity& entity :
        opened->unloaded) {  // What offerMissing() tells of all of them at once.
     const auto& missing = opened->missing;

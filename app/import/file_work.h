@@ -5,9 +5,9 @@
 #include <QStringList>
 #include <QTimer>
 
+#include "app/host/background_work.h"
 #include "app/host/message_log.h"
 #include "app/import/autosaver.h"
-#include "app/host/background_work.h"
 #include "app/import/document_guard.h"
 #include "app/import/document_opener.h"
 #include "app/import/export_work.h"
@@ -73,7 +73,7 @@ class FileWork : public QObject {
   void takeImported(const QString& path, const ImportSession::Result& result);
   void tellReport(const QString& name, const workcell::ImportReport& report, const NamedParts& parts);
   /// All as one message, grouped by kind; a click on one selects the parts that it names.
-  void tellRemarks(const QString& name, const std::vector<std::string>& remarks, const NamedParts& parts);
+  void tellRemarks(const QString& name, const std::vector<Text>& remarks, const NamedParts& parts);
   NamedParts partsOfCell() const;
   void select(const std::vector<workcell::EntityId>& parts);
   void tellError(const QString& title, const Error& error);

@@ -6,15 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "geometry/system/text.h"
 #include "workcell/entity/entity.h"
 
 namespace hapticell::app {
 
 /// One sentence of an import's report.
 struct RemarkLine {
-  QString kind;  ///< What it is about without names, numbers and files: equal for remarks of the same kind.
+  QString kind;  ///< The heading of its group: the sentence with "…" for names, numbers and files.
   QString text;
-  std::vector<workcell::EntityId> parts;  ///< That it names, in the order of the sentence.
+  std::vector<workcell::EntityId> parts;  ///< The parts that it names, in the order of its arguments.
 };
 
 /// By the names that a file gives its parts and the links of its robots: the entities they became.
@@ -23,8 +24,9 @@ using NamedParts = std::multimap<std::string, workcell::EntityId>;
 /// The names that the file gives `entity` and its links and joints, for the `id` that the document gave it.
 void addNames(const workcell::Entity& entity, workcell::EntityId id, NamedParts& parts);
 
-/// The remarks with those of one kind side by side, kinds in the order of their first remark. A part is found by its
-/// name in single quotes.
-std::vector<RemarkLine> remarkLines(const std::vector<std::string>& remarks, const NamedParts& parts);
+/// The remarks with those of one kind side by side, kinds in the order of their first remark. Remarks with the same id
+/// are of one kind; plain words are a kind of their own. A part is found if an argument is its name, or a list of names
+/// in single quotes with its name.
+std::vector<RemarkLine> remarkLines(const std::vector<Text>& remarks, const NamedParts& parts);
 
 }  // namespace hapticell::app

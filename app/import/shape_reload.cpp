@@ -25,7 +25,7 @@ ShapeReload reloadShapes(const workcell::DocumentState& state, const std::vector
     if (entity->robot) source.scale = 0.0;
     auto fresh = loader.loadSource(source, notes);
     if (!fresh) {
-      result.problems.push_back(fresh.error().message());
+      result.problems.push_back(fresh.error().text());
       continue;
     }
     const auto kind = entity->proxy.kind;
@@ -38,7 +38,7 @@ ShapeReload reloadShapes(const workcell::DocumentState& state, const std::vector
     if (proxy)
       result.commands.emplace_back(workcell::SetCollisionProxy{entity->id, std::move(*proxy)});
     else
-      result.problems.push_back(proxy.error().message());
+      result.problems.push_back(proxy.error().text());
   }
   result.problems.insert(result.problems.end(), notes.warnings.begin(), notes.warnings.end());
   return result;

@@ -14,7 +14,7 @@ namespace hapticell::app {
 /// read.
 struct ShapeReload {
   std::vector<workcell::Command> commands;
-  std::vector<std::string> problems;  ///< A sentence each; those entities stay as they are.
+  std::vector<Text> problems;  ///< A sentence each; those entities stay as they are.
 };
 
 /// Reads all entities of `state` again whose file is one of `paths`. Blocks; any thread.

@@ -30,7 +30,7 @@ Expected<std::unique_ptr<VideoWriter>> VideoWriter::open(const QString& file, co
   }
   if (size.isEmpty() || size.width() % 2 != 0 || size.height() % 2 != 0) {
     return makeError({.file = file.toStdString(),
-                      .found = "a picture of " + std::to_string(size.width()) + " x " + std::to_string(size.height()),
+                      .found = Text("a picture of %1 x %2", size.width(), size.height()),
                       .expected = "an even width and height"});
   }
   std::unique_ptr<VideoWriter> writer(new VideoWriter);
@@ -60,7 +60,7 @@ Expected<std::unique_ptr<VideoWriter>> VideoWriter::open(const QString& file, co
   arguments << QString::fromStdString(writer->part_->aside().string());
   writer->ffmpeg_.setProcessChannelMode(QProcess::MergedChannels);
   writer->ffmpeg_.start(program, arguments);
-  if (!writer->ffmpeg_.waitForStarted(kPatience)) return makeError(writer->failure("it could not be started"));
+  if (!writer->ffmpeg_.waitForStarted(kPatience)) return makeError(writer->failure(Text("it could not be started")));
   return writer;
 }
 
@@ -70,11 +70,11 @@ VideoWriter::~VideoWriter() {
   ffmpeg_.waitForFinished(kPatience);
 }
 
-Error VideoWriter::failure(const QString& what) {
+Error VideoWriter::failure(const Text& what) {
   const QString said = QString::fromLocal8Bit(ffmpeg_.readAll()).simplified();
   return {.file = file_.toStdString(),
           .place = "ffmpeg",
-          .found = (said.isEmpty() ? what : said).toStdString(),
+          .found = said.isEmpty() ? what : Text(said.toStdString()),
           .expected = "a video that can be written",
           .fix = "Look whether the folder exists, and whether ffmpeg knows this ending."};
 }
@@ -86,16 +86,16 @@ Expected<void> VideoWriter::add(const QImage& picture) {
   for (int row = 0; row < frame.height(); ++row)  // Rows of an image are padded.
     ffmpeg_.write(reinterpret_cast<const char*>(frame.constScanLine(row)), 3LL * frame.width());
   while (ffmpeg_.bytesToWrite() > kMostWaiting)
-    if (!ffmpeg_.waitForBytesWritten(kPatience)) return makeError(failure("it takes no more pictures"));
-  if (ffmpeg_.state() == QProcess::NotRunning) return makeError(failure("it has ended early"));
+    if (!ffmpeg_.waitForBytesWritten(kPatience)) return makeError(failure(Text("it takes no more pictures")));
+  if (ffmpeg_.state() == QProcess::NotRunning) return makeError(failure(Text("it has ended early")));
   return {};
 }
 
 Expected<void> VideoWriter::finish() {
   ffmpeg_.closeWriteChannel();
-  if (!ffmpeg_.waitForFinished(kEndPatience)) return makeError(failure("it does not end"));
+  if (!ffmpeg_.waitForFinished(kEndPatience)) return makeError(failure(Text("it does not end")));
   if (ffmpeg_.exitStatus() != QProcess::NormalExit || ffmpeg_.exitCode() != 0) {
-    return makeError(failure("it has ended with a fault"));
+    return makeError(failure(Text("it has ended with a fault")));
   }
   return part_->commit();
 }

@@ -30,7 +30,7 @@ class VideoWriter {
 
  private:
   VideoWriter() = default;
-  Error failure(const QString& what);
+  Error failure(const Text& what);
   QProcess ffmpeg_;
   QString file_;
   std::optional<AtomicFile> part_;

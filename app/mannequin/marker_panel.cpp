@@ -106,8 +106,8 @@ void MarkerPanel::take(mannequin::MarkerClip clip, const QString& path) {
                      .arg(clip_.names.size())
                      .arg(clip_.seconds(), 0, 'f', 1)
                      .arg(1.0 / clip_.frame_time, 0, 'f', 0));
-  for (const std::string& warning : clip_.warnings)
-    context_.host().messages().tell(Severity::kWarning, QFileInfo(path).fileName(), QString::fromStdString(warning));
+  for (const Text& warning : clip_.warnings)
+    context_.host().messages().tell(Severity::kWarning, QFileInfo(path).fileName(), shownText(warning));
   const auto set = mannequin::recogniseMarkers(clip_);
   context_.host().messages().tell(
       Severity::kInformation, QFileInfo(path).fileName(),

@@ -85,8 +85,8 @@ bool LibraryFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
 LibraryPanel::LibraryPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host) {
   Diagnostics diagnostics;
   model_ = new LibraryModel(workcell::listLibraryRobots(diagnostics), this);
-  for (const std::string& warning : diagnostics.warnings)
-    host_.messages().tell(Severity::kWarning, tr("A library robot was not loaded"), QString::fromStdString(warning));
+  for (const Text& warning : diagnostics.warnings)
+    host_.messages().tell(Severity::kWarning, tr("A library robot was not loaded"), shownText(warning));
   filter_.setSourceModel(model_);
   pool_.setMaxThreadCount(1);
   auto* whole = new QVBoxLayout(this);

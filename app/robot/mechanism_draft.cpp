@@ -22,14 +22,6 @@ dvec3 squareTo(const dvec3& axis) {
   return glm::normalize(glm::cross(axis, other));
 }
 
-Error fault(const std::string& place, const std::string& found, const std::string& fix) {
-  return {.place = place, .found = found, .fix = fix};
-}
-
-std::string quoted(const std::string& name) {
-  return "'" + name + "'";
-}
-
 }  // namespace
 
 MechanismDraft draftOf(const workcell::Entity& mechanism) {
@@ -55,14 +47,15 @@ std::vector<std::string> partsOf(const MechanismDraft& draft) {
 }
 
 Expected<workcell::Command> commandOf(const MechanismDraft& draft, const workcell::DocumentState& state) {
-  if (draft.joints.empty()) return makeError(fault("", "the mechanism has no joint", "Add one."));
+  if (draft.joints.empty()) return makeError({.found = "the mechanism has no joint", .fix = "Add one."});
   for (const MechanismJoint& joint : draft.joints)
     if (joint.parent.empty() || joint.child.empty())
-      return makeError(fault("joint " + quoted(joint.name), "it needs a part that moves and one that it moves on",
-                             "Pick both in the scene."));
+      return makeError({.place = Text("joint '%1'", joint.name),
+                        .found = "it needs a part that moves and one that it moves on",
+                        .fix = "Pick both in the scene."});
   if (draft.edited != 0) {
     const workcell::Entity* mechanism = state.find(draft.edited);
-    if (!mechanism) return makeError(fault("", "the mechanism is no longer in the cell", ""));
+    if (!mechanism) return makeError({.found = "the mechanism is no longer in the cell"});
     workcell::EditMechanism edit{draft.edited, draft.joints};
     const Pose X_MW = mechanism->X_WE.inverse();
     for (MechanismJoint& joint : edit.joints) {
@@ -74,20 +67,22 @@ Expected<workcell::Command> commandOf(const MechanismDraft& draft, const workcel
   workcell::MakeMechanism make{draft.name, {}, draft.joints};
   for (const std::string& name : partsOf(draft)) {
     const workcell::Entity* part = state.findByName(name);
-    if (!part || !part->mesh) return makeError(fault("", quoted(name) + " is no solid of the cell", "Pick another."));
+    if (!part || !part->mesh)
+      return makeError({.found = Text("'%1' is no solid of the cell", name), .fix = "Pick another."});
     if (part->locked)
-      return makeError(fault("", quoted(name) + " is locked in place", "Unlock it in the tree or in its properties."));
+      return makeError(
+          {.found = Text("'%1' is locked in place", name), .fix = "Unlock it in the tree or in its properties."});
     make.parts.push_back(part->id);
   }
   return workcell::Command(make);
 }
 
-std::string faultOf(const MechanismDraft& draft, const workcell::DocumentState& state) {
+std::optional<Error> faultOf(const MechanismDraft& draft, const workcell::DocumentState& state) {
   const auto command = commandOf(draft, state);
-  if (!command) return command.error().message();
+  if (!command) return command.error();
   workcell::DocumentState trial = state;
   const auto done = workcell::apply(*command, trial, std::numeric_limits<workcell::EntityId>::max());
-  return done ? std::string() : done.error().message();
+  return done ? std::nullopt : std::optional<Error>(done.error());
 }
 
 void layAxis(MechanismJoint& joint, const PickedFeature& feature) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/viewport/tools/picked_feature.h"
 #include "app/viewport/scene/scene_curve.h"
+#include "app/viewport/tools/picked_feature.h"
 #include "workcell/document/command.h"
 
 namespace hapticell::app {
@@ -28,7 +29,7 @@ std::vector<std::string> partsOf(const MechanismDraft& draft);
 Expected<workcell::Command> commandOf(const MechanismDraft& draft, const workcell::DocumentState& state);
 
 /// What is still wrong with it, by doing the command on a copy of the state; empty: nothing.
-std::string faultOf(const MechanismDraft& draft, const workcell::DocumentState& state);
+std::optional<Error> faultOf(const MechanismDraft& draft, const workcell::DocumentState& state);
 
 /// Lays the joint's axis along what was picked: the axis of a cylinder, cone or circle, a straight edge, the normal of
 /// a plane.

@@ -156,13 +156,13 @@ void MechanismPanel::showJoint() {
 }
 
 void MechanismPanel::showFault() {
-  const std::string fault = faultOf(draft_, context_.host().documentModel().document().state());
+  const std::optional<Error> fault = faultOf(draft_, context_.host().documentModel().document().state());
   make_->setText(draft_.edited ? tr("Change the mechanism") : tr("Create the mechanism"));
-  make_->setEnabled(fault.empty());
+  make_->setEnabled(!fault);
   if (draft_.joints.empty())
     fault_->setText(tr("A joint lets one part move on another. Start with New joint, or use a sample below."));
   else
-    fault_->setText(fault.empty() ? tr("Ready. One undo step.") : QString::fromStdString(fault));
+    fault_->setText(fault ? shownText(*fault) : tr("Ready. One undo step."));
 }
 
 void MechanismPanel::drawAxes() {

@@ -183,7 +183,7 @@ class TcpLink::Connection {
         MessageStream::Handlers{
             .message = [this](const Message& message) { hear(message); },
             .garbage = [this](const Error&) { lose(stranger()); },
-            .stranger = [this](HandshakeFailure failure, const std::string& why) { lose(noHandshake(failure, why)); },
+            .stranger = [this](HandshakeFailure failure, const Text& why) { lose(noHandshake(failure, why)); },
             .closed = [this] { lose(closedByServer()); }});
     stream_->start();
     stream_->send(encoder_.encode(Message(Hello{.protocol_version = kProtocolVersion,
@@ -195,7 +195,7 @@ class TcpLink::Connection {
   }
 
   /// What helps differs: only another key wants new pairing.
-  LinkProblem noHandshake(HandshakeFailure failure, const std::string& why) const {
+  LinkProblem noHandshake(HandshakeFailure failure, const Text& why) const {
     if (failure == HandshakeFailure::kEnded)
       return {Text("The haptic server at %1 is there, but %2: it may be busy with many connections.", server(), why),
               Text("HaptiCell tries again by itself; the key that is kept stays good.")};

@@ -60,10 +60,9 @@ Expected<driver::Driver*> findDriver(const std::string& name, const DriverSettin
   for (const LoadedDriver& loaded : drivers) {
     if (loaded.driver == nullptr && loaded.file.stem() == name) return tl::unexpected(loaded.problem);
   }
-  return makeError({.file = "",
-                    .place = "device",
+  return makeError({.place = "device",
                     .found = "'" + name + "'",
-                    .expected = "one of " + namesOf(drivers),
+                    .expected = Text("one of %1", namesOf(drivers)),
                     .fix = "hapticell-cli devices shows what is plugged in."});
 }
 

@@ -114,7 +114,7 @@ std::uint32_t statusOf(const RecordedTick& tick) {
 }  // namespace
 
 Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file) {
-  const auto refuse = [&](std::string place, std::string found, std::string expected) {
+  const auto refuse = [&](Text place, Text found, Text expected) {
     return makeError(
         {.file = file.string(), .place = std::move(place), .found = std::move(found), .expected = std::move(expected)});
   };
@@ -125,7 +125,7 @@ Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file)
   stream.read(magic, sizeof magic);
   stream.read(reinterpret_cast<char*>(&length), sizeof length);
   if (!stream || std::memcmp(magic, kMagic, kMagicSize) != 0 || length > kMostHeader) {
-    return refuse("its beginning", "something else", "a recorded device session (*.hdev)");
+    return refuse(Text("its beginning"), Text("something else"), Text("a recorded device session (*.hdev)"));
   }
   std::string header(length, '\0');
   stream.read(header.data(), length);
@@ -133,14 +133,14 @@ Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file)
   if (auto flat = geometry::checkNesting(header, geometry::NestedText::kJson, file.string()); !flat)
     return makeError(flat.error());
   if (!stream || !fromJson(json::parse(header, nullptr, false), recording.capabilities)) {
-    return refuse("its header", "no capabilities", "JSON as a recording writes it");
+    return refuse(Text("its header"), Text("no capabilities"), Text("JSON as a recording writes it"));
   }
   TickBytes bytes{};
   while (stream.read(bytes.data(), bytes.size())) {
     recording.ticks.push_back(unpack(bytes.data()));
     const RecordedTick& tick = recording.ticks.back();
     if (!tick.X_DS.isValid() || statusOf(tick) > static_cast<std::uint32_t>(DeviceStatus::kVanished)) {
-      return refuse("tick " + std::to_string(recording.ticks.size()), "no pose or no status", "a finite pose");
+      return refuse(Text("tick %1", recording.ticks.size()), Text("no pose or no status"), Text("a finite pose"));
     }
   }
   return recording;

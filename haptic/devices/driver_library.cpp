@@ -24,35 +24,32 @@ namespace fs = std::filesystem;
 
 constexpr std::uint32_t kMostDevices = 32;  // Of one driver.
 
-tl::unexpected<Error> notADriver(const fs::path& file, std::string found, std::string fix) {
-  return makeError({.file = file.string(),
-                    .place = "",
-                    .found = std::move(found),
-                    .expected = "a driver of HaptiCell",
-                    .fix = std::move(fix)});
+tl::unexpected<Error> notADriver(const fs::path& file, Text found, Text fix) {
+  return makeError(
+      {.file = file.string(), .found = std::move(found), .expected = "a driver of HaptiCell", .fix = std::move(fix)});
 }
 
 }  // namespace
 
 Expected<driver::Driver*> loadDriver(const fs::path& file) {
-  if (!file.is_absolute()) return notADriver(file, "no absolute path", "Name it by its whole path.");
+  if (!file.is_absolute()) return notADriver(file, Text("no absolute path"), Text("Name it by its whole path."));
   HAPTICELL_TRY(config::checkPlugIn(file));
   // RTLD_NOW: a function that is missing is told now, not in the middle of a force.
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* const why = dlerror();
-    return notADriver(file, why != nullptr ? why : "it cannot be loaded",
-                      "Install the library that it names, or remove the file.");
+    return notADriver(file, why != nullptr ? Text(std::string(why)) : Text("it cannot be loaded"),
+                      Text("Install the library that it names, or remove the file."));
   }
   void* const symbol = dlsym(library, "hapticell_driver");
   if (symbol == nullptr) {
-    return notADriver(file, "it exports no function hapticell_driver",
-                      "See docs/library/drivers.md, or remove the file.");
+    return notADriver(file, Text("it exports no function hapticell_driver"),
+                      Text("See docs/library/drivers.md, or remove the file."));
   }
   driver::Driver* const driver = reinterpret_cast<HapticellDriverEntry>(symbol)(driver::kInterfaceVersion);
   if (driver == nullptr) {
-    return notADriver(file, "it was built for another version of HaptiCell's driver interface",
-                      "Build it anew with version " + std::to_string(driver::kInterfaceVersion) + ".");
+    return notADriver(file, Text("it was built for another version of HaptiCell's driver interface"),
+                      Text("Build it anew with version %1.", driver::kInterfaceVersion));
   }
   return driver;
 }
@@ -117,7 +114,7 @@ DriverView look(driver::Driver& driver, double patience_s) {
 }
 
 Error toError(const driver::Problem& problem, const std::string& file) {
-  return {.file = file, .place = "", .found = problem.found, .expected = "", .fix = problem.fix};
+  return {.file = file, .found = std::string(problem.found), .fix = std::string(problem.fix)};  // No ids: they change.
 }
 
 const char* toString(driver::Status status) {

@@ -68,9 +68,11 @@ class Parser {
   }
 
  private:
-  Error error(const std::string& what, std::string found, std::string expected) const {
-    const std::string place = "line " + std::to_string(line_) + (what.empty() ? "" : ", column '" + what + "'");
-    return {.file = name_, .place = place, .found = std::move(found), .expected = std::move(expected)};
+  Error error(std::string_view column, Text found, Text expected) const {
+    return {.file = name_,
+            .place = Text("line %1, column '%2'", line_, column),
+            .found = std::move(found),
+            .expected = std::move(expected)};
   }
 
   Expected<void> readHeader(const std::vector<std::string_view>& names) {
@@ -83,7 +85,7 @@ class Parser {
     for (std::size_t i = 0; i < kColumns.size(); ++i) {
       const bool wanted = i < kRequired || (turns && i >= 4 && i < 8);
       if (!wanted || layout_[i]) continue;
-      return makeError(error(std::string(kColumns[i]), "the column is missing", "t,x,y,z,qw,qx,qy,qz,button"));
+      return makeError(error(kColumns[i], Text("the column is missing"), "t,x,y,z,qw,qx,qy,qz,button"));
     }
     return {};
   }
@@ -94,7 +96,7 @@ class Parser {
       if (!layout_[i]) continue;
       const std::string_view cell = *layout_[i] < row.size() ? row[*layout_[i]] : std::string_view();
       const auto read = number(cell);
-      if (!read) return makeError(error(std::string(kColumns[i]), '"' + std::string(cell) + '"', "a number"));
+      if (!read) return makeError(error(kColumns[i], '"' + std::string(cell) + '"', Text("a number")));
       value[i] = *read;
     }
     return add(value);
@@ -104,13 +106,15 @@ class Parser {
     const dquat q(value[4], value[5], value[6], value[7]);
     const double length = glm::length(q);
     if (std::abs(length - 1.0) > 0.01) {
-      return makeError(error("qw", "a quaternion of length " + std::to_string(length), "a length of 1 within 1 %"));
+      return makeError(
+          error("qw", Text("a quaternion of length %1", std::to_string(length)), Text("a length of 1 within 1 %")));
     }
     if (!samples_.empty() && value[0] < samples_.back().t) {
-      return makeError(error("t", std::to_string(value[0]), "no less than the line before"));
+      return makeError(error("t", std::to_string(value[0]), Text("no less than the line before")));
     }
     if (value[8] != 0.0 && value[8] != 1.0 && value[8] != 2.0 && value[8] != 3.0) {
-      return makeError(error("button", std::to_string(value[8]), "0, 1 while pressed, 2 for a second one, 3 for both"));
+      return makeError(
+          error("button", std::to_string(value[8]), Text("0, 1 while pressed, 2 for a second one, 3 for both")));
     }
     samples_.push_back({value[0], {{value[1], value[2], value[3]}, q / length}, static_cast<std::uint32_t>(value[8])});
     return {};
@@ -125,7 +129,7 @@ class Parser {
 
 }  // namespace
 
-HandPath::HandPath(std::vector<HandSample> samples, std::vector<std::string> assumptions)
+HandPath::HandPath(std::vector<HandSample> samples, std::vector<Text> assumptions)
     : samples_(std::move(samples)), assumptions_(std::move(assumptions)) {
   HAPTICELL_DEMAND(!samples_.empty());
   HAPTICELL_DEMAND(std::is_sorted(samples_.begin(), samples_.end(),

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/pose.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::haptic {
 
@@ -23,7 +23,7 @@ struct HandSample {
 class HandPath {
  public:
   /// Contract: at least one sample, times not decreasing.
-  explicit HandPath(std::vector<HandSample> samples, std::vector<std::string> assumptions = {});
+  explicit HandPath(std::vector<HandSample> samples, std::vector<Text> assumptions = {});
 
   /// The sample at `t`: the pose interpolated, the buttons of the sample before. Outside the path, the first or last
   /// sample.
@@ -31,11 +31,11 @@ class HandPath {
   double duration() const { return samples_.back().t; }
   const std::vector<HandSample>& samples() const { return samples_; }
   /// What was assumed about the file (times of a clock, millimetres), one sentence each without a full stop.
-  const std::vector<std::string>& assumptions() const { return assumptions_; }
+  const std::vector<Text>& assumptions() const { return assumptions_; }
 
  private:
   std::vector<HandSample> samples_;
-  std::vector<std::string> assumptions_;
+  std::vector<Text> assumptions_;
 };
 
 /// Reads `t,x,y,z,qw,qx,qy,qz,button` (a header line, columns in any order; `qw..qz` and `button` may be missing, other

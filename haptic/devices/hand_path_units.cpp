@@ -17,16 +17,17 @@ constexpr double kMillimetre = 1e-3;
 struct ClockUnit {
   double over;
   double seconds;
-  const char* name;
+  const char* remark;
 };
-// What the time since 1970 is in each, from 1973 on.
-constexpr ClockUnit kClockUnits[] = {
-    {1e17, 1e-9, "nanoseconds"}, {1e14, 1e-6, "microseconds"}, {1e11, 1e-3, "milliseconds"}};
+// What the time since 1970 is in each, from 1973 on. %1 is the first time.
+constexpr ClockUnit kClockUnits[] = {HAPTICELL_TRANSLATED(
+    {1e17, 1e-9, "its times begin at %1: taken as a clock's nanoseconds and counted from the first row"},
+    {1e14, 1e-6, "its times begin at %1: taken as a clock's microseconds and counted from the first row"},
+    {1e11, 1e-3, "its times begin at %1: taken as a clock's milliseconds and counted from the first row"})};
 
-template <typename... Numbers>
-std::string sentence(const char* format, Numbers... numbers) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, numbers...);
+std::string digits(const char* format, double number) {
+  char text[400];
+  std::snprintf(text, sizeof text, format, number);
   return text;
 }
 
@@ -48,25 +49,25 @@ bool isInMilliseconds(const std::vector<HandSample>& samples) {
   return *middle >= kSecondsStep;
 }
 
-void recogniseTimes(std::vector<HandSample>& samples, std::vector<std::string>& assumed) {
+void recogniseTimes(std::vector<HandSample>& samples, std::vector<Text>& assumed) {
   const double begin = samples.front().t, length = samples.back().t - begin;
   const auto unit = std::find_if(std::begin(kClockUnits), std::end(kClockUnits),
                                  [&](const ClockUnit& one) { return begin > one.over; });
   if (unit != std::end(kClockUnits)) {
     countFromFirst(samples, unit->seconds);
-    assumed.push_back(
-        sentence("its times begin at %.0f: taken as a clock's %s and counted from the first row", begin, unit->name));
+    assumed.emplace_back(unit->remark, digits("%.0f", begin));
     return;
   }
   const bool milliseconds = isInMilliseconds(samples);
   if (begin < 0.0 || begin > std::max(kLongestWait, length)) {
     countFromFirst(samples, milliseconds ? 1e-3 : 1.0);
-    assumed.push_back(sentence("its times begin at %.3f: counted from the first row", begin));
+    assumed.push_back(Text("its times begin at %1: counted from the first row", digits("%.3f", begin)));
   } else if (milliseconds) {
     for (HandSample& sample : samples) sample.t *= 1e-3;
   }
   if (milliseconds)
-    assumed.push_back(sentence("its times are whole numbers up to %.0f: taken as milliseconds", begin + length));
+    assumed.push_back(
+        Text("its times are whole numbers up to %1: taken as milliseconds", digits("%.0f", begin + length)));
 }
 
 double farthestOf(const std::vector<HandSample>& samples) {
@@ -80,20 +81,21 @@ double farthestOf(const std::vector<HandSample>& samples) {
 
 }  // namespace
 
-Expected<std::vector<std::string>> recogniseHandUnits(std::vector<HandSample>& samples, const std::string& name) {
-  std::vector<std::string> assumed;
+Expected<std::vector<Text>> recogniseHandUnits(std::vector<HandSample>& samples, const std::string& name) {
+  std::vector<Text> assumed;
   recogniseTimes(samples, assumed);
   const double farthest = farthestOf(samples);
   if (farthest <= kFarthestStylus) return assumed;
   if (farthest * kMillimetre > kFarthestStylus) {
-    return makeError({.file = name,
-                      .place = "columns x, y, z",
-                      .found = sentence("a position %.6g from the middle of the workspace", farthest),
-                      .expected = sentence("metres in the device frame, within %.1f (or millimetres)", kFarthestStylus),
-                      .fix = "write the path in metres from the middle of the device's workspace"});
+    return makeError(
+        {.file = name,
+         .place = "columns x, y, z",
+         .found = Text("a position %1 from the middle of the workspace", digits("%.6g", farthest)),
+         .expected = Text("metres in the device frame, within %1 (or millimetres)", digits("%.1f", kFarthestStylus)),
+         .fix = "write the path in metres from the middle of the device's workspace"});
   }
   for (HandSample& sample : samples) sample.X_DH.p *= kMillimetre;
-  assumed.push_back(sentence("its positions reach %.6g: taken as millimetres", farthest));
+  assumed.push_back(Text("its positions reach %1: taken as millimetres", digits("%.6g", farthest)));
   return assumed;
 }
 

@@ -17,7 +17,7 @@ namespace hapticell::haptic {
 ///  - a hundred rows or more, all at whole numbers, a second or more apart: milliseconds;
 ///  - positions over kFarthestStylus from the middle: millimetres. If they are still farther after that: an error.
 ///    Errors use `name` as the file. `samples` are in the order of time, at least one.
-Expected<std::vector<std::string>> recogniseHandUnits(std::vector<HandSample>& samples, const std::string& name);
+Expected<std::vector<Text>> recogniseHandUnits(std::vector<HandSample>& samples, const std::string& name);
 
 /// m from the middle of the workspace along one axis: more than any stylus reaches.
 constexpr double kFarthestStylus = 0.6;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "geometry/system/text.h"
 #include "haptic/devices/device_node.h"
 
 namespace hapticell::haptic {
@@ -25,7 +26,7 @@ SystemGrant priorityGrant() {
   rlimit limit{};
   getrlimit(RLIMIT_RTPRIO, &limit);
   SystemGrant grant{"real-time priority", geteuid() == 0 || limit.rlim_cur >= kPriority, "", ""};
-  grant.found = geteuid() == 0 ? "root may" : "allowed up to " + std::to_string(limit.rlim_cur) + ", 80 is asked for";
+  grant.found = english(geteuid() == 0 ? Text("root may") : Text("allowed up to %1, 80 is asked for", limit.rlim_cur));
   if (!grant.granted) grant.fix = limitFix("rtprio 80");
   return grant;
 }
@@ -34,7 +35,7 @@ SystemGrant memoryGrant() {
   rlimit limit{};
   getrlimit(RLIMIT_MEMLOCK, &limit);
   SystemGrant grant{"locked memory", geteuid() == 0 || limit.rlim_cur == RLIM_INFINITY, "", ""};
-  grant.found = grant.granted ? "unlimited" : "limited to " + std::to_string(limit.rlim_cur / 1024) + " KiB";
+  grant.found = english(grant.granted ? Text("unlimited") : Text("limited to %1 KiB", limit.rlim_cur / 1024));
   if (!grant.granted) grant.fix = limitFix("memlock unlimited");
   return grant;
 }
@@ -58,7 +59,7 @@ SystemGrant serialGrant() {
   }
   grant.found = grant.granted ? "member of dialout" : "not a member of dialout";
   if (geteuid() == 0) grant.found = "root may";
-  if (!grant.granted) grant.fix = "sudo usermod -aG dialout " + driver::userName() + ", then log in again";
+  if (!grant.granted) grant.fix = english(Text("sudo usermod -aG dialout %1, then log in again", driver::userName()));
   return grant;
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr flatbuffers::uoffset_t kMaxDepth = 8;
 constexpr flatbuffers::uoffset_t kMaxTables = 256;
 
-tl::unexpected<Error> refuse(std::string place, std::string found, std::string expected) {
+tl::unexpected<Error> refuse(Text place, Text found, Text expected) {
   return makeError({.file = "haptic message",
                     .place = std::move(place),
                     .found = std::move(found),
@@ -24,18 +24,18 @@ tl::unexpected<Error> refuse(std::string place, std::string found, std::string e
 }
 
 /// What others wrote, as it may be logged and drawn.
-Expected<std::string> text(const flatbuffers::String* text, const char* place) {
+Expected<std::string> text(const flatbuffers::String* text, const std::string& place) {
   if (text == nullptr) return std::string();
   if (text->size() > kMaxTextBytes) {
-    return refuse(place, std::to_string(text->size()) + " bytes", "at most " + std::to_string(kMaxTextBytes));
+    return refuse(place, Text("%1 bytes", text->size()), Text("at most %1", kMaxTextBytes));
   }
   return plainText({text->c_str(), text->size()}, kMaxTextBytes);
 }
 
-Expected<ClientKind> clientKind(wire::ClientKind kind, const char* place) {
+Expected<ClientKind> clientKind(wire::ClientKind kind, const std::string& place) {
   if (kind == wire::ClientKind_Controller) return ClientKind::kController;
   if (kind == wire::ClientKind_Watcher) return ClientKind::kWatcher;
-  return refuse(place, "client kind " + std::to_string(kind), "0 (controller) or 1 (watcher)");
+  return refuse(place, Text("client kind %1", static_cast<int>(kind)), Text("0 (controller) or 1 (watcher)"));
 }
 
 /// A struct that must be there: a pose, a vector.
@@ -59,7 +59,7 @@ Expected<void> read(const wire::Device& from, DeviceDescription& to) {
   auto name = text(from.name(), "Device.name");
   HAPTICELL_TRY(name);
   if (!copy(from.workspace_min(), to.workspace_min) || !copy(from.workspace_max(), to.workspace_max)) {
-    return refuse("Device", "no workspace", "workspace_min and workspace_max");
+    return refuse("Device", Text("no workspace"), Text("workspace_min and workspace_max"));
   }
   to.name = std::move(*name);
   to.simulated = from.simulated();
@@ -72,19 +72,20 @@ Expected<void> read(const wire::Device& from, DeviceDescription& to) {
   to.driven_axes = from.driven_axes();
   to.buttons = from.buttons();
   to.peak_torque = from.peak_torque();
-  if (!isWellFormed(to)) return refuse("Device", "a figure out of its range", "finite figures and a true box");
+  if (!isWellFormed(to))
+    return refuse("Device", Text("a figure out of its range"), Text("finite figures and a true box"));
   return {};
 }
 
 Expected<void> read(const wire::Welcome& from, Welcome& to) {
   const auto kind = clientKind(from.kind(), "Welcome.kind");
   HAPTICELL_TRY(kind);
-  if (from.device() == nullptr) return refuse("Welcome", "no device", "a device");
+  if (from.device() == nullptr) return refuse("Welcome", Text("no device"), Text("a device"));
   to.protocol_version = from.protocol_version();
   to.kind = *kind;
   to.tick_rate_hz = from.tick_rate_hz();
   if (!(to.tick_rate_hz > 0.0 && to.tick_rate_hz <= 1e5)) {
-    return refuse("Welcome.tick_rate_hz", std::to_string(to.tick_rate_hz), "over 0 and at most 100000");
+    return refuse("Welcome.tick_rate_hz", std::to_string(to.tick_rate_hz), Text("over 0 and at most 100000"));
   }
   return read(*from.device(), to.device);
 }
@@ -125,27 +126,26 @@ bool read(const wire::Constraint& from, Constraint& to) {
 }
 
 Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
-  if (!copy(from.reference(), to.X_DR)) return refuse("ConstraintSet", "no reference pose", "a pose");
+  if (!copy(from.reference(), to.X_DR)) return refuse("ConstraintSet", Text("no reference pose"), Text("a pose"));
   to.sequence = from.sequence();
   to.stamp_ns = from.stamp_ns();
   to.zone_radius = from.zone_radius();
   to.count = from.constraints() == nullptr ? 0 : from.constraints()->size();
   if (to.count > kMaxConstraints) {
-    return refuse("ConstraintSet.constraints", std::to_string(to.count) + " entries",
-                  "at most " + std::to_string(kMaxConstraints));
+    return refuse("ConstraintSet.constraints", Text("%1 entries", to.count), Text("at most %1", kMaxConstraints));
   }
   for (std::size_t i = 0; i < to.count; ++i) {
     const wire::Constraint* entry = from.constraints()->Get(static_cast<flatbuffers::uoffset_t>(i));
     if (!read(*entry, to.constraints[i])) {
-      return refuse("constraint " + std::to_string(i), "an unknown kind or no gradient",
-                    "kind 0, 1 or 2 and a gradient");
+      return refuse(Text("constraint %1", i), Text("an unknown kind or no gradient"),
+                    Text("kind 0, 1 or 2 and a gradient"));
     }
   }
   if (!isWellFormed(to)) {
-    return refuse(
-        "ConstraintSet", "a number that is not finite or out of its range",
-        "finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a positive zone, no negative "
-        "stiffness, damping or friction");
+    return refuse("ConstraintSet", Text("a number that is not finite or out of its range"),
+                  Text("finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a positive "
+                       "zone, no negative "
+                       "stiffness, damping or friction"));
   }
   return {};
 }
@@ -153,7 +153,7 @@ Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
 Expected<void> read(const wire::State& from, HapticState& to) {
   if (!copy(from.stylus(), to.X_DS) || !copy(from.proxy(), to.X_DP) || !copy(from.velocity(), to.v_DS) ||
       !copy(from.force(), to.force_D)) {
-    return refuse("State", "a part is missing", "stylus, proxy, velocity and force");
+    return refuse("State", Text("a part is missing"), Text("stylus, proxy, velocity and force"));
   }
   to.torque_D = from.torque() != nullptr ? fromWire(*from.torque()) : dvec3(0.0);
   to.tick = from.tick();
@@ -166,7 +166,8 @@ Expected<void> read(const wire::State& from, HapticState& to) {
   to.device_fault = from.device_fault();
   to.client_stalled = from.client_stalled();
   if (!isWellFormed(to))
-    return refuse("State", "a number that is not finite or out of its range", "valid poses, finite numbers");
+    return refuse("State", Text("a number that is not finite or out of its range"),
+                  Text("valid poses, finite numbers"));
   return {};
 }
 
@@ -175,7 +176,8 @@ Expected<void> read(const wire::Statistics& from, ServerStatistics& to) {
         from.missed_ticks(), from.round_trip_ms(), from.set_age_p50_ms(), from.set_age_p99_ms(), from.late_sets(),
         from.refused_sets(), from.dropped_sets(),  std::nullopt};
   if (from.clock_known()) to.clock_offset_ms = from.clock_offset_ms();
-  if (!isWellFormed(to)) return refuse("Statistics", "a number that is not finite or negative", "figures from 0 up");
+  if (!isWellFormed(to))
+    return refuse("Statistics", Text("a number that is not finite or negative"), Text("figures from 0 up"));
   return {};
 }
 
@@ -186,18 +188,18 @@ Expected<void> read(const wire::Control& from, HapticControl& to) {
   to.load.friction = from.load_friction();
   if (from.load_weight() != nullptr) to.load.weight_D = fromWire(*from.load_weight());
   if (!isWellFormed(to))
-    return refuse("Control", "a stiffness, damping or load that is negative, not finite or too great",
-                  "0 or more, within the bounds of docs/library/protocol.md");
+    return refuse("Control", Text("a stiffness, damping or load that is negative, not finite or too great"),
+                  Text("0 or more, within the bounds of docs/library/protocol.md"));
   return {};
 }
 
 Expected<void> read(const wire::HandTarget& from, HandTarget& to) {
-  if (!copy(from.pose(), to.X_DH)) return refuse("HandTarget", "no pose", "a pose");
+  if (!copy(from.pose(), to.X_DH)) return refuse("HandTarget", Text("no pose"), Text("a pose"));
   to.holding = from.holding();
   to.buttons = from.buttons();
   if (!isWellFormed(to))
-    return refuse("HandTarget", "a pose that is not valid",
-                  "finite numbers within a million metres and a unit quaternion");
+    return refuse("HandTarget", Text("a pose that is not valid"),
+                  Text("finite numbers within a million metres and a unit quaternion"));
   return {};
 }
 
@@ -209,8 +211,7 @@ Expected<void> read(const wire::Heartbeat& from, Heartbeat& to) {
 Expected<void> read(const wire::DeviceCondition& from, DeviceCondition& to) {
   const std::size_t steps = from.calibration() == nullptr ? 0 : from.calibration()->size();
   if (steps > kMaxCalibrationSteps) {
-    return refuse("DeviceCondition.calibration", std::to_string(steps) + " steps",
-                  "at most " + std::to_string(kMaxCalibrationSteps));
+    return refuse("DeviceCondition.calibration", Text("%1 steps", steps), Text("at most %1", kMaxCalibrationSteps));
   }
   to = {from.answers(), from.calibrated(), from.docked(), {}, {}};
   for (std::size_t i = 0; i < steps; ++i) {
@@ -237,7 +238,8 @@ Expected<void> readInto(const wire::Envelope& envelope, Message& message) {
 }
 
 Expected<void> readBody(const wire::Envelope& envelope, Message& message) {
-  if (envelope.body() == nullptr) return refuse("", "an envelope without a body", "a message of the protocol");
+  if (envelope.body() == nullptr)
+    return refuse({}, Text("an envelope without a body"), Text("a message of the protocol"));
   switch (envelope.body_type()) {
     case wire::Body_Hello:
       return readInto<Hello>(envelope, message);
@@ -264,16 +266,17 @@ Expected<void> readBody(const wire::Envelope& envelope, Message& message) {
     case wire::Body_NONE:
       break;
   }
-  return refuse("", "message type " + std::to_string(envelope.body_type()), "1 to " + std::to_string(wire::Body_MAX));
+  return refuse({}, Text("message type %1", static_cast<int>(envelope.body_type())),
+                Text("1 to %1", static_cast<int>(wire::Body_MAX)));
 }
 
 Expected<void> decodeAligned(const std::uint8_t* bytes, std::size_t size, Message& message) {
   flatbuffers::Verifier verifier(bytes, size, kMaxDepth, kMaxTables);
   if (size < 12 || !wire::EnvelopeBufferHasIdentifier(bytes)) {
-    return refuse("", std::to_string(size) + " bytes without the identifier", "a FlatBuffer with the identifier HCEL");
+    return refuse({}, Text("%1 bytes without the identifier", size), Text("a FlatBuffer with the identifier HCEL"));
   }
   if (!wire::VerifyEnvelopeBuffer(verifier)) {
-    return refuse("", "a FlatBuffer that points outside itself", "a valid Envelope");
+    return refuse({}, Text("a FlatBuffer that points outside itself"), Text("a valid Envelope"));
   }
   return readBody(*wire::GetEnvelope(bytes), message);
 }
@@ -282,7 +285,7 @@ Expected<void> decodeAligned(const std::uint8_t* bytes, std::size_t size, Messag
 
 Expected<void> decode(std::span<const std::uint8_t> flatbuffer, Message& message) {
   if (flatbuffer.size() > kMaxFrameBytes) {
-    return refuse("", std::to_string(flatbuffer.size()) + " bytes", "at most " + std::to_string(kMaxFrameBytes));
+    return refuse({}, Text("%1 bytes", flatbuffer.size()), Text("at most %1", kMaxFrameBytes));
   }
   // FlatBuffers reads eight-byte numbers in place: the buffer must start where one may.
   if (reinterpret_cast<std::uintptr_t>(flatbuffer.data()) % alignof(std::uint64_t) == 0) {
@@ -308,7 +311,7 @@ Expected<std::span<const std::uint8_t>> FrameReader::next() {
   std::uint32_t length = 0;
   for (std::size_t i = kFrameHeaderBytes; i-- > 0;) length = (length << 8) | rest[i];
   if (length == 0 || length > kMaxFrameBytes) {
-    return refuse("frame length", std::to_string(length) + " bytes", "1 to " + std::to_string(kMaxFrameBytes));
+    return refuse(Text("frame length"), Text("%1 bytes", length), Text("1 to %1", kMaxFrameBytes));
   }
   if (rest.size() < kFrameHeaderBytes + length) return std::span<const std::uint8_t>();
   begin_ += kFrameHeaderBytes + length;

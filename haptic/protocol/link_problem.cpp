@@ -3,9 +3,13 @@
 
 namespace hapticell::haptic {
 
+Text wholeText(const LinkProblem& problem) {
+  if (problem.what.empty()) return problem.fix;
+  return problem.fix.empty() ? problem.what : Text("%1 %2", problem.what, problem.fix);
+}
+
 std::string english(const LinkProblem& problem) {
-  const std::string what = hapticell::english(problem.what), fix = hapticell::english(problem.fix);
-  return what.empty() || fix.empty() ? what + fix : what + " " + fix;
+  return hapticell::english(wholeText(problem));
 }
 
 LinkProblem problemOf(const Refusal& refusal) {

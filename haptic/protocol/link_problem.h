@@ -17,6 +17,8 @@ struct LinkProblem {
   bool operator==(const LinkProblem&) const = default;
 };
 
+/// Both sentences as one text.
+Text wholeText(const LinkProblem& problem);
 /// Both sentences in English.
 std::string english(const LinkProblem& problem);
 

@@ -15,11 +15,11 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kFarewellTime = 1.0;  // For a refused client to read why.
+constexpr double kFarewellTime = 1.0;          // For a refused client to read why.
 constexpr std::ptrdiff_t kMostFarewells = 32;  // Refused clients that may still read why.
 constexpr std::size_t kWayBack = 4;  // Waiting connections of the controller's machine that make room for no other.
 constexpr std::size_t kLongestName = 80;  // Bytes of what a client calls itself.
-constexpr double kStillPeriod = 0.05;  // s between two states of a stylus that lies still.
+constexpr double kStillPeriod = 0.05;     // s between two states of a stylus that lies still.
 // A stylus that lies still trembles by its encoders' steps: so many of the device's own, and rad.
 constexpr double kStillSteps = 1.5, kStillTurn = 1e-3;
 
@@ -94,8 +94,8 @@ bool ClientTable::add(std::unique_ptr<ByteStream> connection) {
           .message = [this, &client](const Message& message) { hear(client, message); },
           .garbage = [this, &client](const Error& error) { refuse(client, "Not understood: " + error.message()); },
           .stranger =
-              [this, &client](HandshakeFailure, const std::string& why) {
-                report(ReportBudget::Kind::kRefused, "Refused " + client.name + ": " + why + ".");
+              [this, &client](HandshakeFailure, const Text& why) {
+                report(ReportBudget::Kind::kRefused, "Refused " + client.name + ": " + english(why) + ".");
                 drop(client, {});
               },
           .opened = [this, &client] { opened(client); },

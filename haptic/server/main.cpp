@@ -145,7 +145,7 @@ Expected<void> serve(const ServerOptions& asked) {
   auto network = NetworkServer::start(loop, clock, describe(device), *options);
   HAPTICELL_TRY(network);
   runner.start();
-  for (const std::string& warning : runner.warnings()) spdlog::warn("{}", warning);
+  for (const Text& warning : runner.warnings()) spdlog::warn("{}", english(warning));
   std::printf("hapticell-haptic-server listens on %s:%u: %s at %g Hz.\n", (*network)->address().c_str(),
               static_cast<unsigned>((*network)->port()), device.capabilities().name.c_str(),
               configuration->haptic.rate_hz);

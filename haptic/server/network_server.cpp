@@ -39,14 +39,11 @@ Expected<tcp::endpoint> endpointOf(const NetworkOptions& options) {
   const auto address = asio::ip::make_address(options.address == "localhost" ? "127.0.0.1" : options.address, failed);
   if (failed) {
     return makeError({.file = endpointText(options),
-                      .place = "",
                       .found = "not an IP address",
-                      .expected = "an address of this machine, such as 127.0.0.1",
-                      .fix = ""});
+                      .expected = "an address of this machine, such as 127.0.0.1"});
   }
   if (!address.is_loopback() && !options.key) {
     return makeError({.file = endpointText(options),
-                      .place = "",
                       .found = "an address that other machines can reach, where anybody could take the stylus",
                       .expected = "an address of this machine only (127.0.0.1 or ::1)",
                       .fix = "Make a key first: hapticell-haptic-server --pair."});
@@ -56,9 +53,7 @@ Expected<tcp::endpoint> endpointOf(const NetworkOptions& options) {
 
 Error cannotListen(const NetworkOptions& options, const std::error_code& failed) {
   return {.file = endpointText(options),
-          .place = "",
-          .found = "cannot listen there: " + failed.message(),
-          .expected = "",
+          .found = Text("cannot listen there: %1", failed.message()),
           .fix = "Is another haptic server running? Give another --port, or 0 for any."};
 }
 

@@ -10,10 +10,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <future>
 
 #include "geometry/system/assertion.h"
+#include "geometry/system/error.h"
 #include "haptic/server/force_loop.h"
 
 namespace hapticell::haptic {
@@ -22,25 +22,28 @@ namespace {
 
 constexpr const char* kLimitsFile = "/etc/security/limits.d/90-hapticell.conf";
 
-std::string askForPriority(int priority) {
+Text askForPriority(int priority) {
   sched_param parameter{};
   parameter.sched_priority = priority;
   const int refused = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter);
   if (refused == 0) return {};
-  return "The force loop runs without real-time priority (SCHED_FIFO " + std::to_string(priority) + ": " +
-         std::strerror(refused) + "), so ticks come late when the machine is busy. Write the line \"NAME - rtprio " +
-         std::to_string(priority) + "\" with your user name into " + kLimitsFile + " and log in again.";
+  return Text(
+      "The force loop runs without real-time priority (SCHED_FIFO %1: %2), so ticks come late when the machine is "
+      "busy. "
+      "Write the line \"NAME - rtprio %1\" with your user name into %3 and log in again.",
+      priority, systemText(refused), kLimitsFile);
 }
 
-std::string askForLockedMemory() {
+Text askForLockedMemory() {
   rlimit limit{};
   getrlimit(RLIMIT_MEMLOCK, &limit);
   // Under a limit MCL_FUTURE would make later allocations fail: then only what is there is locked.
   const bool unlimited = limit.rlim_cur == RLIM_INFINITY || geteuid() == 0;
   if (mlockall(unlimited ? MCL_CURRENT | MCL_FUTURE : MCL_CURRENT) == 0) return {};
-  return std::string("Memory is not locked (mlockall: ") + std::strerror(errno) +
-         "), so a tick may wait for a page. Write the line \"NAME - memlock unlimited\" with your user name into " +
-         kLimitsFile + " and log in again.";
+  return Text(
+      "Memory is not locked (mlockall: %1), so a tick may wait for a page. Write the line \"NAME - memlock unlimited\" "
+      "with your user name into %2 and log in again.",
+      systemText(errno), kLimitsFile);
 }
 
 void sleepUntil(std::int64_t deadline) {
@@ -61,18 +64,18 @@ void RealTimeRunner::start() {
   HAPTICELL_DEMAND(!thread_.joinable());
   warnings_.clear();
   if (options_.lock_memory) {
-    if (std::string warning = askForLockedMemory(); !warning.empty()) warnings_.push_back(std::move(warning));
+    if (Text warning = askForLockedMemory(); !warning.empty()) warnings_.push_back(std::move(warning));
   }
   stopping_ = false;
-  std::promise<std::string> granted;
+  std::promise<Text> granted;
   auto priority_warning = granted.get_future();
   thread_ = std::thread([this, &granted] {
     pthread_setname_np(pthread_self(), "force-loop");
     prctl(PR_SET_TIMERSLACK, 1);
-    granted.set_value(options_.fifo ? askForPriority(options_.priority) : std::string());
+    granted.set_value(options_.fifo ? askForPriority(options_.priority) : Text());
     run();
   });
-  if (std::string warning = priority_warning.get(); !warning.empty()) warnings_.push_back(std::move(warning));
+  if (Text warning = priority_warning.get(); !warning.empty()) warnings_.push_back(std::move(warning));
 }
 
 void RealTimeRunner::run() {

@@ -6,6 +6,8 @@
 #include <thread>
 #include <vector>
 
+#include "geometry/system/text.h"
+
 namespace hapticell::haptic {
 
 class ForceLoop;
@@ -34,14 +36,14 @@ class RealTimeRunner {
   void stop();
 
   /// A sentence with the fix for each request that was not granted; valid after start().
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<Text>& warnings() const { return warnings_; }
 
  private:
   void run();
 
   ForceLoop& loop_;
   RealTimeOptions options_;
-  std::vector<std::string> warnings_;
+  std::vector<Text> warnings_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

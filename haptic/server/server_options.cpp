@@ -8,7 +8,7 @@ namespace hapticell::haptic {
 
 namespace {
 
-tl::unexpected<Error> refuse(std::string_view option, std::string found, std::string expected) {
+tl::unexpected<Error> refuse(std::string_view option, Text found, Text expected) {
   return makeError({.file = "command line",
                     .place = std::string(option),
                     .found = std::move(found),
@@ -46,16 +46,16 @@ Expected<void> setValue(ServerOptions& options, std::string_view option, std::st
   if (option == "--fault-log") options.fault_log = value;
   if (option == "--port") {
     options.port = number<std::uint16_t>(value, 0, 65535);
-    if (!options.port) return refuse(option, found, "a port from 0 (any) to 65535");
+    if (!options.port) return refuse(option, found, Text("a port from 0 (any) to 65535"));
   }
   if (option == "--seconds") {
     const auto seconds = number(value, 0.0, 1e9);
-    if (!seconds) return refuse(option, found, "seconds from 0 (for ever) up");
+    if (!seconds) return refuse(option, found, Text("seconds from 0 (for ever) up"));
     options.seconds = *seconds;
   }
   if (option == "--state-rate") {
     const auto rate = number(value, 1.0, 10000.0);
-    if (!rate) return refuse(option, found, "1 to 10000 per second");
+    if (!rate) return refuse(option, found, Text("1 to 10000 per second"));
     options.state_rate_hz = *rate;
   }
   return {};
@@ -77,9 +77,9 @@ Expected<ServerOptions> parseServerOptions(std::span<const std::string_view> wor
     const std::size_t equals = words[i].find('=');
     const std::string_view option = words[i].substr(0, equals);
     if (setSwitch(options, words[i])) continue;
-    if (!takesValue(option)) return refuse(words[i], "not an option", "one of those that --help lists");
+    if (!takesValue(option)) return refuse(words[i], Text("not an option"), Text("one of those that --help lists"));
     const bool joined = equals != std::string_view::npos;
-    if (!joined && i + 1 == words.size()) return refuse(option, "nothing", "a value after it");
+    if (!joined && i + 1 == words.size()) return refuse(option, Text("nothing"), Text("a value after it"));
     const std::string_view value = joined ? words[i].substr(equals + 1) : words[++i];
     HAPTICELL_TRY(setValue(options, option, value));
   }

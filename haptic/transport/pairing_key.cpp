@@ -55,9 +55,8 @@ std::size_t valueOf(char sign) {
   return std::min(kDigits.find(upper), kDigits.size());
 }
 
-tl::unexpected<Error> refuseCode(std::string found) {
-  return makeError({.file = {},
-                    .place = "pairing code",
+tl::unexpected<Error> refuseCode(Text found) {
+  return makeError({.place = "pairing code",
                     .found = std::move(found),
                     .expected = "28 letters and digits in groups of four, as hapticell-haptic-server --pair shows them",
                     .fix = "Type the code again."});
@@ -76,9 +75,8 @@ tl::unexpected<Error> nowhere() {
                 : makeError(folder.error());
 }
 
-tl::unexpected<Error> fileError(const fs::path& file, std::string found, std::string fix) {
-  return makeError(
-      {.file = file.string(), .place = {}, .found = std::move(found), .expected = {}, .fix = std::move(fix)});
+tl::unexpected<Error> fileError(const fs::path& file, Text found, Text fix) {
+  return makeError({.file = file.string(), .found = std::move(found), .fix = std::move(fix)});
 }
 
 }  // namespace
@@ -86,11 +84,7 @@ tl::unexpected<Error> fileError(const fs::path& file, std::string found, std::st
 Expected<PairingKey> PairingKey::make() {
   std::array<std::uint8_t, kEntropyBytes> entropy{};
   if (RAND_bytes(entropy.data(), static_cast<int>(entropy.size())) != 1) {
-    return makeError({.file = {},
-                      .place = "pairing key",
-                      .found = "the system gives no random numbers",
-                      .expected = {},
-                      .fix = "Try again."});
+    return makeError({.place = "pairing key", .found = "the system gives no random numbers", .fix = "Try again."});
   }
   return PairingKey(entropy);
 }
@@ -101,17 +95,17 @@ Expected<PairingKey> PairingKey::parse(std::string_view code) {
   for (const char sign : code) {
     if (sign == '-' || sign == ' ' || sign == '\n' || sign == '\r' || sign == '\t') continue;
     const std::size_t value = valueOf(sign);
-    if (value == kDigits.size()) return refuseCode(std::string("the sign '") + sign + "'");
+    if (value == kDigits.size()) return refuseCode(Text("the sign '%1'", std::string(1, sign)));
     for (std::size_t bit = 0; bit < 5 && signs < kSigns; ++bit) {
       const std::size_t at = 5 * signs + bit;
       if (value >> (4 - bit) & 1) bits[at / 8] = static_cast<std::uint8_t>(bits[at / 8] | 0x80 >> at % 8);
     }
     ++signs;
   }
-  if (signs != kSigns) return refuseCode(std::to_string(signs) + " signs");
+  if (signs != kSigns) return refuseCode(Text("%1 signs", signs));
   std::array<std::uint8_t, kEntropyBytes> entropy{};
   std::copy_n(bits.begin(), kEntropyBytes, entropy.begin());
-  if (withCheckSum(entropy) != bits) return refuseCode("a mistyped sign (the check sum does not fit)");
+  if (withCheckSum(entropy) != bits) return refuseCode(Text("a mistyped sign (the check sum does not fit)"));
   return PairingKey(entropy);
 }
 
@@ -168,10 +162,10 @@ Expected<void> saveKey(const PairingKey& key, const fs::path& file) {
 Expected<PairingKey> loadKey(const fs::path& file) {
   if (file.empty()) return nowhere();
   struct stat facts {};
-  if (stat(file.c_str(), &facts) != 0) return fileError(file, std::strerror(errno), {});
+  if (stat(file.c_str(), &facts) != 0) return fileError(file, systemText(errno), {});
   if ((facts.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
-    return fileError(file, "a key that other users may read or change",
-                     "Make a new one (hapticell-haptic-server --pair), or chmod 600 if nobody has read it.");
+    return fileError(file, Text("a key that other users may read or change"),
+                     Text("Make a new one (hapticell-haptic-server --pair), or chmod 600 if nobody has read it."));
   }
   std::error_code ignored;
   HAPTICELL_TRY(config::checkUserFile(fs::absolute(file, ignored)));
@@ -179,7 +173,8 @@ Expected<PairingKey> loadKey(const fs::path& file) {
   std::string text;
   std::getline(stream, text);
   auto key = PairingKey::parse(text.substr(0, 100));
-  if (!key) return fileError(file, "no pairing code", "Pair again: hapticell-haptic-server --pair shows a code.");
+  if (!key)
+    return fileError(file, Text("no pairing code"), Text("Pair again: hapticell-haptic-server --pair shows a code."));
   return key;
 }
 

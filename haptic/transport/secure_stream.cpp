@@ -166,13 +166,13 @@ HandshakeFailure handshakeFailure(const std::error_code& failed) {
   }
 }
 
-std::string handshakeProblem(const std::error_code& failed) {
-  if (failed == std::errc::permission_denied) return "the key was not used";
+Text handshakeProblem(const std::error_code& failed) {
+  if (failed == std::errc::permission_denied) return Text("the key was not used");
   switch (handshakeFailure(failed)) {
     case HandshakeFailure::kEnded:
-      return "the connection ended before the keys were compared";
+      return Text("the connection ended before the keys were compared");
     case HandshakeFailure::kOtherSpeech:
-      return "it does not speak TLS 1.3";
+      return Text("it does not speak TLS 1.3");
     case HandshakeFailure::kOtherKey:
       break;
   }
@@ -183,7 +183,7 @@ std::string handshakeProblem(const std::error_code& failed) {
     case SSL_R_SSLV3_ALERT_HANDSHAKE_FAILURE:
     case SSL_R_SSLV3_ALERT_ILLEGAL_PARAMETER:
     case SSL_R_TLSV1_ALERT_DECRYPT_ERROR:
-      return "its key is another one";
+      return Text("its key is another one");
     default:
       return failed.message();
   }

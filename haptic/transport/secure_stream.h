@@ -36,6 +36,6 @@ class SecureStreams {
 HandshakeFailure handshakeFailure(const std::error_code& failed);
 
 /// Why a handshake failed, for the user.
-std::string handshakeProblem(const std::error_code& failed);
+Text handshakeProblem(const std::error_code& failed);
 
 }  // namespace hapticell::haptic

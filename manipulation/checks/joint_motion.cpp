@@ -14,22 +14,23 @@ namespace {
 
 constexpr double kJointTouching = 1e-6;  ///< m
 
-Error jointRefusal(const std::string& place, std::string found, std::string expected) {
-  return {.file = {}, .place = place, .found = std::move(found), .expected = std::move(expected), .fix = {}};
+Error jointRefusal(Text place, Text found, Text expected) {
+  return {.place = std::move(place), .found = std::move(found), .expected = std::move(expected)};
 }
 
 Expected<const workcell::Entity*> robotOf(const PreparedScene& scene, workcell::EntityId id,
                                           const std::vector<double>& joints) {
   const workcell::Entity* entity = scene.find(id);
-  if (entity == nullptr) return makeError(jointRefusal({}, "there is no such entity", "one of the document"));
-  const std::string place = "entity '" + entity->name + "'";
-  if (!entity->robot) return makeError(jointRefusal(place, "it has no joints", "a robot or a mechanism"));
+  if (entity == nullptr)
+    return makeError(jointRefusal({}, Text("there is no such entity"), Text("one of the document")));
+  const Text place("entity '%1'", entity->name);
+  if (!entity->robot) return makeError(jointRefusal(place, Text("it has no joints"), Text("a robot or a mechanism")));
   if (joints.size() != entity->robot->dof()) {
-    return makeError(jointRefusal(place, std::to_string(joints.size()) + " joint positions",
-                                  std::to_string(entity->robot->dof()) + " of them"));
+    return makeError(
+        jointRefusal(place, Text("%1 joint positions", joints.size()), Text("%1 of them", entity->robot->dof())));
   }
   if (!std::all_of(joints.begin(), joints.end(), [](double q) { return std::isfinite(q); }))
-    return makeError(jointRefusal(place, "a joint position that is no number", "finite numbers"));
+    return makeError(jointRefusal(place, Text("a joint position that is no number"), Text("finite numbers")));
   return entity;
 }
 
@@ -40,9 +41,9 @@ Expected<void> checkLimits(const workcell::Entity& entity, const std::vector<dou
     const kinematics::Joint& joint = model.joints[static_cast<std::size_t>(model.moving[i])];
     const double over = std::max(joints[i] - joint.upper, joint.lower - joints[i]);
     if (over <= kSlack) continue;
-    return makeError(jointRefusal("entity '" + entity.name + "'",
-                                  english(kinematics::beyondLimitText(joint, over, joints[i] > joint.upper)),
-                                  "a position within the joint's limits"));
+    return makeError(jointRefusal(Text("entity '%1'", entity.name),
+                                  kinematics::beyondLimitText(joint, over, joints[i] > joint.upper),
+                                  Text("a position within the joint's limits")));
   }
   return {};
 }

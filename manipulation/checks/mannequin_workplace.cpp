@@ -9,10 +9,10 @@
 
 #include "collision/queries/proximity_query.h"
 #include "manipulation/scene/prepared_scene.h"
-#include "mannequin/shape/body_shape.h"
 #include "mannequin/ergonomics/advice/body_sizes.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/posture_solver.h"
+#include "mannequin/shape/body_shape.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::manipulation {
 namespace {
@@ -24,8 +24,8 @@ using workcell::EntityId;
 constexpr std::size_t kMostCells = 10000;
 constexpr EntityId kBodyId = EntityId{1} << 60;  ///< Ids of the bodies that are tried: beyond any document's.
 
-Error refusal(std::string place, std::string found, std::string expected) {
-  return {.file = {}, .place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = {}};
+Error refusal(Text place, Text found, Text expected) {
+  return {.place = std::move(place), .found = std::move(found), .expected = std::move(expected)};
 }
 
 std::vector<double> gridOf(double from, double to, double step) {
@@ -222,11 +222,13 @@ Expected<WorkplaceMap> searchWorkplace(const WorkplaceQuestion& question, const 
   };
   const auto shown = find(question.mannequin);
   if (shown == question.entities.end() || !shown->figure)
-    return makeError(refusal("mannequin", "there is no such mannequin", "one of the cell"));
-  if (question.station.empty()) return makeError(refusal("station", "nothing that may be moved", "a table, a fixture"));
+    return makeError(refusal(Text("mannequin"), Text("there is no such mannequin"), Text("one of the cell")));
+  if (question.station.empty())
+    return makeError(refusal(Text("station"), Text("nothing that may be moved"), Text("a table, a fixture")));
   for (const EntityId id : question.station) {
     if (find(id) == question.entities.end() || id == question.mannequin)
-      return makeError(refusal("station", "there is no such part", "parts of the cell, not the mannequin itself"));
+      return makeError(
+          refusal(Text("station"), Text("there is no such part"), Text("parts of the cell, not the mannequin itself")));
   }
   const bool good_steps = question.rise_step > 0.0 && question.away_step > 0.0;
   WorkplaceMap map;
@@ -237,7 +239,7 @@ Expected<WorkplaceMap> searchWorkplace(const WorkplaceQuestion& question, const 
   const std::size_t stances = (question.may_stand ? 1u : 0u) + (question.may_sit ? 1u : 0u);
   const std::size_t count = map.rises.size() * map.aways.size() * stances;
   if (count == 0 || count > kMostCells)
-    return makeError(refusal("grid", std::to_string(count) + " placements", "1 to 10000 of them"));
+    return makeError(refusal(Text("grid"), Text("%1 placements", count), Text("1 to 10000 of them")));
   for (const bool seated : {false, true}) {
     if (!(seated ? question.may_sit : question.may_stand)) continue;
     for (const double rise : map.rises) {

@@ -16,8 +16,8 @@ namespace {
 using trajectory::Trajectory;
 using workcell::Entity;
 
-Error replayRefusal(const std::string& place, std::string found, std::string expected) {
-  return {.place = place, .found = std::move(found), .expected = std::move(expected)};
+Error replayRefusal(Text place, Text found, Text expected) {
+  return {.place = std::move(place), .found = std::move(found), .expected = std::move(expected)};
 }
 
 /// Where a frame of the cell is in the entity.
@@ -30,7 +30,7 @@ Expected<std::optional<Pose>> namedFrame(const std::vector<std::shared_ptr<const
       if (frame.name == name) return std::optional<Pose>(X_EO * frame.X_EF);
     }
   }
-  return makeError(replayRefusal("moved", "there is no frame '" + name + "'", "one of an entity"));
+  return makeError(replayRefusal(std::string("moved"), Text("there is no frame '%1'", name), Text("one of an entity")));
 }
 
 /// Where the moved frame is fixed in the entity; nothing where its joints move it.
@@ -40,8 +40,8 @@ Expected<std::optional<Pose>> fixedFrame(const std::vector<std::shared_ptr<const
   const auto fixed = [](const Pose& X_EM) { return Fixed(std::optional<Pose>(X_EM)); };
   const auto by_joints = [] { return Fixed(std::optional<Pose>()); };
   const auto of_a_body = [](const auto&) -> Fixed {
-    return makeError(
-        replayRefusal("moved", "the motion of a hand alone", "a mannequin's whole posture (moved: whole)"));
+    return makeError(replayRefusal(std::string("moved"), Text("the motion of a hand alone"),
+                                   Text("a mannequin's whole posture (moved: whole)")));
   };
   return std::visit(
       Overloaded{
@@ -75,7 +75,8 @@ namespace {
 Expected<std::unique_ptr<RobotManipulator>> armOf(const Entity& entity) {
   int tip = entity.robot->findLink(entity.tip_link);
   if (tip < 0) tip = entity.robot->defaultTip();
-  if (tip < 0) return makeError(replayRefusal("'" + entity.name + "'", "the robot has no tip", "one that moves"));
+  if (tip < 0)
+    return makeError(replayRefusal("'" + entity.name + "'", Text("the robot has no tip"), Text("one that moves")));
   auto inverse = kinematics::createInverse(*entity.robot, tip, entity.X_LT);
   HAPTICELL_TRY(inverse);
   return std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, entity.X_LT}, std::move(*inverse),
@@ -144,8 +145,8 @@ Expected<std::vector<std::size_t>> jointColumns(const Entity& entity, const Traj
     // CSV twins name their columns q1, q2, ... from base to tip.
     const bool is_counted = joint < 0 && name == "q" + std::to_string(j + 1) && j < entity.robot->dof();
     if (variable < 0 && !is_counted) {
-      return makeError(replayRefusal("joint '" + name + "'", "'" + entity.name + "' has no such joint",
-                                     "names of its joints, or q1, q2, ..."));
+      return makeError(replayRefusal(Text("joint '%1'", name), Text("'%1' has no such joint", entity.name),
+                                     Text("names of its joints, or q1, q2, ...")));
     }
     columns.push_back(is_counted ? j : static_cast<std::size_t>(variable));
   }
@@ -157,8 +158,8 @@ Expected<MotionReplay> MotionReplay::create(const std::vector<std::shared_ptr<co
                                             const std::vector<double>& start) {
   const auto found = std::find_if(entities.begin(), entities.end(), [&](const auto& e) { return e->name == name; });
   if (found == entities.end())
-    return makeError(replayRefusal("entity", "there is none called '" + name + "'", "one of the cell"));
-  if (trajectory->empty()) return makeError(replayRefusal("frames", "none", "a motion"));
+    return makeError(replayRefusal(Text("entity"), Text("there is none called '%1'", name), Text("one of the cell")));
+  if (trajectory->empty()) return makeError(replayRefusal(Text("frames"), Text("none"), Text("a motion")));
   auto columns = jointColumns(**found, *trajectory);
   HAPTICELL_TRY(columns);
   MovedBy moved_by;

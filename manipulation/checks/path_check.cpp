@@ -242,7 +242,7 @@ class JointTrack {
 
 Expected<void> checkArguments(const Entity* entity, const std::string& name, const Trajectory& trajectory) {
   if (entity == nullptr)
-    return makeError({.found = "there is no entity '" + name + "'", .expected = "one of the workcell"});
+    return makeError({.found = Text("there is no entity '%1'", name), .expected = "one of the workcell"});
   if (trajectory.empty()) return makeError({.place = "frames", .found = "none", .expected = "a motion"});
   return {};
 }

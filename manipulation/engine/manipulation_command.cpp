@@ -31,7 +31,7 @@ Expected<ScaleChoice> parseScale(const std::string& text) {
   const bool whole = error == std::errc() && end == text.data() + text.size();
   if (whole && std::isfinite(number) && number >= 1e-3 && number <= 1e3)
     return ScaleChoice{ScaleLevel::kNumber, number};
-  return unknownWord("scale", text, "rough, medium, fine, screen or a number from 0.001 to 1000");
+  return unknownWord("scale", text, Text("rough, medium, fine, screen or a number from 0.001 to 1000"));
 }
 
 Expected<AxesChoice> parseAxes(const std::string& text) {
@@ -40,7 +40,7 @@ Expected<AxesChoice> parseAxes(const std::string& text) {
   if (startsWith(text, kFramePrefix) && text.size() > kFramePrefix.size()) {
     return AxesChoice{AxesMode::kFrame, text.substr(kFramePrefix.size())};
   }
-  return unknownWord("axes", text, "screen, cell or frame:NAME");
+  return unknownWord("axes", text, Text("screen, cell or frame:NAME"));
 }
 
 Expected<command::SetFilter> parseFilter(const std::string& text) {
@@ -50,10 +50,10 @@ Expected<command::SetFilter> parseFilter(const std::string& text) {
   command::SetFilter filter{true, false, {false, false, false}};
   for (const char letter : text) {
     if (letter < 'x' || letter > 'z')
-      return unknownWord("filter", text, "all, translation, rotation, or some of x y z");
+      return unknownWord("filter", text, Text("all, translation, rotation, or some of x y z"));
     filter.axes[static_cast<std::size_t>(letter - 'x')] = true;
   }
-  if (text.empty()) return unknownWord("filter", text, "all, translation, rotation, or some of x y z");
+  if (text.empty()) return unknownWord("filter", text, Text("all, translation, rotation, or some of x y z"));
   return filter;
 }
 
@@ -61,14 +61,14 @@ Expected<workcell::OnContact> parseOnContact(const std::string& text) {
   if (text == "stop") return workcell::OnContact::kStop;
   if (text == "slide") return workcell::OnContact::kSlide;
   if (text == "pass") return workcell::OnContact::kPass;
-  return unknownWord("on_contact", text, "stop, slide or pass");
+  return unknownWord("on_contact", text, Text("stop, slide or pass"));
 }
 
 Expected<workcell::ForceClass> parseForceClass(const std::string& text) {
   if (text == "constant") return workcell::ForceClass::kConstant;
   if (text == "contact") return workcell::ForceClass::kContact;
   if (text == "dynamics") return workcell::ForceClass::kDynamics;
-  return unknownWord("force_class", text, "constant, contact or dynamics");
+  return unknownWord("force_class", text, Text("constant, contact or dynamics"));
 }
 
 }  // namespace hapticell::manipulation

@@ -60,7 +60,7 @@ HeldEntity* PosedJoints::ownHand() {
   const HoldOptions options{moved_by, found.on_contact, found.force_class, true};
   auto taken = HeldEntity::take(cell_.scene(), entity, cell_.placements(), options, cell_.configuration());
   if (!taken) {
-    log_.notice(Text::plain(taken.error().message()));
+    log_.notice(taken.error().text());
     wanted_.reset();
     return nullptr;
   }

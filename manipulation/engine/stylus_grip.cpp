@@ -50,7 +50,7 @@ bool StylusGrip::take(workcell::EntityId entity) {
   const HoldOptions options{moved_by_, on_contact_.value_or(found->on_contact), forceClassOf(*found), joints_move_};
   auto taken = HeldEntity::take(cell_.scene(), entity, cell_.placements(), options, cell_.configuration());
   if (!taken) {
-    log_.notice(Text::plain(taken.error().message()));
+    log_.notice(taken.error().text());
     return false;
   }
   held_ = std::move(*taken);

@@ -58,7 +58,7 @@ void TakeRecording::addHeld(const Hand& hand, bool by_hand) {
   const EntityConfiguration at = grip.placement(id);
   if (grip.held()) return recorder_->take(sampleOf(hand, at), by_hand);
   const auto taken = HeldEntity::take(cell_.scene(), id, cell_.placements(), {grip.movedBy()}, cell_.configuration());
-  if (!taken) return log_.notice(Text::plain(taken.error().message()));
+  if (!taken) return log_.notice(taken.error().text());
   TakeRecorder::Sample sample;
   sample.t = cell_.clock().sinceStart();
   sample.moved_by = grip.movedBy();

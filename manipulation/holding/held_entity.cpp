@@ -50,10 +50,8 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
                                                        const HoldOptions& options,
                                                        const config::Configuration& configuration) {
   const Entity* found = scene->find(entity);
-  if (found == nullptr)
-    return makeError(
-        {.file = {}, .place = {}, .found = "there is no such entity", .expected = "one of the document", .fix = {}});
-  if (found->locked) return makeError(takingRefused(*found, "it is locked", "an entity that may be moved"));
+  if (found == nullptr) return makeError({.found = "there is no such entity", .expected = "one of the document"});
+  if (found->locked) return makeError(takingRefused(*found, Text("it is locked"), Text("an entity that may be moved")));
   std::vector<Text> notes;
   HeldModel model(std::move(scene), *found, placements, goesAlongWithAxes(options.moved_by), notes);
   auto manipulator = manipulatorOf(model, options, configuration);

@@ -61,7 +61,7 @@ void HeldModel::standOnAxes(const Placements& placements, std::vector<Text>& not
     const Pose X_WL = PreparedScene::partPose(carrier, base.X_WE, base.joints, footing.link);
     auto mounted = kinematics::mountRobot(*carrier.robot, footing.link, X_WL.inverse() * taken_.X_WE, *form_.robot);
     if (!mounted) {
-      notes.push_back(Text("%1 does not go along with %2: %3", carrier.name, form_.name, mounted.error().message()));
+      notes.push_back(Text("%1 does not go along with %2: %3", carrier.name, form_.name, mounted.error().text()));
       continue;
     }
     for (Member& member : members_) {

@@ -31,10 +31,11 @@ bool isFigure(const Entity& entity) {
   return entity.figure != nullptr && entity.robot != nullptr;
 }
 
-std::string choicesOf(const Entity& entity) {
-  if (entity.kind == EntityKind::kMannequin) return "whole, left_hand, right_hand, both_hands, head or self_origin";
-  return entity.robot ? "tcp, tcp_with_axes, base, base_keeping_tcp or frame:NAME of one of its links"
-                      : "self_origin, geometric_center or frame:NAME of an entity";
+Text choicesOf(const Entity& entity) {
+  if (entity.kind == EntityKind::kMannequin)
+    return Text("whole, left_hand, right_hand, both_hands, head or self_origin");
+  return entity.robot ? Text("tcp, tcp_with_axes, base, base_keeping_tcp or frame:NAME of one of its links")
+                      : Text("self_origin, geometric_center or frame:NAME of an entity");
 }
 
 /// The middle of a mechanism's part: where a hand takes it, away from its joint.
@@ -102,7 +103,7 @@ bool lockNeedsTrunk(const Taking& taking) {
 }
 
 Made refuseLock(const Taking& taking) {
-  return makeError(takingRefused(taking.entity, "it has no trunk to lock", "a mannequin"));
+  return makeError(takingRefused(taking.entity, Text("it has no trunk to lock"), Text("a mannequin")));
 }
 
 /// The link of the robot that the frame names; -1: none.
@@ -139,7 +140,8 @@ Expected<RobotManipulator::Tool> heldTool(const Taking& taking) {
   const int named = namedLink(taking);
   int tip = named >= 0 ? named : entity.robot->findLink(entity.tip_link);
   if (tip < 0) tip = entity.robot->defaultTip();
-  if (tip < 0) return makeError(takingRefused(entity, "the robot has no tip", "a robot with a moving link"));
+  if (tip < 0)
+    return makeError(takingRefused(entity, Text("the robot has no tip"), Text("a robot with a moving link")));
   if (named < 0) return RobotManipulator::Tool{tip, entity.X_LT};
   return RobotManipulator::Tool{tip, entity.mechanism ? middleOf(*entity.robot, tip) : Pose::identity()};
 }
@@ -178,7 +180,7 @@ bool isAny(const Taking&) {
 Expected<Pose> frameOfWhole(const Taking& taking) {
   const Entity& entity = taking.entity;
   const auto refused = [&](const auto&) -> Expected<Pose> {
-    return makeError(takingRefused(entity, "it cannot be moved by that", choicesOf(entity)));
+    return makeError(takingRefused(entity, Text("it cannot be moved by that"), choicesOf(entity)));
   };
   const auto by_origin = [&](const auto& way) -> Expected<Pose> {
     return isRobot(entity) ? refused(way) : Pose::identity();
@@ -194,7 +196,7 @@ Expected<Pose> frameOfWhole(const Taking& taking) {
                         [&](const by::Frame& way) -> Expected<Pose> {
                           const PreparedScene::FoundFrame frame = taking.scene.findFrame(way.name);
                           if (frame.entity != nullptr) return entity.X_WE.inverse() * frame.entity->X_WE * frame.X_EF;
-                          return makeError(takingRefused(entity, "there is no frame '" + way.name + "' to move it by",
+                          return makeError(takingRefused(entity, Text("there is no frame '%1' to move it by", way.name),
                                                          choicesOf(entity)));
                         },
                         [&](const by::Whole& way) { return by_origin(way); },
@@ -250,15 +252,11 @@ MovedBy resolved(const MovedBy& moved_by, const Entity& entity) {
 Made makeManipulator(const Taking& taking, std::span<const ManipulatorKind> kinds) {
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.suits(taking); });
   if (kind != kinds.end()) return kind->make(taking);
-  return makeError(takingRefused(taking.entity, "it cannot be moved by that", choicesOf(taking.entity)));
+  return makeError(takingRefused(taking.entity, Text("it cannot be moved by that"), choicesOf(taking.entity)));
 }
 
-Error takingRefused(const Entity& entity, std::string found, std::string expected) {
-  return {.file = {},
-          .place = "entity '" + entity.name + "'",
-          .found = std::move(found),
-          .expected = std::move(expected),
-          .fix = {}};
+Error takingRefused(const Entity& entity, Text found, Text expected) {
+  return {.place = Text("entity '%1'", entity.name), .found = std::move(found), .expected = std::move(expected)};
 }
 
 }  // namespace hapticell::manipulation

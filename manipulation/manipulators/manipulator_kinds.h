@@ -51,6 +51,6 @@ MovedBy resolved(const MovedBy& moved_by, const workcell::Entity& entity);
 Expected<std::unique_ptr<Manipulator>> makeManipulator(const Taking& taking, std::span<const ManipulatorKind> kinds);
 
 /// "entity 'X': it is locked; expected an entity that may be moved".
-Error takingRefused(const workcell::Entity& entity, std::string found, std::string expected);
+Error takingRefused(const workcell::Entity& entity, Text found, Text expected);
 
 }  // namespace hapticell::manipulation

@@ -15,8 +15,8 @@ constexpr std::string_view kNamedFrame = "frame:";
 
 }  // namespace
 
-tl::unexpected<Error> unknownWord(const std::string& key, const std::string& text, const std::string& choices) {
-  return makeError({.place = key, .found = "'" + text + "'", .expected = choices});
+tl::unexpected<Error> unknownWord(const std::string& key, const std::string& text, Text choices) {
+  return makeError({.place = key, .found = "'" + text + "'", .expected = std::move(choices)});
 }
 
 bool isSameWay(const MovedBy& a, const MovedBy& b) {
@@ -92,8 +92,8 @@ Expected<MovedBy> parseMovedBy(const std::string& text) {
   }
   return unknownWord(
       "moved_by", text,
-      "tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, "
-      "right_hand, both_hands or head");
+      Text("tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, "
+           "right_hand, both_hands or head"));
 }
 
 Expected<BodyLocks> parseLock(const std::string& text) {
@@ -108,7 +108,7 @@ Expected<BodyLocks> parseLock(const std::string& text) {
     } else if (word == "seat") {
       locks.seat = true;
     } else if (word != "feet" && word != "none") {
-      return unknownWord("lock", word, "trunk, feet, pelvis, seat or none");
+      return unknownWord("lock", word, Text("trunk, feet, pelvis, seat or none"));
     }
     begin = end + 1;
   }
@@ -121,7 +121,7 @@ Expected<void> setLocks(MovedBy& moved_by, const BodyLocks& locks) {
   } else if (locks.any() && !isOfBody(moved_by)) {
     std::string lock = locks.pelvis ? "pelvis" : "seat";
     if (locks.trunk) lock = "trunk";
-    return unknownWord("lock", lock, "none, as no part of a mannequin is moved by " + wordOf(moved_by, false));
+    return unknownWord("lock", lock, Text("none, as no part of a mannequin is moved by %1", wordOf(moved_by, false)));
   }
   return {};
 }

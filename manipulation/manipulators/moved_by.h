@@ -107,7 +107,7 @@ const BodyLocks* locksOf(const MovedBy& moved_by);
 Expected<MovedBy> parseMovedBy(const std::string& text);
 
 /// The error for a `text` that is not one of `choices`; `key` names the choice.
-tl::unexpected<Error> unknownWord(const std::string& key, const std::string& text, const std::string& choices);
+tl::unexpected<Error> unknownWord(const std::string& key, const std::string& text, Text choices);
 
 /// "trunk", "feet", "pelvis", "seat", several with commas between, or "none". The feet stay in any case.
 Expected<BodyLocks> parseLock(const std::string& text);

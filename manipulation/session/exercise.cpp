@@ -44,14 +44,14 @@ Expected<Exercise> readExercise(const fs::path& file) {
   auto flat = geometry::checkNesting(*text, geometry::NestedText::kJson, file.string());
   HAPTICELL_TRY(flat);
   const json document = json::parse(*text, nullptr, false);
-  const auto wrong = [&](const std::string& field, std::string found, std::string expected) {
+  const auto wrong = [&](const std::string& field, Text found, Text expected) {
     return makeError({.file = file.string(),
-                      .place = "field '" + field + "'",
+                      .place = Text("field '%1'", field),
                       .found = std::move(found),
                       .expected = std::move(expected)});
   };
   if (!document.is_object() || document.value("format", json()) != kFormat) {
-    return wrong("format", "no exercise", std::string("\"") + kFormat + "\"");
+    return wrong("format", Text("no exercise"), std::string("\"") + kFormat + "\"");
   }
   const json version = document.value("version", json());
   if (!version.is_number_integer() || version.get<std::int64_t>() != kVersion) {
@@ -62,7 +62,7 @@ Expected<Exercise> readExercise(const fs::path& file) {
   for (const auto& [field, value] : {std::pair("name", &exercise.name), std::pair("text", &exercise.text),
                                      std::pair("workcell", &cell), std::pair("recording", &recording)}) {
     const auto found = document.find(field);
-    if (found == document.end() || !found->is_string()) return wrong(field, "none", "a text");
+    if (found == document.end() || !found->is_string()) return wrong(field, Text("none"), Text("a text"));
     *value = found->get<std::string>();
   }
   const fs::path folder = fs::absolute(file).parent_path();
@@ -73,7 +73,8 @@ Expected<Exercise> readExercise(const fs::path& file) {
     if (found == document.end()) continue;
     const double value = found->is_number() ? found->get<double>() : std::nan("");
     if (!(value >= number.least && value <= number.most)) {
-      return wrong(number.name, found->dump(), std::to_string(number.least) + " to " + std::to_string(number.most));
+      return wrong(number.name, found->dump(),
+                   Text("%1 to %2", std::to_string(number.least), std::to_string(number.most)));
     }
     *number.value = value;
   }
@@ -105,11 +106,11 @@ std::string exerciseText(const Exercise& exercise, const fs::path& folder) {
 Expected<void> checkExercise(const Exercise& wanted, const fs::path& written) {
   const auto read = readExercise(written);
   HAPTICELL_TRY(read);
-  const auto differs = [&](const std::string& field, std::string found, std::string expected) {
+  const auto differs = [&](const std::string& field, const std::string& found, const std::string& expected) {
     return makeError({.file = written.string(),
-                      .place = "field '" + field + "'",
-                      .found = "'" + std::move(found) + "' read back",
-                      .expected = "'" + std::move(expected) + "'"});
+                      .place = Text("field '%1'", field),
+                      .found = Text("'%1' read back", found),
+                      .expected = "'" + expected + "'"});
   };
   const auto text = [](const fs::path& file) { return file.lexically_normal().string(); };
   const std::tuple<const char*, std::string, std::string> texts[] = {

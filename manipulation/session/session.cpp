@@ -36,11 +36,9 @@ Expected<workcell::EntityId> findEntity(const SessionOptions& options) {
   for (const workcell::Entity& entity : options.entities)
     if (entity.name == options.entity) return entity.id;
   const std::string names = listed(options.entities, &workcell::Entity::name);
-  return makeError({.file = {},
-                    .place = "--entity",
-                    .found = "there is no entity '" + options.entity + "'",
-                    .expected = names.empty() ? "an entity (the workcell is empty)" : "one of " + names,
-                    .fix = {}});
+  return makeError({.place = "--entity",
+                    .found = Text("there is no entity '%1'", options.entity),
+                    .expected = names.empty() ? Text("an entity (the workcell is empty)") : Text("one of %1", names)});
 }
 
 /// The engine with everything that a session watches about it; both kinds of session drive one.
@@ -156,11 +154,9 @@ class WatchedEngine {
   Expected<std::shared_ptr<HeldEntity>> tryHold() {
     const workcell::Entity* entity = engine_.scene()->find(entity_);
     if (options_.axes.mode == AxesMode::kFrame && engine_.scene()->findFrame(options_.axes.frame).entity == nullptr) {
-      return makeError({.file = {},
-                        .place = "axes",
-                        .found = "there is no frame '" + options_.axes.frame + "'",
-                        .expected = "the name of an entity or of a frame of one",
-                        .fix = {}});
+      return makeError({.place = "axes",
+                        .found = Text("there is no frame '%1'", options_.axes.frame),
+                        .expected = "the name of an entity or of a frame of one"});
     }
     auto taken = HeldEntity::take(engine_.sharedScene(), entity_, {},
                                   {options_.moved_by, options_.on_contact.value_or(entity->on_contact),
@@ -170,11 +166,9 @@ class WatchedEngine {
     const by::Tool* tool = toolOf(options_.moved_by);
     if (tool != nullptr && tool->with_axes && (*taken)->axes().empty()) {
       const auto& notes = (*taken)->notes();
-      return makeError({.file = {},
-                        .place = "entity '" + entity->name + "'",
-                        .found = notes.empty() ? "it stands on nothing that moves" : english(notes.front()),
-                        .expected = "a robot that hangs on a moving link of a mechanism or robot that is not locked",
-                        .fix = {}});
+      return makeError({.place = Text("entity '%1'", entity->name),
+                        .found = notes.empty() ? Text("it stands on nothing that moves") : notes.front(),
+                        .expected = "a robot that hangs on a moving link of a mechanism or robot that is not locked"});
     }
     return std::shared_ptr<HeldEntity>(std::move(*taken));
   }
@@ -300,8 +294,7 @@ Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std
     const bool refused = link.linkState() == haptic::LinkState::kRefused;
     if (refused || secondsSince(begin) > kPatience) {
       return makeError({.file = address,
-                        .place = {},
-                        .found = link.problem().empty() ? "no answer" : english(link.problem()),
+                        .found = link.problem().empty() ? Text("no answer") : wholeText(link.problem()),
                         .expected = "a haptic server",
                         .fix = "Start hapticell-haptic-server."});
     }
@@ -310,10 +303,8 @@ Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std
   const haptic::DeviceDescription device = *link.device();
   if (device.simulated) return device;
   return makeError({.file = address,
-                    .place = {},
-                    .found = "the device '" + device.name + "' is held by a real hand",
-                    .expected = "a simulated device",
-                    .fix = {}});
+                    .found = Text("the device '%1' is held by a real hand", device.name),
+                    .expected = "a simulated device"});
 }
 
 constexpr double kLastPatience = 2.0;  // s for the state that shows that the server lived to the end.
@@ -326,8 +317,8 @@ class WatchedLink {
       : link_(link), address_(std::move(address)), connection_(link.connections()) {}
 
   Expected<void> check(double t) const {
-    if (link_.linkState() != haptic::LinkState::kConnected) return lost(t, english(link_.problem()));
-    if (link_.connections() != connection_) return lost(t, "it was connected to anew");
+    if (link_.linkState() != haptic::LinkState::kConnected) return lost(t, wholeText(link_.problem()));
+    if (link_.connections() != connection_) return lost(t, Text("it was connected to anew"));
     return {};
   }
 
@@ -337,18 +328,20 @@ class WatchedLink {
     const SteadyClock::time_point begin = SteadyClock::now();
     while (!link_.latestState()) {
       if (auto there = check(t); !there) return there;
-      if (secondsSince(begin) > kLastPatience) return lost(t, "no state of the stylus came any more");
+      if (secondsSince(begin) > kLastPatience) return lost(t, Text("no state of the stylus came any more"));
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     return check(t);
   }
 
  private:
-  Expected<void> lost(double t, const std::string& why) const {
-    std::array<char, 64> when{};
-    std::snprintf(when.data(), when.size(), "the haptic server was lost after %.2f s", t);
+  Expected<void> lost(double t, const Text& why) const {
+    char when[32];
+    std::snprintf(when, sizeof when, "%.2f", t);
+    const std::string seconds = when;
     return makeError({.file = address_,
-                      .found = std::string(when.data()) + (why.empty() ? "" : ": " + why),
+                      .found = why.empty() ? Text("the haptic server was lost after %1 s", seconds)
+                                           : Text("the haptic server was lost after %1 s: %2", seconds, why),
                       .expected = "a server that answers until the hand path ends",
                       .fix = "Nothing was written. Look at what the server says, and run the session again."});
   }

@@ -161,7 +161,9 @@ TEST(Environment, LosesWhatMeansTheCurrentFolder) {
   EXPECT_STREQ(std::getenv("PATH"), "/usr/bin:/bin");
   EXPECT_EQ(std::getenv("QT_PLUGIN_PATH"), nullptr);
   EXPECT_STREQ(std::getenv("QT_QPA_PLATFORM_PLUGIN_PATH"), "/usr/lib");
-  EXPECT_THAT(sentences, ElementsAre(HasSubstr("QT_PLUGIN_PATH names 'plugins'"), HasSubstr(folder.path().string())));
+  ASSERT_EQ(sentences.size(), 2u);
+  EXPECT_THAT(english(sentences[0]), HasSubstr("QT_PLUGIN_PATH names 'plugins'"));
+  EXPECT_THAT(english(sentences[1]), HasSubstr(folder.path().string()));
 }
 
 }  // namespace

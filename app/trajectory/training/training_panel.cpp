@@ -111,7 +111,7 @@ void TrainingPanel::openResults(const QString& path) {
       if (read && read->name == session->exercise) exercise = QString::fromStdString(file.string());
     }
     const Error missing{.file = path.toStdString(),
-                        .found = "the exercise '" + session->exercise + "' of these results was not found",
+                        .found = Text("the exercise '%1' of these results was not found", session->exercise),
                         .expected = "its *.hexercise file beside the results"};
     if (exercise.isEmpty()) why = shownText(missing);
   }

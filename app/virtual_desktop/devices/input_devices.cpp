@@ -80,7 +80,7 @@ std::unique_ptr<haptic::InputReader> InputDevices::open(const QString& device) {
   const haptic::DeviceName name = haptic::parseDeviceName(device.toStdString());
   const auto driver = haptic::findDriver(name.driver, configuration_.drivers);
   if (!driver) {
-    news_.push_back(driver.error().message());
+    news_.push_back(driver.error().text());
     return nullptr;
   }
   return std::make_unique<haptic::InputReader>(**driver, name.id);
@@ -173,11 +173,11 @@ Expected<void> InputDevices::keepCalibration(const mannequin::GloveCalibration& 
   return {};
 }
 
-std::vector<std::string> InputDevices::takeNews() {
-  std::vector<std::string> all = std::exchange(news_, {});
+std::vector<Text> InputDevices::takeNews() {
+  std::vector<Text> all = std::exchange(news_, {});
   for (haptic::InputReader* reader : {glove_.get(), mouse_.get()}) {
     if (!reader) continue;
-    for (std::string& sentence : reader->takeNews()) all.push_back(std::move(sentence));
+    for (std::string& sentence : reader->takeNews()) all.emplace_back(std::move(sentence));
   }
   return all;
 }

@@ -81,7 +81,7 @@ class InputDevices : public QObject {
   Expected<void> keepCalibration(const mannequin::GloveCalibration& calibration);
 
   /// What happened since the last call, in sentences.
-  std::vector<std::string> takeNews();
+  std::vector<Text> takeNews();
 
  signals:
   void changed();
@@ -97,7 +97,7 @@ class InputDevices : public QObject {
   MouseMoves moves_ = MouseMoves::kView;
   mannequin::GloveCalibration calibration_;
   bool calibrated_ = false, calibrating_ = false;
-  std::vector<std::string> news_;
+  std::vector<Text> news_;
 };
 
 }  // namespace hapticell::app

@@ -39,8 +39,8 @@ InputControl::InputControl(VirtualDesktopController& owner, SecondStylusControl&
 void InputControl::take() {
   const double seconds = 1e-9 * static_cast<double>(clock_.nsecsElapsed());
   clock_.restart();
-  for (const std::string& sentence : devices_.takeNews()) {
-    owner_.host().messages().tell(Severity::kInformation, QString::fromStdString(sentence));
+  for (const Text& sentence : devices_.takeNews()) {
+    owner_.host().messages().tell(Severity::kInformation, shownText(sentence));
     emit owner_.connectionChanged();
   }
   driveByMouse(seconds);

@@ -132,19 +132,25 @@ TEST(RemarkLines, AreGroupedByKindAndKnowTheirParts) {
   NamedParts parts;
   addNames(arm, 3, parts);
   addNames(clamp, 5, parts);
-  const auto lines = remarkLines({"line 4: link 'boom': its mesh a/b.stl is not there", "the file names no unit",
-                                  "line 17: link 'foot': its mesh c.dae is not there",
-                                  "no color for 'a', 'boom' and 3 more", "no color for 'arm'"},
+  const auto lost = [](int line, const char* link, const char* file) {
+    return Text("%1: %2", Text("line %1", line), Text("link '%1': its mesh %2 is not there", link, file));
+  };
+  const auto lines = remarkLines({lost(4, "boom", "a/b.stl"), "the file names no unit", lost(17, "foot", "c.dae"),
+                                  Text("no color for %1", Text("%1 and %2 more", "'a', 'boom'", 3)),
+                                  Text("no color for %1", "'arm'"), std::string("said by a library")},
                                  parts);
-  ASSERT_EQ(lines.size(), 5u);
+  ASSERT_EQ(lines.size(), 6u);
   EXPECT_EQ(lines[0].kind, lines[1].kind);
+  EXPECT_EQ(lines[0].kind, "line …: link '…': its mesh … is not there");
   EXPECT_EQ(lines[1].text, "line 17: link 'foot': its mesh c.dae is not there");
   EXPECT_EQ(lines[0].parts, std::vector<workcell::EntityId>{3}) << "a link is selected by its robot";
   EXPECT_TRUE(lines[1].parts.empty()) << "there is no such link";
   EXPECT_EQ(lines[2].kind, "the file names no unit");
   EXPECT_EQ(lines[3].kind, lines[4].kind) << "a list of names is no kind of its own";
   EXPECT_NE(lines[2].kind, lines[3].kind);
+  EXPECT_EQ(lines[3].parts, std::vector<workcell::EntityId>{3});
   EXPECT_EQ(lines[4].parts, std::vector<workcell::EntityId>{3});
+  EXPECT_EQ(lines[5].kind, lines[5].text) << "plain words have no kind but themselves";
   EXPECT_TRUE(remarkLines({}, parts).empty());
 }
 

@@ -103,7 +103,7 @@ TEST(HandPath, TimesOfAClockCountFromTheFirstRow) {
     EXPECT_NEAR(path.duration(), 1.0, 1e-6) << begin;
     EXPECT_NEAR(path.at(0.5).X_DH.p.x, 0.01, 1e-6) << begin;
     ASSERT_EQ(path.assumptions().size(), 1u) << begin;
-    EXPECT_THAT(path.assumptions()[0], HasSubstr("counted from the first row"));
+    EXPECT_THAT(english(path.assumptions()[0]), HasSubstr("counted from the first row"));
   }
 }
 
@@ -119,7 +119,7 @@ TEST(HandPath, ARecordingInMillisecondsIsRecognised) {
   const HandPath path = read(text);
   EXPECT_NEAR(path.duration(), 0.995, 1e-12);
   ASSERT_EQ(path.assumptions().size(), 1u);
-  EXPECT_THAT(path.assumptions()[0], HasSubstr("milliseconds"));
+  EXPECT_THAT(english(path.assumptions()[0]), HasSubstr("milliseconds"));
   EXPECT_TRUE(read("t,x,y,z\n0,0,0,0\n5,0.01,0,0\n10,0,0,0\n").assumptions().empty()) << "a few rows of a slow hand";
 }
 
@@ -128,7 +128,7 @@ TEST(HandPath, PositionsInMillimetresAreRecognisedAndFartherOnesRefused) {
   EXPECT_NEAR(path.at(0.0).X_DH.p.z, 0.02, 1e-15);
   EXPECT_NEAR(path.at(1.0).X_DH.p.x, -0.04, 1e-15);
   ASSERT_EQ(path.assumptions().size(), 1u);
-  EXPECT_THAT(path.assumptions()[0], HasSubstr("taken as millimetres"));
+  EXPECT_THAT(english(path.assumptions()[0]), HasSubstr("taken as millimetres"));
   EXPECT_TRUE(read("t,x,y,z\n0,0.4,0,0\n").assumptions().empty());
   EXPECT_THAT(problem("t,x,y,z\n0,0,0,20000\n"), HasSubstr("a position 20000 from the middle"));
 }
