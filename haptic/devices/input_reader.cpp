@@ -18,7 +18,9 @@ namespace hapticell::haptic {
 namespace {
 
 constexpr std::chrono::milliseconds kTurn(2);
-constexpr std::uint32_t kReopenTurns = 500;  // A second.
+// Turns of 2 ms, a second: between two tries to open a device that was unplugged. Half: twice the tries; twice: it is
+// back after 2 s.
+constexpr std::uint32_t kReopenTurns = 500;
 
 }  // namespace
 

@@ -10,7 +10,8 @@
 
 namespace hapticell::haptic {
 
-/// Largest number of constraints in one set; a set that would need more shrinks its zone (see zone_radius).
+/// Largest number of constraints in one set: a tick with so many must take 50 us at most (M11 of `hapticell-cli feel`);
+/// a set of more shrinks its zone. Half: smaller zones among many parts; twice: ticks of twice the time.
 inline constexpr std::size_t kMaxConstraints = 64;
 
 /// Least radius, in device space, in which a set should be complete: how far a hand moves before the next set arrives.

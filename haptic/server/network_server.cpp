@@ -28,7 +28,9 @@ constexpr std::chrono::milliseconds kSweepPeriod(10);
 // Between two connections that are taken while others must make room: each has then max_waiting_of_address times this
 // for its handshake, however many knock.
 constexpr std::chrono::milliseconds kCrowdPeriod(1);
-constexpr int kBacklog = 256;  // Taken within a quarter of a second then, before a client gives up.
+// Connections that the kernel keeps: at kCrowdPeriod they are taken within a quarter of a second, before a client gives
+// up. Half: a crowd is refused sooner; twice: the last waits half a second.
+constexpr int kBacklog = 256;
 
 std::string endpointText(const NetworkOptions& options) {
   return options.address + ":" + std::to_string(options.port);
