@@ -99,6 +99,8 @@ class PartScene final : public FeelScene {
 
 /// The block under z = height(x, y), 60 mm square.
 TriangleMesh block(const std::function<double(double, double)>& height, int cells) {
+  // m: a block of 60 mm, twice kPartWay and the ball, 30 mm thick. Half: the way leads over its rim; twice: coarser
+  // triangles for the same count.
   constexpr double kHalf = 0.03, kFloor = -0.03;
   TriangleMesh mesh;
   const auto row = static_cast<std::uint32_t>(cells + 1);

@@ -30,7 +30,7 @@ constexpr double kWideEnough = 0.25;
 /// times): steps of facets are felt for little; twice (13 times): facets are hardly taken.
 constexpr std::size_t kMuchWider = 3;
 /// Share of recognised area that lets a pair begin with surfaces (Contacts: "more than a fifth free form"). It only
-/// chooses the first try; half: free form begins in vain; 0.9: a few fillets begin with facets.
+/// chooses the first try; half: free form begins uselessly; 0.9: a few fillets begin with facets.
 constexpr double kMostlyKnown = 0.8;
 /// Queries between two tries of a wider zone. Half: each second query costs two searches; twice: after a crowd the zone
 /// stays small for eight sets.
@@ -39,7 +39,7 @@ constexpr int kTryLarger = 4;
 /// levels (1.24) hardly count.
 constexpr double kWorthwhile = 1.1;
 /// Queries until what did not fit as surfaces is tried again, first and at most (Contacts: 12, 24, up to 192). At 60 Hz
-/// 0.2 s and 3 s. Half: twice the searches in vain; twice: surfaces come back twice as late.
+/// 0.2 s and 3 s. Half: twice the useless searches; twice: surfaces come back twice as late.
 constexpr int kRest = 12, kLongestRest = 192;
 /// Queries until a pair that has just changed is looked at again: the next places differ little. Half: it may go back
 /// and forth each second set; twice: a bad choice lasts eight sets.

@@ -28,8 +28,8 @@ using std::chrono::steady_clock;
 
 namespace {
 
-/// SCHED_FIFO: below every thread of a haptic server (80, 70, 40), above all that has none. Any number between does the
-/// same.
+/// SCHED_FIFO: below every thread of a haptic server (80, 70, 40), above all that has none. Half and twice (40 shares
+/// with the network) hardly matter.
 constexpr int kPriority = 20;
 
 std::int64_t nowNanoseconds() {

@@ -34,8 +34,8 @@ struct HapticState {
   bool client_stalled = false;     ///< The controlling client has sent no usable set for 2 s: the force fades.
 };
 
-/// A set that is older than this at its adoption counts as late, seconds: the period of the slowest supported client
-/// (10 Hz).
+/// A set that is older than this at its adoption counts as late, s: the period of the slowest supported client (10 Hz).
+/// It is only counted. Half: each set of such a client is late; twice: a missing one is not seen.
 inline constexpr double kLateSetAge = 0.1;
 
 /// The server's figures, about ten times a second.

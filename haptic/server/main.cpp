@@ -29,7 +29,8 @@
 namespace hapticell::haptic {
 namespace {
 
-constexpr std::size_t kLongestLine = 2000;  // Bytes of a line of the log.
+/// Bytes of a line of the log: a page of a sentence. Half: some paths are cut; twice: a driver can write twice as much.
+constexpr std::size_t kLongestLine = 2000;
 
 /// The key that this start is protected with; empty: none.
 std::filesystem::path keyFile(const ServerOptions& asked) {

@@ -139,7 +139,9 @@ bool posesFollowJoints(const Trajectory& motion, const trajectory_checks::PosesB
 
 Expected<trajectory::Retimed> retimedByJoints(const Trajectory& given, trajectory::RetimingOptions options,
                                               const trajectory_checks::PosesByJoints& poses_by_joints) {
-  constexpr int kTries = 4;  // To 1/40 of the tolerance: a tool at the end of 10 m.
+  // To 1/40 of the tolerance: a tool at the end of 10 m. Half: long tools may miss their tolerance; twice: only tools
+  // of over 100 m need it.
+  constexpr int kTries = 4;
   const trajectory::PathTolerance asked = options.tolerance;
   const bool follow = posesFollowJoints(given, poses_by_joints);
   for (int round = 0;; ++round, options.tolerance.joint *= 0.4, options.sample_s *= 0.5) {

@@ -12,7 +12,7 @@ namespace {
 /// m of hand that a plain set (one plane a pair) is used for instead: its planes are rough beyond. Half: sets are made
 /// more often; twice: walls where the part bends away.
 constexpr double kPlainZone = 0.020;
-/// m of hand until a complete set is tried again in a crowd. Half: twice the searches in vain; twice: plain sets longer
+/// m of hand until a complete set is tried again in a crowd. Half: twice the useless searches; twice: plain sets longer
 /// than needed.
 constexpr double kCrowdedStays = 0.010;
 /// Pairs of the entity's own parts that are felt at a time: of 64 entries, with 12 for limits. Half: of a folded robot

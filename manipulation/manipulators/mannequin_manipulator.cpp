@@ -45,7 +45,7 @@ constexpr double kStandOff = 0.38, kHandAside = 0.18;
 /// twice: of little use beside the wrist's range.
 constexpr double kYawTried = 0.9;
 /// m that the trunk adds to the arm's reach, and that the body goes down to the floor: generous, as places beyond are
-/// not solved for. Half: reachable ones are left out; twice: searches in vain.
+/// not solved for. Half: reachable ones are left out; twice: useless searches.
 constexpr double kTrunkAdds = 0.35, kBodyGoesDown = 0.8;
 /// m short of what is looked for that counts as all of it: 2 % of kProbed. Half: a tick more; twice: an end may be
 /// missed by 2 mm until the next set.

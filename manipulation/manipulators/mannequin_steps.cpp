@@ -233,7 +233,8 @@ FootPlaces puttingDown(const FootPlaces& taken, const FootPlaces& now) {
 
 namespace {
 
-constexpr double kNoLeg = 1e3;  ///< rad
+/// rad beyond limits of a leg that does not reach: any number that no leg can have.
+constexpr double kNoLeg = 1e3;
 
 /// Puts a leg under the pelvis in closed form; where its limits do not let it, what it is beyond them is returned (rad,
 /// kNoLeg: it is too short or too long), and the posture is as it was.
