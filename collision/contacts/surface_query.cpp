@@ -25,8 +25,8 @@ constexpr std::size_t kMostGroups = 3000;
 /// Pairs of edges that are looked at, about a us each. Half: bodies of many edges shrink the zone; twice: queries of 40
 /// ms.
 constexpr std::size_t kMostRodPairs = 20000;
-/// Of ZoneContacts::work (us), for one element value: 10 ns, measured with kMostNewWork (1.5 million in about 15 ms).
-/// Half: counted work is too small, so sets come too often; twice: too seldom.
+/// Of ZoneContacts::work (us), for one element value: 10 ns, as kMostNewWork has it (1.5 million in about 15 ms). Half:
+/// counted work is too small, so sets come too often; twice: too seldom.
 constexpr double kWorkShare = 0.01;
 /// Steps of the golden section: 0.618^14 is a thousandth of the width, and the least is flat. Half: 3 % of it; twice:
 /// twice the time for rounding.

@@ -27,8 +27,8 @@ constexpr double kLeastStride = 2.0;
 /// By which the stride grows when proven and shrinks when not. 4 until whole boxes were proven (commit 2ff5c1c2). Half:
 /// more proofs until it fits; twice: more that fail.
 constexpr double kStrideFactor = 6.0;
-/// By which the stride grows with each plain step, so that it is tried again after some 12 (1.2^12 = 9). Half of the
-/// fifth: after 23; twice: after 7.
+/// By which the stride grows with each plain step, so that it is what it was after ten (1.2^10 = 6, kStrideFactor).
+/// Half of the fifth: after 19; twice: after 5.
 constexpr double kStrideRecovery = 1.2;
 
 /// The list is made for so many times the motion that is asked for, so that it is good for the next steps too. Half:
