@@ -14,6 +14,8 @@ namespace hapticell::feel {
 
 namespace {
 
+// Jobs at a time: of the machine that the figures in docs/dev/feel.md are from. Sessions run in virtual time, so half
+// and twice change only how long it takes.
 constexpr unsigned kThreads = 2;
 
 bool sameId(const std::string& id, const std::string& only) {

@@ -10,9 +10,14 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kTapRate = 3.0;        // Hz.
-constexpr double kSwingUp = 300.0;      // Ticks.
-constexpr double kMotorDelay = 1.5e-3;  // s from the measurement to the middle of the force that answers it.
+// Hz: about as quickly as a hand taps. Half: half of the energy in the worst second; twice: twice.
+constexpr double kTapRate = 3.0;
+// Ticks in which the swing grows, one period of kTapRate (333), so that the stylus meets the wall as fast as the hand
+// means it to. Half: it overshoots; twice: fewer taps at full speed.
+constexpr double kSwingUp = 300.0;
+// s from the measurement to the middle of the force that answers it: a tick of delay, and half of the one that it acts.
+// Half or twice would misstate the energy that is printed beside the taps.
+constexpr double kMotorDelay = 1.5e-3;
 
 struct TapOutcome {
   double energy = 0.0;  // J, least of a second.
@@ -64,7 +69,9 @@ std::vector<Figure> tapFigures(double speed, bool judged) {
 /// Presses into the wall and stays there while the force still comes in (the ramp of 0.8 s after taking): the motors
 /// must not give what they did not take. J.
 double takingEnergy(const FeelScene& scene, const SessionSetup& setup, double force) {
-  constexpr double kGate = 0.02, kPressing = 0.15, kStaying = 2.0;  // s.
+  /// s: at rest (the gate opens after three ticks), pressing, and staying (over twice the ramp of 0.8 s). Half of the
+  /// last: just the ramp; twice: the same figure, unless something leaks.
+  constexpr double kGate = 0.02, kPressing = 0.15, kStaying = 2.0;
   FeelSession session(scene, setup);
   const dvec3 outside = scene.start();
   const dvec3 goal = scene.rest() + pressDepth(session.hand(), force) * scene.pressDirection();

@@ -198,6 +198,8 @@ class Hinge final : public FeelScene {
   dvec3 rest() const override { return stop(); }
 
  private:
+  // m, m, rad: a door of 40 mm whose way fits the workspace (130 mm), with a stop at 29 deg. Half: a tighter circle,
+  // larger steps; twice: a flatter one.
   static constexpr double kRadius = 0.04, kAxis = -0.04, kStop = 0.5;
   dvec3 stop() const { return dvec3(0, 0, kAxis) + kRadius * dvec3(std::sin(kStop), 0.0, std::cos(kStop)); }
 };
@@ -224,6 +226,7 @@ class Plate final : public FeelScene {
   dvec3 handAt(double t, double press) const override { return {0.03 * triangleWave(t, 1.667), 0.0, kHalf.z - press}; }
 
  private:
+  // m: a plate of 1 mm, the thinnest that must not be passed through (M8). Half: harder, twice: easier to keep to.
   static constexpr dvec3 kHalf{0.05, 0.05, 0.0005};
 };
 

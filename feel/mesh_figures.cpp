@@ -12,7 +12,11 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kMeshSlide = 3.0;  // s.
+// s: the way of the scenes (0.6 s) five times, so that each place is met from both sides. Half: fewer sets; twice:
+// twice the time for the same figures.
+constexpr double kMeshSlide = 3.0;
+// mm that the drawn ball may be inside the drawn part: kMostRelief, by which hollows are sunk to be as wide as they are
+// round. Half fails where a hollow is coarse; twice would hide what is entered.
 constexpr double kDrawn =
     0.1;  // mm that the drawn ball may be inside the drawn part: a hollow is as wide as it is round.
 

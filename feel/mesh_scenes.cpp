@@ -22,14 +22,28 @@ namespace {
 using geometry::TriangleMesh;
 using Pieces = std::shared_ptr<const collision::ConvexPieces>;
 
-constexpr double kPeg = 0.01;    // m, radius of the held peg.
-constexpr double kChord = 1e-4;  // m between a chord and its arc, at most,
-constexpr double kTurn = 0.3;    // and rad between two of its ends.
-constexpr double kLength = 0.4;  // m of what is long.
+// m, radius of the held peg; its length is 40 mm. Our choice. Half: a hole of half the facets; twice: of a flatter
+// wall.
+constexpr double kPeg = 0.01;
+// m between a chord and its arc, and rad between two of its ends, at most: as CAD importers make them. Half: smoother,
+// easier meshes; twice: coarser than an importer gives.
+constexpr double kChord = 1e-4;
+constexpr double kTurn = 0.3;  // and rad between two of its ends.
+// m of what is long: twice the workspace and more, so that no end is met. Half: an end is still 90 mm away, beyond the
+// zone; twice: the same figures.
+constexpr double kLength = 0.4;
+// Queries for one set: each works for 15 ms at most (Contacts), so 0.75 s, for places that are new. Half: some sets
+// would be incomplete; twice: the same.
 constexpr int kMostQueries = 50;
-constexpr double kLooksAhead = 2.0;  // times the way since the last set,
-constexpr double kKept = 0.9;        // of what it was then.
-constexpr double kTurnAhead = 0.1;   // rad that a set is good for.
+// Times the way since the last set, as a session computes it (kLeastAhead of set_scheduler.cpp). Half: the hand meets
+// the edge of its zone; twice: wider zones, in which fewer surfaces fit.
+constexpr double kLooksAhead = 2.0;
+// Of what the hand went in earlier sets: forgotten to a third in ten. Half: a turning hand meets the edge of its zone;
+// nearer to 1: wide zones are asked for long after.
+constexpr double kKept = 0.9;
+// rad that a set is good for: the box turns by 1 rad/s at most, a tenth between two sets at 10 Hz. Half: the edge of
+// the zone holds its turn; twice: more entries for one set.
+constexpr double kTurnAhead = 0.1;
 const Pose kAlongY = Pose::rotation(quaternionFromRotationVector({0.5 * std::numbers::pi, 0.0, 0.0}));
 
 int segments(double radius) {

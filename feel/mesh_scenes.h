@@ -23,7 +23,8 @@ struct MeshCase {
 std::vector<std::string> meshCaseNames();
 MeshCase makeMeshCase(const std::string& name);  ///< One of these names (contract).
 
-/// Radius of the held ball, m.
+/// Radius of the held ball, m: leaves a radius of 10 in the bore R15. Half: it falls deeper between teeth; twice: a
+/// radius of 5 is left in the bore.
 inline constexpr double kBallRadius = 0.005;
 /// The ball as it is drawn: vertices on the sphere, facets inside it.
 geometry::TriangleMesh heldBall();

@@ -10,7 +10,9 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kHandBegins = 1.2, kSlideBegins = 1.7;  // s of a session, see touchAndSlide().
+// s of a session until the hand moves and until it slides: begin() and touchAndSlide() of feel_session.cpp. Other
+// numbers would put the drifting scene beside the hand.
+constexpr double kHandBegins = 1.2, kSlideBegins = 1.7;
 
 class Drifting final : public FeelScene {
  public:

@@ -9,8 +9,12 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kNetworkSlide = 4.0;  // s.
-constexpr double kRate = 60.0;         // Hz.
+/// s, as kSlide of sliding_figures.cpp: 240 sets, two or three of them lost. Half: perhaps none is lost; twice: the
+/// same figures.
+constexpr double kNetworkSlide = 4.0;
+/// Hz: the middle one of kRates, the usual rate of a client. Half: sets are 33 ms old; twice: fewer steps at each.
+constexpr double kRate = 60.0;
+/// Share of sets that are lost: our choice for a bad network. Half: one or two in a session; twice: five.
 constexpr double kLoss = 0.01;
 constexpr double kDelays[] = {0.0, 0.005, 0.020, 0.050};  // s, one way.
 

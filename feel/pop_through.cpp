@@ -13,9 +13,15 @@ namespace {
 
 constexpr double kTick = 0.001;
 constexpr double kHalfWidth = 0.05, kHalfThickness = 0.0005;
-constexpr double kFastest = 1.0;     // m/s.
-constexpr double kRim = 0.004;       // m from the rim that a chord may cut off.
-constexpr double kHeldApart = 1e-4;  // m that the proxy is away from the plate and from the stylus when it is blocked.
+/// m/s of the sweeps (0.05 to 1.0): a fast hand in free air. It sets the zone that a client asks for; half: sweeps
+/// leave it, and it holds them; twice: twice the zone.
+constexpr double kFastest = 1.0;
+/// m from the rim that a chord may cut off: between two ticks at 1 m/s a proxy goes 2 mm (kLongestMove) twice. Half:
+/// going round counts as a pop; twice: pops near the rim are not seen.
+constexpr double kRim = 0.004;
+/// m that a blocked proxy is away from plate and stylus: five steps of the encoders (0.02 mm). Half: tremor counts as
+/// blocked; twice: a short block is missed.
+constexpr double kHeldApart = 1e-4;
 
 struct Sweep {
   dvec3 from{0.0}, to{0.0};

@@ -9,10 +9,18 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kCount = 0.03e-3;     // m: one step of a joint's encoder where the arm is most stretched.
-constexpr double kStableCounts = 5.0;  // What M10 calls stable.
-constexpr double kWholeWeight = 0.44;  // N: all of the apparent mass, the worst case of a stylus let go.
-constexpr double kStiffest = 8000.0, kStep = 100.0;  // N/m.
+/// m: one step of a joint's encoder where the arm is most stretched. M5's limit is one of them. Half or twice: as if
+/// the limit were twice or half.
+constexpr double kCount = 0.03e-3;
+/// Steps of the encoder, 0.15 mm within 0.5 s, what M10 calls stable. Our choice. Half: stiffer walls count as
+/// unstable; twice: a slow swing would count as rest.
+constexpr double kStableCounts = 5.0;
+/// N: all of the apparent mass (45 g), the worst case of a stylus let go. Half: the counterweights help; twice: no
+/// device.
+constexpr double kWholeWeight = 0.44;
+/// N/m: where the search ends, far above the 4900 that M10 finds, and its step, the accuracy of M10. Half
+/// of the step: twice the sessions; twice: M10 is good to 200.
+constexpr double kStiffest = 8000.0, kStep = 100.0;
 
 enum class Grip { kFirm, kLoose, kReleased };
 

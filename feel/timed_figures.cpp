@@ -21,10 +21,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kBallsOnSide = 14;  // 196 balls of 5040 triangles: a cell of a million.
+/// 196 balls of 5040 triangles: the cell of a million that M7 asks for. Half: a quarter of it; twice: four times.
+constexpr int kBallsOnSide = 14;
+/// Segments of a ball: 5040 triangles, so that 14 x 14 of them are a million. Half: a quarter of the triangles; twice:
+/// four times.
 constexpr int kBallSegments = 72;
-constexpr double kHandTime = 6.0;  // s.
-constexpr int kTicksOfASet = 17;   // 60 Hz.
+/// s of hand, some 4 of them in contact: 4000 latencies. Half: p99 of 2000; twice: longer for the same figure.
+constexpr double kHandTime = 6.0;
+constexpr int kTicksOfASet = 17;  // 60 Hz.
+/// Equal walks of which the least time of each tick counts. Half: the system's own pauses show in p99.9; twice: twice
+/// the time.
 constexpr int kWalks = 3;
 
 workcell::Entity solid(workcell::EntityId id, const std::string& name,
@@ -158,6 +164,7 @@ std::vector<double> leastOfWalks(RenderingWay& way, const std::vector<Constraint
 
 std::vector<Figure> tickFigures(int ticks) {
   std::mt19937_64 random(5);
+  // Random sets in turn: 544 ticks until one comes again. Half: fewer kinds of sets; twice: the same figures.
   constexpr std::size_t kSets = 32;
   std::vector<ConstraintSet> sets;
   sets.reserve(kSets);

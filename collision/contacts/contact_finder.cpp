@@ -11,19 +11,45 @@ namespace hapticell::collision {
 
 namespace {
 
+/// From one tried zone to the next: 0.65 is five tries from 60 to 7 mm. Nearer to 1 (0.8): twice the tries for a zone
+/// 10 % wider on average; smaller (0.4): half the tries, zones up to 2.5 times too small.
 constexpr double kShrink = 0.65;
-constexpr double kFirstShare = 0.05;    // of the wanted zone: where the first search begins
-constexpr double kCrowdedShare = 0.25;  // below it turning may be left out among facets,
-constexpr double kLeastShare = 0.05;    // and is, without being asked for, below this
-constexpr double kWideEnough = 0.25;    // of the wanted zone: surfaces need no comparison
-constexpr std::size_t kMuchWider = 3;   // levels: 1 / 0.65^3 = 3.6 times
-constexpr double kMostlyKnown = 0.8;    // share of recognised area that lets a pair begin with surfaces
-constexpr int kTryLarger = 4;           // a wider zone is tried with each so many queries
-constexpr double kWorthwhile = 1.1;     // times wider than what fits: tried between two levels
+/// Of the wanted zone, where the first search begins: 3 of 60 mm, so that a crowded place is found at once. Half: open
+/// places need two tries more; twice: the first try in a crowd may take long.
+constexpr double kFirstShare = 0.05;
+/// Of the wanted zone: below it turning may be left out among facets if the last set was crowded. Half: tight zones
+/// keep all corners and shrink further; twice: bodies can tilt into each other sooner.
+constexpr double kCrowdedShare = 0.25;
+/// Of the wanted zone: below it (3 of 60 mm) turning is left out at once. Half: a crowd ends with zones of 1.5 mm;
+/// twice: turning is lost where it would have fitted.
+constexpr double kLeastShare = 0.05;
+/// Of the wanted zone (15 of 60 mm, which a hand at 0.25 m/s crosses between two sets at 16 Hz): surfaces need no
+/// comparison. Half: narrow zones stay; twice: facets are tried more often, each a search.
+constexpr double kWideEnough = 0.25;
+/// Levels: 1 / 0.65^3 = 3.6 times, what facets must win where something is round, as they lose its curvature. Half (1.9
+/// times): steps of facets are felt for little; twice (13 times): facets are hardly taken.
+constexpr std::size_t kMuchWider = 3;
+/// Share of recognised area that lets a pair begin with surfaces (Contacts: "more than a fifth free form"). It only
+/// chooses the first try; half: free form begins uselessly; 0.9: a few fillets begin with facets.
+constexpr double kMostlyKnown = 0.8;
+/// Queries between two tries of a wider zone. Half: each second query costs two searches; twice: after a crowd the zone
+/// stays small for eight sets.
+constexpr int kTryLarger = 4;
+/// Times wider than what fits: less is not tried between two levels. Half of the tenth: more tries for 5 %; twice: half
+/// levels (1.24) hardly count.
+constexpr double kWorthwhile = 1.1;
+/// Queries until what did not fit as surfaces is tried again, first and at most (Contacts: 12, 24, up to 192). At 60 Hz
+/// 0.2 s and 3 s. Half: twice the useless searches; twice: surfaces come back twice as late.
 constexpr int kRest = 12, kLongestRest = 192;
+/// Queries until a pair that has just changed is looked at again: the next places differ little. Half: it may go back
+/// and forth each second set; twice: a bad choice lasts eight sets.
 constexpr int kSoon = 4;
+/// Queries that a pair may end without an answer for want of time (15 ms of new work each) before it rests longer.
+/// Half: new places are given up sooner; twice: others wait, as one pair is tried at a time.
 constexpr int kMostCold = 6;
-constexpr std::size_t kColdLevels = 2;  // that the zone shrinks by for want of time; then it is pending
+/// Levels that the zone shrinks by for want of time; then it is pending. Half: less found at once; twice: zones of a
+/// sixth, where waiting one query would give the whole.
+constexpr std::size_t kColdLevels = 2;
 
 }  // namespace
 

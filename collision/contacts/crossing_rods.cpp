@@ -8,9 +8,15 @@
 namespace hapticell::collision {
 namespace {
 
+/// Of the angle between two edges: below 1.1 deg their normal is uncertain, and their ends and faces meet first. Half:
+/// normals of half the accuracy; twice: edges that cross flatly (2 deg) are not met.
 constexpr double kParallelSine = 0.02;
+/// Sine: a normal on the border of an arc belongs to it, rounding included. Half and twice are far above rounding
+/// (1e-15) and far below facets (1e-2).
 constexpr double kInArc = -1e-6;
-constexpr double kDeepest = 2e-4;  // m: a pair that overlaps more while its bodies are free meets elsewhere
+/// m: a pair that overlaps more while its bodies are free meets elsewhere. Twice kCorner. Half: edges that rest in each
+/// other by 0.1 mm are lost; twice: edges behind thin parts make false walls.
+constexpr double kDeepest = 2e-4;
 
 /// `n` points out of the body between the rod's faces.
 bool isOutward(const PlacedRod& rod, const dvec3& n) {

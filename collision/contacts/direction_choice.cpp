@@ -10,7 +10,10 @@
 namespace hapticell::collision {
 namespace {
 
+/// Places of the zone that must be covered by the chosen directions. Half: thin wedges between them may stay open;
+/// twice: twice the time of choosing.
 constexpr std::size_t kMostSamples = 3000;
+/// m: touching counts as free, rounding included (kTouchingDistance). Half and twice are far above rounding.
 constexpr double kTouch = 1e-9;
 
 double halton(std::uint32_t index, std::uint32_t base) {

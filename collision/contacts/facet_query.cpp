@@ -13,15 +13,32 @@
 namespace hapticell::collision {
 namespace {
 
+/// Pairs of pieces for one zone; ten times a set (64), as most of them are implied by others. Half: zones of toothed
+/// parts shrink a level more; twice: up to twice the time of a query.
 constexpr std::size_t kMostPairs = 600;
+/// Pairs after which the zone is given up: up to there the farther ones may turn out implied. Half: zones that would
+/// fit are given up; twice: longer until it is.
 constexpr std::size_t kHopelessPairs = 2 * kMostPairs;
-constexpr std::size_t kMostCandidates = 4000;  // pairs of pieces that are looked at more closely
-constexpr std::size_t kMostBlocks = 200;       // pairs of blocks, where a mesh is cut on demand
-constexpr std::size_t kMostTests = 20000;      // pairs of triangles
-constexpr std::size_t kFewVertices = 200;      // of a pair; with more its directions are sought at once
+/// Pairs of pieces that are looked at more closely, some us each (work 2): under 10 ms. Half: crowds shrink the zone
+/// sooner; twice: queries of 20 ms.
+constexpr std::size_t kMostCandidates = 4000;
+/// Pairs of blocks, where a mesh is cut on demand: a new block takes some ms (Performance), once. Half: zones over
+/// scans are smaller; twice: a first query of up to a second.
+constexpr std::size_t kMostBlocks = 200;
+/// Pairs of triangles, half a work each: 10 ms. Half: crowds shrink the zone sooner; twice: queries of 20 ms.
+constexpr std::size_t kMostTests = 20000;
+/// Vertices of a pair; with more its directions are sought at once, as their nearest costs as much. Half: more pairs
+/// are sought in full; twice: more are sought twice.
+constexpr std::size_t kFewVertices = 200;
+/// Directions of all groups, a us each: 20 ms, or 30 a pair. Half: round pieces shrink the zone sooner; twice: 40 ms
+/// before it shrinks.
 constexpr std::size_t kMostDirections = 20000;
-constexpr double kNear = 0.0005;         // m above the boundary: directions with all their corners,
-constexpr std::ptrdiff_t kManyNear = 8;  // unless there are so many (a bore) that they hold the body upright together
+/// m above the boundary: directions with all their corners, so that a body set down does not tilt through a missing
+/// one. Half: it may tilt before the next set; twice: more of the 64 entries go to corners.
+constexpr double kNear = 0.0005;
+/// Unless there are so many near ones (a bore) that they hold the body upright together (commit b72f4840). Half: boxes
+/// on two faces lose corners; twice: a peg in a bore fills its set.
+constexpr std::ptrdiff_t kManyNear = 8;
 
 /// Forgets the directions that were not chosen.
 void keepChosen(PieceGroup& group) {

@@ -10,9 +10,13 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr double kEqualGap = 1e-5;  // metres
+/// m, and share of a gap: groups nearer to each other than that count as equally near, so that a small motion keeps the
+/// choice. Half: it changes twice as often, each a small step; twice: a nearer one may come later.
+constexpr double kEqualGap = 1e-5;
 constexpr double kEqualShare = 0.1;
-constexpr double kLeastCosine = 0.5;  // groups pointing farther apart are not tried as a pair
+/// Groups pointing farther apart than 60 deg are not tried as a pair: hardly any pair of them implies a third. Half (75
+/// deg): more tries for the same; twice (0 deg): only parallel ones, so sets are larger.
+constexpr double kLeastCosine = 0.5;
 
 /// gap + linear . dx + angular . turn >= 0, both parts weighed with what the zone allows.
 struct Row {

@@ -13,14 +13,29 @@ namespace hapticell::collision {
 
 namespace {
 
+/// Points of each sharp circle (Contacts); between them the nearest to each surface is added. Half: a tilting disc
+/// finds its next point late; twice: twice the groups of each circle.
 constexpr int kCirclePoints = 8;
-constexpr double kRoundEnough = 2e-5;         // m that a circle may stand out between its points
-constexpr std::size_t kMostGroups = 3000;     // before they are thinned out; with more the zone shrinks
-constexpr std::size_t kMostRodPairs = 20000;  // looked at
-constexpr double kWorkShare = 0.01;           // of ZoneContacts::work, for one element value
+/// m that a circle may stand out between its points, the skin of a held part (kSkin). Half: more groups for what is not
+/// felt; twice: it may be entered by 0.04 mm.
+constexpr double kRoundEnough = 2e-5;
+/// Groups before they are thinned out, some us each; with more the zone shrinks. Half: it shrinks sooner in crowds;
+/// twice: thinning out takes twice as long or more.
+constexpr std::size_t kMostGroups = 3000;
+/// Pairs of edges that are looked at, about a us each. Half: bodies of many edges shrink the zone; twice: queries of 40
+/// ms.
+constexpr std::size_t kMostRodPairs = 20000;
+/// Of ZoneContacts::work (us), for one element value: 10 ns, as kMostNewWork has it (1.5 million in about 15 ms). Half:
+/// counted work is too small, so sets come too often; twice: too seldom.
+constexpr double kWorkShare = 0.01;
+/// Steps of the golden section: 0.618^14 is a thousandth of the width, and the least is flat. Half: 3 % of it; twice:
+/// twice the time for rounding.
 constexpr int kGoldenSteps = 14;
-constexpr std::size_t kFewRodPairs = 64;  // looked at without a search
-constexpr double kCapMargin = 0.1;        // rad beyond a ball's cap
+/// Pairs looked at without a search in trees: for so few it is not worth it. Half and twice change only time.
+constexpr std::size_t kFewRodPairs = 64;
+/// rad beyond a ball's cap: 6 deg for a tilt within the zone. Half: a ball at a fillet's end may be entered; twice:
+/// entries that the next feature has as well.
+constexpr double kCapMargin = 0.1;
 
 bool isWithin(const geometry::Bounds& a, const dvec3& p) {
   return glm::all(glm::lessThanEqual(a.min, p)) && glm::all(glm::lessThanEqual(p, a.max));

@@ -34,6 +34,8 @@ class QuickHull {
   ConvexHull result() const;
 
  private:
+  // Facets made, dead ones too, until the hull is given up: a piece has some hundred. It bounds time and memory for
+  // hostile points; half and twice change that bound only.
   static constexpr std::size_t kMostFacets = 200000;
 
   double height(const Facet& facet, std::uint32_t point) const {
@@ -155,7 +157,9 @@ ConvexHull QuickHull::result() const {
   ConvexHull hull;
   std::map<std::uint32_t, std::uint32_t> vertex_of;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> plane_of_edge;
-  constexpr double kCoplanar = 1e-9;  // of 1 - cos: 0.0026 deg
+  // Of 1 - cos: 0.0026 deg, the angle by which rounding in STL (6e-8 of the size) tilts an edge of a thousandth of it.
+  // Half: such faces fall apart; twice: the same, as how far corners are off is checked too.
+  constexpr double kCoplanar = 1e-9;
   std::vector<std::pair<double, const Facet*>> by_area;
   for (const Facet& facet : facets_) {
     if (!facet.alive) continue;

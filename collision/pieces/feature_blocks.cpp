@@ -7,6 +7,8 @@
 namespace hapticell::collision {
 namespace {
 
+// Features of a block with one box, neighbours on the curve. Half: twice the boxes to test; twice: twice the features
+// of a box that is touched.
 constexpr std::uint32_t kBlock = 16;
 
 std::uint32_t spread(double fraction) {

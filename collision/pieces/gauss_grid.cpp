@@ -9,7 +9,9 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr double kCell = 0.2;                   // edge of a cell, the sphere's radius being 1
+/// Edge of a cell, the sphere's radius being 1: 11 deg. Half: arcs over 5 deg no longer fit a cell and are tested one
+/// by one; twice: four times the arcs of a cell.
+constexpr double kCell = 0.2;
 constexpr double kNarrow = 0.5 * kCell - 1e-6;  // farthest end of an arc from its middle that the cells are made for
 
 struct Arc {

@@ -18,9 +18,15 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr std::size_t kMostVertices = 150;  // of one merged patch
+/// Of one merged patch: pairs of larger ones have many directions (kFewVertices). Half: round bodies are more pieces;
+/// twice: slower pairs, fewer of them.
+constexpr std::size_t kMostVertices = 150;
+/// Passes over all edges; most merge in the first, and what failed may fit a grown one. Half: more pieces; twice:
+/// nothing more is found, as it ends when nothing changes.
 constexpr int kPasses = 3;
-constexpr double kSameFace = 0.999;  // cosine
+/// Cosine: 2.6 deg, within which a triangle is on a face of the hull if its corners are too. Half of it: noisy faces
+/// are not real ones; twice: flat chamfers may be.
+constexpr double kSameFace = 0.999;
 
 struct MergeEdge {
   std::uint32_t triangle_a = 0, triangle_b = 0;

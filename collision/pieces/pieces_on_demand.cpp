@@ -11,7 +11,9 @@ namespace hapticell::collision {
 namespace {
 
 constexpr std::uint32_t kLeavesInBlock = PiecesOnDemand::kMostInBlock / kLeafSize;
-constexpr std::size_t kMostAround = 4000;  // triangles about a block; where there are more its triangles stay single
+/// Triangles about a block of 64; where there are more its triangles stay single. A block then takes some ms. Half:
+/// fine scans get more pieces; twice: some blocks take twice as long.
+constexpr std::size_t kMostAround = 4000;
 
 /// Some triangles of a mesh as a mesh of its own, sharing vertices as before.
 geometry::TriangleMesh partOf(const geometry::TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles) {

@@ -7,7 +7,8 @@
 
 namespace hapticell::collision {
 
-/// Surfaces nearer than this (metres) count as touching: distance 0, colliding.
+/// m: surfaces nearer than this touch: distance 0, colliding. Ten thousand times the rounding at 1 m, a thousandth of
+/// kLeastClearance. Half and twice are between these as well.
 inline constexpr double kTouchingDistance = 1e-9;
 
 /// Minimum distance of two colliders A and B, with the equation |p_WA - p_WB| = distance, and

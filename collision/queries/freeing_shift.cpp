@@ -12,13 +12,22 @@ namespace hapticell::collision {
 
 namespace {
 
+/// Pairs of triangles whose normals are looked at: two meshes of thousands that overlap widely. Half: a good direction
+/// may be missing; twice: up to twice the time when a part is taken.
 constexpr std::size_t kMostPairsFreed = 4096;
-/// Normals nearer than this to one another (cosine) are one direction.
+/// Normals nearer than this to one another (cosine, 11 deg) are one direction. Half (0.5, 60 deg): few directions,
+/// longer ways out; nearer to 1: kMostNormals are used up by one round face.
 constexpr double kSameDirection = 0.98;
+/// Directions tried, the largest first; each takes tens of queries. Half: a longer way out may be offered; twice: twice
+/// the time.
 constexpr std::size_t kMostNormals = 24;
+/// m: what just touches is free after it, and growing by 1.6 it is at 0.1 m in 20 steps. Half: one step more; twice: a
+/// step less.
 constexpr double kFirstShift = 1e-5;
-constexpr double kAccuracy = 1e-3;  ///< Of the depth.
-/// Points of a mesh's pieces that are looked up in the other's winding number.
+/// Of the depth, to which it is narrowed down: less than a hand can follow. Half: one query more; twice: one less.
+constexpr double kAccuracy = 1e-3;
+/// Points of a mesh's pieces that are looked up in the other's winding number, in their order. Half: a loose part
+/// inside may be missed; twice: twice the time, which goes with the triangles.
 constexpr std::size_t kMostPoints = 8;
 
 struct Candidate {

@@ -10,7 +10,11 @@ namespace hapticell::collision {
 
 namespace {
 
-constexpr int kMostSteps = 100;  ///< Of one pair; then the motion ends where it is proven so far.
+/// Steps of one pair; then the motion ends where it is proven so far. Advancement takes few unless it runs along a
+/// surface. Half: motions along surfaces end sooner; twice: slower before they do.
+constexpr int kMostSteps = 100;
+/// Passes by which pairs go back that an end found later has moved past. Then nothing is proven. Half: such motions
+/// stop; twice: longer before.
 constexpr int kMostPasses = 6;
 struct Placing {
   dmat3 R{1.0};

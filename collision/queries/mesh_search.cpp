@@ -256,6 +256,8 @@ struct LabelCollector {
   mutable std::unordered_set<std::size_t> known_ones{};  ///< those that are.
   mutable std::size_t looked = 0;
 
+  // Bits, 2 MB: more pairs of labels are kept in a set. Half: 1 MB, slower for large meshes; twice: 4 MB to clear for
+  // each search.
   static constexpr std::size_t kMostKnown = std::size_t{1} << 24;
   void begin() {
     const std::size_t all = std::size_t{a.labels} * b.labels;
@@ -274,7 +276,9 @@ struct LabelCollector {
     return std::size_t{b.labels} * a.label_of[triangle_a] + b.label_of[triangle_b];
   }
   bool wanted(std::uint32_t triangle_a, std::uint32_t triangle_b) const {
-    constexpr std::size_t kLooksPerTest = 16;  // finding that a pair is known is so much cheaper
+    // Looks that count as one test: finding that a pair is known is so much cheaper. Half: the budget ends sooner among
+    // known pairs; twice: searches of up to twice the time.
+    constexpr std::size_t kLooksPerTest = 16;
     if (++looked % kLooksPerTest == 0 && budget.tests > 0) --budget.tests;
     return budget.tests == 0 || !isKnown(at(triangle_a, triangle_b));
   }

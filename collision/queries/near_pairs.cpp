@@ -9,8 +9,12 @@ namespace hapticell::collision {
 
 namespace {
 
+/// By which the likely radius shrinks when there were too many pairs, and grows when there were under a quarter. Pairs
+/// grow with its square: 0.3 gives a tenth, 1.5 twice. Half or twice: more failed tries.
 constexpr double kAfterCrowded = 0.3, kAfterRoomy = 1.5;
-constexpr double kWidest = 0.02;  ///< m
+/// m: wider lists serve no step of a hand. Half: fast hands (over 10 mm a step) search; twice: long lists of what is
+/// far.
+constexpr double kWidest = 0.02;
 
 }  // namespace
 

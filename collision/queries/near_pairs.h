@@ -15,7 +15,8 @@ namespace hapticell::collision {
 /// One thread. Allocates for its first list only.
 class NearPairs {
  public:
-  static constexpr std::size_t kMost = 512;  ///< Longer lists cost more than a search.
+  /// Pairs; longer lists cost more than a search. Half: more searches in grooves; twice: slower steps there.
+  static constexpr std::size_t kMost = 512;
 
   /// Lists all pairs at most `radius` (m) apart with B at X_AB. If there are too many, returns false and the list is
   /// empty.

@@ -9,9 +9,11 @@ namespace hapticell::collision {
 
 namespace {
 
-/// What cannot improve the distance by more than this (m) is passed over: ties are common on CAD parts.
+/// What cannot improve the distance by more than this (m) is passed over: ties are common on CAD parts. Half of the
+/// 1e-9 that answers are good to (DistanceOracle). Half: ties are searched; twice: at that limit.
 constexpr double kNegligible = 5e-10;
-/// The same for pairs that were measured in double, as a share of the square.
+/// The same for pairs that were measured in double, as a share of the square: a thousand times its rounding. Half:
+/// still; twice: 1e-12 of the distance.
 constexpr double kTieShare = 1e-12;
 
 }  // namespace

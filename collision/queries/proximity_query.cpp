@@ -98,7 +98,9 @@ struct Certificate {
 /// nearer to one end than what is free there. An arc is longer than its chord by a seventieth at most where the turn is
 /// small.
 bool staysApart(const Certificate& from, const Certificate& to, const dvec3& p_BS, double radius) {
-  constexpr double kSmallTurn = 0.96;  // cosine of half of it: 0.56 rad
+  // Cosine of half of the turn: 0.57 rad, at which an arc is longer than its chord by a seventieth (0.284 / sin 0.284).
+  // A smaller turn would certify less, a larger one needs a larger share.
+  constexpr double kSmallTurn = 0.96;
   constexpr double kArcOverChord = 1.0 + 1.0 / 70.0;
   const double motion = motionBound(from.X_AB, to.X_AB, p_BS, radius);
   if (motion < from.distance) return true;

@@ -12,6 +12,8 @@ namespace hapticell::collision {
 
 namespace {
 
+/// Pairs of boxes and triangles of one proof, so that it takes no longer than some queries. Half: fewer strides proven;
+/// twice: more time for those that fail.
 constexpr int kMostPairsSwept = 1000;
 
 double reachAlong(const dvec3& axis, const OrientedBox& box) {

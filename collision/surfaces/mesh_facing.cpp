@@ -16,10 +16,18 @@ namespace hapticell::collision {
 namespace {
 
 constexpr std::uint32_t kNone = MeshFacing::kNone;
-constexpr std::size_t kMostAngles = 10'000'000;  ///< Solid angles in all: some tenths of a second.
-constexpr std::size_t kSamples = 8;              ///< Of an open surface.
-constexpr double kEnclosed = 0.05;               ///< Of the winding number: less is a gap, more is the open side.
-constexpr double kInFront = 1e-3;                ///< Of a triangle's size.
+/// Solid angles in all: some tenths of a second. What is over goes with the kind of most area. Half: fewer open
+/// surfaces are looked at; twice: opening large open meshes takes longer.
+constexpr std::size_t kMostAngles = 10'000'000;
+/// Largest triangles of an open surface in front of which it is judged. Half: one beside a gap counts for more; twice:
+/// half as many surfaces are judged (kMostAngles).
+constexpr std::size_t kSamples = 8;
+/// Of the winding number: less is a gap, more is the open side of a sheet. A gap of 5 % of the sphere. Half: solids
+/// with small holes are sheets; twice: nearly closed boxes without a lid may be solids.
+constexpr double kEnclosed = 0.05;
+/// Of a triangle's size, at which its front is looked at: far above rounding, far below any neighbour. Half and twice
+/// as well.
+constexpr double kInFront = 1e-3;
 
 /// A connected surface.
 struct Surface {

@@ -11,17 +11,37 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr double kLeastBend = 0.99999848;  // cos 0.1 deg
-constexpr double kMostBend = 0.766;        // cos 40 deg
-constexpr double kNormalAgrees = 0.956;    // cos 17 deg
-constexpr double kMiddleShare = 0.05;      // of the smallest radius
+// cos 0.1 deg: less is flat (a circle of 3600 facets), and also kFlatSine. Half: rounding of STL bends planes; twice:
+// the finest scans are cut into facets.
+constexpr double kLeastBend = 0.99999848;
+// cos 40 deg: more is an edge (circles of 9 facets and fewer stay prisms). Half: coarse cylinders are facets; twice (80
+// deg): octagons are taken for cylinders.
+constexpr double kMostBend = 0.766;
+// cos 17 deg: a facet's middle is a sixth of a step off the place of its normal (7 deg at 9 facets), more where it is
+// skew. Half: coarse rounds are not grown into; twice: chamfers are.
+constexpr double kNormalAgrees = 0.956;
+// Of the smallest radius that a middle of an edge may stand off: the sagitta of 10 facets a turn (1 - cos 18 deg = 4.9
+// %). Half: circles of under 14 facets stay prisms; twice: of 7 become round.
+constexpr double kMiddleShare = 0.05;
+// A flat cluster this many times the seed's area is a face of its own and no facet of a round. Half: uneven
+// tessellations break up; twice: small flats beside a fillet are taken in.
 constexpr double kLargerCluster = 8.0;
+// Vertices that a grown surface is fitted to again: seven parameters at most. Half: noise of scans averages less;
+// twice: twice the time of recognition for regions so large.
 constexpr std::size_t kRefitPoints = 400;
+// Growing and refitting, until nothing more is added. Half: large regions of a small seed end early; twice: only for
+// those that still grow.
 constexpr int kRounds = 6;
 
-constexpr double kHopeless = 10.0;    // times the tolerance: the second pass need not try again
-constexpr std::uint8_t kGivenUp = 3;  // neighbourhoods that fit nothing: free form, not tried again
-constexpr double kFineRing = 0.01;    // of the tube's radius
+// Times the tolerance: what fits no better is not tried in the second pass, whose tolerance is ten times the first
+// one's. Half: some that would fit are left out; twice: tries for nothing.
+constexpr double kHopeless = 10.0;
+// Neighbourhoods that fit nothing before a triangle is free form (Contacts: three times). Half: places beside a scan's
+// noise are given up; twice: twice the time on free-form parts.
+constexpr std::uint8_t kGivenUp = 3;
+// Of the tube's radius: a fit so close needs no fourth circle to prove a ring, as three circles of a coarse one always
+// fit. Half: fine rings are asked for more circles; twice: coarse false rings.
+constexpr double kFineRing = 0.01;
 
 double localRadius(const SurfaceShape& shape, const dvec3& p) {
   if (shape.type != SurfaceType::kCone) return shape.radius;
@@ -76,6 +96,8 @@ bool RegionGrower::enters(std::uint32_t from, int k, std::uint32_t seed, Neighbo
 }
 
 void RegionGrower::gather(std::uint32_t seed, Neighbourhood kind, std::vector<std::uint32_t>& found) {
+  // Triangles of the four neighbourhoods (Contacts, 3): wide, narrow, of similar area, across long edges. Half: fits of
+  // seven numbers to few vertices; twice: neighbourhoods reach over small features.
   constexpr std::array<std::size_t, 4> kSizes{60, 28, 12, 10};
   const std::size_t most = kSizes[static_cast<std::size_t>(kind)];
   ++search_;

@@ -12,7 +12,11 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr double kSmooth = 0.0349;  // 2 deg
+/// Sine of 2 deg (also kSmoothSine): analytic normals that agree so are tangent. Our choice. Half: blends with
+/// tolerances become edges; twice: drafts of 2 to 4 deg are felt rounded.
+constexpr double kSmooth = 0.0349;
+/// Sectors of 5 deg round an axis, to see whether a surface goes all round: a gap must be as wide. Half: slots under 10
+/// deg are not ends; twice: finer, twice the time.
 constexpr int kSectors = 72;
 
 /// A mesh edge at which a region ends.

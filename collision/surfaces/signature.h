@@ -10,6 +10,8 @@ namespace hapticell::collision {
 
 /// A set of elements, by their indices in the cell's list.
 struct Signature {
+  /// Surfaces within reach of one cell, six words of bits: more than fit into 64 entries of a set. Half: places with
+  /// many small ones shrink the zone more; twice: all signatures twice as long.
   static constexpr std::size_t kMostElements = 384;
   void add(std::size_t i) { words[i / 64] |= std::uint64_t{1} << (i % 64); }
   bool has(std::size_t i) const { return (words[i / 64] >> (i % 64) & 1) != 0; }

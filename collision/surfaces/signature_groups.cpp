@@ -14,21 +14,49 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr double kLevel = 1.25;          // ratio of the reaches that cells are made for
-constexpr double kCellShare = 0.25;      // of the reach: a cell's edge
-constexpr double kBehindSurface = 2e-6;  // m: on a surface counts as behind it
+/// Ratio of the reaches that cells are made for, so that nearly equal zones share them. Nearer to 1: fewer cells are
+/// found again; half a level more (1.5): cells of up to half as much again than needed.
+constexpr double kLevel = 1.25;
+/// Of the reach: a cell's edge. Half: eight times the cells; twice: each looks at 1.7 reaches, with more surfaces that
+/// are not met.
+constexpr double kCellShare = 0.25;
+/// m: on a surface counts as behind it (Contacts): twice the accuracy of recognition (1 um). Half: noise makes false
+/// signatures; twice: walls thinner than 4 um vanish.
+constexpr double kBehindSurface = 2e-6;
+/// Of the surface's own sagitta, more than 1 for uneven facets. Below 1: facets lie in front of their own surface;
+/// twice: of coarse ones thin gaps (twice 0.1 mm) are closed.
 constexpr double kSagittaShare = 1.2;
-constexpr double kOpposite = -0.5;     // cosine between two normals
-constexpr double kInwards = 0.2;       // share of the way to the facet's middle
+/// Cosine between two normals: 120 deg. A ball that touches both walls of a slot is freed by neither. Half (105 deg):
+/// corners are taken for slots; twice (180): only parallel walls.
+constexpr double kOpposite = -0.5;
+/// Share of the way to the facet's middle, and m at most: samples of a corner lie on this facet, not on the edge that
+/// others share. Half: nearer to rounding; twice: thin facets beside it are not sampled.
+constexpr double kInwards = 0.2;
 constexpr double kMostInwards = 2e-4;  // m
-constexpr double kSmallExtent = 0.2;   // of the reach: a triangle's middle stands for it
-constexpr double kGrain = 0.05;        // of the reach
+/// Of the reach: a smaller triangle's middle stands for it. Half: up to four times the samples on fine meshes; twice:
+/// signatures beside corners may be missed.
+constexpr double kSmallExtent = 0.2;
+/// Of the reach: one sample for each cube of it and surface. Half: eight times at most; twice: signatures of narrow
+/// places may be missed.
+constexpr double kGrain = 0.05;
+/// Triangles near a cell: with more the zone shrinks or facets are used. Half: fine scans do so sooner; twice: first
+/// queries of up to twice the time.
 constexpr std::size_t kMostTriangles = 3000;
-constexpr std::size_t kMostPairsSeen = 150000;  // of triangles and elements: about 15 ms
+/// Of triangles and elements: about 15 ms, as kMostNewWork. Half: crowded places shrink the zone; twice: first queries
+/// of 30 ms.
+constexpr std::size_t kMostPairsSeen = 150000;
+/// Groups of a cell: 64 entries cannot hold more, but near ones imply many. Half: crowded cells are overfull; twice:
+/// more time to thin them out.
 constexpr std::size_t kMostCellGroups = 400;
+/// Cells kept, each some kB, until all are forgotten. Half: long ways work places out again sooner; twice: twice the
+/// memory.
 constexpr std::size_t kMostCells = 30000;
+/// Different signatures of a cell, compared with each other: 16 million tests at most. Half: noisy places are overfull
+/// sooner; twice: four times the time.
 constexpr std::size_t kMostSignatures = 4000;
-constexpr std::size_t kSamplingWork = 60, kSampleWork = 8;  // of a triangle and a sample, in element values
+/// Of a triangle and a sample, in element values (10 ns): 0.6 us and 80 ns. They make the counted work go with time.
+/// Half: 15 ms of work take longer; twice: more answers are pending.
+constexpr std::size_t kSamplingWork = 60, kSampleWork = 8;
 
 /// Of the directions from n1 to n2 (unit) the one that is nearest to `way`, a little inside.
 dvec3 nearestBetween(const dvec3& n1, const dvec3& n2, const dvec3& way) {

@@ -10,15 +10,31 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr double kOff = 1e-4;                // m above the surface
-constexpr double kClear = 2e-5;              // m that the new plane stands below the place it frees
-constexpr double kBehindPlane = 2e-6;        // m: on a plane counts as behind it
-constexpr double kLeastRoom = 2e-5;          // m between a place that is freed and what stays blocked
-constexpr std::size_t kMostValues = 120000;  // element values
-constexpr std::size_t kMostFreeTests = 400;  // of a place being free
-constexpr std::size_t kTestWork = 300;       // of one, in element values
-constexpr std::size_t kMostOwn = 128;        // new elements of a cell
+/// m above the surface at which a sample must be free (Contacts: 0.1 mm): what points are tested at in
+/// surface_contacts_test. Half: more false walls are found than are felt; twice: narrow ones stay.
+constexpr double kOff = 1e-4;
+/// m that the new plane stands below the place it frees, a fifth of kOff. Half: rounding may leave it blocked; twice:
+/// nearer to the surface, so more of it must be ended.
+constexpr double kClear = 2e-5;
+/// m: on a plane counts as behind it, as kBehindSurface. Half: noise of recognition blocks; twice: holes of 4 um.
+constexpr double kBehindPlane = 2e-6;
+/// m between a place that is freed and what stays blocked, a fifth of kOff. Half: ends so close that rounding decides;
+/// twice: fewer false walls are freed.
+constexpr double kLeastRoom = 2e-5;
+/// Element values, 1.2 ms: of more samples only every n-th is repaired. Half: more false walls stay in crowded cells;
+/// twice: slower first queries.
+constexpr std::size_t kMostValues = 120000;
+/// Of a place being free, 3 us each: 1.2 ms. Half: more false walls stay; twice: slower first queries.
+constexpr std::size_t kMostFreeTests = 400;
+/// Of one, in element values (10 ns). It makes the counted work go with time. Half: 15 ms of work take longer; twice:
+/// more answers are pending.
+constexpr std::size_t kTestWork = 300;
+/// New elements of a cell, twice a set. Half: more false walls stay; twice: only in cells that no set holds.
+constexpr std::size_t kMostOwn = 128;
+/// Planes that end a new element (Contacts: at most three). Half: more false walls stay; twice: sets of many copies.
 constexpr std::size_t kMostEnds = 3;
+/// Steps of Gilbert's method, each nearer; it ends by itself at 1e-6. Half: a worse end of some elements; twice: hardly
+/// used.
 constexpr int kHullSteps = 40;
 
 /// From the point of the convex hull of `points` that is nearest to q, towards q: across it stands the plane that holds

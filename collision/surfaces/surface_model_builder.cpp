@@ -12,9 +12,14 @@ namespace hapticell::collision {
 
 namespace {
 
-constexpr double kSmoothSine = 0.0349;   // 2 deg
-constexpr double kFlatSine = 0.00175;    // 0.1 deg
-constexpr double kStraight = 0.9999985;  // cos 0.1 deg
+// Sine of 2 deg, as kSmooth of region_properties.cpp: tangent surfaces have no edge between them.
+constexpr double kSmoothSine = 0.0349;
+// Sine of 0.1 deg, as kLeastBend: facets that agree so are one plane. Half: STL's rounding makes edges; twice: fine
+// scans lose theirs.
+constexpr double kFlatSine = 0.00175;
+// cos 0.1 deg: an edge goes straight on through such a corner. Half: rounding makes corners; twice: corners of fine
+// polygons (900 sides) are left out.
+constexpr double kStraight = 0.9999985;
 
 }  // namespace
 

@@ -14,10 +14,20 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr double kPlaneIsLarger = 5.0;  // than each of its smooth neighbours
+// Times each of its smooth neighbours: then it is a plane beside fillets, else one facet of free form (Contacts, 6).
+// Half: large facets of free form become planes; twice: small flats stay facets.
+constexpr double kPlaneIsLarger = 5.0;
+// Seeds in a row that fit nothing, and a share (a fortieth) of all clusters, until a pass ends (Contacts). Half: rounds
+// among free form are missed; twice: twice the time on free-form parts.
 constexpr std::size_t kFewFailures = 60, kFailureShare = 40;
-constexpr std::size_t kFailuresAtFirst = 20;  // where nothing curved was found at all, as on a convex hull of a casting
-constexpr std::size_t kSmall = 5000;          // clusters
+// Where nothing curved was found at all, as on a convex hull of a casting. Half: a small round among flats is missed;
+// twice: hulls take twice as long.
+constexpr std::size_t kFailuresAtFirst = 20;
+// Clusters: with more, 20 seeds say too little of a part. Half: middle-sized hulls take longer; twice: rounds of large
+// parts are missed.
+constexpr std::size_t kSmall = 5000;
+// Failures in all, and triangles for each more: they bound the time of a part by its size. Half: mixed parts are given
+// up; twice: up to twice the time.
 constexpr std::size_t kFewFailuresInAll = 100, kTrianglesAFailure = 30;
 
 class Recogniser {

@@ -10,10 +10,14 @@ namespace hapticell::collision {
 
 namespace {
 
+/// Triangles of a node: below it the largest one's axes are tried too, as few triangles have no good covariance. Half:
+/// looser small boxes; twice: a slower build.
 constexpr std::size_t kFitByTriangleBelow = 512;
-/// The covariance is of every n-th triangle where there are more than this many.
+/// The covariance is of every n-th triangle where there are more than this many. Half: no worse on even meshes; twice:
+/// twice the time of the upper nodes.
 constexpr std::size_t kMostForCovariance = 2048;
-/// Turned axes must earn their keep: the axes of the box above are as good when they are within 2 % of them.
+/// Turned axes must earn their keep: the axes of the box above are as good when they are within 2 % of them. Half of
+/// it: more turned boxes, each dearer to test; twice: looser ones.
 constexpr float kWorthTurning = 0.98f;
 
 fvec3 cornerOf(const BuildItem& item, int i) {

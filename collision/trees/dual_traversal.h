@@ -98,7 +98,8 @@ class DualTraversal {
 
  private:
   static constexpr unsigned kAllLanes = 0xFFu;
-  /// For leaves this many times larger than the other box (in squares) the triangles are checked.
+  /// For leaves this many times larger than the other box (in squares, twice in length) the triangles are checked.
+  /// Half: checks that seldom help; twice: large triangles keep far boxes alive.
   static constexpr float kMuchLarger = 4.0f;
 
   bool isCoveredByLeaf(const TraversalBox& leaf, const TraversalSide& side, TraversalBox& box,

@@ -5,11 +5,14 @@
 
 namespace hapticell::collision {
 
-/// Children of a node, and the lanes of one box test.
+/// Children of a node, and the lanes of one box test: eight floats are a vector of AVX2, so any other number needs
+/// other kernels.
 inline constexpr int kTreeWidth = 8;
-/// Maximum number of triangles in a leaf.
+/// Maximum number of triangles in a leaf: 4 x 4 pairs are one pack of kPackSize. Half: twice the nodes and their
+/// memory; twice: four times the pairs of two leaves.
 inline constexpr int kLeafSize = 4;
-/// Triangle pairs that are measured together.
+/// Triangle pairs that are measured together: 16 floats are a vector of AVX-512, or two of AVX2. Half: half of AVX-512
+/// lies idle; twice: more pairs that a nearer one would have spared.
 inline constexpr int kPackSize = 16;
 
 /// Boxes around a node's children, one per lane, in the mesh's frame M but relative to the node's `origin`. Numbers

@@ -8,7 +8,8 @@ namespace hapticell::collision {
 
 namespace {
 
-/// Height over length of triangles whose normal is not trusted; what is neglected is as thin as this.
+/// Height over length of triangles whose normal is not trusted, the root of double's rounding (1e-16); what is
+/// neglected is as thin as this. Half: normals of rounding; twice: 20 nm on 1 m.
 constexpr double kNeedle = 1e-8;
 
 double squaredLength(const dvec3& v) {

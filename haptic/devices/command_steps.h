@@ -11,7 +11,9 @@ namespace hapticell::driver {
 /// last one sent. A zero command is sent at once.
 class CommandSteps {
  public:
-  static constexpr double kForce = 1.0, kTorque = 0.05;  ///< N and N m between two commands.
+  /// N and N m between two commands: the slew limit of the safety chain in a millisecond, which no hand takes for a
+  /// blow. Half: a skipped command lags behind the chain; twice: 2 N at once (TwoCommandsAreNeverMoreThanAStepApart).
+  static constexpr double kForce = 1.0, kTorque = 0.05;
 
   /// Returns `command`, limited to a step from the last one, and stores it as sent.
   Command next(Command command) noexcept {

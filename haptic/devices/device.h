@@ -44,8 +44,8 @@ enum class DeviceStatus : std::uint8_t { kOk, kNotOpen, kFault, kVanished };
 class DeviceCare;
 class SimulatedDevice;
 
-/// A device that exerts forces and has not measured for this long, s, gets zero force, because a force needs a current
-/// pose.
+/// s without a measurement after which a device that exerts forces gets none: 20 samples at 1000 Hz, so only a failure
+/// lasts so long. Half: a busy machine trips; twice: a force acts 40 ms on an old pose.
 inline constexpr double kFreshFor = 0.020;
 
 /// A force-feedback stylus (or a pointing device without force). Used by one thread at a time: the force loop's.

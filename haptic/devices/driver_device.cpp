@@ -26,12 +26,21 @@ namespace {
 
 constexpr double kTick = 0.001;  // s between two calls of read().
 constexpr std::int64_t kTickNs = 1'000'000;
-constexpr int kWorkerPriority = 70;         // SCHED_FIFO where granted: below the force loop's.
-constexpr std::int64_t kWait = 5'000'000;   // ns that the thread waits for a command before it reads anyway.
-constexpr double kMouseSpeed = 0.12;        // m/s at full deflection of a 3-D mouse,
-constexpr double kMouseTurn = 1.2;          // and rad/s.
-constexpr double kMouseReach = 0.08;        // m from the middle.
-constexpr double kPlainStiffness = 1000.0;  // N/m for the proxy of a device without force.
+/// SCHED_FIFO where granted: between the force loop's 80 and the network's 40. Any number between does the same.
+constexpr int kWorkerPriority = 70;
+/// ns that the thread waits for a command before it reads anyway: a fifth of kSilentLoop. Half: more reads while the
+/// loop stalls; twice: silence of the loop is seen up to 10 ms late.
+constexpr std::int64_t kWait = 5'000'000;
+/// m/s at full deflection of a 3D mouse, and rad/s: the workspace of 16 cm is crossed in 1.3 s, half a turn takes 2.6
+/// s. Our choice. Half: slow over the way; twice: hard to stop at a place.
+constexpr double kMouseSpeed = 0.12;
+constexpr double kMouseTurn = 1.2;
+/// m from the middle: the width of a Phantom Desktop, so that cells are the same size for both. Half: more clutching;
+/// twice: a part of the way lies outside of the usual view.
+constexpr double kMouseReach = 0.08;
+/// N/m for the proxy of a device without force: the one that docs/dev/feel.md is about. It exerts none, so half and
+/// twice change only the force that is shown.
+constexpr double kPlainStiffness = 1000.0;
 
 dvec3 toVector(const double (&from)[3]) {
   return {from[0], from[1], from[2]};

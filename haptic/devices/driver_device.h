@@ -30,9 +30,11 @@ struct DriverDeviceOptions {
 /// mouse also works as a stylus: its motion moves the tip through a workspace of 16 x 16 x 16 cm, without force.
 class DriverDevice final : public Device {
  public:
-  /// Ticks without an answer until the device counts as faulty.
+  /// Ticks without an answer until the device counts as faulty: 20 ms as kFreshFor. Half: a busy machine trips; twice:
+  /// an old force acts 40 ms.
   static constexpr int kPatience = 20;
-  /// s without a command: the force loop has stalled.
+  /// s without a command: the force loop has stalled. Just over its own 20 ms (StallWatch), so that the loop acts
+  /// first. Half: it would not; twice: an old force acts 50 ms.
   static constexpr double kSilentLoop = 0.025;
 
   DriverDevice(driver::Driver& driver, std::string id, DriverDeviceOptions options = {});

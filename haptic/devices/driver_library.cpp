@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kMostDevices = 32;  // Of one driver.
+// Devices of one driver that are listed: more than a computer has ports. Half still lists all; twice only costs memory.
+constexpr std::uint32_t kMostDevices = 32;
 
 tl::unexpected<Error> notADriver(const fs::path& file, Text found, Text fix) {
   return makeError(

@@ -9,8 +9,14 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kLongestWait = 1.0;  // s before a path that is meant so.
+/// s before a path begins that is meant so: more and it is a clock's time. Half: a path that waits 0.6 s loses its
+/// wait; twice: a recording cut out at 1.5 s waits that long.
+constexpr double kLongestWait = 1.0;
+/// Rows: nobody writes so many by hand at whole seconds. Half: a hand-made path may be taken for milliseconds; twice:
+/// short recordings in milliseconds are played a thousand times too slowly.
 constexpr std::size_t kRowsOfARecording = 100;
+/// s between two rows that no recording has; the least step of a clock in whole milliseconds. Half changes nothing, as
+/// times are whole; twice: recordings at 1000 Hz are not recognised.
 constexpr double kSecondsStep = 1.0;
 constexpr double kMillimetre = 1e-3;
 

@@ -19,7 +19,8 @@ namespace hapticell::haptic {
 ///    Errors use `name` as the file. `samples` are in the order of time, at least one.
 Expected<std::vector<Text>> recogniseHandUnits(std::vector<HandSample>& samples, const std::string& name);
 
-/// m from the middle of the workspace along one axis: more than any stylus reaches.
+/// m from the middle of the workspace along one axis: more than any stylus reaches. Half: paths of large devices are
+/// refused or scaled; twice: a path of 0.6 to 1.2 mm in millimetres is taken for metres.
 constexpr double kFarthestStylus = 0.6;
 
 }  // namespace hapticell::haptic

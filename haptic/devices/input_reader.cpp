@@ -17,8 +17,12 @@ namespace hapticell::haptic {
 
 namespace {
 
+// Between two turns of a glove or 3D mouse, which give at most some hundred samples a second. Half: twice the wake-ups;
+// twice: a sample is up to 4 ms late.
 constexpr std::chrono::milliseconds kTurn(2);
-constexpr std::uint32_t kReopenTurns = 500;  // A second.
+// Turns of 2 ms, a second: between two tries to open a device that was unplugged. Half: twice the tries; twice: it is
+// back after 2 s.
+constexpr std::uint32_t kReopenTurns = 500;
 
 }  // namespace
 

@@ -10,7 +10,9 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kMiddle = 0.85;  // Part of each link from the shoulder to the middle of the workspace.
+// Part of each link from the shoulder to the middle of the workspace: 60 % of the whole reach, so that the far corners
+// are within it. Our choice. Half: the near side meets the shoulder; twice: out of reach.
+constexpr double kMiddle = 0.85;
 
 dvec3 fromArm(const dvec3& v_A) {
   return {v_A.y, -v_A.x, v_A.z};

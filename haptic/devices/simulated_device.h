@@ -59,6 +59,8 @@ class SimulatedDevice final : public Device {
   void integrateRotation(double h, const HandIntent& intent) noexcept;
   dvec3 stopForce() const noexcept;
 
+  // Ticks of delay that a profile may have, and one (its range is 0 to 15). Half: profiles of 8 ms and more would be
+  // cut.
   static constexpr std::size_t kMaxDelay = 16;
 
   config::DeviceProfile profile_;

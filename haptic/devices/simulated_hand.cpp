@@ -5,7 +5,9 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kMaxTurn = 20.0;  // rad/s the intended orientation turns at most.
+// rad/s that the intended orientation turns at most: three turns a second, as no wrist does. Half: still free; twice: a
+// mouse that jumps throws the stylus round.
+constexpr double kMaxTurn = 20.0;
 
 }  // namespace
 

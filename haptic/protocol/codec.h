@@ -15,10 +15,12 @@ namespace hapticell::haptic {
 /// Bytes of the length that precedes each FlatBuffer.
 inline constexpr std::size_t kFrameHeaderBytes = 4;
 
-/// Largest FlatBuffer that is accepted; a full constraint set takes about 24 kB.
+/// Largest FlatBuffer that is accepted, bytes; a full constraint set takes about 24 kB. Half: a larger set of a later
+/// version is refused; twice: a hostile client makes the server hold twice as much.
 inline constexpr std::size_t kMaxFrameBytes = 64 * 1024;
 
-/// Longest text that is sent or accepted (names, sentences); a longer one is cut before it is sent.
+/// Longest text that is sent or accepted, bytes (names, sentences); a longer one is cut before it is sent. Half:
+/// sentences with long paths are cut; twice: more to hold of a hostile peer.
 inline constexpr std::size_t kMaxTextBytes = 1024;
 
 /// Most steps of a calibration that are sent or accepted.

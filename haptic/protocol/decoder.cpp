@@ -11,7 +11,8 @@ namespace hapticell::haptic {
 
 namespace {
 
-// A frame nests Envelope, body, constraint: more is somebody else's format.
+/// A frame nests Envelope, body, constraint: more is another format. Tables: a full set has 64 and some. Half of the
+/// first: too few for a later version; twice: hostile frames cost more to check.
 constexpr flatbuffers::uoffset_t kMaxDepth = 8;
 constexpr flatbuffers::uoffset_t kMaxTables = 256;
 

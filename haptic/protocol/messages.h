@@ -21,22 +21,21 @@ struct HapticState {
   std::uint64_t tick = 0;            ///< Number of due ticks, including skipped ones.
   std::int64_t server_stamp_ns = 0;  ///< Server's steady clock at the tick.
   Pose X_DS;                         ///< Measured stylus.
-  Pose X_DP;                  ///< The proxy: the pose of the stylus if it obeyed every constraint; the wanted pose.
-  dvec3 v_DS{0.0};            ///< Filtered velocity, m/s.
-  dvec3 force_D{0.0};         ///< Commanded force on the hand, N.
-  dvec3 torque_D{0.0};        ///< Commanded torque on the hand, N m; zero if the device does not drive rotation.
-  std::uint32_t buttons = 0;  ///< Bit i set while button i is pressed.
-  std::uint64_t adopted_set = 0;   ///< Sequence of the rendered set; 0 before the first.
-  bool forces_on = false;          ///< The engage gate is open.
-  double force_ramp = 0.0;         ///< 0 .. 1 while it opens.
+  Pose X_DP;                      ///< The proxy: the pose of the stylus if it obeyed every constraint; the wanted pose.
+  dvec3 v_DS{0.0};                ///< Filtered velocity, m/s.
+  dvec3 force_D{0.0};             ///< Commanded force on the hand, N.
+  dvec3 torque_D{0.0};            ///< Commanded torque on the hand, N m; zero if the device does not drive rotation.
+  std::uint32_t buttons = 0;      ///< Bit i set while button i is pressed.
+  std::uint64_t adopted_set = 0;  ///< Sequence of the rendered set; 0 before the first.
+  bool forces_on = false;         ///< The engage gate is open.
+  double force_ramp = 0.0;        ///< 0 .. 1 while it opens.
   double motor_temperature = 0.0;  ///< 0 cold .. 1 at the limit.
   bool device_fault = false;       ///< The device cannot be read or commanded; the force is zero.
-  bool client_stalled =
-      false;  ///< The controlling client has sent no usable set for 2 s: the force fades.
+  bool client_stalled = false;     ///< The controlling client has sent no usable set for 2 s: the force fades.
 };
 
-/// A set that is older than this at its adoption counts as late, seconds: the period of the slowest supported client
-/// (10 Hz).
+/// A set that is older than this at its adoption counts as late, s: the period of the slowest supported client (10 Hz).
+/// It is only counted. Half: each set of such a client is late; twice: a missing one is not seen.
 inline constexpr double kLateSetAge = 0.1;
 
 /// The server's figures, about ten times a second.
@@ -137,8 +136,8 @@ struct Calibrate {
 using Message = std::variant<std::monostate, Hello, Welcome, Refusal, ConstraintSet, HapticState, ServerStatistics,
                              HapticControl, HandTarget, Heartbeat, DeviceCondition, Calibrate>;
 
-/// Seconds between a client's heart-beats, and between those of a controller while forces are on. With the latter the
-/// server notices within 50 ms that the controller has died.
+/// s between a client's heart-beats, and between those of a controller while forces are on, by which its death is
+/// noticed within 50 ms. Half: twice the messages; twice: 2 x 20 ms of silence and the decay are more than 50 ms.
 inline constexpr double kHeartbeatPeriod = 0.1, kQuickHeartbeatPeriod = 0.01;
 
 /// True if every number is finite and every value within its range and bound. The decoder requires this of a message.

@@ -10,10 +10,12 @@
 
 namespace hapticell::haptic {
 
-/// Largest number of constraints in one set; a set that would need more shrinks its zone (see zone_radius).
+/// Largest number of constraints in one set: a tick with so many must take 50 us at most (M11 of `hapticell-cli feel`);
+/// a set of more shrinks its zone. Half: smaller zones among many parts; twice: ticks of twice the time.
 inline constexpr std::size_t kMaxConstraints = 64;
 
-/// Least radius, in device space, in which a set should be complete: how far a hand moves before the next set arrives.
+/// Least radius (m), in device space, in which a set should be complete: a hand at 0.6 m/s until the next of 10 sets a
+/// second. Half: fast hands meet the edge at 10 Hz; twice: more to find for each set.
 inline constexpr double kWantedZoneRadius = 0.060;
 
 /// Upper bounds of the numbers in a set and on the wire. They are far above the values of any workcell or hand, and
@@ -82,6 +84,7 @@ struct ConstraintSet {
 };
 
 /// Lever that weights rotation against translation in the proxy's metric, metres (0.05 was good in all feel trials).
+/// Half: a quarter of the torque at each angle; twice: four times (docs/dev/feel.md, Torque).
 inline constexpr double kRotationLever = 0.05;
 
 /// f(xi), without the trim.

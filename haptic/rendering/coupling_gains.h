@@ -6,7 +6,9 @@
 
 namespace hapticell::haptic {
 
-/// Largest damping, N s/m, that an entry or a client can request.
+/// Largest damping, N s/m, that an entry or a client can request: twice what a coupling has itself at 2 ms of delay
+/// (docs/dev/feel.md, "Delay and stiffness"). Half: none adds any there; twice: a step of the encoders is felt
+/// twice as much.
 inline constexpr double kDampingLimit = 8.0;
 
 /// Stiffness and damping of the coupling in the current tick. In contact both change slowly.

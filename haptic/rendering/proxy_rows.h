@@ -26,8 +26,8 @@ struct GroupedSet {
   Vector6 seenFrom(std::size_t entry, const Vector6& xi) const;
 };
 
-/// The share of a set's zone in which the proxy is kept and new sets are adopted. The margin to the edge lets the proxy
-/// move along the edge without leaving the zone.
+/// The share of a set's zone in which the proxy is kept and new sets are adopted: half a percent lets the proxy move
+/// along the edge. A margin of half leaves less for rounding and Newton's step, of twice takes 1 % of each zone.
 inline constexpr double kTrustedShare = 0.995;
 
 /// The half-spaces of one set around one proxy pose: one row per group, from the group's freest entry, and last the

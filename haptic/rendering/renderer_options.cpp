@@ -11,7 +11,9 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kStablePerMillisecond = 0.65 * 2300.0;  // N/m at 1 ms of delay.
+// N/m at 1 ms of delay: 0.65 of 2.3 N/mm (docs/dev/feel.md, Delay and stiffness); M10 finds 2.2 N/mm for a stylus let
+// go. Half: contacts half as stiff; twice: above that, so it swings.
+constexpr double kStablePerMillisecond = 0.65 * 2300.0;
 
 }  // namespace
 

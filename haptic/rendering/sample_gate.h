@@ -17,8 +17,12 @@ namespace hapticell::haptic {
 /// metric: a rotation counts with kRotationLever. Force loop's thread; never allocates, locks or throws.
 class SampleGate {
  public:
-  static constexpr double kLeap = 0.15e-3;  ///< m from rest in a millisecond: 300 m/s2, six times what motors can do.
-  static constexpr double kJump = 2e-3;     ///< m in a millisecond: 2 m/s within one tick.
+  /// m from rest in a millisecond: 300 m/s2, six times what motors can do. Half: a struck stylus is refused for a tick;
+  /// twice: a wrong sample of 0.3 mm is answered with 0.3 N at 1 N/mm.
+  static constexpr double kLeap = 0.15e-3;
+  /// m in a millisecond: 2 m/s within one tick, which no hand can do. Half: a hard blow on the stylus counts as a jump
+  /// and trips; twice: slipped encoders of up to 4 mm are believed after one tick.
+  static constexpr double kJump = 2e-3;
 
   enum class Verdict : std::uint8_t { kFollows, kRefused };
 

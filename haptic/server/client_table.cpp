@@ -15,12 +15,22 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kFarewellTime = 1.0;          // For a refused client to read why.
-constexpr std::ptrdiff_t kMostFarewells = 32;  // Refused clients that may still read why.
-constexpr std::size_t kWayBack = 4;  // Waiting connections of the controller's machine that make room for no other.
-constexpr std::size_t kLongestName = 80;  // Bytes of what a client calls itself.
-constexpr double kStillPeriod = 0.05;     // s between two states of a stylus that lies still.
-// A stylus that lies still trembles by its encoders' steps: so many of the device's own, and rad.
+// s for a refused client to read why: many round trips of any network. Half: a slow one may not learn it; twice: it
+// keeps its place twice as long.
+constexpr double kFarewellTime = 1.0;
+// Refused clients that may still read why, a quarter of max_waiting. Half: in a crowd more are cut off without a
+// reason; twice: more sockets for clients that were refused.
+constexpr std::ptrdiff_t kMostFarewells = 32;
+// Waiting connections of the controller's machine that make room for no other, so that it can come back. Half: a
+// third try of its own can be closed; twice: others lose four places more.
+constexpr std::size_t kWayBack = 4;
+// Bytes of what a client calls itself: a line of a log. Half: some names are cut; twice: a long line.
+constexpr std::size_t kLongestName = 80;
+// s between two states of a stylus that lies still: 20 Hz, as in docs/library/protocol.md. Half: an idle desk
+// works twice as much; twice: near the 0.1 s after which a heart-beat is due.
+constexpr double kStillPeriod = 0.05;
+// A stylus that lies still trembles by its encoders' steps: so many of the device's own (one to each side, and half),
+// and rad. Half: one step is motion, so nothing rests; twice: slow motion comes in steps of 3 counts.
 constexpr double kStillSteps = 1.5, kStillTurn = 1e-3;
 
 double seconds(std::int64_t nanoseconds) {
@@ -94,8 +104,8 @@ bool ClientTable::add(std::unique_ptr<ByteStream> connection) {
           .message = [this, &client](const Message& message) { hear(client, message); },
           .garbage = [this, &client](const Error& error) { refuse(client, "Not understood: " + error.message()); },
           .stranger =
-              [this, &client](HandshakeFailure, const Text& why) {
-                report(ReportBudget::Kind::kRefused, "Refused " + client.name + ": " + english(why) + ".");
+              [this, &client](HandshakeFailure, const std::string& why) {
+                report(ReportBudget::Kind::kRefused, "Refused " + client.name + ": " + why + ".");
                 drop(client, {});
               },
           .opened = [this, &client] { opened(client); },

@@ -38,7 +38,8 @@ class DurationHistogram {
   void clear() noexcept { *this = {}; }
 
  private:
-  static constexpr std::size_t kSteps = 16;      // Buckets in a doubling.
+  // Buckets in a doubling: each at most 6 % wide. Half: percentiles are 12 % coarse; twice: 3 %, and twice the memory.
+  static constexpr std::size_t kSteps = 16;
   static constexpr std::size_t kDoublings = 22;  // 16 us * 2^22 = 67 s.
   static constexpr std::size_t kBuckets = kSteps * (kDoublings + 1);
 

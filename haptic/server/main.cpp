@@ -29,7 +29,8 @@
 namespace hapticell::haptic {
 namespace {
 
-constexpr std::size_t kLongestLine = 2000;  // Bytes of a line of the log.
+/// Bytes of a line of the log: a page of a sentence. Half: some paths are cut; twice: a driver can write twice as much.
+constexpr std::size_t kLongestLine = 2000;
 
 /// The key that this start is protected with; empty: none.
 std::filesystem::path keyFile(const ServerOptions& asked) {
@@ -69,7 +70,9 @@ Expected<NetworkOptions> networkOptions(const ServerOptions& asked, const config
   return options;
 }
 
-constexpr double kFaultPeriod = 0.25;  // s between two looks for a fault to be written.
+/// s between two looks for a fault to be written: it ends 0.2 s after the fault. Half: twice as many wake-ups; twice:
+/// the file comes later.
+constexpr double kFaultPeriod = 0.25;
 
 void writeFaults(ForceLoop& loop, FaultFiles& files) {
   if (!loop.faults().pending()) return;

@@ -23,12 +23,16 @@ using asio::ip::tcp;
 
 namespace {
 
-constexpr std::chrono::milliseconds kIdlePeriod(10);  // Between looks at the loop while nobody is connected.
+// Between looks at the loop while nobody is connected, and between looks for silent clients: a quick heart's beat,
+// within the 50 ms of a lost client. Half: twice the wake-ups; twice: a dead client is noticed up to 10 ms later.
+constexpr std::chrono::milliseconds kIdlePeriod(10);
 constexpr std::chrono::milliseconds kSweepPeriod(10);
 // Between two connections that are taken while others must make room: each has then max_waiting_of_address times this
 // for its handshake, however many knock.
 constexpr std::chrono::milliseconds kCrowdPeriod(1);
-constexpr int kBacklog = 256;  // Taken within a quarter of a second then, before a client gives up.
+// Connections that the kernel keeps: at kCrowdPeriod they are taken within a quarter of a second, before a client gives
+// up. Half: a crowd is refused sooner; twice: the last waits half a second.
+constexpr int kBacklog = 256;
 
 std::string endpointText(const NetworkOptions& options) {
   return options.address + ":" + std::to_string(options.port);

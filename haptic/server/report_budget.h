@@ -18,10 +18,18 @@ class ReportBudget {
   enum class Kind : std::uint8_t { kRefused, kWatcher, kController };
   static constexpr std::size_t kKinds = 3;
 
-  static constexpr std::size_t kLinesAtOnce = 10;       ///< Lines per kind after a quiet time.
-  static constexpr double kLinePeriod = 5.0;            ///< s until another line is allowed.
-  static constexpr double kSummaryPeriod = 10.0;        ///< s between two summaries.
-  static constexpr std::size_t kLongestSentence = 400;  ///< Bytes; plainText().
+  /// Lines per kind after a quiet time: a few clients that come and go are reported one by one. Half: they are summed
+  /// up sooner; twice: a flood writes twice as much at first.
+  static constexpr std::size_t kLinesAtOnce = 10;
+  /// s until another line is allowed: at most 17,280 lines a day and kind. Half: twice as many; twice: half, and single
+  /// events are reported late.
+  static constexpr double kLinePeriod = 5.0;
+  /// s between two summaries of what got no line: at most 8640 a day. Half: twice as many; twice: a flood is reported
+  /// 20 s late.
+  static constexpr double kSummaryPeriod = 10.0;
+  /// Bytes; plainText(). Some lines of a log. Half: sentences with a long path are cut; twice: a client can write twice
+  /// as much.
+  static constexpr std::size_t kLongestSentence = 400;
 
   /// `say` gets each line; may be null.
   explicit ReportBudget(std::function<void(const std::string&)> say) : say_(std::move(say)) {}

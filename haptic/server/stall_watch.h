@@ -13,6 +13,8 @@ namespace hapticell::haptic {
 /// Force thread; never allocates, locks or throws.
 class StallWatch {
  public:
+  /// Ticks: 20 ms as kFreshFor, and as libfranka stops a robot (Reliability). Half: a busy desktop trips more often;
+  /// twice: an old force acts 40 ms.
   static constexpr std::uint32_t kStall = 20;
 
   /// `device` must outlive this.

@@ -9,10 +9,18 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kBeyondWorkspace = 0.5;   // m that a stylus may be outside of what its device states.
-constexpr double kUnknownWorkspace = 2.0;  // m, of one that states nothing.
-constexpr double kShortDoubt = 0.0025;     // s of refused samples while nothing pushes.
-constexpr double kDoubtFades = 0.25;       // Of a refused sample for each that is believed.
+/// m that a stylus may be outside of what its device states: makers state what is usable, arms reach farther. Half: a
+/// long arm could trip; twice: an absurd pose of 1 m counts as real.
+constexpr double kBeyondWorkspace = 0.5;
+/// m, of a device that states nothing: three times what a stylus reaches (kFarthestStylus). Half: still beyond any;
+/// twice: more absurd poses count as real.
+constexpr double kUnknownWorkspace = 2.0;
+/// s of refused samples while nothing pushes: two ticks and a half, so the third counts. Half: a pose that was wrong
+/// for two ticks counts; twice: a new calibration is seen 2.5 ms later.
+constexpr double kShortDoubt = 0.0025;
+/// Of a refused sample for each that is believed. So a device with more than one wrong sample in five trips in the end.
+/// Half: one in nine; twice: one in three.
+constexpr double kDoubtFades = 0.25;
 
 double reachOf(const DeviceCapabilities& c) {
   const double half = 0.5 * glm::length(c.workspace_max - c.workspace_min);

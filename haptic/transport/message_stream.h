@@ -56,7 +56,8 @@ class MessageStream : public std::enable_shared_from_this<MessageStream> {
 
  private:
   static constexpr std::size_t kSlots = 4;
-  /// If more than this is unsent in the queue, the peer does not read and is disconnected.
+  /// Bytes unsent before the peer, who does not read, is disconnected: two of the largest frames (kMaxFrameBytes), five
+  /// full sets. Half: one full frame behind another ends the link; twice: a hung peer is noticed later.
   static constexpr std::size_t kMaxQueuedBytes = 128 * 1024;
 
   void read();

@@ -12,7 +12,9 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kJointTouching = 1e-6;  ///< m
+// m: pairs that meet where the motion begins do not stop it, kLeastClearance of the check. Half: rounding decides;
+// twice: a pair 2 um apart may be entered from there.
+constexpr double kJointTouching = 1e-6;
 
 Error jointRefusal(Text place, Text found, Text expected) {
   return {.place = std::move(place), .found = std::move(found), .expected = std::move(expected)};
@@ -35,6 +37,8 @@ Expected<const workcell::Entity*> robotOf(const PreparedScene& scene, workcell::
 }
 
 Expected<void> checkLimits(const workcell::Entity& entity, const std::vector<double>& joints) {
+  /// rad or m beyond a limit that typed numbers may be by rounding (nine digits). Half and twice are far below what a
+  /// joint can do.
   constexpr double kSlack = 1e-9;
   const kinematics::RobotModel& model = *entity.robot;
   for (std::size_t i = 0; i < joints.size(); ++i) {

@@ -16,9 +16,15 @@ namespace {
 
 using trajectory::Trajectory;
 
-constexpr std::array<double, 5> kShares{0.5, 0.75, 0.9, 1.0, 1.0};  ///< By round.
-constexpr std::array<double, 5> kReach{0.05, 0.05, 0.1, 0.1, 0.3};  ///< s beyond the collision that are drawn fully.
-constexpr double kEdge = 0.2;                                       ///< s from there to nothing.
+/// Share of the recorded motion that is taken back near a collision, by round: most keep half of their smoothing. Our
+/// choice, as the next two. Fewer rounds: back at the recording sooner; more: each costs a check.
+constexpr std::array<double, 5> kShares{0.5, 0.75, 0.9, 1.0, 1.0};
+/// s beyond the collision that are drawn fully, by round. Half: more rounds; twice: more of the motion loses its
+/// smoothing.
+constexpr std::array<double, 5> kReach{0.05, 0.05, 0.1, 0.1, 0.3};
+/// s from there to nothing, by a cosine: a change of 1 mm adds 0.12 m/s2 (pi^2 / 2 / 0.2^2). Half: four times; twice: a
+/// quarter, over twice the time.
+constexpr double kEdge = 0.2;
 
 /// 1 within `reach` of the interval, falling softly to 0 at `kEdge` beyond.
 double weight(double t, const PathFinding& finding, double reach) {
@@ -121,6 +127,8 @@ bool posesFollowJoints(const Trajectory& motion, const trajectory_checks::PosesB
   if (!motion.has_poses || !motion.hasJoints() || !poses_by_joints) return false;
   const auto placed = poses_by_joints(motion);
   if (!placed) return false;
+  /// m, rad: poses that follow from the joints, as kSamePose of motion_replay.cpp. Far below any tolerance, above
+  /// rounding; half and twice as well.
   constexpr double kSame = 1e-6;
   for (std::size_t k = 0; k < motion.size(); ++k) {
     const auto off = trajectory::distanceBetween(motion[k].X_WT, (*placed)[k].X_WT);
@@ -131,7 +139,9 @@ bool posesFollowJoints(const Trajectory& motion, const trajectory_checks::PosesB
 
 Expected<trajectory::Retimed> retimedByJoints(const Trajectory& given, trajectory::RetimingOptions options,
                                               const trajectory_checks::PosesByJoints& poses_by_joints) {
-  constexpr int kTries = 4;  // To 1/40 of the tolerance: a tool at the end of 10 m.
+  // To 1/40 of the tolerance: a tool at the end of 10 m. Half: long tools may miss their tolerance; twice: only tools
+  // of over 100 m need it.
+  constexpr int kTries = 4;
   const trajectory::PathTolerance asked = options.tolerance;
   const bool follow = posesFollowJoints(given, poses_by_joints);
   for (int round = 0;; ++round, options.tolerance.joint *= 0.4, options.sample_s *= 0.5) {

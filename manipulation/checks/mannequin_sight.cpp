@@ -30,6 +30,8 @@ double meets(const Placed& placed, const dvec3& p_WFrom, const dvec3& way_W) {
 
 /// How near anything comes to the line of sight, looked at every thirtieth of its length and up to 0.3 m.
 double clearanceOf(const std::vector<Placed>& others, const dvec3& p_WFrom, const dvec3& way_W) {
+  // Places along the line of sight: 3 cm apart at 1 m. Half: the clearance may be 15 mm too large at small parts;
+  // twice: twice the time. What crosses the line is found by a ray in any case.
   constexpr int kPlaces = 30;
   double least = 0.3;
   for (const Placed& placed : others) {

@@ -21,6 +21,8 @@ using mannequin::Posture;
 using workcell::Entity;
 using workcell::EntityId;
 
+/// Placements of one search, each with up to four bodies: it bounds the time. Half: some grids must be coarser; twice:
+/// up to twice as long without an answer.
 constexpr std::size_t kMostCells = 10000;
 constexpr EntityId kBodyId = EntityId{1} << 60;  ///< Ids of the bodies that are tried: beyond any document's.
 

@@ -89,7 +89,8 @@ bool isByTool(const Entity& entity, const Trajectory& trajectory) {
   return robot && trajectory.hasJoints() && (trajectory.moved.empty() || trajectory.moved == "tcp");
 }
 
-constexpr double kSamePose = 1e-6;  ///< m, rad
+/// m, rad between a frame's pose and its joints': far below any tolerance, above rounding. Half and twice as well.
+constexpr double kSamePose = 1e-6;
 
 /// Each frame with its configuration changed by `change`; marked where its joints do not bring the tool to its pose.
 template <class Change>

@@ -21,8 +21,14 @@ using trajectory::Trajectory;
 using workcell::Entity;
 using workcell::EntityKind;
 
-constexpr double kLever = 0.25;  ///< m, for the distance to singular positions.
+/// m that a radian counts like, for the distance to singular positions: lever_m of the inverse models. Half: rotations
+/// count half as much; twice: twice, so wrists are reported sooner.
+constexpr double kLever = 0.25;
+/// rad or m beyond a limit that are rounding of a file. Half: a file of six digits may have findings; twice: 2 um or 2
+/// urad are let pass.
 constexpr double kJointTolerance = 1e-6;
+/// Frames between two reports of progress: some tenths of a second. Half: more calls; twice: cancelling takes up to
+/// twice as long.
 constexpr std::size_t kFramesBetweenTold = 20;
 
 /// Everything that could meet, as the held entity knows it: its own parts, what hangs on it, and what stands. A motion

@@ -13,7 +13,9 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kLeastGuidedZone = 0.8e-3;  ///< m of hand: what a set is good for at least.
+/// m of hand that a set is good for at least, as kLeastZone of set_scheduler.cpp. Half: a fast hand meets the edge;
+/// twice: more of a guide's turn is reported to first order only.
+constexpr double kLeastGuidedZone = 0.8e-3;
 
 /// Bound of what a turn of this rate (rad/m) makes of a metre.
 double largestRate(const dmat3& rate) {

@@ -8,8 +8,12 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kOpened = 0.2;    ///< rad that lets go.
-constexpr double kClosing = 0.15;  ///< rad: a flat hand that rests on something does not take it.
+/// rad that the fingers (their mean) or the thumb must open to let go: 11 deg, over the noise of a glove. Our choice.
+/// Half: lets go by itself; twice: the hand must open wide.
+constexpr double kOpened = 0.2;
+/// rad: a flat hand that rests on something does not take it. Our choice. Half: a hand laid on a part takes it; twice:
+/// thin parts are not taken.
+constexpr double kClosing = 0.15;
 constexpr unsigned kThumbOrPalm = (1u << 0) | (1u << 5), kFingers = 0b11110u;
 constexpr std::array<const char*, 5> kNames{"thumb", "index", "middle", "ring", "pinky"};
 

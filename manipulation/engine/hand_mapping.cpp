@@ -10,9 +10,15 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kEdgeBegins = 0.85;      ///< Of the workspace's half width.
-constexpr double kLongestDrift = 0.1;     ///< s that one step of the drift can stand for.
-constexpr double kUsualWorkspace = 0.16;  ///< m: width of a device that has not told its own.
+/// Of the workspace's half width, where drifting begins: the last 12 mm of 160. Half: it drifts in the middle; nearer
+/// to 1: from rest to full speed within a millimetre or two.
+constexpr double kEdgeBegins = 0.85;
+/// s that one step of the drift can stand for: what stood still does not leap (kLongestScriptStep). Half: at 10 Hz it
+/// is slower than asked for; twice: leaps of twice the length.
+constexpr double kLongestDrift = 0.1;
+/// m: width of a device that has not reported its own, the Phantom Desktop's. Half and twice: the scale of the screen
+/// is twice or half.
+constexpr double kUsualWorkspace = 0.16;
 
 }  // namespace
 

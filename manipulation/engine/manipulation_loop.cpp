@@ -21,12 +21,21 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Hz: the slowest and the fastest rate that sets are felt well at (docs/dev/feel.md: 10, 60, 1000). Half of the first:
+/// zones must be twice as wide; twice the second: faster than the force loop.
 constexpr double kLeastRate = 10.0;
 constexpr double kMostRate = 1000.0;
-constexpr std::size_t kTimesKept = 500;  ///< Steps that the shown figures are about.
+/// Steps that the shown figures are about: half a second at 1000 Hz, with a p99 of five. Half: p99 is nearly the
+/// maximum; twice: figures lag.
+constexpr std::size_t kTimesKept = 500;
+/// Between two states for the window: no display shows more than 125 a second; a new contact at once, but not oftener
+/// than each 2 ms; ten at rest. Half: twice the copies; twice: pictures 16 ms late.
 constexpr std::chrono::milliseconds kPictureEvery{8}, kContactEvery{2}, kPictureAtRest{100};
+/// Until the loop rests with the stylus, and its period then: 25 Hz, what idles at 0.2 % of a core (Performance). Half:
+/// rests in short pauses of work; twice: idles later, or answers 80 ms late.
 constexpr std::chrono::milliseconds kRestsAfter{500}, kPeriodAtRest{40};
-/// m, rad: a stylus that lies still trembles by its encoders' steps.
+/// m, rad: a stylus that lies still trembles by its encoders' steps (0.02 mm, 0.5 mrad). Half: coarse devices (0.06 mm)
+/// never rest; twice: slow motion begins with a step of 0.2 mm.
 constexpr double kStill = 1e-4, kStillTurn = 1e-3;
 
 std::int64_t nanoseconds(Clock::time_point t) {

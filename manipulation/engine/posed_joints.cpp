@@ -11,9 +11,14 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr std::int64_t kPosePeriod = 8'000'000;  ///< ns between two attempts: gloves tell a hundred poses a second.
-constexpr double kTouches = 2e-4;                ///< m: nearer than this a posed part touches.
-constexpr double kPosedShown = 0.05;             ///< m: pairs of a posed hand are told from here on.
+/// ns between two attempts: gloves give a hundred poses a second. Half: attempts without news; twice: every second pose
+/// is left out.
+constexpr std::int64_t kPosePeriod = 8'000'000;
+/// m: nearer than this a posed part touches, as kContactOut. Half: light contacts are not shown; twice: shown early.
+constexpr double kTouches = 2e-4;
+/// m: pairs of a posed hand are shown from here on, as kShownAtLeast. Half: fewer near misses are looked for; twice:
+/// more queries.
+constexpr double kPosedShown = 0.05;
 
 /// Each finger by itself: one that touches does not hold up the others. Where the hand stands then.
 EntityConfiguration bringFingers(HeldEntity& hand, const command::PoseJoints& wanted) {

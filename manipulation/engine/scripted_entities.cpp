@@ -8,7 +8,9 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kLongestScriptStep = 0.1;  // s: what stood still (a stalled machine) does not leap.
+/// s: what stood still (a stalled machine) does not leap; the slowest loop's period (10 Hz). Half: at 10 Hz conveyors
+/// lag; twice: leaps of twice the length.
+constexpr double kLongestScriptStep = 0.1;
 
 /// The share of its way that an entity can go; what the grips hold has given way then.
 double shareGone(workcell::EntityId entity, const dvec3& way, std::span<StylusGrip* const> grips) {

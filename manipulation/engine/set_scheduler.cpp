@@ -8,24 +8,56 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kFreeZone = 10.0;                              ///< m: nothing held, nothing to be met.
-constexpr double kLeastTurnAhead = 0.06, kMostTurnAhead = 0.4;  ///< rad that a set is good for.
-constexpr double kMostGuidedTurn = 0.6;                         ///< rad, where a guide turns the entity.
-constexpr double kRefreshMoved = 1e-3;                          ///< m in hand space: worth a new set ...
-constexpr double kRefreshAge = 25e-3;                           ///< ... after so many seconds,
-constexpr double kOldestSet = 100e-3;                           ///< and in any case after so many.
-constexpr double kRested = 2e-5;                                ///< m: has not moved,
-constexpr double kOldestAtRest = 400e-3;                        ///< ... then the set may be older.
-constexpr double kZoneShare = 0.3;                              ///< At once when so much of the zone is used up.
-constexpr double kHeldShare = 0.6;                              ///< Of the zone: until then an old set does.
-constexpr double kSpeedKept = 0.5;                              ///< s that a fast hand is expected to be fast again.
-constexpr double kSpeedReserve = 1.3;                           ///< It may get faster meanwhile.
-constexpr double kWidestZone = 0.5;                             ///< m of hand.
+/// m: nothing held, nothing to be met; wider than any workspace. Half and twice as well.
+constexpr double kFreeZone = 10.0;
+/// rad that a set is good for: a slow wrist (0.6 rad/s) for 0.1 s, and 23 deg at most, as rows are of second order.
+/// Half: the turn's bound is felt; twice: more entries, smaller zones.
+constexpr double kLeastTurnAhead = 0.06, kMostTurnAhead = 0.4;
+/// rad, where a guide turns the entity, as its turn follows from its place. Half: narrow zones near hinges; twice:
+/// beyond what second order tells (proxy_rows.cpp: 0.1 % off at 0.5 rad).
+constexpr double kMostGuidedTurn = 0.6;
+/// m in hand space: worth a new set, a sixtieth of the wanted zone. Half: twice the sets of a slow hand; twice: sets
+/// that are good for less when they are needed.
+constexpr double kRefreshMoved = 1e-3;
+/// s after which such a motion makes a set: 40 a second. Half: twice the searches while moving; twice: a hand at 0.25
+/// m/s is 12 mm farther.
+constexpr double kRefreshAge = 25e-3;
+/// s, and in any case a new set, kLateSetAge of the server. Half: twice the sets of a resting hand; twice: moved parts
+/// are felt late.
+constexpr double kOldestSet = 100e-3;
+/// m: has not moved, the skin of a held part. Half: tremor counts; twice: slow motion counts as rest for 0.4 s.
+constexpr double kRested = 2e-5;
+/// s for a hand at rest; the server misses sets after 2 s (Safety analysis). Half: twice the sets; twice: still under
+/// it.
+constexpr double kOldestAtRest = 400e-3;
+/// Of the zone: at once when so much is used up, so that the hand has the rest until the new set is there. Half: twice
+/// the sets; twice: it meets the edge where a search takes longer.
+constexpr double kZoneShare = 0.3;
+/// Of the zone: until then an old set does while the next is worked out (Contacts: the inner 0.6). Half: plain sets
+/// sooner; 0.9: the hand meets the edge while waiting.
+constexpr double kHeldShare = 0.6;
+/// s that a fast hand is expected to be fast again: a time constant, about a stroke. Half: the second stroke meets the
+/// edge; twice: wide zones, which are dear, for a slow hand.
+constexpr double kSpeedKept = 0.5;
+/// It may get faster meanwhile, by 30 %. Half (15 %): the edge is felt at each start; twice: zones wider than needed.
+constexpr double kSpeedReserve = 1.3;
+/// m of hand: wider than any workspace here. Half: still; twice: searches for what no hand reaches.
+constexpr double kWidestZone = 0.5;
+/// Sets sent and not adopted yet whose times are kept: a second at 1000 Hz. Half and twice matter only to links that
+/// are lost.
 constexpr std::size_t kMostOnTheirWay = 1000;
-constexpr double kLeastAhead = 2.0;  ///< Of the way since the last set, the least that a set is to be good for;
-constexpr double kLeastZone = 0.8e-3, kMostLeastZone = 3e-3;  ///< m: always asked for, and never more.
-constexpr double kLag = 0.5e-3;                   ///< m the accepted pose may stay behind before that is felt.
-constexpr std::int64_t kNewsPeriod = 20'000'000;  ///< ns between two sets that are made because others moved.
+/// Of the way since the last set, the least that a set is to be good for: one for the next set, one in reserve. Half:
+/// no reserve; twice: crowded places turn to plain sets.
+constexpr double kLeastAhead = 2.0;
+/// m: always asked for (a hand at 0.08 m/s until the next of 100 sets), and never more. Half: slow hands meet the edge;
+/// twice: crowds have plain sets in place of complete ones.
+constexpr double kLeastZone = 0.8e-3, kMostLeastZone = 3e-3;
+/// m the accepted pose may stay behind before that is felt: half of a N at 1 N/mm. Half: an entity on its way is felt
+/// as a drag; twice: it is seen beside the pen.
+constexpr double kLag = 0.5e-3;
+/// ns between two sets that are made because others moved: 50 a second. Half: sets for each small step of a conveyor;
+/// twice: moved parts are felt 40 ms late (their velocity is in the set).
+constexpr std::int64_t kNewsPeriod = 20'000'000;
 
 double metric(const Pose& a, const Pose& b) {
   const Twist t = difference(a, b);

@@ -7,9 +7,15 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr std::int64_t kMeasurePeriod = 33'000'000;  ///< ns.
-constexpr std::size_t kFreeShown = 24;               ///< Free pairs are told while there are fewer than these.
-constexpr double kShownAtLeast = 0.05;               ///< m: the nearest pair is shown from here on.
+/// ns: shown distances are measured 30 times a second, as numbers that change faster are not read. Half: twice the
+/// queries; twice: numbers lag visibly.
+constexpr std::int64_t kMeasurePeriod = 33'000'000;
+/// Free pairs are shown while there are fewer than these: a panel's length. Half: fewer rows; twice: more rows, same
+/// queries.
+constexpr std::size_t kFreeShown = 24;
+/// m: the nearest pair is shown from here on. Half: it appears later; twice: more queries, as farther pairs are
+/// measured.
+constexpr double kShownAtLeast = 0.05;
 
 double edgeOf(const haptic::DeviceDescription& device, const dvec3& p_DS) {
   const dvec3 low = p_DS - device.workspace_min, high = device.workspace_max - p_DS;

@@ -17,7 +17,9 @@ double StepClock::sinceStart() const {
 }
 
 double StepClock::stepTime() const {
-  constexpr double kLongest = 0.1, kShortest = 1e-4;  // s
+  /// s that a step stands for: of a stalled machine the slowest loop's (10 Hz), and a tenth of the fastest. Half of the
+  /// first: joints at 10 Hz are half as fast; twice: leaps.
+  constexpr double kLongest = 0.1, kShortest = 1e-4;
   return std::clamp(1e-9 * static_cast<double>(now_ns_ - last_step_ns_), kShortest, kLongest);
 }
 

@@ -13,9 +13,15 @@ namespace hapticell::manipulation {
 namespace {
 
 constexpr std::uint32_t kGrabButton = 1, kClutchButton = 2;
-constexpr double kTipReach = 0.010;    ///< m of hand space within which the tip touches something.
-constexpr double kLimitShown = 0.005;  ///< m of hand.
-constexpr double kLimitHolds = 5e-5;   ///< m of hand.
+/// m of hand space within which the tip touches something: a finger's breadth. Our choice. Half: the tip must be in the
+/// part; twice: it takes the neighbour.
+constexpr double kTipReach = 0.010;
+/// m of hand from which a joint's limit is shown. Our choice. Half: shown when nearly met; twice: shown where it does
+/// not matter.
+constexpr double kLimitShown = 0.005;
+/// m of hand at which it counts as holding, kContactIn. Half: it chatters with the skin (0.02 mm); twice: reported
+/// before it is felt.
+constexpr double kLimitHolds = 5e-5;
 
 haptic::Vector6 vectorOf(const Twist& t) {
   return {t.linear.x, t.linear.y, t.linear.z, t.angular.x, t.angular.y, t.angular.z};

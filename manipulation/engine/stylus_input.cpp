@@ -39,7 +39,9 @@ StylusInput::Buttons StylusInput::takeButtons() {
 }
 
 std::int64_t StylusInput::stateTime(std::int64_t now_ns) const {
-  constexpr std::int64_t kOldest = 1'000'000'000;  // ns: beyond it the clocks are not as they were told.
+  /// ns: beyond it the clocks are not as they were reported. Half: a bad network (0.5 s) counts as wrong clocks; twice:
+  /// recordings may be off by 2 s after a clock was set.
+  constexpr std::int64_t kOldest = 1'000'000'000;
   if (!statistics_.clock_offset_ms) return now_ns;
   const std::int64_t tick = state_->server_stamp_ns - std::llround(1e6 * *statistics_.clock_offset_ms);
   return now_ns - tick > kOldest ? now_ns : std::min(tick, now_ns);

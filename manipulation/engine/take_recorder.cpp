@@ -14,7 +14,9 @@ namespace {
 
 using trajectory::Trajectory;
 
-constexpr double kTouchGap = 0.05;  ///< s: a shorter interruption does not end a touch.
+/// s: a shorter interruption does not end a touch, kInterruption of the session's report. Half: chattering contacts are
+/// two; twice: taps of over 10 Hz are one.
+constexpr double kTouchGap = 0.05;
 
 /// The same frames, `shift` seconds earlier.
 Trajectory shifted(const Trajectory& given, double shift) {

@@ -11,6 +11,8 @@ namespace hapticell::manipulation {
 
 namespace {
 
+/// s: a unit of ZoneContacts::work, about a microsecond. Half: dear sets are made too often; twice: too seldom (they
+/// get half of the time).
 constexpr double kSecondsPerWork = 1e-6;
 constexpr std::uint64_t kTurnBoundId = (std::uint64_t{1} << 63) | (std::uint64_t{1} << 62);
 
@@ -168,7 +170,9 @@ std::vector<ConstraintDraft::OwnRow> ownRows(const ConstraintInputs& inputs,
 }
 
 void appendOwn(const std::vector<ConstraintDraft::OwnRow>& rows, std::uint32_t first_group, BuiltConstraints& built) {
-  constexpr std::size_t kRoom = 20;  // for limits and guides
+  /// Entries left for limits and guides: six joints have twelve, a guide up to six. Half: a limit may be left out in
+  /// crowds; twice: own pairs are.
+  constexpr std::size_t kRoom = 20;
   for (const ConstraintDraft::OwnRow& row : rows) {
     if (built.set.count + kRoom > haptic::kMaxConstraints) return;
     append(built, row.constraint, {row.pair, -1});

@@ -8,7 +8,9 @@ namespace hapticell::manipulation {
 namespace {
 
 constexpr double kGravity = 9.80665;  // m/s^2.
-constexpr double kWeightShare = 0.5;  // Of the continuous force.
+// Of the continuous force, so that contacts have the other half and motors stay cool. Half: heavy parts feel alike
+// sooner; twice: contacts under a weight are derated.
+constexpr double kWeightShare = 0.5;
 
 }  // namespace
 

@@ -11,23 +11,49 @@
 namespace hapticell::manipulation {
 namespace {
 
-constexpr int kMostWaySteps = 12;       // Of the held entity between two pictures.
-constexpr double kStrideAtMost = 5e-3;  // m that one of them goes at the most,
-constexpr double kTurnAtMost = 0.035;  // and rad. Longer ones leave the straight way, as each turns joints only so far.
-constexpr double kForearmLever = 0.1;  // m that a radian counts like.
-constexpr double kThere = 2e-4;        // m
-constexpr double kNoNearer = 2e-5;     // m: steps that bring less than this
-constexpr int kIdleSteps = 6;          // one after the other are the last.
-constexpr double kWorthARound = 5e-3;  // m that must be missing for a way round to be looked for,
-constexpr double kBeforeTheBody = 0.28;  // m before it for a station of it;
-constexpr std::size_t kGoalsTried = 3;   // of postures at its end,
-constexpr int kMostRounds = 4;           // and of ways round to one place.
-constexpr double kFarOff = 0.1;  // m that are missing of who may step: the body rises and walks there from upright.
-constexpr double kPictureTurn = 1.5;  // rad of all joints from one picture of it
-constexpr int kRoundShown = 1;        // to the next.
-constexpr int kWalkingSteps = 400;    // Idle ones of a figure whose joints turn by more than so many rad in one:
-constexpr double kStillWalks = 0.01;  // it walks, and a stride takes some 30.
-constexpr double kLook = 2e-3;        // m: what is nearer when the way ends is in the way.
+// Of the held entity between two pictures: 60 mm of way at most. Half: half as fast on the screen; twice: jerky
+// pictures.
+constexpr int kMostWaySteps = 12;
+// m that one of them goes at the most: longer ones leave the straight way, as each turns joints by 1.8 deg (9 mm at 0.3
+// m) a tick. Half: half as fast; twice: hands swing aside.
+constexpr double kStrideAtMost = 5e-3;
+// rad, 2 deg: as kStrideAtMost. Half: half as fast; twice: hands swing aside.
+constexpr double kTurnAtMost = 0.035;
+// m that a radian counts like: half of a hand. Half: rotations are left off sooner; twice: they hold up the way.
+constexpr double kForearmLever = 0.1;
+// m: arrived, ten times the solver's (kHandsArrived). Half: more steps for nothing seen; twice: still nothing seen.
+constexpr double kThere = 2e-4;
+// m: steps that bring less than this, one after the other, are the last; the solver's accuracy. Half: creeps on; twice:
+// ends slow slides along a body.
+constexpr double kNoNearer = 2e-5;
+// Steps that bring nothing until the way ends. Half: it ends where joints only swing round; twice: twice as long at
+// each end.
+constexpr int kIdleSteps = 6;
+// m that must be missing for a way round to be looked for, which takes a second. Half: searches for what nobody sees;
+// twice: hands stay 10 mm short (Mannequin: within 10 mm).
+constexpr double kWorthARound = 5e-3;
+// m before it for a station of a way round (Mannequin, Drags): forearms free of the chest. Half: stations inside the
+// body; twice: out of reach across.
+constexpr double kBeforeTheBody = 0.28;
+// Postures at the end, and each with up to three ways there. Half: fewer ways round are found; twice: the search takes
+// twice as long.
+constexpr std::size_t kGoalsTried = 3;
+// Ways round to one place. Half: gives up sooner; twice: seconds more where there is none.
+constexpr int kMostRounds = 4;
+// m that are missing of who may step: the body rises and walks there from upright (Mannequin, Drags). Half: walks where
+// a lean would do; twice: wrung bodies that do not come round.
+constexpr double kFarOff = 0.1;
+// rad of all joints together from one picture of a way round to the next. Our choice. Half: half as fast; twice: jerky.
+constexpr double kPictureTurn = 1.5;
+constexpr int kRoundShown = 1;  // to the next.
+// Idle steps of a figure whose joints turn (kStillWalks): it walks, a stride takes some 30, so 13 strides. Half: 6;
+// twice: a figure that treads on the spot does so twice as long.
+constexpr int kWalkingSteps = 400;
+// rad of all joints in one step: more is walking. Half: tremor of the solver counts as walking; twice: slow strides do
+// not.
+constexpr double kStillWalks = 0.01;
+// m: what is nearer when the way ends is in the way. Half: the obstacle may not be named; twice: a neighbour is named.
+constexpr double kLook = 2e-3;
 
 }  // namespace
 

@@ -41,9 +41,11 @@ struct MotionAnswer {
 /// once, because otherwise nothing could move. The caller must ensure that they get no deeper. One thread.
 class FreeMotion {
  public:
-  /// Distance (m) that is left between surfaces when a motion is blocked.
+  /// m left between surfaces when a motion is blocked: a quarter of kSkin, five times kLeastClearance. Half: more
+  /// queries to slide along; twice: half of the skin is used up.
   static constexpr double kStandOff = 5e-6;
-  /// Shift (m) that frees a pair that only touches; see guard().
+  /// m that frees a pair that only touches; twice kStandOff, half of kSkin; see guard(). Half: it stays soft; twice: it
+  /// may be entered by 0.02 mm.
   static constexpr double kGuard = 1e-5;
 
   FreeMotion(std::vector<std::shared_ptr<const collision::MeshCollider>> parts, std::vector<Obstacle> obstacles,

@@ -17,8 +17,12 @@ using haptic::ConstraintKind;
 using workcell::Guide;
 using workcell::GuideKind;
 
-constexpr double kLeastRadius = 1e-4;  // m: nearer to its axis a circle has no direction.
-constexpr double kFarStop = 1.2;       // rad: a stop farther away than this is not in the set yet.
+/// m: nearer to its axis a circle has no direction (five encoder steps). Half: its tangent trembles by 20 deg; twice:
+/// small circles are held as points.
+constexpr double kLeastRadius = 1e-4;
+/// rad: a stop farther away than this is not in the set yet; under a right angle, where its plane would cut the circle
+/// at the wrong side. Half: still ahead of kMostGuidedTurn; twice: false stops.
+constexpr double kFarStop = 1.2;
 constexpr std::uint64_t kGuideIds = std::uint64_t{1} << 61;
 
 /// Rows about one reference pose.

@@ -9,9 +9,15 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kPlainZone = 0.020;     ///< m of hand: what a plain set is used for instead.
-constexpr double kCrowdedStays = 0.010;  ///< m of hand until a complete set is tried again.
-constexpr std::size_t kMostOwn = 8;      ///< Pairs of the entity's own parts that are felt at a time.
+/// m of hand that a plain set (one plane a pair) is used for instead: its planes are rough beyond. Half: sets are made
+/// more often; twice: walls where the part bends away.
+constexpr double kPlainZone = 0.020;
+/// m of hand until a complete set is tried again in a crowd. Half: twice the useless searches; twice: plain sets longer
+/// than needed.
+constexpr double kCrowdedStays = 0.010;
+/// Pairs of the entity's own parts that are felt at a time: of 64 entries, with 12 for limits. Half: of a folded robot
+/// fewer pairs are felt (the exact check sees all); twice: less room for contacts.
+constexpr std::size_t kMostOwn = 8;
 
 bool isNearer(const FreeMotion::PairDistance& a, const FreeMotion::PairDistance& b) {
   return a.result.distance < b.result.distance;
@@ -148,6 +154,8 @@ BuiltConstraints HeldConstraints::plain(ConstraintInputs inputs) {
 }
 
 std::optional<haptic::Constraint> HeldConstraints::surface(workcell::EntityId other, double offset) {
+  /// m within which the nearest surface is looked for. Our choice. Half: a far wall is no surface; twice: dearer
+  /// queries.
   constexpr double kFarthest = 0.5;
   state_.motion.distances(kFarthest, near_);
   const FreeMotion::PairDistance* nearest = nullptr;

@@ -10,20 +10,37 @@ namespace {
 
 using workcell::OnContact;
 
+/// Slides of one step: six independent contacts hold a body. Half: it stays behind in corners; twice: two or more of
+/// them again, for nothing.
 constexpr int kSlides = 6;
 /// m: rotation is dearer here than for the proxy, so that a far target slides and does not tilt beyond what a tangent
 /// tells.
 constexpr double kSlideLever = 10.0 * haptic::kRotationLever;
+/// Of the way that is left, by which a blocked one is pushed out (kSkin at least): the way bends, a bare tangent would
+/// be blocked again. Half: more slides; twice: hops at edges.
 constexpr double kPushOut = 0.1;
-constexpr double kArrived = 1e-9;           ///< m: less is not worth another slide.
-constexpr double kStood = 1e-6;             ///< m: the hand has not moved.
-constexpr double kTangentStays = 1e-4;      ///< m of hand that a contact's tangent is good for.
-constexpr double kAllTheTime = 1.0 - 1e-6;  ///< Of a step's time: as fast as the joints can.
-constexpr double kStillMoving = 3e-4;       ///< s of a joint's greatest speed: it may have way left.
-constexpr double kNoTime = 1e-9;            ///< s: no joint gets anywhere in it.
+/// m: less is not worth another slide; kTolerance of the solver. Half and twice: nothing that is felt.
+constexpr double kArrived = 1e-9;
+/// m: the hand has not moved, a twentieth of an encoder step. Half and twice as well.
+constexpr double kStood = 1e-6;
+/// m of hand that a contact's tangent is good for: off by 0.5 um on a radius of 10 mm. Half: found again twice as
+/// often; twice: four times as far off.
+constexpr double kTangentStays = 1e-4;
+/// Of a step's time: as fast as the joints can, but for rounding. Half or twice of the millionth as well.
+constexpr double kAllTheTime = 1.0 - 1e-6;
+/// s of a joint's greatest speed: it may have way left although the hand rests. A third of a step at 1000 Hz. Half:
+/// more steps at rest; twice: slow ends may be cut.
+constexpr double kStillMoving = 3e-4;
+/// s: no joint gets anywhere in it. A millionth of a step at 1000 Hz; half and twice as well.
+constexpr double kNoTime = 1e-9;
+/// Contacts kept from step to step, of the 64 rows that a solver takes. Half: in crowds they are found again; twice:
+/// more rows to solve.
 constexpr std::size_t kMostKept = 16;
-/// rad in all: bounds of an articulated way are good for small pieces, and a long one whole may take seconds.
+/// rad in all: bounds of an articulated way are good for small pieces, and a long one whole may take seconds
+/// (Reliability: p99 14.9 s). Half: twice the checks; twice: looser bounds.
 constexpr double kPieceTurn = 0.4;
+/// Pieces of one step (3.2 rad); the rest is left to the next. Half: far leaps take twice as many steps; twice: steps
+/// of twice the time.
 constexpr int kMostPiecesOfAStep = 8;
 
 haptic::Vector6 inMetric(const Twist& t) {
@@ -180,7 +197,11 @@ bool HeldWay::recall(const MotionMapping& mapping, const Pose& X_WWanted) {
 }
 
 HeldWay::Gone HeldWay::goTo(const EntityConfiguration& target) {
-  constexpr double kPiece = 0.05;  // rad or m of a joint: bounds of the way are good for small pieces
+  /// rad or m of a joint: bounds of the way are good for small pieces. Half: twice the checks of a move; twice: bounds
+  /// four times as loose in bends.
+  constexpr double kPiece = 0.05;
+  /// Pieces of a move to a place: 200 rad or m, some seconds at worst. Longer ones are cut more coarsely. Half and
+  /// twice matter to nobody's robot.
   constexpr int kMostPieces = 4000;
   const EntityConfiguration start = state_.accepted;
   known_ = false;

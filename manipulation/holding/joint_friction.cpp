@@ -21,7 +21,9 @@ JointFriction::JointFriction(const HeldModel& model) {
 
 /// Rounded, so that the server is not told of every hair's breadth.
 void JointFriction::update(const Manipulator& manipulator, const EntityConfiguration& at) {
-  constexpr double kStep = 0.05, kMost = 3.0;  // N
+  /// N: rounded to what is not noticed (7 % of 0.7 N), so that the server does not get each hair's breadth; and what
+  /// the server takes (kMostFriction). Half: twice the messages; twice: steps are felt.
+  constexpr double kStep = 0.05, kMost = 3.0;
   if (friction_.empty()) return;
   felt_ = std::min(kMost, kStep * std::round(manipulator.resistance(at, friction_) / kStep));
 }

@@ -11,7 +11,11 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kHairsBreadth = 1e-4;  ///< m: parts that rest in each other by less are not inside of each other.
+// m: parts that rest in each other by less (coarse chords, press fits) are not inside of each other. Half: a message
+// for a chord's error; twice: parts led out too late.
+constexpr double kHairsBreadth = 1e-4;
+// Pairs that are led out at a time, each a plane of the set. Half: deep heaps stay blocked; twice: it may take twice as
+// long to hold the part.
 constexpr std::size_t kMostWaysOut = 8;
 
 }  // namespace

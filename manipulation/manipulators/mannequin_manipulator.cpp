@@ -18,17 +18,38 @@ using mannequin::Posture;
 using mannequin::Segment;
 using mannequin::Side;
 
-constexpr int kMostTicks = 12;          ///< Of the solver for one proposal; each turns joints by 1.8 deg at most.
-constexpr int kProbeTicks = 24;         ///< To find out how far the reach goes.
-constexpr double kProbed = 0.05;        ///< m that it is looked for ahead at most; what is farther a later set finds.
-constexpr double kProgress = 0.05;      ///< Of a probe's step: less counts as no progress.
-constexpr double kLeastProbe = 5e-4;    ///< m: where no step so small goes on, the reach ends.
-constexpr double kHandsArrived = 2e-5;  ///< m
-constexpr int kTurnsTried = 5;          ///< To either side, 30 deg each.
-constexpr double kStandOff = 0.38, kHandAside = 0.18;     ///< m from between the feet to a hand that works with ease.
-constexpr double kYawTried = 0.9;                         ///< rad
-constexpr double kTrunkAdds = 0.35, kBodyGoesDown = 0.8;  ///< m
-constexpr double kReached = 1e-3;                         ///< m short of what is looked for that counts as all of it.
+/// Of the solver for one proposal; each turns joints by 1.8 deg at most: 22 deg. Half: hands lag behind a fast stylus;
+/// twice: dearer where they cannot arrive.
+constexpr int kMostTicks = 12;
+/// To find out how far the reach goes, 5 to 30 us each (Performance, drag tick). Half: the end may not be found; twice:
+/// dearer at the end of the reach.
+constexpr int kProbeTicks = 24;
+/// m that it is looked for ahead at most; what is farther a later set finds. Half: a fast hand meets the end late;
+/// twice: bold steps fail more often.
+constexpr double kProbed = 0.05;
+/// Of a probe's step: less counts as no progress, and the step is halved. Half: creeps on; twice: the end is reported
+/// short by 10 % of a step.
+constexpr double kProgress = 0.05;
+/// m: where no step so small goes on, the reach ends; below kLeastZone of the sets. Half: a tick or two more; twice:
+/// the end is felt 1 mm early.
+constexpr double kLeastProbe = 5e-4;
+/// m, the skin of a held part. Half: a tick more; twice: hands stay behind by what is felt as 0.04 N.
+constexpr double kHandsArrived = 2e-5;
+/// To either side, 30 deg each (Mannequin, Drags: up to 150 deg). Half: postures with turned hands are not found; twice
+/// (15 deg each): twice the time of a search.
+constexpr int kTurnsTried = 5;
+/// m from between the feet to a hand that works with ease (Mannequin, Drags: 0.38; our choice), between kBothAhead and
+/// the reach. Half: against the belly; twice: at the end of the arm.
+constexpr double kStandOff = 0.38, kHandAside = 0.18;
+/// rad to either side that hands are turned as well: 52 deg. Our choice. Half: postures across the body are not found;
+/// twice: of little use beside the wrist's range.
+constexpr double kYawTried = 0.9;
+/// m that the trunk adds to the arm's reach, and that the body goes down to the floor: generous, as places beyond are
+/// not solved for. Half: reachable ones are left out; twice: useless searches.
+constexpr double kTrunkAdds = 0.35, kBodyGoesDown = 0.8;
+/// m short of what is looked for that counts as all of it: 2 % of kProbed. Half: a tick more; twice: an end may be
+/// missed by 2 mm until the next set.
+constexpr double kReached = 1e-3;
 
 double errorOf(const mannequin::PostureResult& result) {
   return std::max({result.hand_position_error[0], result.hand_position_error[1], 0.1 * result.hand_orientation_error[0],

@@ -14,24 +14,62 @@ namespace {
 using mannequin::Posture;
 using mannequin::Side;
 
-constexpr double kMostStep = 0.01;              ///< m a proposal that a foot goes.
-constexpr double kWalkingSpeed = 1.5;           ///< m/s
-constexpr double kLed = 0.03, kLedTurn = 0.15;  ///< m and rad ahead of the hand.
-constexpr double kTwist = 0.61;      ///< rad (35 deg) that the pelvis heads beside the feet before they follow it.
-constexpr double kMostTwist = 0.44;  ///< rad (25 deg) that the feet head beside the pelvis by turning.
-constexpr double kLeastTwist = 0.12, kUntwisted = 0.3, kMostUntwisted = 0.03;  ///< rad, share and rad of one proposal.
-constexpr double kWalkingTwist = 0.25, kWalkingLean = 0.15;                    ///< rad, m: farther wrung, legs lock;
-constexpr double kWalkingHeight = 0.80, kWalkingUpright = 0.85;  ///< of the leg, and cosine of the pelvis's tilt.
-constexpr double kAcross = 0.61, kOutward = 1.05;  ///< rad (35, 60 deg) from ahead within which a hand works.
-constexpr double kUnwound = 2e-3;                  ///< m of one proposal: less is upright.
-constexpr double kComfortableReach = 0.80;         ///< Of the arm, level from over the feet: farther is walked.
-constexpr double kHandTurn = 0.65;                 ///< rad of the hand from how it was taken, seen from the body.
-constexpr double kBeforeBelly = 0.20, kBehindSide = -0.10;  ///< m ahead of the ankles, where a hand begins to work
-constexpr double kBothReach = 0.80, kBothAhead = 0.30, kBothAside = 0.20;  ///< of the arm; m from between the feet.
-constexpr double kBothTurn = 0.35, kFarAcross = 0.22;                      ///< rad; m to the other side.
-constexpr double kBellySide = 0.10, kBesideBody = 0.25;  ///< so many m to its side, before the body and beside it,
-constexpr double kBellyUpTo = 0.80;                      ///< up to this height; of the stature.
-constexpr double kNear = 0.25;                           ///< m from over the feet where no direction is meant.
+/// m a proposal that a foot goes: at 100 Hz 1 m/s. Half: it walks slowly at low rates; twice: legs turn more than the
+/// solver's 1.8 deg a tick.
+constexpr double kMostStep = 0.01;
+/// m/s of a foot in the air, a brisk walk's body (feet go faster). Our choice. Half: dragging; twice: hurried, and
+/// nothing follows so fast.
+constexpr double kWalkingSpeed = 1.5;
+/// m and rad ahead of the hand that it is led at once, what a few ticks of the solver turn. Half: slower; twice: arms
+/// leave the straight way.
+constexpr double kLed = 0.03, kLedTurn = 0.15;
+/// rad (35 deg) that the pelvis heads beside the feet before they follow it. Our choice. Half: feet tread at each turn
+/// of the trunk; twice: over the hips' range.
+constexpr double kTwist = 0.61;
+/// rad (25 deg) that the feet head beside the pelvis by turning. Our choice: less than kTwist, so that they do not turn
+/// back. Half: turns of more steps; twice: hips lock.
+constexpr double kMostTwist = 0.44;
+/// rad, share and rad of one proposal by which a twisted pelvis comes round. Our choice. Half: hips stay turned for
+/// longer; twice: the body sways with each step.
+constexpr double kLeastTwist = 0.12, kUntwisted = 0.3, kMostUntwisted = 0.03;
+/// rad, m: a pelvis farther turned or off its feet stops, as legs lock. Our choice. Half: stands up to walk more often;
+/// twice: legs do not reach their steps.
+constexpr double kWalkingTwist = 0.25, kWalkingLean = 0.15;
+/// Of the leg, and cosine of the pelvis's tilt (32 deg), for the same. 0.97 is preferred. Half of what is missing:
+/// walks only upright; twice: walks crouched, with legs at their limits.
+constexpr double kWalkingHeight = 0.80, kWalkingUpright = 0.85;
+/// rad (35, 60 deg) from ahead within which a hand works, across and to its own side (Mannequin, Steps; our choice).
+/// Half: it turns for little; twice: it works behind its back.
+constexpr double kAcross = 0.61, kOutward = 1.05;
+/// m of one proposal: a pelvis that rises by less is upright. Half: more steps until it walks; twice: it walks off
+/// while it still rises.
+constexpr double kUnwound = 2e-3;
+/// Of the arm, level from over the feet: farther is walked, as people step before they lean as far as they can
+/// (Mannequin, Steps; our choice). Half: walks for all; at 1: leans first.
+constexpr double kComfortableReach = 0.80;
+/// rad (37 deg) of the hand from how it was taken, seen from the body (Mannequin, Steps; our choice). Half: the feet
+/// turn with each turn of the hand; twice: the wrist is at its limit first.
+constexpr double kHandTurn = 0.65;
+/// m ahead of the ankles, where a hand begins to work before the body and beside it (Mannequin, Steps; our choice).
+/// Half: hands against the belly; twice: it steps back from near work.
+constexpr double kBeforeBelly = 0.20, kBehindSide = -0.10;
+/// Of the arm; m ahead of and aside from between the feet for both hands (Mannequin; our choice). Half: it steps for
+/// little; twice: beyond the arms.
+constexpr double kBothReach = 0.80, kBothAhead = 0.30, kBothAside = 0.20;
+/// rad (20 deg) for both hands, which turn with the trunk; m that one hand goes to the other side (Mannequin, Steps;
+/// our choice). Half: it treads more; twice: the trunk is wrung.
+constexpr double kBothTurn = 0.35, kFarAcross = 0.22;
+/// m to its side within which the belly is in the way, and from where it is not. Our choice. Half or twice: hands that
+/// step back too late or too early.
+constexpr double kBellySide = 0.10, kBesideBody = 0.25;
+/// Of the stature, the height of the shoulders: above it a hand is before no belly. Half: hands through the chest; at
+/// 1: it steps back from what is before its face.
+constexpr double kBellyUpTo = 0.80;
+/// m from over the feet where no direction is meant. Half: feet turn about a hand at the belly; twice: they do not face
+/// near work.
+constexpr double kNear = 0.25;
+/// Passes that put a place onto one bound and the other; both are convex, so it closes in. Half: off by some mm; twice:
+/// no difference that a foot makes.
 constexpr int kComfortPasses = 8;
 
 /// On the way from one pose to another, no farther than a hand is led at once.

@@ -12,28 +12,61 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kStepsFrom = 1e-3;    ///< m along the floor that must be missing before a foot is lifted.
-constexpr double kLevelShare = 0.2;    ///< Of what is missing: a hand that lacks height alone is no reason to walk.
-constexpr double kStride = 0.20;       ///< m
-constexpr double kSideStep = 0.18;     ///< m
-constexpr double kLift = 0.04;         ///< m
-constexpr double kOnFloor = 1e-4;      ///< m
-constexpr double kSameHeading = 1e-6;  ///< rad
-constexpr double kLeastStride = 0.02;  ///< m: a shorter one is not begun.
-constexpr double kTurnFrom = 0.21;     ///< rad (12 deg) that a foot must lag before it steps round.
-constexpr double kTurned = 0.01;       ///< rad that is left when it has come round.
-constexpr double kMostApart = 0.61;    ///< rad (35 deg) between both feet, beyond how they stood.
-constexpr double kAskew = 0.35;        ///< rad (20 deg) between both feet that are left alone.
-constexpr double kLeastApart = 0.12;   ///< m that a foot keeps to its side of the other one.
-constexpr double kTurnLever = 0.15;    ///< m that a rad of a lifted foot counts.
+/// m along the floor that must be missing before a foot is lifted: what is asked for is beyond comfort already. Half
+/// and twice: the first step by a millimetre sooner or later.
+constexpr double kStepsFrom = 1e-3;
+/// Of what is missing: a hand that lacks height alone is no reason to walk. Half: it steps under a high shelf; twice:
+/// it stretches where a step would do.
+constexpr double kLevelShare = 0.2;
+/// m from under the body, so a foot goes up to 0.4 (Mannequin; our choice). Half: twice the steps; twice: legs at their
+/// limits.
+constexpr double kStride = 0.20;
+/// m (Mannequin; our choice). Half: twice the steps; twice: hips at their limits.
+constexpr double kSideStep = 0.18;
+/// m that a foot is lifted (Mannequin; our choice). Half: the toes touch on the way; twice: knees at each step.
+constexpr double kLift = 0.04;
+/// m: the foot stands. A thousand times the solver's tenth of a micron. Half and twice as well.
+constexpr double kOnFloor = 1e-4;
+/// rad: the foot heads as it was taken, so that its pose is the same to the bit. Half and twice are far above rounding.
+constexpr double kSameHeading = 1e-6;
+/// m: a shorter one is not begun, a tenth of kStride. Half: it trips along; twice: it stops 40 mm short of comfort.
+constexpr double kLeastStride = 0.02;
+/// rad (12 deg) that a foot must lag before it steps round. Our choice. Half: it treads at each turn; twice: feet stay
+/// askew.
+constexpr double kTurnFrom = 0.21;
+/// rad that is left when it has come round, half a degree. Half: a proposal more; twice: the next turn begins sooner.
+constexpr double kTurned = 0.01;
+/// rad (35 deg) between both feet, beyond how they stood (Mannequin, Steps; our choice). Half: turns of many steps;
+/// twice: beyond the hips.
+constexpr double kMostApart = 0.61;
+/// rad (20 deg) between both feet that are left alone. Our choice. Half: it treads after each turn; twice: it stands
+/// pigeon-toed.
+constexpr double kAskew = 0.35;
+/// m that a foot keeps to its side of the other one: a foot's breadth, so that they do not overlap. Half: feet through
+/// each other; twice: astride.
+constexpr double kLeastApart = 0.12;
+/// m that a rad of a lifted foot counts, about from the ankle to the toes. Half: it whirls; twice: it turns slowly.
+constexpr double kTurnLever = 0.15;
 
-constexpr double kLongestLeg = 0.995;  ///< Of a straight one.
+/// Of a straight one, so that the knee has a direction (11 deg bent). Half of what is missing: 8 deg, near its
+/// singularity; twice: a pelvis that sinks with each stride.
+constexpr double kLongestLeg = 0.995;
+/// Times kHeelStep (rad) that the heel of a lifted foot comes up: 43 deg, as in a push off. Half: strides end sooner;
+/// twice: on the tips of its toes.
 constexpr int kHeelTries = 5;
-constexpr double kHeelStep = 0.15;  ///< rad
+/// rad: coarse, as it is seen only on the way. Half: more tries; twice: the heel jumps.
+constexpr double kHeelStep = 0.15;
+/// Passes that lower the pelvis onto both legs in turns; each closes in. Half: some steps fail; twice: no more succeed.
 constexpr int kPelvisPasses = 6;
-constexpr double kLeastShare = 1e-3;  ///< Of a way that is gone at all.
-constexpr double kLittleBent = 1e-3;  ///< rad beyond its limits that a leg is helped out of by a pelvis that rises,
-constexpr double kRise = 0.5;         ///< so many m for a rad: a bent leg's ankle turns by 2 to 4 rad a metre.
+/// Of a way that is gone at all, ten halvings. Half: one more; twice: one fewer.
+constexpr double kLeastShare = 1e-3;
+/// rad beyond its limits that a leg is helped out of by a pelvis that rises (the solver leaves 1e-7). Half and twice as
+/// well.
+constexpr double kLittleBent = 1e-3;
+/// So many m for a rad: a bent leg's ankle turns by 2 to 4 rad a metre. Half: more tries; twice: it hops by twice of
+/// what is needed.
+constexpr double kRise = 0.5;
+/// Tries of it; one is nearly right. Half: some ankles stay stuck; twice: nothing more.
 constexpr int kRises = 3;
 
 double headingOf(const dquat& q) {
@@ -200,7 +233,8 @@ FootPlaces puttingDown(const FootPlaces& taken, const FootPlaces& now) {
 
 namespace {
 
-constexpr double kNoLeg = 1e3;  ///< rad
+/// rad beyond limits of a leg that does not reach: any number that no leg can have.
+constexpr double kNoLeg = 1e3;
 
 /// Puts a leg under the pelvis in closed form; where its limits do not let it, what it is beyond them is returned (rad,
 /// kNoLeg: it is too short or too long), and the posture is as it was.

@@ -14,7 +14,9 @@ namespace {
 using mannequin::Segment;
 using mannequin::Side;
 
-constexpr double kOffTheFloor = 0.02;  ///< m
+/// m under either foot in which nothing may be for it to hang (Mannequin, Balance). Half: one set down a little high
+/// must balance on nothing; twice: lifted ones balance in the air.
+constexpr double kOffTheFloor = 0.02;
 
 bool isOfFoot(const std::string& link, Side side) {
   return link == mannequin::segmentInfo(legSegment(side, Segment::kLeftFoot)).name ||

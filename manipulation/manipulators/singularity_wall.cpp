@@ -11,9 +11,14 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kWallDifference = 1e-5;  ///< rad or m
-constexpr double kPiece = 0.01;       ///< rad or m: a wall is not jumped over between two looks.
+/// rad or m: error (1e-10) and rounding (1e-11) of a first difference. Half and twice as well.
+constexpr double kWallDifference = 1e-5;
+/// rad or m: half of kWall, so that a wall is not jumped over between two looks. Half: twice the looks; twice: one may
+/// be.
+constexpr double kPiece = 0.01;
+/// Looks of one step, 2 rad; a longer one is looked at more coarsely. Half: 1 rad; twice: twice the time of a leap.
 constexpr int kMostPieces = 200;
+/// To 1e-8 rad. Half: 1e-5, a step that is felt; twice: below rounding.
 constexpr int kWallBisections = 20;
 
 std::vector<double> mix(const std::vector<double>& from, const std::vector<double>& to, double s) {

@@ -11,8 +11,11 @@ namespace hapticell::manipulation {
 /// over `lever_m`, must not fall under kWall. For a wrist it is about the angle (rad) from the singular position.
 class SingularityWall {
  public:
+  /// Least singular value; of a wrist about the rad (1.1 deg) from its singular position. Our choice. Half: joints turn
+  /// twice as fast at it; twice: 2.3 deg of each wrist are lost.
   static constexpr double kWall = 0.02;
-  /// The felt wall is a little before the hard one, so that a hand slides along it.
+  /// The felt wall is a fifth before the hard one, so that a hand slides along it. Half of that: the hard one blocks
+  /// first, which sticks; twice: more is lost.
   static constexpr double kFelt = 0.024;
 
   /// `model` is kept by reference and has no closure (contract).

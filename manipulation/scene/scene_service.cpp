@@ -10,6 +10,7 @@ namespace hapticell::manipulation {
 namespace {
 
 /// Scenes that are kept while nobody holds them: the document's, and that of a question about it with other pairs.
+/// Half: one of both is prepared again each time; twice: twice the memory.
 constexpr std::size_t kScenesKept = 2;
 constexpr std::chrono::milliseconds kLookForCancel{20};
 

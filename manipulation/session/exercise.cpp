@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFormat = "hapticell-exercise";
 constexpr int kVersion = 1;
-constexpr double kBehind = 0.03;  ///< m of way that the guide reaches back.
+// m of way that the guide reaches back, so that a hand that stops or slips is still led. Half: it may leave the tube
+// backwards; twice: ways that cross themselves pull back.
+constexpr double kBehind = 0.03;
 
 struct NumberField {
   const char* name;

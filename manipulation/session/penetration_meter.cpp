@@ -11,7 +11,8 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kDeepest = 1.0;  ///< m: what is not free by then counts as this deep.
+/// m: what is not free by then counts as this deep. Half and twice only change that number.
+constexpr double kDeepest = 1.0;
 
 struct Body {
   std::shared_ptr<const collision::MeshCollider> collider;

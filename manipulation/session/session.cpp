@@ -25,8 +25,12 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr double kLeastPenetrationPeriod = 0.010;  ///< s between two measurements.
-constexpr double kPatience = 5.0;                  ///< s for a server to answer.
+/// s between two measurements: 1 mm of way at 0.1 m/s. Half: sessions take longer; twice: a short penetration may be
+/// missed.
+constexpr double kLeastPenetrationPeriod = 0.010;
+/// s for a server to answer: it starts in well under one. Half: a busy machine fails; twice: slower to report that none
+/// is there.
+constexpr double kPatience = 5.0;
 
 double secondsSince(SteadyClock::time_point begin) {
   return std::chrono::duration<double>(SteadyClock::now() - begin).count();
@@ -307,7 +311,9 @@ Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std
                     .expected = "a simulated device"});
 }
 
-constexpr double kLastPatience = 2.0;  // s for the state that shows that the server lived to the end.
+/// s for the state that shows that the server lived to the end, over TcpLink's 1 s. Half: as long as that; twice:
+/// slower to fail.
+constexpr double kLastPatience = 2.0;
 
 /// A session is one connection from its beginning to its end: what a server does that was lost and found again, and who
 /// held its stylus meanwhile, is not known.

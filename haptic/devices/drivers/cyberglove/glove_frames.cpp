@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::array<std::uint8_t, 3> kSync{0x0D, 0x0A, 0x00};
 constexpr std::size_t kStamp = 14;
+// Bytes kept while no frame is found: 16 of the longest. Half: eight; twice: garbage is searched for longer.
 constexpr std::size_t kMostPending = 1024;
 constexpr unsigned kWideMost = 4094;
 

@@ -17,7 +17,9 @@ namespace hapticell::driver {
 
 namespace {
 
-constexpr int kWritePatience = 50;  // ms.
+// ms: a write of 8 bytes takes 0.7 ms at 115,200 baud. Half: a busy port counts as gone; twice: the driver hangs longer
+// on a dead one.
+constexpr int kWritePatience = 50;
 
 bool configure(int file) {
   termios settings{};

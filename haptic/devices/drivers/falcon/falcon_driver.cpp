@@ -19,7 +19,8 @@ namespace {
 constexpr double kMotorPerTorque = -10000.0;  // Motor numbers a N m, and the motors' sense.
 constexpr double kMostMotor = 4096.0;
 constexpr std::uint16_t kVendor = 0x0403, kProduct = 0xCB48;
-constexpr double kHalfWorkspace = 0.05;  // m.
+/// m: Novint states a cube of 4 inches. Half: more clutching; twice: its stops come first.
+constexpr double kHalfWorkspace = 0.05;
 
 std::string idOf(const UsbDevice& device) {
   return device.serial.empty() ? device.place : device.serial;

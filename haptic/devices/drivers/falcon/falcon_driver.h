@@ -31,7 +31,8 @@ class FalconDevice final : public Device {
   const Problem& problem() const noexcept override { return problem_; }
   const char* calibrationText(std::uint32_t step) const noexcept override;
 
-  /// Reads of a millisecond without an answer before a packet counts as lost, and lost packets before the device does.
+  /// Reads of a millisecond without an answer before a packet counts as lost (20 ms as kFreshFor), and lost packets
+  /// before the device does: 0.2 s. Half: a busy bus loses it; twice: unplugging is reported after 0.4 s.
   static constexpr int kPatience = 20, kMostLost = 10;
 
  private:

@@ -19,8 +19,11 @@ constexpr std::uint16_t kDtrLow = 0x0100, kDtrHigh = 0x0101, kRtsLow = 0x0200;
 constexpr std::uint16_t kSlow = 0x4138, kUpload = 0x15, kFast = 0x2;  // Divisors: 9600, 143 k, 1.5 M baud.
 constexpr std::uint16_t kEightBits = 8;
 constexpr std::size_t kBlock = 62;
+/// Attempts of the whole upload, and greetings of each until the loader answers. Our choice, on no real Falcon. Half:
+/// gives up sooner; twice: takes twice as long to say that it failed.
 constexpr int kAttempts = 10, kKnocks = 100;
-constexpr int kEchoPatience = 50;  // ms.
+/// ms for an echo: 62 bytes take 4 ms at 143 kbaud. Half: a slow hub fails; twice: failing takes twice as long.
+constexpr int kEchoPatience = 50;
 
 struct Request {
   std::uint8_t request;

@@ -16,8 +16,10 @@ namespace hapticell::driver {
 namespace {
 
 constexpr unsigned char kOut = 0x02, kIn = 0x81;
-constexpr unsigned kPatience = 100;  // ms of a control request or a write.
-constexpr int kModemBytes = 2;       // In front of each packet of 64.
+// ms of a control request or a write: a packet takes a millisecond. Half: a busy bus fails; twice: an unplugged Falcon
+// holds its thread longer.
+constexpr unsigned kPatience = 100;
+constexpr int kModemBytes = 2;  // In front of each packet of 64.
 
 class LibusbPort final : public FtdiPort {
  public:

@@ -13,10 +13,13 @@ namespace hapticell::driver {
 
 namespace {
 
+/// ms to connect when opened; to connect and to answer when searched for; for the first state; for one that serves
+/// already. Our choice: a second station is a network away. Half: slow ones are missed; twice: slow to say no.
 constexpr int kConnectPatience = 5000, kLookPatience = 500, kFirstPatience = 2000,
-              kServedPatience = 200;     // ms.
-constexpr double kPeakForce = 2.0;       // N: what Haply's own examples allow.
-constexpr double kHalfWorkspace = 0.09;  // m.
+              kServedPatience = 200;  // ms.
+constexpr double kPeakForce = 2.0;    // N: what Haply's own examples allow.
+/// m from the middle: our choice, on no real device. Half: more clutching; twice: its stops may come first.
+constexpr double kHalfWorkspace = 0.09;
 constexpr const char* kStart = "Start Haply's service (the Haply Hub), or set address in [driver.haply].";
 
 /// The first message that tells of a device, or nothing within the time.

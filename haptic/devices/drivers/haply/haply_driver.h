@@ -22,7 +22,8 @@ class HaplyDevice final : public Device {
   Status write(const Command& command) noexcept override;
   const Problem& problem() const noexcept override { return problem_; }
 
-  /// Reads of a millisecond without a state (1 s in all) before the service or the device counts as lost.
+  /// Reads of a millisecond without a state before the service or the device counts as lost: 1 s, long after its force
+  /// is zero (kFreshFor). Half: a service that hiccups must be opened again; twice: reported after 2 s.
   static constexpr int kPatience = 1000;
 
  private:

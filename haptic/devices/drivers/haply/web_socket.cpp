@@ -25,7 +25,8 @@ namespace websocket = beast::websocket;
 using boost::system::error_code;
 using std::chrono::milliseconds;
 
-constexpr std::size_t kMostMessage = 1 << 20;  // Bytes; a longer one is nobody's state.
+/// Bytes; a longer message is no state of a device. Half and twice only bound memory.
+constexpr std::size_t kMostMessage = 1 << 20;
 
 struct Address {
   std::string host, port, path;

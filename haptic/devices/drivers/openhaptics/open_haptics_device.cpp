@@ -10,12 +10,24 @@ namespace hapticell::driver {
 
 namespace {
 
-constexpr double kMetre = 1e-3;          // HDAPI counts millimetres.
-constexpr int kHostPatience = 50;        // Ticks without a command.
-constexpr int kSchedulerPatience = 200;  // Reads, a millisecond apart, without a tick of the vendor's scheduler.
-constexpr int kStandsStill = 15;         // Such reads after which it is not waited for any more.
-constexpr int kQuiet = 250;              // Ticks without force after one was refused.
-constexpr int kWarm = 1000;              // Ticks that a warning of warm motors is told.
+constexpr double kMetre = 1e-3;  // HDAPI counts millimetres.
+/// Ticks without a command before the force is let go of. The host acts first, at 25 ms (kSilentLoop). Half: both at
+/// once; twice: an old force acts 0.1 s if the host dies.
+constexpr int kHostPatience = 50;
+/// Reads, a millisecond apart, without a tick of the vendor's scheduler before the device counts as unplugged. Our
+/// choice. Half: a busy machine loses it; twice: reported after 0.4 s.
+constexpr int kSchedulerPatience = 200;
+/// Such reads after which the scheduler is not waited for: the amplifiers go off within kFreshFor. Half: a late
+/// scheduler costs the force; twice: the last force acts for over 20 ms.
+constexpr int kStandsStill = 15;
+/// Ticks without force after one was refused (force, impulse or speed): a contact is over by then. Our choice. Half:
+/// the same contact may be refused again; twice: half a second without force.
+constexpr int kQuiet = 250;
+/// Ticks that a warning of warm motors is reported, as the vendor says it once. Our choice. Half: full force comes back
+/// sooner, and the next warning; twice: 2 s of reduced force for each.
+constexpr int kWarm = 1000;
+/// Of the stiffness that the maker states, which is for its own rendering: a margin of a fifth. Our choice, on no real
+/// device. Half: soft walls; twice: over the maker's limit, it trembles.
 constexpr double kOfNominalStiffness = 0.8;
 constexpr double kPremiumTorque = 0.188;  // N m of the Premium 6DOF, the only such device.
 constexpr unsigned short kPriority = 65535;

@@ -12,7 +12,9 @@ namespace hapticell::driver {
 
 namespace {
 
-constexpr int kMostReports = 32;  // Of one read(): a burst is taken as a whole.
+// Reports of one read(): a burst is taken as a whole. Half: two reads; twice: nothing changes, more never come in a
+// millisecond.
+constexpr int kMostReports = 32;
 
 std::string idOf(const HidInfo& info) {
   return info.serial.empty() ? info.path : info.serial;

@@ -24,7 +24,8 @@ class SpaceMouseDevice final : public OwnedMouse {
   Status write(const Command& command) noexcept override;
   const Problem& problem() const noexcept override { return problem_; }
 
-  /// Empty reads of a millisecond each before a deflection counts as zero.
+  /// Empty reads of a millisecond each before a deflection counts as zero: a mouse reports some times a second while
+  /// pushed. Half: motion may stutter; twice: a lost report of release drifts for 0.5 s.
   static constexpr int kPatience = 250;
 
  private:

@@ -10,9 +10,14 @@ namespace hapticell::driver {
 
 namespace {
 
-constexpr double kFull = 350.0;       // Counts of full deflection,
-constexpr double kMostFull = 2000.0;  // and what a descriptor may say instead; emulations say the whole of 16 bits.
-constexpr double kDead = 3.0;         // Counts at rest that are no motion.
+// Counts of full deflection (PySpaceMouse, spacenavd). Half: full speed at half of the way; twice: half speed at full.
+constexpr double kFull = 350.0;
+// Counts of full deflection that a descriptor may say: far above the 350 or 500 of mice, far below the 32,767 of
+// emulations. Half and twice part them as well.
+constexpr double kMostFull = 2000.0;
+// Counts at rest that are no motion: 1 % of full. Half: a mouse that does not come back to zero drifts; twice: the
+// gentlest push is not felt.
+constexpr double kDead = 3.0;
 constexpr std::uint8_t kListReport = 0x1C;
 
 constexpr auto kOlder = MouseAxes::kUpAndAway;

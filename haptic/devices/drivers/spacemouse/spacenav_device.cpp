@@ -11,7 +11,9 @@ namespace hapticell::driver {
 namespace {
 
 constexpr double kSpacenavFull = 500.0;  // What spacenavd brings every mouse's range to.
-constexpr int kMostEvents = 64;          // Of one read().
+// Events of one read(): a burst is taken as a whole. Half: two reads; twice: nothing changes, more never come in a
+// millisecond.
+constexpr int kMostEvents = 64;
 
 }  // namespace
 
