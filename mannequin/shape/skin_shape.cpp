@@ -18,10 +18,14 @@ namespace {
 using S = Segment;
 using D = Dimension;
 
+// rad of the posture in which the skin is shaped: arms and legs do not flow into the trunk there. Half: armpits grow
+// together; twice: folds at shoulders that hang.
 constexpr double kArmsApart = 46.0 * std::numbers::pi / 180.0, kLegsApart = 9.0 * std::numbers::pi / 180.0;
 constexpr double kCloth = 0.0030, kTrouserCloth = 0.0040, kBeltCloth = 0.0075;  // m over the bare surface.
 constexpr double kBeltHalf = 0.017;                                             // m
-constexpr double kReachesUnder = 0.035;  ///< m that hands and head go on under cuff and collar.
+/// m that hands and head go on under cuff and collar (docs/dev/mannequin.md). Half: gaps when wrists bend; twice: skin
+/// comes through the cloth.
+constexpr double kReachesUnder = 0.035;
 
 /// Which way a limb points in the bind posture.
 dvec3 downOf(const std::vector<SegmentPlace>& places, S segment) {
