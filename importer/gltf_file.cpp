@@ -20,8 +20,11 @@ using Json = nlohmann::json;
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+// Guards memory. Half, twice: other files are refused with a message.
 constexpr std::size_t kMostElements = 200'000'000;
-constexpr std::size_t kMostZeros = 1'000'000;  ///< That a sparse accessor starts from.
+/// That a sparse accessor starts from: guards memory, as no byte of the file holds them. Half, twice: other files are
+/// refused with a message.
+constexpr std::size_t kMostZeros = 1'000'000;
 
 Error fault(std::string place, std::string found, std::string expected = "the content of a glTF file") {
   return damagedFile(std::move(place), std::move(found), std::move(expected));

@@ -265,15 +265,12 @@ constexpr ContentRule kStepRules[] = {
 };
 
 constexpr FormatRules kFormats[] = {
-    {"SDF", kSdfRules},
-    {"glTF", kGltfRules},
-    {"Collada", kColladaRules},
-    {"3MF", kThreeMfRules},
-    {"STEP", kStepRules},
+    {"SDF", kSdfRules}, {"glTF", kGltfRules}, {"Collada", kColladaRules}, {"3MF", kThreeMfRules}, {"STEP", kStepRules},
 };
 
 /// "'a', 'b' and 3 more".
 std::string placesListed(const std::vector<std::string>& places) {
+  // Places in a message; the rest is counted. Half, twice: shorter or longer messages.
   constexpr std::size_t kMost = 5;
   std::string text;
   for (std::size_t k = 0; k < places.size(); ++k) {
