@@ -16,7 +16,7 @@ constexpr double kParallel = 1e-9;
 // m: axes 1 and 2 intersect below it; rounding of files is 1e-10. Half: a rounded file is solved by the quartic, ill
 // conditioned; twice: an offset of 2e-9 m is ignored, the polish makes up for it.
 constexpr double kMeeting = 1e-9;
-// Sine or distance (m) that says nothing of an angle; as kFree of opw_lanes.h, where half and twice are told.
+// Sine or distance (m) that says nothing of an angle; as kFree of opw_lanes.h, where half and twice are given.
 constexpr double kFree = 5e-13;
 // How far a square root's argument may be negative by rounding; more than in opw_lanes.h, as the root of a quartic
 // comes before it. Half: a stretched wrist may be lost; twice: one more candidate, that the check refuses.

@@ -10,7 +10,7 @@ namespace hapticell::kinematics {
 namespace {
 
 constexpr int kMax = static_cast<int>(kMaxChainVariables);
-// m and rad; as kFitTolerance of fit_lanes.h, the same descent for four arms, where half and twice are told.
+// m and rad; as kFitTolerance of fit_lanes.h, the same descent for four arms, where half and twice are given.
 constexpr double kTolerance = 2e-10;
 // rad or m; as kLargestFitStep of fit_lanes.h.
 constexpr double kLargestStep = 0.7;

@@ -28,11 +28,9 @@ dvec3 feetMiddle(const FigurePose& pose) {
 
 /// Whether it is the very body: then it needs not be put where it stands.
 bool isSameBody(const Figure& a, const Figure& b) {
-  // m: statures are told in mm; a little over half of one. Half: rounded ones count as another body; twice: two bodies
-  // 1 mm apart count as one.
-  constexpr double kSameStature = 0.0006;
   using mannequin::Dimension;
-  return a.sex == b.sex && std::abs(a.body[Dimension::kStature] - b.body[Dimension::kStature]) < kSameStature;
+  return a.sex == b.sex &&
+         std::abs(a.body[Dimension::kStature] - b.body[Dimension::kStature]) < mannequin::kSameStature;
 }
 
 BodyAtTask asItStands(const Figure& figure, const Posture& posture, const WorkTask& task) {
