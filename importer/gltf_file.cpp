@@ -227,6 +227,8 @@ Expected<std::string_view> GltfFile::compressedView(std::size_t index, const Jso
   const bool there =
       buffer < buffers_.size() && offset <= buffers_[buffer].size() && length <= buffers_[buffer].size() - offset;
   // A packed block of 256 elements has at least a header of four bytes for each of their bytes.
+  // A packed block of 256 elements has at least a header of four bytes for each of their bytes: 64 fold, and 64 KB for
+  // short ones. Follows from the format; half: sound ones are refused; twice: more memory for broken ones.
   constexpr std::size_t kPackedFold = 64, kAlways = 65536;
   if (!there || stride == 0 || stride > 256 || count > kMostElements ||
       count * stride > kPackedFold * length + kAlways) {

@@ -17,13 +17,13 @@ namespace {
 
 constexpr auto kLimitsKey = "ergonomics/force_limits";
 // ms without motion until advice is looked for (docs/dev/ergonomics.md): a hand that moves pauses for less. Half:
-// threads begin in vain; twice: advice seems late.
+// threads begin for nothing; twice: advice seems late.
 constexpr int kRestMilliseconds = 350;
 // ms: four bodies are solved ten times a second at most, as numbers cannot be read more often. Half: twice the work
 // while dragging; twice: columns lag.
 constexpr int kBodiesMilliseconds = 90;
 // m that the hands' targets go down and up, and its steps: heights of a table that are chosen between. Our choice.
-// Half: good heights are out of range; twice the step: they are told to 60 mm.
+// Half: good heights are out of range; twice the step: they are known to 60 mm.
 constexpr double kLowest = -0.30, kHighest = 0.30, kRise = 0.03;
 
 bool samePosture(const mannequin::Posture& a, const mannequin::Posture& b) {

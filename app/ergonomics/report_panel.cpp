@@ -39,7 +39,8 @@ constexpr int kDrawMilliseconds = 300;
 constexpr int kQuickSamples = 1, kFineSamples = 8;
 constexpr QSize kSceneSize(600, 690);
 constexpr double kWidthAtFull = 794.0;  // Pixels of A4's 210 mm on a screen of 96 dots an inch.
-constexpr double kAround = 0.35;        ///< m of the cell about the figure.
+/// m of the cell about the figure in the picture. Half: a workpiece is cut off; twice: the figure is small.
+constexpr double kAround = 0.35;
 
 }  // namespace
 

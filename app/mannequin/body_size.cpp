@@ -65,7 +65,8 @@ constexpr std::array<const char*, mannequin::kDimensionCount> kDimensions{
     QT_TRANSLATE_NOOP("BodySize", "Head breadth"),
     QT_TRANSLATE_NOOP("BodySize", "Ear to top of head"),
     QT_TRANSLATE_NOOP("BodySize", "Mass")};
-// ms after the last change of a size until a figure is made: a slider's pause. Half: figures in vain; twice: it lags.
+// ms after the last change of a size until a figure is made: a slider's pause. Half: figures for nothing; twice: it
+// lags.
 constexpr int kDebounceMilliseconds = 180;
 
 }  // namespace

@@ -26,7 +26,7 @@
 namespace hapticell::app {
 namespace {
 
-// ms without motion until the reach is drawn, as live_scores.cpp's; a solve of many directions. Half: in vain while
+// ms without motion until the reach is drawn, as live_scores.cpp's; a solve of many directions. Half: for nothing while
 // dragging; twice: late.
 constexpr int kRestMilliseconds = 400, kMeridians = 18;
 constexpr double kSightLength = 1.4;  // m

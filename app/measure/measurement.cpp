@@ -10,7 +10,7 @@ namespace {
 
 using collision::SurfaceType;
 // rad: rounding of files and places; 0.1 mm at 1 m. Half: parallel faces of rounded files get no distance; twice: 0.2
-// mm at 1 m is not told.
+// mm at 1 m is not seen.
 constexpr double kParallel = 1e-4;
 
 bool isPlane(const PickedFeature& f) {

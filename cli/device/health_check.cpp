@@ -29,7 +29,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// ms: a driver of graphics may be slow the first time. Half: slow machines are told to have none; twice: a hung one is
+// ms: a driver of graphics may be slow the first time. Half: slow machines count as having none; twice: a hung one is
 // waited for longer.
 constexpr int kProbePatience = 20'000;
 // Bytes free on a disk: room for some documents, packs and recordings, our choice. Half: it warns too late; twice:

@@ -23,7 +23,7 @@ constexpr double kAssembled = 1e-9;
 // assembly. Half: twice the steps after a jump; twice: a four-bar may flip.
 constexpr double kLongestStride = 0.15;
 // Damped Newton steps that a stride may take, as kFull of closure_inverse.cpp. Half: loops near a dead centre may count
-// as open; twice: longer until a loop that cannot close is told.
+// as open; twice: longer until a loop that cannot close is reported.
 constexpr int kIterations = 60;
 
 Error refusal(const RobotModel& model, const std::string& found, const std::string& expected, const std::string& fix) {

@@ -30,7 +30,7 @@ constexpr double kKeptFirst = 0.004;
 // singularity is 0.4 mm off.
 constexpr double kKept = 2e-4;
 // m: further off it is the hand that is fast, or the reach that ends. Chosen by trial. Half: a wrist singularity passed
-// quickly loses the position; twice: a second descent in vain for fast hands.
+// quickly loses the position; twice: a second descent for nothing for fast hands.
 constexpr double kWorthTrying = 0.02;
 // rad from straight or folded: there the elbow could change its side. 0.01 rad of a bend shortens an arm of 1 m by 13
 // um. Half: the last iterations creep; twice: reach ends 50 um earlier.

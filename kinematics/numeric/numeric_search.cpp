@@ -18,14 +18,14 @@ constexpr std::size_t kSeedsForNearest = 64;
 // Starts about the present posture, four rings of four, kNearEnough apart: up to 1 rad. Half: fewer near solutions are
 // found; twice: more time for each pose that has none.
 constexpr std::size_t kSeedsAboutStart = 16;
-// Seeds that tell "out of limits" from "out of reach". Chosen by trial. Half: a reachable pose is more often told as
+// Seeds that tell "out of limits" from "out of reach". Chosen by trial. Half: a reachable pose is more often taken for
 // out of reach; twice: twice the time for a refusal.
 constexpr std::size_t kSeedsWithoutLimits = 96;
 // New starts when 1024 known ones were not enough; chosen by trial. Half: hard poses of odd arms are lost; twice: twice
-// the time until a pose out of reach is told.
+// the time until a pose out of reach is reported.
 constexpr std::size_t kFurtherSeeds = 300;
 /// Of startApart(): the nearest of the seeds is about so far; from further off a descent mostly ends elsewhere. Half:
-/// the present posture is tried less often first; twice: more descents in vain.
+/// the present posture is tried less often first; twice: more descents for nothing.
 constexpr double kNearStart = 0.5;
 // rad or m: an answer this near is not worth a search for a nearer one; two configurations differ by more. Half: more
 // searches; twice: the elbow of a nearly straight arm may turn over.
@@ -52,7 +52,7 @@ double fitCost(const FitResult& fit, double lever) {
 /// Beyond the reach, and by more than rounding: a tip that no joint takes away from the first one is at its very end.
 bool NumericInverse::isTooFar(const Pose& X_BT) const {
   // m, and in parts of the reach; what is accepted as met (1e-9). Half: a stretched arm may be refused; twice: a search
-  // in vain for poses 2e-9 m too far.
+  // for nothing for poses 2e-9 m too far.
   constexpr double kRounding = 1e-9;
   const double distance = glm::length(X_BT.p - chain_.elements()[0].p_PJ);
   return distance > chain_.reach() * (1.0 + kRounding) + kRounding;
@@ -140,7 +140,8 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
     if (best.converged) break;
   }
   // There the last digits of the joints are lost: what is met to this is met (arm 356 of RandomArms with 2000 arms).
-  constexpr double kMet = 1e-8;  // m and rad
+  // m and rad. Half: that arm's pose is refused; twice: 2e-8 off passes, of such poses only.
+  constexpr double kMet = 1e-8;
   best.converged = best.converged || (best.position_error < kMet && best.orientation_error < kMet);
   return best;
 }

@@ -17,10 +17,10 @@ namespace {
 using S = Segment;
 
 /// Cost of closed-form arms below which the present trunk is worth a try; by trial. Half: trunks move where arms would
-/// do; twice: tries in vain.
+/// do; twice: tries for nothing.
 constexpr double kGoodArms = 0.25;
 /// m^2 (55 mm): the start itself is nearly there. By trial. Half: other trunks are tried for small motions; twice:
-/// tries in vain.
+/// tries for nothing.
 constexpr double kNearMerit = 0.003;
 // Steps from a seed; by trial. Half: good seeds fail and the next is tried; twice: seeds that fail cost twice the time.
 constexpr int kPolishSteps = 20;

@@ -173,8 +173,9 @@ class SkinTailor {
   /// From each edge of a hem a strip inwards; `edges` as the triangles beside them have them.
   void turnIn(Layer layer, const std::vector<std::array<std::uint32_t, 2>>& edges, std::vector<dvec3>& normals) {
     const double wide = layer == Layer::kTrousers ? 0.016 : 0.005;  // m
-    // A hair's breadth apart from the cloth, or simplifying would take both for one and move the hem.
-    constexpr double kStep = 0.001, kApart = 2e-5;                // m
+    // m of the differences that tell which way a hem looks; and m between hem and cloth. Half, twice of 20 um:
+    // simplifying takes both for one, or a gap is seen.
+    constexpr double kStep = 0.001, kApart = 2e-5;
     std::map<std::uint32_t, std::array<std::uint32_t, 2>> strip;  // Of each vertex: its edge, and inside.
     const auto turned = [&](std::uint32_t v) {
       const auto [place, is_new] = strip.try_emplace(v, std::array<std::uint32_t, 2>{});

@@ -29,8 +29,8 @@ constexpr double kFullUse = 0.9995;
 /// rad: corners that are rested at, by mode: 45 deg for least time, 20 deg where the speed is to stay. Half: more
 /// rests, slower; twice: sharp corners are crept round.
 constexpr double kSharp = 0.785398, kGlued = 0.35;
-/// rad, 3 deg: a bend, where corners are looked for everywhere. Half: rests at noise are tried, in vain; twice: gentle
-/// zigzags that rests would make faster are crept through.
+/// rad, 3 deg: a bend, where corners are looked for everywhere. Half: rests at noise are tried, for nothing; twice:
+/// gentle zigzags that rests would make faster are crept through.
 constexpr double kBent = 0.05;
 /// Of the time between frames: to a sixteenth. Half: frames of fast corners are rested at instead; twice: sixteen times
 /// more frames.

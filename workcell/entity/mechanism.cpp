@@ -14,7 +14,7 @@ using kinematics::GraphJoint;
 using kinematics::JointGraph;
 using kinematics::JointType;
 
-// rad, m: what a finite limit may be, against numbers that are none. Half, twice: no effect on machines.
+// rad, m: what a finite limit may be, against nonsense. Half, twice: no effect on machines.
 constexpr double kLargest = 1e6;
 
 Error refusal(const std::string& place, std::string found, std::string expected, std::string fix = {}) {

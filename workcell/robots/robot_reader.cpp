@@ -94,6 +94,7 @@ void hintAtOpenLoops(const kinematics::RobotModel& model, Diagnostics& diagnosti
   // Equal free legs, and joints of each, from which a robot looks parallel: fewer are grippers' fingers. Half: grippers
   // are warned of; twice: deltas are not.
   constexpr int kLegs = 3;
+  // Joints of a leg; see kLegs.
   constexpr std::size_t kJoints = 3;
   for (const auto& [way, count] : freeLegs(model)) {
     if (count < kLegs || way.size() < kJoints) continue;

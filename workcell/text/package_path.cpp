@@ -134,6 +134,7 @@ std::optional<FoundFile> findUnderAnyName(const std::string& name, fs::path rest
   // Levels of folders upwards in which a package is looked for; our choice. Half: meshes deep in a workspace are not
   // found; twice: folders of other things are looked into.
   constexpr std::size_t kLevels = 5;
+  // Steps of a path: "/", "home", "user" are no packages. Not tuned.
   constexpr std::ptrdiff_t kNearRoot = 3;  // "/", "home", "user"
   for (bool whole = true; std::distance(rest.begin(), rest.end()) >= (whole ? 1 : 2); whole = false) {
     for (std::size_t i = 0; i < std::min(kLevels, folders.size()); ++i) {

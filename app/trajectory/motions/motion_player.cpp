@@ -20,7 +20,7 @@ constexpr int kFrameMilliseconds = 16;
 constexpr double kLongestStep = 0.1;
 // s of that until it is said: one slow picture is no reason. Half: said when a part appears; twice: one wonders.
 constexpr double kSlowAfter = 1.0;
-// Of one motion's swept volume. Half: gaps are seen; twice: drawing twice as slow, nothing is told apart.
+// Of one motion's swept volume. Half: gaps are seen; twice: drawing twice as slow, nothing is distinguished.
 constexpr std::size_t kMostGhosts = 12;
 // m between two of them, at least. Half, twice: short motions have more or fewer.
 constexpr double kGhostApart = 0.02;
@@ -45,7 +45,8 @@ void addTouches(const Motion& motion, std::vector<double>& times) {
 
 /// Turning in place needs room too.
 double wayBetween(const Pose& a, const Pose& b) {
-  // m a rad, as metres_per_radian of trajectory/timing/retiming.h.
+  // m a rad, as metres_per_radian of trajectory/timing/retiming.h. Half: fewer ghosts where a part only turns; twice:
+  // more.
   constexpr double kMetresARadian = 0.1;
   const trajectory::PoseDistance distance = trajectory::distanceBetween(a, b);
   return distance.position + kMetresARadian * distance.angle;

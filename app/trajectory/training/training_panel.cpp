@@ -219,7 +219,7 @@ void TrainingPanel::exportResults() {
 
 double TrainingPanel::neededPoints() const {
   // Of 100: the score that passes where an exercise says nothing; our choice. Half, twice: runs pass more or less
-  // easily.
+  // readily.
   constexpr double kUsualPass = 60.0;
   return exercise_ ? exercise_->pass : kUsualPass;
 }

@@ -17,7 +17,7 @@ namespace {
 // Triangles: sooner made ready than handed over. Half: small parts appear a frame later; twice: many of them delay a
 // frame.
 constexpr std::size_t kSmallMesh = 2000;
-// Triangles, so few that coarser ones would win nothing. Half: work in vain; twice: parts of 200 keep all.
+// Triangles, so few that coarser ones would win nothing. Half: work for nothing; twice: parts of 200 keep all.
 constexpr std::size_t kTinyMesh = 100;
 // Bytes handed to the graphics card between two looks at the time, some ms. Half: more calls; twice: a frame may be
 // late.

@@ -12,6 +12,8 @@ namespace {
 // Pixels to a handle, and to the middle; as kEdgePixels of feature_picker.h. Half: hard to meet; twice: handles
 // overlap.
 constexpr double kNearPixels = 8.0;
+// Pixels to the middle, more than to a handle, as all handles begin there. Half: hard to meet; twice: arrows near it
+// cannot be taken.
 constexpr double kMiddlePixels = 11.0;
 constexpr double kMiddleBox = 0.085;  // Half a side, of the arrows.
 constexpr double kRing = 0.75;        // Of the arrows.

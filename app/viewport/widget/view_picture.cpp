@@ -15,7 +15,8 @@ namespace {
 // What is further off its shape is seen by who looks for it: a pixel. Half: said without reason; twice: not said where
 // it is seen.
 constexpr double kSeenPixels = 1.0;
-// s without motion until the picture is refined: a hand pauses for less. Half: begun in vain; twice: rough edges stay.
+// s without motion until the picture is refined: a hand pauses for less. Half: begun for nothing; twice: rough edges
+// stay.
 constexpr double kSettleSeconds = 0.16;
 
 bool sameCamera(const Camera& a, const Camera& b) {
