@@ -178,6 +178,8 @@ void openAtStart(MainWindow& window, const QString& wanted, bool first_page) {
 
 /// Acts once nothing is being read any more and `delay_ms` passed since.
 void whenRead(MainWindow& window, int delay_ms, const std::function<void()>& act) {
+  // ms between two looks whether reading ended, for pictures from the command line. Half, twice: ends at most so much
+  // later.
   constexpr int kLook = 50;
   if (window.files().isBusy()) {
     QTimer::singleShot(kLook, &window, [&window, delay_ms, act] { whenRead(window, delay_ms, act); });
@@ -189,6 +191,8 @@ void whenRead(MainWindow& window, int delay_ms, const std::function<void()>& act
 /// Acts once no work beside the window is under way (skins of figures, advice, checks at rest) and what it gave is
 /// drawn, or half a minute has passed.
 void whenDone(MainWindow& window, const std::function<void()>& act) {
+  // ms: looks; at most; without work until what it gave is drawn. Half of 600: a picture may lack a skin; twice: each
+  // picture takes longer.
   constexpr int kLook = 100, kAtMost = 30000, kDrawn = 600;
   auto* look = new QTimer(&window);
   QObject::connect(look, &QTimer::timeout, &window, [look, act, waited = 0, rested = 0]() mutable {

@@ -18,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Bytes: guards memory; settings are some kB. Half, twice: no effect.
 constexpr std::uintmax_t kLargestSettings = 1'000'000;
 
 /// A value of the file as the text that setValue takes; empty optional for arrays, tables and dates.

@@ -206,6 +206,7 @@ Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::str
 }
 
 Expected<DeviceProfile> readDeviceProfile(const std::filesystem::path& file) {
+  // Bytes: guards memory; a profile is some kB. Half, twice: no effect.
   constexpr std::uintmax_t kMostBytes = 1'000'000;
   const auto text = geometry::readRegularFile(file, kMostBytes);
   if (!text) return makeError({.file = file.string(), .found = text.error().found, .expected = "a device profile"});

@@ -90,6 +90,7 @@ class ColladaTidier {
   }
 
   void tidyNodes(pugi::xml_node parent, int depth) {
+    // Levels of nodes, as kDeepest of assimp_reader.cpp.
     constexpr int kDeepest = 500;
     if (depth > kDeepest) return;
     for (pugi::xml_node node : parent.children()) {

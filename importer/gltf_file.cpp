@@ -20,8 +20,11 @@ using Json = nlohmann::json;
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+// Guards memory. Half, twice: other files are refused with a message.
 constexpr std::size_t kMostElements = 200'000'000;
-constexpr std::size_t kMostZeros = 1'000'000;  ///< That a sparse accessor starts from.
+/// That a sparse accessor starts from: guards memory, as no byte of the file holds them. Half, twice: other files are
+/// refused with a message.
+constexpr std::size_t kMostZeros = 1'000'000;
 
 Error fault(Text place, Text found, Text expected = Text("the content of a glTF file")) {
   return damagedFile(std::move(place), std::move(found), std::move(expected));
@@ -226,6 +229,8 @@ Expected<std::string_view> GltfFile::compressedView(std::size_t index, const Jso
   const bool there =
       buffer < buffers_.size() && offset <= buffers_[buffer].size() && length <= buffers_[buffer].size() - offset;
   // A packed block of 256 elements has at least a header of four bytes for each of their bytes.
+  // A packed block of 256 elements has at least a header of four bytes for each of their bytes: 64 fold, and 64 KB for
+  // short ones. Follows from the format; half: sound ones are refused; twice: more memory for broken ones.
   constexpr std::size_t kPackedFold = 64, kAlways = 65536;
   if (!there || stride == 0 || stride > 256 || count > kMostElements ||
       count * stride > kPackedFold * length + kAlways) {

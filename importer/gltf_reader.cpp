@@ -19,7 +19,9 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t kNoIndex = static_cast<std::size_t>(-1);
+// Guards time and memory of the tree. Half, twice: other files are refused with a message.
 constexpr std::size_t kMostNodes = 200'000;
+// Levels of nodes, as kDeepest of assimp_reader.cpp.
 constexpr int kDeepestNode = 500;
 
 std::vector<float> gltfFloats(const json& object, const char* key, std::vector<float> otherwise) {

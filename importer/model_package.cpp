@@ -19,9 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// 1 GB unpacked: guards memory. Half, twice: other files are refused with a message.
 constexpr std::int64_t kMostBytes = std::int64_t{1} << 30;
 constexpr std::int64_t kMostFold =
     200;  // Text of coordinates packs to a fifth, of a lattice to a fiftieth, blanks to a thousandth.
+// 64 MB may unpack at any fold: blanks pack to a thousandth. Half, twice: small files of blanks are refused, or take
+// memory.
 constexpr std::int64_t kHarmless = std::int64_t{64} << 20;
 
 /// Only what is read is kept.

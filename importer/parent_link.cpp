@@ -39,6 +39,7 @@ void ParentLink::line(const std::string& text) {
 }
 
 void ParentLink::progress(double share, const std::string& stage) {
+  // Of the progress: a pixel of the bar. Half: twice the lines; twice: steps are seen.
   constexpr double kStep = 0.01;
   share = from_ + share * (to_ - from_);
   if (share < told_ + kStep && stage == stage_) return;

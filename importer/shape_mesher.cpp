@@ -61,7 +61,9 @@ std::array<float, 3> plainColor(const Quantity_Color& color) {
 
 MeshedShape meshShape(const TopoDS_Shape& shape, double factor, const workcell::Tessellation& tessellation,
                       const FaceColors& colors) {
-  constexpr double kFinest = 1e-5;  // Of the size: a finer chord only fills the memory.
+  // Of the size: a finer chord only fills the memory: 0.01 mm of a part of 1 m. Half: 1.4 times as many cuts of a
+  // circle; twice: 0.02 mm is the finest.
+  constexpr double kFinest = 1e-5;
   const double chord_mm = std::max(tessellation.chord * 1e3 / factor, kFinest * diagonalOf(shape));
   const BRepMesh_IncrementalMesh mesher(shape, chord_mm, false, tessellation.angle, true);
   MeshedShape result;

@@ -25,6 +25,7 @@ namespace hapticell::importer {
 namespace {
 
 constexpr std::string_view kMark = "\xEF\xBB\xBF";
+// 4 GB: guards memory. Half, twice: other files are refused with a message.
 constexpr std::size_t kMostUnpacked = std::size_t{4} << 30;
 
 bool isHigh(char c) {
@@ -101,6 +102,7 @@ const EncodingWords& wordsOf(const std::string& encoding) {
 
 /// The file with its raw names in UTF-8; `encoding` is set to what they were taken for.
 std::string withNamesConverted(const std::string& content, const StepOutline& outline, std::string& encoding) {
+  // Names from which the encoding is guessed: more do not change the guess. Half, twice: time.
   constexpr std::size_t kMostTexts = 4000;
   std::vector<std::string> raw;
   for (const auto& [begin, length] : outline.raw) {
@@ -121,6 +123,7 @@ std::string withNamesConverted(const std::string& content, const StepOutline& ou
 /// OpenCASCADE opens the files that a text names by itself: none of them, nor of those that they name, may be a pipe or
 /// a device. Which of the texts are names it decides; so all are looked at where there are any references.
 Expected<void> checkReferences(const std::string& content, const std::filesystem::path& folder) {
+  // Guards time: texts that may be names of files. Half, twice: no effect on real assemblies.
   constexpr std::size_t kLongestName = 255, kMostNames = 100'000;
   std::set<std::string> known;
   std::vector<std::string> open;
@@ -167,6 +170,7 @@ Expected<std::string> unpacked(const std::filesystem::path& file) {
                            .fix = "Unpack it, or export it as .step."});
   };
   if (archive_read_open_filename(in.get(), file.c_str(), 65536) != ARCHIVE_OK) return refused();
+  // As kHarmless and kMostFold of model_package.cpp.
   constexpr std::uintmax_t kHarmlessStep = std::uintmax_t{64} << 20, kStepFold = 200;
   std::error_code ignored;
   const std::uintmax_t most = std::min<std::uintmax_t>(

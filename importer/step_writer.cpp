@@ -192,6 +192,8 @@ class StepBuilder {
   Expected<TopoDS_Shape> shapeOf(const SceneNode& node) {
     if (node.origin) return exactShape(node);
     const geometry::TriangleMesh& mesh = scene_.meshes[static_cast<std::size_t>(node.mesh)];
+    // Triangles as STEP faces: each is some lines of text, slow in any CAD program. Half, twice: other meshes are
+    // refused with a message.
     constexpr std::size_t kMostFaces = 200'000;
     if (mesh.triangles.size() > kMostFaces) {
       return makeError({.place = "'" + node.name + "'",
@@ -225,6 +227,7 @@ class StepBuilder {
     }
     const double factor =
         node.origin->metres_per_unit > 0.0 ? node.origin->metres_per_unit / source->metresPerUnit() : 1.0;
+    // Rounding of two units' quotient; 1 nm of a part of 1 m. Half, twice: no effect.
     constexpr double kSame = 1e-9;
     if (std::abs(factor - 1.0) < kSame) return copied(shape);
     gp_Trsf scaling;

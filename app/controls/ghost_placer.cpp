@@ -3,8 +3,8 @@
 
 #include <QMouseEvent>
 
-#include "app/host/host.h"
 #include "app/controls/place_fields.h"
+#include "app/host/host.h"
 #include "app/viewport/widget/floor_point.h"
 #include "app/viewport/widget/viewport_widget.h"
 
@@ -12,7 +12,9 @@ namespace hapticell::app {
 namespace {
 
 const std::string kGhostOwner = "placed";
-constexpr double kLooksUp = 0.7;  // Cosine to the vertical: a thing would slide from steeper faces.
+// Cosine to the vertical, 45 degrees: a thing would slide from steeper faces. Half: parts are put on walls of 69
+// degrees; over 1: always on the floor.
+constexpr double kLooksUp = 0.7;
 
 /// Below what was hit: that point itself on a face that looks up, else the floor beside the wall.
 dvec3 standingPoint(const PickedFeature& feature) {

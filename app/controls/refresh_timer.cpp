@@ -9,7 +9,8 @@
 namespace hapticell::app {
 
 QTimer& refreshTimer(Host& host) {
-  constexpr int kRefreshMilliseconds = 100;  // More often no number can be read.
+  // ms: more often no number can be read. Half: numbers flicker, twice the work; twice: they lag behind the hand.
+  constexpr int kRefreshMilliseconds = 100;
   const QString name = QStringLiteral("refreshTimer");
   if (auto* timer = host.window().findChild<QTimer*>(name, Qt::FindDirectChildrenOnly)) return *timer;
   auto* timer = new QTimer(&host.window());

@@ -8,15 +8,15 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/controls/ghost_placer.h"
+#include "app/controls/place_fields.h"
+#include "app/controls/pose_text.h"
 #include "app/edit/part_names.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/kit/form.h"
-#include "app/controls/ghost_placer.h"
-#include "app/controls/place_fields.h"
-#include "app/controls/pose_text.h"
 #include "app/style/icon.h"
 #include "app/style/live_label.h"
 #include "app/style/value_field.h"
@@ -32,6 +32,8 @@ constexpr QSize kPartThumb{72, 54};
 constexpr QSize kPartCell{96, 84};  // Three in a row beside the scroll bar.
 constexpr QSize kPartPicture{308, 130};
 constexpr int kPartListHeight = 3 * kPartCell.height() + 8;
+// ms between two small pictures of robots, so that clicks come between. Half: the panel answers later; twice: the list
+// fills slowly.
 constexpr int kPartDrawPause = 30;
 constexpr double kMillimetres = 1000.0;
 

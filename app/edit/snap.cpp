@@ -7,8 +7,11 @@
 namespace hapticell::app {
 namespace {
 
+// Pixels to a frame's origin, as kVertexPixels of feature_picker.h. Half: it is hard to meet; twice: corners beside it
+// cannot be taken.
 constexpr double kFramePixels = 10.0;
-constexpr double kSamePlace = 1e-6;  // m
+// m: a corner that is the frame's origin but for rounding. Half, twice: no effect.
+constexpr double kSamePlace = 1e-6;
 
 struct Snap {
   Q_DECLARE_TR_FUNCTIONS(Snap)

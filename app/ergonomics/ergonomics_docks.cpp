@@ -18,13 +18,13 @@
 #include "app/ergonomics/time_panel.h"
 #include "app/ergonomics/work_task_panel.h"
 #include "app/ergonomics/workplace_panel.h"
-#include "app/kit/action_face.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
+#include "app/kit/action_face.h"
+#include "app/kit/form.h"
 #include "app/kit/top_menus.h"
 #include "app/mannequin/mannequin_context.h"
-#include "app/kit/form.h"
 #include "app/style/dock_title_bar.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "mannequin/shape/body_shape.h"
@@ -33,6 +33,8 @@
 namespace hapticell::app {
 namespace {
 
+// ms between two looks: 30 times a second moves smoothly; five times where nothing is seen. Half: twice the work;
+// twice: strips jerk.
 constexpr int kFrameMilliseconds = 33, kUnseenMilliseconds = 200;
 
 /// What of the window is the ergonomics'; owned by the window.
@@ -86,7 +88,8 @@ class ErgonomicsDocks : public QObject {
     host_.addDock(dock, area, onto);
     dock->hide();
     // Never the words for an empty cell until the timer comes round.
-    connect(dock, &QDockWidget::visibilityChanged, this, [this] { look(); }, Qt::QueuedConnection);
+    connect(
+        dock, &QDockWidget::visibilityChanged, this, [this] { look(); }, Qt::QueuedConnection);
     return dock;
   }
 

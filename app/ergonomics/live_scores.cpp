@@ -16,10 +16,15 @@ namespace hapticell::app {
 namespace {
 
 constexpr auto kLimitsKey = "ergonomics/force_limits";
+// ms without motion until advice is looked for (docs/dev/ergonomics.md): a hand that moves pauses for less. Half:
+// threads begin for nothing; twice: advice seems late.
 constexpr int kRestMilliseconds = 350;
-constexpr int kBodiesMilliseconds = 90;                           // Four bodies are solved ten times a second at most.
-constexpr double kLowest = -0.30, kHighest = 0.30, kRise = 0.03;  // m
-constexpr double kSameStature = 0.0006;                           // m
+// ms: four bodies are solved ten times a second at most, as numbers cannot be read more often. Half: twice the work
+// while dragging; twice: columns lag.
+constexpr int kBodiesMilliseconds = 90;
+// m that the hands' targets go down and up, and its steps: heights of a table that are chosen between. Our choice.
+// Half: good heights are out of range; twice the step: they are known to 60 mm.
+constexpr double kLowest = -0.30, kHighest = 0.30, kRise = 0.03;
 
 bool samePosture(const mannequin::Posture& a, const mannequin::Posture& b) {
   return a.angles == b.angles && a.X_WR.p == b.X_WR.p && a.X_WR.q == b.X_WR.q;
@@ -94,7 +99,7 @@ int LiveScores::ownBody() const {
   for (std::size_t i = 0; i < figures_.size(); ++i) {
     const mannequin::Figure& other = figures_[i].figure;
     const double off = other.body[mannequin::Dimension::kStature] - figure_->body[mannequin::Dimension::kStature];
-    if (other.sex == figure_->sex && std::abs(off) < kSameStature) return static_cast<int>(i);
+    if (other.sex == figure_->sex && std::abs(off) < mannequin::kSameStature) return static_cast<int>(i);
   }
   return -1;
 }

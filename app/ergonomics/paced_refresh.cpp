@@ -4,6 +4,7 @@
 namespace hapticell::app {
 namespace {
 
+// ms between two pictures of numbers, as kRefreshMilliseconds of refresh_timer.cpp.
 constexpr int kShowMilliseconds = 100;
 
 }  // namespace

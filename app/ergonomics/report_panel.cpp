@@ -31,11 +31,16 @@
 namespace hapticell::app {
 namespace {
 
+// ms after the last change until the page is drawn: a typist's pause. Half: drawn between letters; twice: it seems to
+// hang.
 constexpr int kDrawMilliseconds = 300;
+// Samples a pixel of the cell's picture: on the screen, and where it is written. Half of 8: edges are seen in print;
+// twice: twice the time.
 constexpr int kQuickSamples = 1, kFineSamples = 8;
 constexpr QSize kSceneSize(600, 690);
 constexpr double kWidthAtFull = 794.0;  // Pixels of A4's 210 mm on a screen of 96 dots an inch.
-constexpr double kAround = 0.35;        ///< m of the cell about the figure.
+/// m of the cell about the figure in the picture. Half: a workpiece is cut off; twice: the figure is small.
+constexpr double kAround = 0.35;
 
 }  // namespace
 

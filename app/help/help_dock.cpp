@@ -13,9 +13,9 @@
 #include "app/help/scene_text.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "app/kit/key_overlay.h"
 #include "app/host/language.h"
 #include "app/host/selection.h"
+#include "app/kit/key_overlay.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/icon.h"
 #include "app/viewport/widget/viewport_widget.h"
@@ -23,7 +23,9 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kReadMilliseconds = 1000;  // A reader is not to be talked over.
+// ms between two sentences on the scene: a reader is not to be talked over. Half: sentences pile up; twice: they are
+// late.
+constexpr int kReadMilliseconds = 1000;
 constexpr int kHelpWidth = 332;
 const QString kSceneWords = QStringLiteral("sceneWords");
 

@@ -10,6 +10,7 @@
 namespace hapticell::app {
 namespace {
 
+// Pairs that are read aloud: more are not kept in mind. Half, twice: shorter or longer texts.
 constexpr std::size_t kMostPairs = 6;
 
 struct SceneText {

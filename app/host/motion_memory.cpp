@@ -9,7 +9,10 @@
 namespace hapticell::app {
 namespace {
 
+// s that a step of going back takes at most: pauses are cut, so that ten seconds of it are motion. Half: slow motions
+// run faster; twice: one waits at pauses.
 constexpr double kPause = 0.2;
+// ms between two kept places. Half: twice the memory; twice: corners of a motion are cut.
 constexpr qint64 kLookMilliseconds = 100;
 
 /// What carries comes before what hangs on it: moving the first takes the second along.

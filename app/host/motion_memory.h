@@ -26,7 +26,9 @@ class MotionMemory {
     bool operator==(const Place& other) const;
   };
   using Places = std::map<workcell::EntityId, Place>;
-  static constexpr double kKept = 60.0;  ///< Seconds of motion.
+  /// Seconds of motion: six times what one step of going back takes (go_back.cpp). Half, twice: three or twelve steps,
+  /// memory in proportion.
+  static constexpr double kKept = 60.0;
 
   /// `places` gives the present placements of all entities, as drawn.
   MotionMemory(DocumentModel& document, std::function<Places()> places);

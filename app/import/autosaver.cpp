@@ -10,7 +10,10 @@
 namespace hapticell::app {
 
 namespace {
+// ms between two recovery copies: at most so much work is lost. Half: twice the writing; twice: a minute is lost.
 constexpr int kEveryMilliseconds = 30'000;
+// s that a crash waits for a copy that is being written; where the writer itself broke it never ends. Half: a slow
+// disk's copy is lost; twice: a crash takes longer.
 constexpr std::chrono::seconds kLongestWait{1};
 }  // namespace
 

@@ -30,7 +30,9 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kPatience = 400;   // Milliseconds of work without choices before the panel shows itself.
+// ms of work without choices before the panel shows itself: shorter work would flash. Half: flashes; twice: a click
+// seems lost.
+constexpr int kPatience = 400;
 constexpr int kBelowCube = 116;  // Pixels: the view cube stays in sight.
 
 /// Where in `folder` or below it a file of that name is. Looks at 100,000 files at most.

@@ -233,7 +233,9 @@ void ImportPanel::showProgress() {
   }
   QString words = capital(stage.isEmpty() ? tr("Reading") : stage);
   if (file != shown) words = QFileInfo(file->path).fileName() + QStringLiteral(": ") + words;
-  constexpr double kKnown = 0.05;  // Of the whole.
+  // Of the whole: before it, the time left is a guess of twenty times what passed. Half: it leaps at the beginning;
+  // twice: it comes later.
+  constexpr double kKnown = 0.05;
   progress_->showWork(words, share, file && share > kKnown ? file->elapsed * (1.0 - share) / share : 0.0);
 }
 

@@ -38,7 +38,8 @@ void ImportProgress::showWork(const QString& words, double share, double seconds
   stage_->setText(stage_->fontMetrics().elidedText(words, Qt::ElideRight, parentWidget()->width() - 130));
   stage_->setToolTip(words);
   QString text = QStringLiteral("%1 %").arg(std::lround(100.0 * share));
-  constexpr double kWorthSaying = 2.0;  // Seconds.
+  // Seconds left that are worth saying. Half, twice: flashes at the end, or a wait without a word.
+  constexpr double kWorthSaying = 2.0;
   if (seconds_left > kWorthSaying) text += tr(" · %1 left").arg(durationText(seconds_left));
   share_->setText(text);
   bar_->setValue(static_cast<int>(std::lround(1000.0 * share)));

@@ -7,8 +7,12 @@
 
 namespace hapticell::app {
 namespace {
-constexpr int kQuiet = 700;   // Milliseconds: programs write in pieces.
-constexpr int kFollow = 500;  // A drag changes the document sixty times a second; its files change seldom.
+// ms without a change until a file counts as written: programs write in pieces. Half: slow programs' files are read
+// half; twice: one waits.
+constexpr int kQuiet = 700;
+// ms: a drag changes the document sixty times a second; its files change seldom. Half: twice the work; twice: a new
+// file is watched a second later.
+constexpr int kFollow = 500;
 }  // namespace
 
 SourceWatch::SourceWatch(DocumentModel& document, QObject* parent) : QObject(parent), document_(document) {

@@ -9,9 +9,13 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kPatience = 30000;          // Milliseconds for one picture.
-constexpr int kEndPatience = 120000;      // For the last ones and the index.
-constexpr qint64 kMostWaiting = 1 << 25;  // Bytes that may wait for the program.
+// ms for one picture: ffmpeg on a busy machine. Half: slow machines fail; twice: a hung one is waited for longer.
+constexpr int kPatience = 30000;
+// ms for the last pictures and the index. Half: long videos fail at their end; twice: a hung one is waited for longer.
+constexpr int kEndPatience = 120000;
+// Bytes that may wait for the program, four pictures of full size. Half: drawing waits for it more often; twice:
+// memory.
+constexpr qint64 kMostWaiting = 1 << 25;
 
 }  // namespace
 

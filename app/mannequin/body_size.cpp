@@ -65,8 +65,9 @@ constexpr std::array<const char*, mannequin::kDimensionCount> kDimensions{
     QT_TRANSLATE_NOOP("BodySize", "Head breadth"),
     QT_TRANSLATE_NOOP("BodySize", "Ear to top of head"),
     QT_TRANSLATE_NOOP("BodySize", "Mass")};
+// ms after the last change of a size until a figure is made: a slider's pause. Half: figures for nothing; twice: it
+// lags.
 constexpr int kDebounceMilliseconds = 180;
-constexpr double kSameStature = 0.0006;  // m
 
 }  // namespace
 
@@ -210,7 +211,7 @@ void BodySize::showNow() {
   for (std::size_t i = 0; i < kBoundaries.size(); ++i) {
     const Boundary& one = kBoundaries[i];
     const double its = *mannequin::statureOfPercentile(one.sex, one.percentile);
-    if (one.sex == figure.sex && std::abs(its - stature) < kSameStature) boundary = static_cast<int>(i);
+    if (one.sex == figure.sex && std::abs(its - stature) < mannequin::kSameStature) boundary = static_cast<int>(i);
   }
   boundary_->setCurrent(boundary);
   sex_->setCurrent(figure.sex == Sex::kFemale ? 0 : 1);

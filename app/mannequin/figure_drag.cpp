@@ -17,7 +17,9 @@ namespace hapticell::app {
 
 namespace {
 
-constexpr double kSamePlace = 2e-5;  // m
+// m: the hand is where it was put, but for the solver's rounding of 1e-5. Half: it is sought again for nothing; twice:
+// no effect.
+constexpr double kSamePlace = 2e-5;
 
 }  // namespace
 

@@ -26,6 +26,8 @@
 namespace hapticell::app {
 namespace {
 
+// ms without motion until the reach is drawn, as live_scores.cpp's; a solve of many directions. Half: for nothing while
+// dragging; twice: late.
 constexpr int kRestMilliseconds = 400, kMeridians = 18;
 constexpr double kSightLength = 1.4;  // m
 
@@ -147,8 +149,8 @@ void FigureDrawings::drawVolumes() {
     const QColor sizes[]{theme.scene.guide, theme.selection, theme.near_miss};
     for (std::size_t i = 0; i < meshes.size(); ++i)
       items.push_back(volume(meshes[i], channelsOf(kind == kSizesReach ? sizes[i / 2 % 3]
-                                            : kind == kReach    ? theme.selection
-                                                                : theme.scene.axis_z)));
+                                                   : kind == kReach    ? theme.selection
+                                                                       : theme.scene.axis_z)));
   }
   if (isOn(kZones)) {
     for (const auto zone : {mannequin::WorkZone::kPreferred, mannequin::WorkZone::kAcceptable}) {

@@ -15,8 +15,10 @@ namespace {
 
 using manipulation::isSameWay;
 using manipulation::MovedBy;
-constexpr double kHandPixels = 84.0;    // Of an arrow.
-constexpr double kShortShown = 1.5e-3;  // m
+constexpr double kHandPixels = 84.0;  // Of an arrow.
+// m that a hand is short and it is said: lengths are shown in mm. Half: said as 1 mm at the edge of reach; twice: 2 mm
+// go unsaid.
+constexpr double kShortShown = 1.5e-3;
 
 }  // namespace
 

@@ -25,6 +25,7 @@
 namespace hapticell::app {
 namespace {
 
+// ms a picture: 30 a second move smoothly. Half: twice the work; twice: it jerks.
 constexpr int kPlayMilliseconds = 33;
 constexpr double kBallRadius = 0.009;  // m, about a real marker's.
 constexpr const char* kOwner = "markers";

@@ -29,8 +29,10 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kTableRow = 24;
-constexpr int kMostRows = 8;       // Room for an arm's usual eight; more are scrolled.
-constexpr std::size_t kMost = 64;  // Of a robot with infinitely many.
+constexpr int kMostRows = 8;  // Room for an arm's usual eight; more are scrolled.
+// Of a robot with infinitely many, as kMaxAlternatives of numeric_search.cpp. Half, twice: a coarser or longer list.
+constexpr std::size_t kMost = 64;
+// ms after the last motion until configurations are searched. Half: searched while dragging; twice: the list lags.
 constexpr int kAskMilliseconds = 120;
 
 /// Mark and words of a row.

@@ -6,7 +6,9 @@
 namespace hapticell::app {
 namespace {
 
+// ms until a held button repeats, about as keyboards do. Half: a click makes two steps; twice: one waits.
 constexpr int kFirstMilliseconds = 350;
+// ms a step while held, 12 a second. Half: too fast to stop; twice: slow.
 constexpr int kAgainMilliseconds = 80;
 
 }  // namespace

@@ -14,8 +14,11 @@
 namespace hapticell::app {
 namespace {
 
+// ms a picture, that of a screen at 60 Hz. Half: pictures that nobody sees; twice: it moves less smoothly.
 constexpr int kFrameMilliseconds = 16;
-constexpr double kShortest = 0.25, kLongest = 1.0;  // Seconds that a played motion takes.
+// Seconds that a played motion takes, between seen and tedious; the robot's own time between. Half: jumps; twice: one
+// waits.
+constexpr double kShortest = 0.25, kLongest = 1.0;
 
 }  // namespace
 

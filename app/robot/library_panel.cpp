@@ -32,6 +32,7 @@ constexpr QSize kBig{308, 190};
 constexpr int kRow = 66;
 constexpr int kListHeight = 5 * kRow;
 constexpr int kSheetLines = 10;  // Five facts and a source of many words.
+// ms between two small pictures, as kPartDrawPause of part_panel.cpp.
 constexpr int kDrawMilliseconds = 30;
 
 class LibraryDelegate final : public QStyledItemDelegate {

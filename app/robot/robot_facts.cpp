@@ -10,8 +10,11 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kGrid = 24;     // Places tried along a joint.
-constexpr int kSweeps = 5;    // Over all joints.
+// Places tried along a joint. The reach is shown in mm. Half: a limit between two is missed; twice: twice the time.
+constexpr int kGrid = 24;
+// Over all joints; kStarts of the search; kHalvings of the grid (each to a sixth) about the best place. By trial. Half:
+// the reach may be too short; twice: twice the time.
+constexpr int kSweeps = 5;
 constexpr int kStarts = 4;    // Of the search.
 constexpr int kHalvings = 9;  // Of the grid, about the best place.
 

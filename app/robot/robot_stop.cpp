@@ -10,7 +10,9 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kSoonLimit = 0.0349065850398866;  // 2 degrees.
+// 2 degrees, 35 mm of a slide: so near to its limit a joint is named. Our choice. Half: said when it is there; twice:
+// said where there is way left.
+constexpr double kSoonLimit = 0.0349065850398866;
 
 }  // namespace
 

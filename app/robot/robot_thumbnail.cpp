@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kHeight = 120;
 constexpr double kNearer = 1.5;
+// ms after a change until it is drawn again. Half: drawn while one drags; twice: it lags.
 constexpr int kLaterMilliseconds = 250;
 
 }  // namespace

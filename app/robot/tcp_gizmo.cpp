@@ -12,10 +12,14 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kMostShots = 60;                        // Of the inverse model for one place of the mouse.
-constexpr double kLever = 0.25;                       // m that a radian counts like.
-constexpr double kPixels = 96.0;                      // Of an arrow.
-constexpr double kTcpNearLimit = 0.0349065850398866;  // 2 degrees.
+// Of the inverse model for one place of the mouse, each a bounded step; ends where nothing is won. Half: fast mice
+// leave the tool behind; twice: time of a picture.
+constexpr int kMostShots = 60;
+// m that a radian counts like, as FitTask::lever of kernels.h. Half, twice: only which of two errors ends the shots.
+constexpr double kLever = 0.25;
+constexpr double kPixels = 96.0;  // Of an arrow.
+// As kSoonLimit of robot_stop.cpp.
+constexpr double kTcpNearLimit = 0.0349065850398866;
 
 }  // namespace
 

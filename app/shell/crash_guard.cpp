@@ -94,7 +94,8 @@ void writeNote(int signal) {
 }
 
 void waitForKeeper() {
-  constexpr long kLook = 2'000'000;  // Nanoseconds.
+  // ns between two looks for the copy, 2 ms. Half, twice: a crash ends so much later.
+  constexpr long kLook = 2'000'000;
   constexpr int kLooks = static_cast<int>(CrashGuard::kPatience * 1e9 / kLook);
   ::sem_post(&guarded->wake);
   for (int look = 0; look < kLooks && guarded->keeping == Keeping::kIdle; ++look) {

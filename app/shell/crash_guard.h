@@ -13,7 +13,9 @@ namespace hapticell::app {
 /// where there are no such signals. One at a time; any thread makes it.
 class CrashGuard {
  public:
-  static constexpr double kPatience = 5.0;  ///< s; writing a copy of ten thousand parts takes a tenth of that.
+  /// s; writing a copy of ten thousand parts takes a tenth of that. Half: slow disks lose theirs; twice: a crash
+  /// without copy takes 10 s.
+  static constexpr double kPatience = 5.0;
 
   /// `keep` writes what is not saved, without a thread of the window's; false: it could not. `note`: the file to write,
   /// in a folder that is there: first what broke, then the thread, then where its calls were.

@@ -20,6 +20,7 @@ MotionMemory::Places GoBack::placesNow() const {
 }
 
 void GoBack::start() {
+  // s of motion that one step of going back takes; what one remembers having done. Half, twice: more or fewer presses.
   constexpr double kSeconds = 10.0;
   if (host_.snapshot() && host_.snapshot()->held != 0) {
     waits_ = true;

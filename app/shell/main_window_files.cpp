@@ -292,7 +292,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::whenRecorded(const std::function<void()>& then) {
   if (!recording_.isRecording()) return then();
-  constexpr int kLongestMilliseconds = 2000;  // A module that does not answer must not keep the window open.
+  // ms: a module that does not answer must not keep the window open. Half: a slow disk loses a recording's end; twice:
+  // closing seems to hang.
+  constexpr int kLongestMilliseconds = 2000;
   auto* once = new QTimer(this);
   once->setSingleShot(true);
   connect(once, &QTimer::timeout, this, [once, then] {

@@ -7,23 +7,23 @@
 #include <QScrollArea>
 #include <QTimer>
 
+#include "app/controls/refresh_timer.h"
+#include "app/controls/strip_chart.h"
 #include "app/edit/edit_docks.h"
 #include "app/ergonomics/ergonomics_docks.h"
 #include "app/guides/guides_panel.h"
 #include "app/host/host.h"
-#include "app/mannequin/mannequin_docks.h"
-#include "app/panels/collisions/collisions_panel.h"
-#include "app/panels/cell/entity_menu.h"
 #include "app/kit/form.h"
+#include "app/kit/tabbed_docks.h"
+#include "app/mannequin/mannequin_docks.h"
+#include "app/panels/cell/entity_menu.h"
 #include "app/panels/cell/history_panel.h"
 #include "app/panels/cell/messages_panel.h"
 #include "app/panels/cell/properties_panel.h"
-#include "app/controls/refresh_timer.h"
 #include "app/panels/cell/scene_menu.h"
 #include "app/panels/cell/solid_panel.h"
-#include "app/controls/strip_chart.h"
-#include "app/kit/tabbed_docks.h"
 #include "app/panels/cell/workcell_panel.h"
+#include "app/panels/collisions/collisions_panel.h"
 #include "app/robot/robot_docks.h"
 #include "app/style/dock_title_bar.h"
 #include "app/trajectory/docks/trajectory_docks.h"
@@ -34,6 +34,8 @@ namespace {
 
 /// The curves follow the hand as fast as a picture; where nothing moves they are looked at as seldom as the loop tells.
 void followWith(StripChart* chart, Host& host) {
+  // ms: curves move smoothly at 30 Hz, and ten times a second where nothing moves. Half: twice the work; twice: curves
+  // jerk.
   constexpr int kMovingMilliseconds = 33, kRestMilliseconds = 100;
   auto* timer = new QTimer(chart);
   QObject::connect(timer, &QTimer::timeout, chart, [&host, chart, timer] {

@@ -15,9 +15,13 @@
 namespace hapticell::app {
 namespace {
 
+// ms that a message stays, time to read two lines; all are in the panel Messages. Half: long ones are missed; twice:
+// old ones stand beside new work.
 constexpr int kMessageMilliseconds = 8000;
 constexpr int kRateWidth = 152;
-constexpr int kRatesMilliseconds = 500;  ///< Quicker nobody reads them, and each painting composes the whole window.
+/// ms: quicker nobody reads them, and each painting composes the whole window. Half: twice that; twice: rates of the
+/// past.
+constexpr int kRatesMilliseconds = 500;
 
 }  // namespace
 

@@ -20,7 +20,9 @@ class SteadyNumber {
     return true;
   }
   double shown() const { return shown_; }
-  static constexpr double kAtRest = 10.0;  ///< The patience while the stylus lies still: half of a rate, with 5 %.
+  /// The patience while the stylus lies still: half of a rate, with 5 %. Half: an idle window repaints for rates;
+  /// twice: never updated.
+  static constexpr double kAtRest = 10.0;
 
  private:
   double share_, least_, shown_ = 0.0;

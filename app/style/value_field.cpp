@@ -228,7 +228,9 @@ void ValueField::sayEnd(double typed) {
                            : tr("At least %1. You typed %2.").arg(withShownUnit(minimum()), withShownUnit(typed));
   // Not now: a tip goes where the focus leaves for the next field.
   QTimer::singleShot(0, this, [this, text] {
-    constexpr int kShown = 6000;  // ms
+    // ms that the reason of a refused entry stays: two sentences to read. Half: too short for them; twice: it covers
+    // what is below.
+    constexpr int kShown = 6000;
     QToolTip::showText(mapToGlobal(rect().bottomLeft()), text, this, {}, kShown);
   });
 }

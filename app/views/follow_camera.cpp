@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/views/follow_camera.h"
 
+#include "app/controls/pose_text.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
-#include "app/controls/pose_text.h"
 #include "app/viewport/widget/viewport_widget.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/forward_kinematics.h"
 #include "mannequin/posture/vision.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::app {
 namespace {
 
+// ms between two looks, 30 a second. Half: twice the work; twice: it jerks.
 constexpr int kMilliseconds = 33;
-constexpr double kEyesAhead = 1.0;   // m to the target in front of the eyes: what the view turns about.
-constexpr double kEyesField = 1.05;  // rad, vertical: what one takes in without turning the head.
-constexpr double kStill = 1e-6;      // m
+// m to the target in front of the eyes: what the view turns about; an arm's length and more. Half, twice: turning
+// swings less or more.
+constexpr double kEyesAhead = 1.0;
+// rad, vertical, 60 degrees: what one takes in without turning the head. Half: as through a tube; twice: distorted.
+constexpr double kEyesField = 1.05;
+// m: rounding. Half, twice: no effect.
+constexpr double kStill = 1e-6;
 
 /// The selected entity where it is of that kind, else the first one that is.
 template <typename Is>

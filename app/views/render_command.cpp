@@ -18,7 +18,9 @@
 namespace hapticell::app {
 namespace {
 
+// As European television has, as play_video.cpp.
 constexpr int kFramesASecond = 25;
+// Samples of a picture. Half: edges flicker; twice: twice the time.
 constexpr int kVideoSamples = 6;
 
 struct NamedView {

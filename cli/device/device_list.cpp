@@ -25,7 +25,9 @@ namespace {
 using haptic::LoadedDriver;
 using nlohmann::ordered_json;
 
-constexpr int kAskPatience = 10'000;  // ms: more than haptic::look() waits.
+// ms: more than haptic::look() waits, so that it gives its own answer. Half: its answer may come too late; twice: a
+// hung driver is waited for longer.
+constexpr int kAskPatience = 10'000;
 
 ordered_json textOrNull(const std::string& text) {
   return text.empty() ? ordered_json(nullptr) : ordered_json(text);

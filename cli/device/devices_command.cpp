@@ -17,7 +17,9 @@ namespace {
 using haptic::LoadedDriver;
 using nlohmann::ordered_json;
 
-constexpr int kWatchPeriod = 2000;  // ms: an idle machine stays idle.
+// ms: an idle machine stays idle, and a plugged device is seen before one looks again. Half: twice the looks; twice:
+// one waits for it.
+constexpr int kWatchPeriod = 2000;
 
 struct DeviceWords {
   std::string configuration;

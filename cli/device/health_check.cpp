@@ -29,8 +29,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kProbePatience = 20'000;           // ms: a driver of graphics may be slow the first time.
-constexpr std::uintmax_t kNeeded = 500'000'000;  // Bytes of a disk.
+// ms: a driver of graphics may be slow the first time. Half: slow machines count as having none; twice: a hung one is
+// waited for longer.
+constexpr int kProbePatience = 20'000;
+// Bytes free on a disk: room for some documents, packs and recordings, our choice. Half: it warns too late; twice:
+// small disks are reported.
+constexpr std::uintmax_t kNeeded = 500'000'000;
+// That a service on this machine may take to answer, by trial. Half: a busy one counts as missing; twice: a longer
+// wait.
 constexpr std::chrono::milliseconds kLinkPatience(1500);
 
 std::string wordIn(const ordered_json& told, const char* name) {

@@ -12,6 +12,7 @@ namespace hapticell::cli {
 
 namespace {
 
+// Bytes: guards memory; a code is some ten letters. Half, twice: no effect.
 constexpr std::size_t kLongestLine = 200;
 
 /// No echo while it lives; a terminal that was interrupted meanwhile gets its echo back too.

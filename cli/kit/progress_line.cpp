@@ -23,6 +23,7 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::run() {
+  // ms: four times a second, as fast as numbers are read. Half: flicker; twice: it seems to stand.
   constexpr std::chrono::milliseconds kEvery{250};
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, kEvery, [this] { return stopping_; })) show();

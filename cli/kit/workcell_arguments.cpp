@@ -90,6 +90,7 @@ Expected<Pose> parsePose(const std::string& option, const std::string& text) {
   }
   if (numbers.size() != 7) return makeError(error);
   const dquat q(numbers[3], numbers[4], numbers[5], numbers[6]);
+  // Of the length, as kNearlyUnit of workcell/text/field_reader.cpp.
   constexpr double kRounding = 0.01;
   if (!(std::abs(glm::length(q) - 1.0) < kRounding)) return makeError(error);
   Pose pose{{numbers[0], numbers[1], numbers[2]}, q};

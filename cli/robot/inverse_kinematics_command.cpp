@@ -60,6 +60,8 @@ std::vector<Text> beyondLimits(const RobotWithTip& robot, const std::vector<doub
   for (const int variable : robot.variables) {
     const auto index = static_cast<std::size_t>(variable);
     const kinematics::Joint& joint = robot.model.joints[static_cast<std::size_t>(robot.model.moving[index])];
+    // rad or m beyond a limit: numbers typed with six digits. Half: 1.5708 for a limit of pi / 2 is refused; twice:
+    // 2e-6 beyond passes.
     constexpr double kRounding = 1e-6;
     if (q[index] >= joint.lower - kRounding && q[index] <= joint.upper + kRounding) continue;
     warnings.push_back(Text("--start: joint '%1' at %2 is beyond its limits of %3 to %4", joint.name,
@@ -77,7 +79,9 @@ ordered_json chainPositions(const RobotWithTip& robot, const std::vector<double>
 /// A search finds most solutions, not surely all: the answer itself is listed whether the search came upon it or not.
 ordered_json alternatives(const RobotWithTip& robot, const std::vector<kinematics::ListedSolution>& all,
                           const kinematics::InverseSolution& answer) {
-  constexpr double kSame = 1e-4;  // rad or m
+  // rad or m: a search finds the answer again but for its own error (kSameSearched of numeric_search.cpp). Half: it may
+  // be listed twice; twice: two that nearly meet are one.
+  constexpr double kSame = 1e-4;
   const auto isAnswer = [&](const kinematics::ListedSolution& one) {
     return std::equal(one.q.begin(), one.q.end(), answer.q.begin(), answer.q.end(),
                       [](double a, double b) { return std::abs(a - b) < kSame; });

@@ -121,7 +121,9 @@ Expected<void> saveRecording(const SessionWords& words, const SessionReport& ses
 
 /// What was assumed of the hand path, and what of it no stylus of this kind can follow.
 void tellOfHand(const SessionWords& words, const SessionOptions& options) {
-  constexpr double kStopsGive = 0.01;  // m
+  // m that a hand goes beyond the stops before it is reported: stops give a little. Half: messages on every push;
+  // twice: 20 mm are lost in silence.
+  constexpr double kStopsGive = 0.01;
   for (const auto& sentence : options.hand.assumptions()) warn(Text("%1: %2.", words.hand, sentence));
   double outside = 0.0;
   for (const haptic::HandSample& sample : options.hand.samples()) {

@@ -54,7 +54,9 @@ Expected<MotionOfRobot> withRobot(const Trajectory& given, const TrajectoryOptio
 
 Expected<Promises> withPosesByJoints(Expected<Promises> promises, const std::optional<ToolPoses>& tool,
                                      const fs::path& written) {
-  constexpr double kSamePose = 1e-6;  // m, rad
+  // m, rad: as kProgramPromise's position: written digits and one more rounding. Half: digits of files fail; twice: 2
+  // um off passes.
+  constexpr double kSamePose = 1e-6;
   if (!promises || !tool) return promises;
   const auto motion = trajectory::readTrajectory(written);
   HAPTICELL_TRY(motion);

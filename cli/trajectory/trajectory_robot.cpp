@@ -15,8 +15,11 @@ namespace {
 
 using trajectory::Trajectory;
 
-constexpr double kTimeToSpeed = 0.25;                   ///< s, assumed where nobody gives an acceleration.
-constexpr std::array<double, 2> kSolidSpeed{0.5, 2.0};  ///< m/s, rad/s, assumed for a solid.
+/// s to full speed, assumed where nobody gives an acceleration, and reported; our choice. Half: twice the acceleration
+/// asked of the robot; twice: half.
+constexpr double kTimeToSpeed = 0.25;
+/// m/s, rad/s, assumed for a solid, and reported; our choice. Half, twice: motions take twice or half the time.
+constexpr std::array<double, 2> kSolidSpeed{0.5, 2.0};
 
 /// One number for all, or one each.
 Expected<std::vector<double>> spread(const std::vector<double>& given, std::size_t count, const char* option) {

@@ -36,6 +36,8 @@ Expected<trajectory::PathTolerance> toleranceOf(const TrajectoryOptions& options
 /// Joints and poses smoothed each by itself; with the robot the joints alone, as closely as its tool needs.
 trajectory::Smoothed smoothWith(const Trajectory& given, trajectory::PathTolerance tolerance,
                                 const std::optional<ToolPoses>& tool) {
+  // Rounds with 0.4 of the joints' tolerance each: to a 250th. Half: to a 16th, some robots' tools leave the tolerance;
+  // twice: time.
   constexpr int kTries = 6;
   const trajectory::PathTolerance asked = tolerance;
   for (int round = 0;; ++round, tolerance.joint *= 0.4) {

@@ -8,7 +8,8 @@ namespace hapticell {
 
 namespace {
 
-constexpr double kFarthest = 1e12;  ///< m: what is squared on the way is finite then.
+/// m: what is squared on the way is finite then, and beyond any cell (2000 m). Half, twice: no effect.
+constexpr double kFarthest = 1e12;
 
 bool finite(double value) {
   return std::isfinite(value);

@@ -118,7 +118,9 @@ void farthest(const TriangleMesh& from, const TriangleGrid& to, SurfaceDistance&
     const double distance = to.nearest(p);
     if (distance > most.distance) most = {distance, p};
   };
-  constexpr std::size_t kMany = 100'000;  // Triangles, whose middles are enough.
+  // Triangles from which on their middles are enough: they are small then, and seven places each take seven times as
+  // long. Half: bulges of coarse meshes may be missed; twice: twice the time.
+  constexpr std::size_t kMany = 100'000;
   const std::size_t places = from.triangles.size() > kMany ? 1 : kPlaces.size();
   std::vector<bool> seen(from.vertices.size(), false);
   for (const auto& t : from.triangles) {

@@ -105,6 +105,7 @@ fs::path folderOf(const fs::path& file) {
 }  // namespace
 
 Expected<fs::path> placeOfFile(const fs::path& path) {
+  // Links followed, as Linux itself does (40, then ELOOP). Half, twice: no effect but on circles.
   constexpr int kMostLinks = 40;
   std::error_code fault;
   fs::path target = path;
@@ -144,6 +145,7 @@ Expected<AtomicFile> AtomicFile::begin(const fs::path& path, const Options& opti
   constexpr std::size_t kLongestExtension = 60;
   std::string extension = path.extension().string();
   if (extension.size() > kLongestExtension) extension.clear();
+  // Names tried, six random letters each: a second try is rare. Half, twice: no effect.
   constexpr int kMostTries = 100;
   for (int tries = 0; tries < kMostTries; ++tries) {
     std::string name = (folder / unfinished::kPattern).string() + extension;
@@ -240,6 +242,8 @@ Expected<void> writeFileChecked(const fs::path& path, std::string_view content, 
 }
 
 Expected<void> writeFilesAtomically(const std::vector<FileToWrite>& files) {
+  // Files open at once, well under the usual limit of 1024 of a process. Half: large packs are written in more parts;
+  // twice: little is left for the rest.
   constexpr std::size_t kMostOpen = 200;
   if (files.size() > kMostOpen) {
     const auto rest = static_cast<std::ptrdiff_t>(files.size() - kMostOpen);

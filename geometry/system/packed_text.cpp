@@ -15,7 +15,11 @@ namespace {
 
 // A text is [id argument argument ...]; each part ends in kPartEnd. An argument starts with the letter of its kind.
 constexpr char kOpen = '\x01', kClose = '\x02', kPartEnd = '\x03';
-constexpr int kDeepest = 16;  // Texts within texts: the program's own nest half as deep.
+// Texts within texts: those of the program nest half as deep. Half, twice: no effect; guards the stack against another
+// process.
+constexpr int kDeepest = 16;
+// Of one text: sentences have a few, lists are cut before. Half, twice: no effect; guards memory against another
+// process.
 constexpr std::size_t kMostArguments = 64;
 
 bool isControl(char c) {

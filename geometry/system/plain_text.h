@@ -7,7 +7,8 @@
 
 namespace hapticell {
 
-/// Default limit of a foreign text, bytes.
+/// Default limit of a foreign text, bytes: three lines of a message. Half: paths are cut; twice: messages fill the
+/// panel.
 inline constexpr std::size_t kLongestText = 300;
 
 /// Makes foreign text (from the network, a file, a driver) safe to log, print or draw: one line of valid UTF-8 without

@@ -11,7 +11,8 @@
 
 namespace hapticell::geometry {
 
-/// Default size limit of a reader, bytes.
+/// Default size limit of a reader, bytes: binary STL of 80 million triangles. Half: large scans are refused; twice:
+/// memory of most machines.
 inline constexpr std::uintmax_t kLargestFile = 4'000'000'000;
 
 /// Succeeds if `path` is a regular file, or a link to one, of at most `most_bytes`. Error: it is missing, a folder, a

@@ -43,6 +43,7 @@ Expected<ScratchFolder> ScratchFolder::make(const fs::path& parent) {
     return makeError({.file = parent.string(), .found = fault.message(), .expected = "a folder for temporary files"});
   unfinished::tidyOnce(folder);
   ScratchFolder made;
+  // Names tried where a tidying process takes the folder first: a second try is rare. Half, twice: no effect.
   constexpr int kMostTries = 100;
   for (int tries = 0; tries < kMostTries; ++tries) {
     std::string name = (folder / unfinished::kPattern).string();

@@ -40,7 +40,9 @@ Text::Text(std::string words) {
 }
 
 Text Text::received(std::string_view id, std::vector<Argument> arguments) {
-  constexpr std::size_t kMostIds = 4096;  // The program has some 2,500 of its own.
+  // Sentences kept; the program has some 2,500 of its own. Half: some of those are not translated; twice: memory a
+  // broken child may take.
+  constexpr std::size_t kMostIds = 4096;
   static std::mutex guard;
   static std::set<std::string, std::less<>> ids;  // Nodes stay where they are.
   Text text;

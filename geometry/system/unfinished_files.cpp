@@ -79,6 +79,8 @@ bool take(int file, const fs::path& name) {
 
 void tidyOnce(const fs::path& folder) {
   using Clock = std::chrono::steady_clock;
+  // s between two looks for what was left behind: none for each of many files. Half, twice: looks in a folder twice or
+  // half as often.
   constexpr std::chrono::seconds kPause{10};
   static std::mutex mutex;
   static std::map<fs::path, Clock::time_point> tidied;

@@ -7,20 +7,34 @@
 #include <numeric>
 
 #include "geometry/system/assertion.h"
-#include "kinematics/numeric/true_arm.h"
 #include "kinematics/model/turns.h"
+#include "kinematics/numeric/true_arm.h"
 
 namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kAccepted = 1e-9;  // m and rad: what counts as the pose met
-constexpr double kProven = 1e-11;   // m and rad: exact as far as doubles go
+// m and rad: the pose is met; what numeric_search.cpp accepts too, and five times the descent's tolerance. Half, twice:
+// no effect where the polish converges; near singular poses fewer or more are accepted.
+constexpr double kAccepted = 1e-9;
+// m and rad: exact as far as doubles go, a hundredth of kAccepted. Half, twice: an arm whose file is rounded to about
+// 1e-11 is polished at each step or not; met within kAccepted either way.
+constexpr double kProven = 1e-11;
+// Poses tried when a model is made; its worst error decides on polishing. Chosen by trial. Half: the worst may be
+// missed; twice: a model takes longer to make.
 constexpr int kProofSamples = 48;
-constexpr int kExactSteps = 3;  // real files are off by 1e-10
+// Newton steps; real files are off by 1e-10, so one step converges and two are spare. Half: a pose near a singularity
+// may miss kAccepted; twice: no effect, the loop ends when it is met.
+constexpr int kExactSteps = 3;
+// Newton steps from a nominal arm up to 0.02 rad off; chosen by trial. Half: damped steps near branches do not converge
+// and branches that the nominal arm just misses are lost; twice: slower where none exists.
 constexpr int kCalibratedSteps = 10;
-constexpr double kSameSolution = 1e-7;  // rad or m
-constexpr double kNoJump = 0.3;         // rad or m in one call without a bound from speeds
+// rad or m: far above kAccepted times the worst lever, far below two real solutions. Half: a solution may be listed
+// twice near a singularity; twice: two that nearly meet are listed as one.
+constexpr double kSameSolution = 1e-7;
+// rad or m in one call that has no bound from speeds; as the longest step of the polish. Half: a fast hand falls to the
+// slower descent; twice: the arm may change its configuration while dragged.
+constexpr double kNoJump = 0.3;
 
 struct PoseError {
   double position = 0.0;

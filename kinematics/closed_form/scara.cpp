@@ -10,6 +10,8 @@ namespace hapticell::kinematics {
 namespace {
 
 using Planar = std::complex<double>;
+// Rounding allowed in 1 - cosine^2 of the elbow, as kStretched of opw_lanes.h. Half: a stretched arm may be refused;
+// twice: poses out of reach by one more 1e-12 are taken as stretched; the check on the chain decides.
 constexpr double kStretchedScara = 1e-12;
 
 class Scara final : public ClosedForm {

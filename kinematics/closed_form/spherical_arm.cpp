@@ -10,10 +10,17 @@ namespace hapticell::kinematics {
 
 namespace {
 
+// Sine below which axes 1 and 2 are parallel: the divisions by it then lose half the digits. Half, twice: no file is
+// between, their rounding is 1e-10 or they are not parallel.
 constexpr double kParallel = 1e-9;
-constexpr double kMeeting = 1e-9;    // m
-constexpr double kFree = 5e-13;      // below it a direction says nothing of an angle
-constexpr double kStretched = 1e-9;  // how far a square root's argument may be negative by rounding
+// m: axes 1 and 2 intersect below it; rounding of files is 1e-10. Half: a rounded file is solved by the quartic, ill
+// conditioned; twice: an offset of 2e-9 m is ignored, the polish makes up for it.
+constexpr double kMeeting = 1e-9;
+// Sine or distance (m) that says nothing of an angle; as kFree of opw_lanes.h, where half and twice are given.
+constexpr double kFree = 5e-13;
+// How far a square root's argument may be negative by rounding; more than in opw_lanes.h, as the root of a quartic
+// comes before it. Half: a stretched wrist may be lost; twice: one more candidate, that the check refuses.
+constexpr double kStretched = 1e-9;
 
 /// a turned about the unit vector z by the angle of (c, s).
 dvec3 turned(const dvec3& a, const dvec3& z, double c, double s) {

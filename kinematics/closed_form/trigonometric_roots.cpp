@@ -9,7 +9,9 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kNearlyReal = 1e-5;  // a pair of roots closer than this may have become complex by rounding
+// Relative discriminant below which a complex pair of roots counts as a double one: rounding of 1e-16 is 1e-8 there, a
+// thousand times that is allowed. Half: poses at a fold may be lost; twice: more candidates to refuse.
+constexpr double kNearlyReal = 1e-5;
 
 // The largest real root of x^3 + a x^2 + b x + c.
 double largestCubicRoot(double a, double b, double c) {

@@ -13,11 +13,23 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kLever = 0.25;    // m a rad
-constexpr double kStep = 1e-6;     // rad or m, of the differences
-constexpr double kReached = 1e-9;  // m, rad: both errors under it is a solution
-constexpr double kSame = 1e-5;     // rad or m between solutions
-constexpr int kNearest = 12;       // iterations of the haptic path
+// m a rad, so that both errors are lengths; as FitTask::lever of the serial arms. Half: position weighs twice as much
+// where both cannot be met; twice: orientation does.
+constexpr double kLever = 0.25;
+// rad or m: between the best steps for one-sided (1e-8) and central (6e-6) differences, as both use it. Half: more
+// rounding; twice: more curvature; both far below what costs a Newton step.
+constexpr double kStep = 1e-6;
+// m, rad: both errors under it is a solution, as kAccepted of the serial arms. Half, twice: at most one Newton step
+// more or less.
+constexpr double kReached = 1e-9;
+// rad or m between solutions: far over kReached divided by a weak direction, far under two assemblies. Half: one may be
+// listed twice near a singularity; twice: no effect unless two nearly meet.
+constexpr double kSame = 1e-5;
+// Iterations while dragging, that bound the time of a step of the loop; chosen by trial. Half: a new limit may not be
+// found in one step of the loop; twice: twice the time where the pose is out of reach.
+constexpr int kNearest = 12;
+// Iterations of a full solution from a distant start. Chosen by trial. Half: more starts fail and the next of 24 is
+// taken; twice: twice the time of starts that fail.
 constexpr int kFull = 60;
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;

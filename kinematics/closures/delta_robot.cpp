@@ -12,6 +12,8 @@ namespace hapticell::kinematics {
 namespace {
 
 constexpr std::size_t kArms = 1, kRods = 4, kDeltaPlatform = 10, kDeltaTool = 11;  // Places of the links.
+// m and rad: a branch is a solution, as kReached of closure_inverse.cpp. Half, twice: no effect, the closed form is
+// exact or the orientation is another.
 constexpr double kDeltaSolved = 1e-9;
 
 Pose frameOf(const dvec3& p, const dvec3& x, const dvec3& y_hint) {

@@ -132,6 +132,8 @@ HexapodCertificate HexapodKinematics::certify(const LegLengths& wanted, const Po
 }
 
 HexapodForward HexapodKinematics::forward(const LegLengths& wanted, const Pose& X_BStart, int max_iterations) const {
+  // m, largest error of a leg; some thousand roundings of a leg of 1 m. Half: the last step may be made for nothing;
+  // twice: the same, Newton's error is squared by each step.
   constexpr double kDone = 1e-12;
   HexapodForward result;
   dmat3 R = X_BStart.R();

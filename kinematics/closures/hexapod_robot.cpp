@@ -12,8 +12,12 @@ namespace hapticell::kinematics {
 namespace {
 
 constexpr std::size_t kLegs = 1, kHexapodPlatform = 13, kHexapodTool = 14;  // Places of the links.
+// m and rad: the legs are a solution, as kReached of closure_inverse.cpp. Half, twice: no effect, the lengths of the
+// legs are exact or the assembly is another.
 constexpr double kHexapodSolved = 1e-9;
-constexpr double kLongestLegStride = 0.1;  // of the platform's radius, of a leg, from one known pose to the next
+// Of the platform's radius, of a leg, from one known pose to the next; chosen by trial, so that Newton stays in the
+// home's assembly. Half: twice the steps from home; twice: it may converge to another assembly.
+constexpr double kLongestLegStride = 0.1;
 
 Pose alongLeg(const dvec3& p, const dvec3& direction) {
   const dvec3 z(0, 0, 1);

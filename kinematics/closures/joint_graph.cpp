@@ -9,7 +9,9 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kSamePoint = 1e-12;  // m
+// m: an origin is on the joint's axis; some thousand roundings of a place at 1 m. Half, twice: no effect but a frame
+// more or less in the tree.
+constexpr double kSamePoint = 1e-12;
 
 Pose plainAt(const dvec3& p, const Pose& X_ML) {
   return {p, X_ML.q};

@@ -13,9 +13,17 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kClosed = 1e-12;        // m, of the root mean square of all equations times the mechanism's size
-constexpr double kAssembled = 1e-9;      // m: what still counts as closed
-constexpr double kLongestStride = 0.15;  // rad, or part of the size: of the set joints, while following them
+// m, root mean square of all equations times the mechanism's size; some thousand roundings. Half: one more iteration,
+// may stall at rounding; twice: Newton's next step is saved.
+constexpr double kClosed = 1e-12;
+// m: what still counts as closed where the loop is singular and rounding ends the descent; as kAccepted of the serial
+// arms. Half: more singular poses are refused; twice: gaps of 2e-9 m are drawn.
+constexpr double kAssembled = 1e-9;
+// rad, or part of the size: of the set joints, while following them; chosen by trial, so that a loop keeps its
+// assembly. Half: twice the steps after a jump; twice: a four-bar may flip.
+constexpr double kLongestStride = 0.15;
+// Damped Newton steps that a stride may take, as kFull of closure_inverse.cpp. Half: loops near a dead centre may count
+// as open; twice: longer until a loop that cannot close is reported.
 constexpr int kIterations = 60;
 
 Error refusal(const RobotModel& model, const Text& found, const Text& expected, const Text& fix) {

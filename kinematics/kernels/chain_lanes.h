@@ -100,8 +100,12 @@ inline void newtonStep(const TrueArm& arm, const FourArms& state, const Lanes3& 
 
 inline void polish(const TrueArm& arm, const double* R, const double* p, int group, int iterations,
                    Solutions& solutions, double* errors) {
+  // rad or m, the least longest step, only so that the division below is one; ten roundings of a double. Half, twice:
+  // none.
   constexpr double kDone = 2e-15;
-  constexpr double kLongest = 0.3;  // rad or m a step
+  // rad or m a step: within it slopes change by less than 5 % (cosine of 0.3), so that a step does not overshoot. Half:
+  // more steps for a calibrated arm; twice: a branch may end on its neighbour.
+  constexpr double kLongest = 0.3;
   Lanes q[kMaxJoints], best[kMaxJoints];
   for (int i = 0; i < arm.joints; ++i) best[i] = q[i] = load(solutions.q[i] + 4 * group);
   FourArms state;

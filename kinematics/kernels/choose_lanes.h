@@ -7,7 +7,9 @@
 namespace hapticell::kinematics::kernels {
 namespace {
 
-constexpr double kLimitSlack = 1e-9;  ///< rad or m over a limit that rounding may make; put back on it.
+/// rad or m over a limit that rounding may make; put back on it. As the 1e-9 that a pose is met to. Half: a solution on
+/// a limit may be lost; twice: limits are passed by nothing one could measure, and put back.
+constexpr double kLimitSlack = 1e-9;
 
 inline Choice choose(const JointBounds& bounds, const double* previous, int groups, Solutions& solutions) {
   Choice choice;

@@ -6,7 +6,10 @@ namespace hapticell::kinematics::kernels {
 // Closed forms in the arms' canonical frames, four branches at a time. Plain data only: the functions are compiled
 // twice (AVX2 with FMA, and the plain machine) and chosen when the program runs.
 
+/// Solutions of one pose: 16 is the most that a general arm of six rotary joints has (Primrose 1986). Four a lane
+/// group.
 inline constexpr int kMaxSolutions = 16;
+/// Joints of an arm in the kernels: two groups of four lanes. A longer chain takes the numeric code without lanes.
 inline constexpr int kMaxJoints = 8;
 
 /// Pose of the last joint's frame in the arm's canonical base frame; R row by row.
@@ -59,6 +62,8 @@ struct SevenArm {
   JointMap map;
 };
 
+/// Swivels of a seven-joint arm tried all round, 5.6 degrees apart. Half: narrow gaps between limits are missed, the
+/// numeric search has to find them; twice: twice the time of solve().
 inline constexpr int kRingSize = 64;
 
 /// An S-R-S arm's principal solution (see Table::srsRing) for swivels all round, canonical angles.
@@ -112,6 +117,8 @@ struct SeedPoses {
   int count = 0;
   const float* values[7] = {};
 };
+/// Groups of seeds, of which each gives its nearest; 16 floats are two registers of AVX2. Half: fewer different starts;
+/// twice: up to twice the time of a search that fails.
 inline constexpr int kSeedGroups = 16;
 
 /// What makes a solution allowed and near; see Table::choose.

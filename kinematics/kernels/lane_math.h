@@ -36,6 +36,7 @@ inline Lanes arcTangent(const Lanes& y, const Lanes& x) {
 /// Sines and cosines of four angles, |angle| < 1e5 rad; error 2e-16. Reduction by pi / 2 in three parts (Cody and
 /// Waite 1980), polynomials of the Cephes library.
 inline void sineCosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
+  // As in nearestWhole() of lanes.h.
   constexpr double kMagic = 6755399441055744.0;
   const Lanes shifted = angle * (2.0 / kLanePi) + Lanes(kMagic);
   const Lanes k = shifted - Lanes(kMagic);

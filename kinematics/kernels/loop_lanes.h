@@ -80,6 +80,8 @@ struct StepSystem {
 /// By blocks: the directions of legs 1, 3 and 5 are eliminated by their cross products, the moments of the others are
 /// what is left. False where those three directions are nearly in a plane, or what is left nearly singular.
 inline bool solveByBlocks(const StepSystem& m, double* step, double* determinant) {
+  // Volume of three unit directions of legs below which rounding is amplified over a hundredfold, and the full system
+  // is solved instead. Half: two hundredfold; twice: more poses take the slower way.
   constexpr double kFlat = 1e-2;
   const Vector3 a0 = m.direction(0), a1 = m.direction(2), a2 = m.direction(4);
   const Vector3 i0 = cross(a1, a2), i1 = cross(a2, a0), i2 = cross(a0, a1);  // Columns of the inverse times `det`.

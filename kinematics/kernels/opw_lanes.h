@@ -7,10 +7,12 @@
 namespace hapticell::kinematics::kernels {
 namespace {
 
-/// Sine or distance (m) below which a pose says nothing of an angle: then the joint keeps its place. Over it the pose's
-/// own rounding moves the joint by less than 1e-3 rad, under it the error made is less than 1e-12.
+/// Sine or distance (m) below which a pose says nothing of an angle: then the joint keeps its place. Above, the pose's
+/// rounding moves the joint by less than 1e-3 rad (half: 2e-3); below, the error is under 1e-12 (twice: 2e-12).
 constexpr double kFree = 5e-13;
-constexpr double kStretched = 1e-12;  ///< How far (1 - c)(1 + c) may be negative by rounding.
+/// How far (1 - c)(1 + c) may be negative: the error 1e-16 of c is amplified by lengths, ten thousandfold is allowed.
+/// Half: stretched poses may be lost; twice: one more candidate, that the check on the chain refuses.
+constexpr double kStretched = 1e-12;
 
 /// (position - offset) * sign, the canonical angle as a joint's position.
 inline void storeJoint(const JointMap& map, int joint, int group, const Lanes& theta, Solutions& solutions) {

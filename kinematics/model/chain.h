@@ -9,7 +9,11 @@
 
 namespace hapticell::kinematics {
 
+/// Variables of a chain, for arrays without allocation in the loop: an arm of 7 on 6 external axes fits. More is
+/// refused with a message. Half: that is refused; twice: larger states to copy.
 inline constexpr std::size_t kMaxChainVariables = 16;
+/// Joints of a chain that move, mimic joints among them; half again the variables. More is refused with a message.
+/// Half: fewer than the variables; twice: larger states to copy.
 inline constexpr std::size_t kMaxChainJoints = 24;
 
 /// Positions of a chain's variables, base to tip; the first `Chain::size()` numbers count.

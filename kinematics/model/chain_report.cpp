@@ -16,8 +16,11 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Jacobian6 = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, static_cast<int>(kMaxChainVariables)>;
 
-constexpr double kParallelAxes = 1e-6;  // sine of the angle between two axes
-constexpr double kMeetingAxes = 1e-6;   // m, between two axes
+// Sine of the angle between two axes, ten thousand times the rounding of files (1e-10). Half, twice: no effect unless
+// an arm is calibrated, and that has no exact boundary anyway.
+constexpr double kParallelAxes = 1e-6;
+// m, between two axes; as kParallelAxes at 1 m. Half, twice: the same.
+constexpr double kMeetingAxes = 1e-6;
 
 Jacobian6 scaledJacobian(const Chain& chain, const ChainPositions& x) {
   ChainState state;
@@ -69,8 +72,12 @@ bool chainIsSingular(const Chain& chain, const ChainPositions& x) {
 }
 
 bool armIsDeficient(const Chain& chain, std::size_t rails) {
+  // Postures tried; each of full rank with probability 1 for an arm of full rank, so few are enough. Half, twice: time
+  // only.
   constexpr int kPlaces = 12;
-  constexpr double kLeast = 1e-9;  // of J J^T at every place: an arm of full rank has some that are far above
+  // Eigenvalue of J J^T at every place: rounding makes 1e-15, an arm of full rank has some far above. Half, twice: no
+  // arm is between.
+  constexpr double kLeast = 1e-9;
   for (int place = 0; place < kPlaces; ++place) {
     ChainPositions x{};
     for (std::size_t i = 0; i < chain.size(); ++i) {

@@ -10,8 +10,12 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kNearlyParallel = 0.02;  // sine of the angle between two axes; calibrated arms have shapes too
-constexpr double kNearlyMeeting = 0.01;   // m, between two axes
+// Sine of the angle between two axes: ClassTolerance's 0.02 rad, so that calibrated arms have flags too. Half: some of
+// those have none; twice: an arm with slanted axes gets flags that say little.
+constexpr double kNearlyParallel = 0.02;
+// m, between two axes: ClassTolerance's 0.3 % of the reach for an arm of 3 m. Half: large calibrated arms have no
+// flags; twice: an offset of 20 mm, a real one, is ignored.
+constexpr double kNearlyMeeting = 0.01;
 
 bool parallel(const dvec3& a, const dvec3& b) {
   return glm::length(glm::cross(a, b)) < kNearlyParallel;
@@ -42,7 +46,9 @@ int quadrant(double angle) {
   return static_cast<int>(std::floor(angle / (0.5 * std::numbers::pi) + 1e-9));
 }
 
-constexpr double kBetween = 1e-7;  // m, m^2, sine of joint 5: what is left of an inverse's rounding
+// m, m^2, sine of joint 5: what is left of an inverse's rounding, a hundred times the 1e-9 a pose is met to. Half,
+// twice: no effect but on which side exactly straight wrists and elbows count.
+constexpr double kBetween = 1e-7;
 
 int halfTurns(double angle) {
   return static_cast<int>(std::floor((angle + std::numbers::pi) / (2.0 * std::numbers::pi)));

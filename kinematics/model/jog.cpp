@@ -11,12 +11,23 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kPieceLength = 0.002;                     ///< m
-constexpr double kPieceTurn = std::numbers::pi / 360.0;    ///< rad
-constexpr double kLargestSwing = std::numbers::pi / 18.0;  ///< rad of a joint in one piece
+/// m of a straight jog between two solutions: a joint then swings little and limits are met within 2 mm. Half: twice
+/// the time; twice: the reported stop is 4 mm before the limit.
+constexpr double kPieceLength = 0.002;
+/// rad, half a degree, for turning as kPieceLength for moving. Half: twice the time; twice: stops a degree before the
+/// limit.
+constexpr double kPieceTurn = std::numbers::pi / 360.0;
+/// rad of a joint in one piece, 10 degrees: twenty times a piece's turn, so near a singularity. Half: stops earlier
+/// beside it; twice: the wrist swings 20 degrees at once.
+constexpr double kLargestSwing = std::numbers::pi / 18.0;
+// A jog of 40 m or 28 turns, more than any cell; bounds the time. Half: pieces over 2 mm from 20 m on; twice: no
+// effect.
 constexpr int kMostPieces = 20000;
-constexpr double kOffPosition = 1e-6, kOffOrientation = 1e-5;  ///< m, rad
-constexpr double kAtLimit = 1e-6;                              ///< rad or m
+/// m, rad: the pose is met, for the numeric model too, and not to be seen. Half, twice: no effect, solutions are met to
+/// 1e-9.
+constexpr double kOffPosition = 1e-6, kOffOrientation = 1e-5;
+/// rad or m: the joint is named as at its limit; a thousand times the solvers' slack. Half, twice: no effect.
+constexpr double kAtLimit = 1e-6;
 
 const Joint& jointOf(const RobotModel& model, std::size_t variable) {
   return model.joints[static_cast<std::size_t>(model.moving[variable])];
@@ -122,6 +133,7 @@ Text nearestLimitText(const RobotModel& model, const std::vector<double>& q, dou
 }
 
 Text limitText(const Joint& joint, double left, bool upper) {
+  // degrees, mm: half of the last digit shown, so that no "0.0 from the limit" is read. Half, twice: it would be.
   constexpr double kShownDegrees = 0.05, kShownMillimetres = 0.05;
   const bool is_there = joint.type == JointType::kPrismatic ? left * 1000.0 < kShownMillimetres
                                                             : left * 180.0 / std::numbers::pi < kShownDegrees;

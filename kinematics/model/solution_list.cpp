@@ -12,7 +12,9 @@ namespace hapticell::kinematics {
 
 namespace {
 
+// rad or m over a limit, as kLimitSlack of choose_lanes.h.
 constexpr double kLimitSlack = 1e-9;
+// rad or m: the solution is where the robot is; a thousand times the 1e-9 a pose is met to. Half, twice: no effect.
 constexpr double kSameAsNow = 1e-6;
 
 const Joint& jointOf(const RobotModel& model, int variable) {

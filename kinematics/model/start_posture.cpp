@@ -12,7 +12,9 @@ namespace hapticell::kinematics {
 namespace {
 
 constexpr std::array<double, 4> kBends{30.0 * kDegree, -30.0 * kDegree, 60.0 * kDegree, -60.0 * kDegree};
-constexpr double kLeastBend = 20.0 * kDegree;  ///< What the limits must leave of one.
+/// What the limits must leave of a bend; sine 20 degrees is 0.34, well out of the singular pose. Half: starts nearer to
+/// singular; twice: robots with narrow joints start straight.
+constexpr double kLeastBend = 20.0 * kDegree;
 
 /// The variable bent by as much of `bend` as its limits let; false where that is little.
 bool bend(const Chain& chain, std::size_t variable, double angle, ChainPositions& x) {

@@ -10,6 +10,7 @@ namespace hapticell::kinematics {
 bool takeNearestTurns(const Chain& chain, const ChainPositions& x_start, ChainPositions& x) {
   bool within = true;
   for (std::size_t i = 0; i < chain.size(); ++i) {
+    // rad or m over a limit, as kLimitSlack of choose_lanes.h.
     constexpr double kSlack = 1e-9;
     const double lower = chain.lower()[i] - kSlack, upper = chain.upper()[i] + kSlack;
     if (chain.turns(i)) {

@@ -14,13 +14,27 @@ namespace hapticell::kinematics {
 
 namespace {
 
+// Start postures kept with their poses, of the Halton sequence; chosen by trial. Half: the nearest seeds are farther
+// and more descents end elsewhere; twice: twice the time to make a model and to sort.
 constexpr std::size_t kSeedCount = 1024;
+// Steps of a descent while dragging, that bound the time of a step of the loop. Half: a singular pose is left behind
+// for some steps of the loop; twice: its worst time doubles.
 constexpr int kHapticIterations = 24;
+// Steps of a descent from a seed; chosen by trial. Half: slow ones at singular poses fail and the next seed is tried;
+// twice: seeds that fail cost twice the time.
 constexpr int kRestartIterations = 60;
-constexpr double kKeptFirst = 0.004;   // times the lever, or its inverse: what is kept weighs 250 times as much
-constexpr double kKept = 2e-4;         // m or rad
-constexpr double kWorthTrying = 0.02;  // m: further off it is the hand that is fast, or the reach that ends
-constexpr double kElbowMargin = 0.01;  // rad from straight or folded
+// Times the lever, or its inverse: what is kept weighs 250 times as much; chosen so that kKept is met. Half: a stiffer
+// problem, more iterations; twice: kKept is missed more often and both yield.
+constexpr double kKeptFirst = 0.004;
+// m or rad: 0.2 mm, 0.2 mrad as inverse-kinematics.md says. Half: both yield more often; twice: a straight line near a
+// singularity is 0.4 mm off.
+constexpr double kKept = 2e-4;
+// m: further off it is the hand that is fast, or the reach that ends. Chosen by trial. Half: a wrist singularity passed
+// quickly loses the position; twice: a second descent for nothing for fast hands.
+constexpr double kWorthTrying = 0.02;
+// rad from straight or folded: there the elbow could change its side. 0.01 rad of a bend shortens an arm of 1 m by 13
+// um. Half: the last iterations creep; twice: reach ends 50 um earlier.
+constexpr double kElbowMargin = 0.01;
 
 // The radical inverse of `index` in a prime base: one coordinate of the Halton sequence (Halton 1960).
 double radicalInverse(std::size_t index, std::size_t base) {
@@ -59,6 +73,7 @@ NumericInverse::NumericInverse(Chain chain, std::size_t model_dof, double lever_
   options_.lever = lever_m;
   options_.max_iterations = kRestartIterations;
   elbow_ = findElbow(chain_);
+  // Eight columns of the kernels less one for the right-hand side, see fit_lanes.h.
   constexpr std::size_t kFastJoints = 7;
   if (chain_.size() <= kFastJoints && fitsTrueArm(chain_)) arm_ = trueArm(chain_);
   makeSeeds();

@@ -5,21 +5,36 @@
 #include <numbers>
 #include <numeric>
 
-#include "kinematics/numeric/numeric_inverse.h"
 #include "kinematics/model/turns.h"
+#include "kinematics/numeric/numeric_inverse.h"
 
 namespace hapticell::kinematics {
 
 namespace {
 
-constexpr std::size_t kSeedsForNearest = 64;  // enough to meet every configuration of a 6R arm
+// Seeds tried after a first solution, for one nearer to the start: enough to meet every configuration of a 6R arm.
+// Half: another configuration may be returned; twice: twice the time of solve().
+constexpr std::size_t kSeedsForNearest = 64;
+// Starts about the present posture, four rings of four, kNearEnough apart: up to 1 rad. Half: fewer near solutions are
+// found; twice: more time for each pose that has none.
 constexpr std::size_t kSeedsAboutStart = 16;
+// Seeds that tell "out of limits" from "out of reach". Chosen by trial. Half: a reachable pose is more often taken for
+// out of reach; twice: twice the time for a refusal.
 constexpr std::size_t kSeedsWithoutLimits = 96;
+// New starts when 1024 known ones were not enough; chosen by trial. Half: hard poses of odd arms are lost; twice: twice
+// the time until a pose out of reach is reported.
 constexpr std::size_t kFurtherSeeds = 300;
-/// Of startApart(): the nearest of the seeds is about so far; from further off a descent mostly ends elsewhere.
+/// Of startApart(): the nearest of the seeds is about so far; from further off a descent mostly ends elsewhere. Half:
+/// the present posture is tried less often first; twice: more descents for nothing.
 constexpr double kNearStart = 0.5;
-constexpr double kNearEnough = 0.25;    // rad or m: an answer this near is not worth a search for a nearer one
-constexpr double kSameSearched = 1e-4;  // rad or m
+// rad or m: an answer this near is not worth a search for a nearer one; two configurations differ by more. Half: more
+// searches; twice: the elbow of a nearly straight arm may turn over.
+constexpr double kNearEnough = 0.25;
+// rad or m: two results of a descent are one; a descent's 2e-10 is 1e-5 rad beside a double solution. Half: such may be
+// listed twice; twice: no effect.
+constexpr double kSameSearched = 1e-4;
+// Listed solutions: four times the 16 of a 6R arm, for arms with a free parameter, whose list is a sample. Half: a
+// coarser sample; twice: a longer list.
 constexpr std::size_t kMaxAlternatives = 64;
 
 double largestChange(const ChainPositions& a, const ChainPositions& b, std::size_t n) {
@@ -36,7 +51,9 @@ double fitCost(const FitResult& fit, double lever) {
 
 /// Beyond the reach, and by more than rounding: a tip that no joint takes away from the first one is at its very end.
 bool NumericInverse::isTooFar(const Pose& X_BT) const {
-  constexpr double kRounding = 1e-9;  // m, and in parts of the reach; what is accepted as met
+  // m, and in parts of the reach; what is accepted as met (1e-9). Half: a stretched arm may be refused; twice: a search
+  // for nothing for poses 2e-9 m too far.
+  constexpr double kRounding = 1e-9;
   const double distance = glm::length(X_BT.p - chain_.elements()[0].p_PJ);
   return distance > chain_.reach() * (1.0 + kRounding) + kRounding;
 }
@@ -113,8 +130,9 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
   if (best.converged) return best;
   // The least misfit of all tries, taken to its minimum.
   best = fitPose(chain_, X_BT, best.x, limits(), FitOptions{options_.lever, 200, true, false}, arm());
-  // At a pose where two solutions meet, steps shrink in proportion only: patience decides.
-  constexpr double kNearlyMet = 1e-4;  // m and rad
+  // m and rad: the best descent is so near that 2000 patient iterations are worth it; chosen by trial. Half: some poses
+  // where two solutions meet are refused; twice: more time for refusals at the edge of reach.
+  constexpr double kNearlyMet = 1e-4;
   if (best.converged || best.position_error > kNearlyMet || best.orientation_error > kNearlyMet) return best;
   for (const bool curved : {false, true}) {
     const FitResult patient = fitPose(chain_, X_BT, best.x, limits(), FitOptions{options_.lever, 2000, curved, false});
@@ -122,7 +140,8 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
     if (best.converged) break;
   }
   // There the last digits of the joints are lost: what is met to this is met (arm 356 of RandomArms with 2000 arms).
-  constexpr double kMet = 1e-8;  // m and rad
+  // m and rad. Half: that arm's pose is refused; twice: 2e-8 off passes, of such poses only.
+  constexpr double kMet = 1e-8;
   best.converged = best.converged || (best.position_error < kMet && best.orientation_error < kMet);
   return best;
 }

@@ -10,9 +10,12 @@ namespace hapticell::kinematics {
 namespace {
 
 constexpr int kMax = static_cast<int>(kMaxChainVariables);
-constexpr double kTolerance = 2e-10;  // tighter than the 1e-9 promised
-constexpr double kLargestStep = 0.7;  // rad or m: beyond it the linear model says nothing
+// m and rad; as kFitTolerance of fit_lanes.h, the same descent for four arms, where half and twice are given.
+constexpr double kTolerance = 2e-10;
+// rad or m; as kLargestFitStep of fit_lanes.h.
+constexpr double kLargestStep = 0.7;
 
+// Of the matrix's largest entry; as kLeastFitDamping of fit_lanes.h.
 constexpr double kLeastDamping = 1e-13;
 
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMax, kMax>;

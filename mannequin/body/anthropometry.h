@@ -69,9 +69,13 @@ std::optional<Dimension> findDimension(std::string_view name);
 /// Regression on the stature, computed from the ANSUR II raw data (4,082 men, 1,986 women; public domain).
 Regression regressionOf(Sex sex, Dimension dimension);
 
-/// The smallest and the largest stature (m) a figure is built for: beyond, the regressions mean nothing.
+/// The smallest and the largest stature (m) a figure is built for: beyond, the regressions mean nothing. Our choice,
+/// 0.2 to 0.3 m around those measured. Wider: odd proportions; narrower: rare but real persons are refused.
 inline constexpr double kLeastStature = 1.2;
 inline constexpr double kMostStature = 2.3;
+/// m: statures are shown in mm, rounded by half of one and 0.1. Half: rounded ones count as another body; twice: two
+/// bodies 1 mm apart count as one.
+inline constexpr double kSameStature = 0.0006;
 
 /// Stature (m) of a percentile of the sex; the 5th, 50th and 95th are ANSUR II's own to the millimetre, between and
 /// beyond them a normal distribution with their skew. Refused outside 0.1 to 99.9.

@@ -30,6 +30,8 @@ struct BallState {
   double excess() const { return rho - rho_max; }
 };
 
+/// rad: -90 to 70 and +-45 degrees, AAOS's clinical ranges of rotation (see above). Half: natural postures of arms are
+/// refused; twice: arms that nobody has.
 inline constexpr double kShoulderTwistLower = -0.5 * std::numbers::pi, kShoulderTwistUpper = 1.2217304763960306;
 inline constexpr double kHipTwistLower = -0.7853981633974483, kHipTwistUpper = 0.7853981633974483;
 double twistLower(BallJoint joint);

@@ -170,7 +170,9 @@ struct Gaze {
   double yaw = 0.0;
   double pitch = 0.0;
 };
-inline constexpr double kGazeYawLimit = 0.6108652381980153;   ///< 35 deg to either side.
+/// rad, 35 deg to either side, 20 up, 40 down: what the eyes turn to in visionVolume() of work_zones.h. Half: the head
+/// turns for what eyes see; twice: eyes go into their corners.
+inline constexpr double kGazeYawLimit = 0.6108652381980153;
 inline constexpr double kGazeUpLimit = 0.3490658503988659;    ///< 20 deg.
 inline constexpr double kGazeDownLimit = 0.6981317007977318;  ///< 40 deg.
 

@@ -14,6 +14,7 @@ namespace hapticell::mannequin {
 
 namespace {
 
+// Guards memory and time: ten times a full skeleton with fingers. Half, twice: no file of a person is refused.
 constexpr std::size_t kMostBones = 1000;
 
 dquat about(int axis, double degrees) {

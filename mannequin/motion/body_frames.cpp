@@ -12,16 +12,30 @@ namespace hapticell::mannequin {
 
 namespace {
 
+// Moments of a motion that frames are found from. Half: one standing phase may outweigh the rest; twice: twice the time
+// of reading.
 constexpr std::size_t kMostSamples = 400;
-constexpr double kSmallTilt = 3.0 * kDegree;   ///< A bone this near to the rest position's axis is the axis.
-constexpr double kLargeTilt = 12.0 * kDegree;  ///< From here on the motion decides between bone and rest position.
-constexpr double kNearNeck = 10.0 * kDegree;   ///< Of a head that leans at rest, against its neck there.
+/// A bone this near to the rest position's axis is the axis: rounding of files and drawn skeletons. Half: some leaning
+/// frames; twice: bones that lean by 6 deg are put upright.
+constexpr double kSmallTilt = 3.0 * kDegree;
+/// From here on the motion decides between bone and rest position; by trial, RecordedByAnyProgram tests it. Half: rest
+/// positions that lean are dropped; twice: rest positions unlike a person are believed.
+constexpr double kLargeTilt = 12.0 * kDegree;
+/// Of a head that leans at rest, against its neck there. Half: heads drawn along a leaning neck look down; twice: real
+/// heads' ends are dropped.
+constexpr double kNearNeck = 10.0 * kDegree;
 /// How far the rest position's left may lie from what is seen, deg: where joints on the segment show it, where the wish
-/// is only what is likely, and where nothing tells.
+/// is only likely, where nothing tells. By trial. Half: rest positions are dropped; twice: wrong ones are believed.
 constexpr double kSeen = 12.0, kNearlySeen = 25.0, kLikely = 45.0, kWithTheTrunk = 75.0, kUntold = 180.0;
-constexpr double kFootSlope = 18.0 * kDegree;  ///< From the ankle down to the ball of a foot that is flat.
-constexpr double kNoBone = 55.0 * kDegree;     ///< Between a bone and what it should point along, on the whole.
-constexpr double kBent = 0.35;                 ///< Sine of the flexion from which a hinge's plane is seen well.
+/// From the ankle down to the ball of a foot that is flat, where the motion has no low foot; our choice. Half: feet
+/// point upwards by 9 deg; twice: downwards by 18.
+constexpr double kFootSlope = 18.0 * kDegree;
+/// Between a bone and what it should point along, on the whole. Chosen by trial. Half: bones of odd skeletons are
+/// dropped; twice: ends of bones along x, which some programs write, are believed.
+constexpr double kNoBone = 55.0 * kDegree;
+/// Sine of the flexion (20 deg) from which a hinge's plane is seen well: there a joint's error is tripled. Half: six
+/// times; twice: motions with less bending fall back to a guess.
+constexpr double kBent = 0.35;
 
 /// A segment's wished frame at a moment, in the world.
 struct Wish {

@@ -15,6 +15,7 @@ namespace hapticell::mannequin {
 
 namespace {
 
+// Guards memory. Half, twice: other files are refused with a message.
 constexpr std::size_t kMostC3dBytes = std::size_t{1} << 30;
 
 struct C3dUnit {

@@ -34,6 +34,7 @@ inline Expected<C3dLayout> c3dLayout(const C3dParameters& parameters, const std:
 namespace c3d {
 
 inline constexpr std::size_t kBlockBytes = C3dParameters::kBlock;
+/// Guard memory and time, and tell what a field cannot mean. Half, twice: other files are refused with a message.
 inline constexpr std::size_t kMostPoints = 10'000, kMostRows = 2'000'000, kMostAnalog = 1'000'000;
 
 inline tl::unexpected<Error> fault(std::string name, std::size_t at, Text found, Text expected) {

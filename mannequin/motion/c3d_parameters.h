@@ -126,6 +126,7 @@ inline std::optional<C3dParameters::Parameter> C3dParameters::parameterAt(std::s
   Parameter parameter;
   parameter.type = static_cast<int>(static_cast<std::int8_t>(*type));
   if (parameter.type != -1 && parameter.type != 1 && parameter.type != 2 && parameter.type != 4) return std::nullopt;
+  // Values of a parameter, 256^3: guards memory. Half, twice: no effect on real files.
   constexpr std::size_t kMostCounted = 1 << 24;
   for (std::size_t k = 0; k < *dimensions; ++k) {
     const auto size = bytes_.byte(at + 2 + k);

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "geometry/system/assertion.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/body/rotations.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::mannequin {
 
@@ -20,10 +20,14 @@ using kinematics::RobotModel;
 
 constexpr const char* kName = "free hand";
 constexpr std::array<const char*, 5> kFingerNames{"thumb", "index", "middle", "ring", "pinky"};
-constexpr double kFingerSpread = 0.45;              // rad to either side,
+// rad to either side, the thumb's, and how far joints bend: 10 deg more than the figure's fingers (0 to 90 deg) and
+// back, our choice. Half: fingers stop before the glove's; twice: they bend into the palm.
+constexpr double kFingerSpread = 0.45;
 constexpr double kThumbIn = -0.6, kThumbOut = 1.2;  // the thumb's,
 constexpr double kBack = -0.35, kForward = 1.75;    // and how far joints bend.
-constexpr double kThumbPalmward = 0.35;             // Of the way across the palm: away from it.
+// Of the way across the palm: away from it. Our choice, so that the thumb's tip meets the fingers'. Half, twice: it
+// bends beside them.
+constexpr double kThumbPalmward = 0.35;
 constexpr std::array<std::size_t, 3> kBoneIndices{0, 1, 2};
 
 class HandBuilder {

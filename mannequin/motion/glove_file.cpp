@@ -35,6 +35,7 @@ Expected<GloveCalibration> readGloveCalibration(const std::filesystem::path& fil
                       .expected = "a glove's calibration",
                       .fix = "Calibrate the glove anew."});
   };
+  // Guards memory: a calibration is some numbers of 22 sensors. Half, twice: no effect.
   constexpr std::uintmax_t kMostGloveBytes = 1'000'000;
   const auto text = geometry::readRegularFile(file, kMostGloveBytes);
   if (!text) return refuse(text.error().found);

@@ -10,6 +10,8 @@ namespace hapticell::mannequin {
 
 namespace {
 
+// Of 255 steps between two poses: less is noise, or a dead sensor. Half: a step of noise makes gains 50 % wrong; twice:
+// sensors with a small range are called bad.
 constexpr double kLeastChange = 4.0;
 constexpr std::array<std::size_t, 4> kOuterJoints = {6, 9, 13, 17};
 constexpr std::size_t kWristPitch = 20, kWristYaw = 21;

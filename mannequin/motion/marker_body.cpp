@@ -11,15 +11,29 @@ namespace hapticell::mannequin {
 
 namespace {
 
-constexpr double kMarkerRadius = 0.007;  ///< m; of what is stuck to the skin, our choice as all of these.
-constexpr double kHalfKnee = 0.052, kHalfAnkle = 0.036, kHalfElbow = 0.040;  ///< m, half a joint's breadth.
-constexpr double kBelowAcromion = 0.040, kInsideAcromion = 0.012;            ///< m, the shoulder.
-constexpr double kFingerHigher = 0.010;               ///< m, over the line of the wrist's markers.
-constexpr double kHalfWrist = 0.018;                  ///< m, half a wrist's thickness: its markers lie on its back.
-constexpr double kLooksUp = 5.0 * kDegree;            ///< On the whole: nobody does; the markers lean.
-constexpr std::size_t kMostTilts = 500;               ///< Moments looked at.
-constexpr double kIntoNeck = 0.35;                    ///< From C7 to the clavicles' notch.
-constexpr double kSureBend = 0.35, kSomeBend = 0.12;  ///< Sines of a joint's flexion.
+/// m; 14 mm markers, our choice as all of these (docs/dev/mannequin.md). Half, twice: joints are 3.5 or 7 mm farther in
+/// or out.
+constexpr double kMarkerRadius = 0.007;
+/// m, half a joint's breadth of a grown person. Half, twice: joints lie beside the bones by as much as is missing;
+/// MarkerBody allows 10 mm.
+constexpr double kHalfKnee = 0.052, kHalfAnkle = 0.036, kHalfElbow = 0.040;
+/// m, the shoulder's centre from the acromion. Half, twice: upper arms are 20 or 40 mm too long or short; MarkerBody
+/// allows 10 mm.
+constexpr double kBelowAcromion = 0.040, kInsideAcromion = 0.012;
+/// m, over the line of the wrist's markers. Half, twice: hands are bent by 3 or 6 deg at a length of 0.1 m.
+constexpr double kFingerHigher = 0.010;
+/// m, half a wrist's thickness: its markers lie on its back. Half, twice: wrists 9 or 18 mm off.
+constexpr double kHalfWrist = 0.018;
+/// On the whole: nobody does; the markers lean. Half: heads that look up a little are put level; twice: leaning markers
+/// stay.
+constexpr double kLooksUp = 5.0 * kDegree;
+/// Moments looked at, for medians. Half: less sure; twice: twice the time.
+constexpr std::size_t kMostTilts = 500;
+/// From C7 to the clavicles' notch. Our choice. Half: the neck's base at its back; twice: in its front.
+constexpr double kIntoNeck = 0.35;
+/// Sines of a joint's flexion (20 and 7 deg): from the first on its plane is believed, below the second it is not. As
+/// kBent of body_frames.cpp. Half: noise turns straight limbs; twice: half-bent ones are guessed.
+constexpr double kSureBend = 0.35, kSomeBend = 0.12;
 
 dvec3 unitOf(const dvec3& v) {
   const double length = glm::length(v);

@@ -247,6 +247,7 @@ Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& n
 }
 
 Expected<MarkerSet> readMarkerTable(const std::filesystem::path& file, const MarkerClip& clip) {
+  // Guards memory: a table has a line a marker. Half, twice: no effect.
   constexpr std::uintmax_t kMostTable = 1u << 20;
   const auto text = geometry::readRegularFile(file, kMostTable);
   if (!text)

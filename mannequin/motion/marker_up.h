@@ -19,6 +19,7 @@ inline void turnUpright(MarkerClip& clip, std::optional<UpAxis> told, const std:
 
 namespace marker_up {
 
+/// Moments looked at, for a mean direction. Half, twice: no effect but time on motions of a person.
 inline constexpr std::size_t kMostLooked = 300;
 
 /// How high on a body a marker sits, by its usual name: 3 head, 2 shoulders and chest, 1 pelvis, 0 knees, -1 feet.

@@ -8,6 +8,7 @@ namespace hapticell::mannequin {
 
 namespace {
 
+// Guards memory. Half, twice: other files are refused with a message.
 constexpr std::uintmax_t kMostBytes = 256u << 20;
 
 Expected<std::string> contentOf(const std::filesystem::path& file) {

@@ -13,6 +13,7 @@ namespace hapticell::mannequin {
 
 namespace {
 
+// Moments looked at, for a mean direction. Half, twice: no effect but time on motions of a person.
 constexpr std::size_t kPostureSamples = 400;
 
 /// From the ankles to the head, moment by moment, in the clip's axes.

@@ -33,8 +33,11 @@ inline std::optional<UpAxis> upAxisOf(std::span<const dvec3> upwards);
 namespace up_axis {
 
 inline constexpr std::array<const char*, 6> kUpNames = {"x", "y", "z", "-x", "-y", "-z"};
-inline constexpr double kClearlyUp = 0.6;    ///< Of the mean direction, along the axis: within 53 deg of it.
-inline constexpr double kClearlyMore = 1.3;  ///< Than along the second axis.
+/// Of the mean direction, along the axis: within 53 deg of it. Half: also where two axes are alike; twice: never. Where
+/// it is not clear, an assumption is reported.
+inline constexpr double kClearlyUp = 0.6;
+/// Than along the second axis. Half: always; twice: people that bend much of the time count as unclear.
+inline constexpr double kClearlyMore = 1.3;
 
 }  // namespace up_axis
 

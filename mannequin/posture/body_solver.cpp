@@ -12,7 +12,9 @@ namespace {
 
 using S = Segment;
 
-constexpr double kFootSlack = 2e-4;  ///< m that a foot may leave its place on the way.
+/// m that a foot may leave its place on the way, a fifth of a mm that the last steps put back. Half: more steps are
+/// refused; twice: feet slide visibly while dragging (the target is 0.3 mm).
+constexpr double kFootSlack = 2e-4;
 
 dvec3 turnBetween(const dmat3& R_to, const dmat3& R_from) {
   return rotationVector(glm::quat_cast(R_to * glm::transpose(R_from)));

@@ -8,7 +8,9 @@
 
 namespace hapticell::mannequin {
 
-inline constexpr double kLever = 0.2;  ///< m that a rad of hand or foot counts.
+/// m that a rad of hand or foot counts, about the length of a hand. Half: hands turn away to reach farther; twice: they
+/// stop short to keep their turn.
+inline constexpr double kLever = 0.2;
 
 /// A task with everything said: what the solver's iterations work towards.
 struct ResolvedTask {
@@ -60,6 +62,8 @@ class BodySolver {
     balance_weight_ = weight;
     set(BodyState(state_));
   }
+  /// Against 1 of the hands in the merit: balance goes before hands, a mm of it like 100 mm. Half, twice: no change
+  /// seen in order; much less: figures lean out for what is far.
   static constexpr double kStrictBalance = 1e4;
   const BodyState& state() const { return state_; }
   const FigurePose& pose() const { return pose_; }

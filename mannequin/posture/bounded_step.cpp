@@ -9,8 +9,11 @@ namespace hapticell::mannequin {
 
 namespace {
 
+// Newton steps, 1 to 5 are usual (bounded_step.h). Half: no effect but in rare cases; twice: the bounds hold after any
+// number.
 constexpr int kMostPasses = 32;
-constexpr double kWhole = 1.0 - 1e-6;  ///< Share of a Newton step that counts as all of it.
+/// Share of a Newton step that counts as all of it: rounding. Half, twice of the rest: no effect.
+constexpr double kWhole = 1.0 - 1e-6;
 
 /// J^T y: the tasks' pull on each variable.
 Variables pullOf(const StepProblem& problem, const Rows& y) {

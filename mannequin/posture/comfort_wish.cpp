@@ -12,9 +12,15 @@ namespace {
 
 using S = Segment;
 
-constexpr double kStandingShare = 0.97;    ///< Of the leg's length that the hip stands above the ankle.
-constexpr double kForwardOfAnkle = 0.050;  ///< m: where the centre of mass likes to be.
-constexpr double kPitchShare = 0.8;        ///< Of the spine's flexion that the pelvis takes over.
+/// Of the leg's length that the hip stands above the ankle; our choice (docs/dev/mannequin.md): knees bent by 28 deg.
+/// Half the rest: nearly straight, where knees lock; twice: 40 deg.
+constexpr double kStandingShare = 0.97;
+/// m: where the centre of mass likes to be, near the middle of the soles; our choice. Half: near the heels; twice: near
+/// the toes.
+constexpr double kForwardOfAnkle = 0.050;
+/// Of the spine's flexion that the pelvis takes over; our choice. Half: round backs; above 1: the pelvis bends farther
+/// than it has to.
+constexpr double kPitchShare = 0.8;
 
 /// The turn w as a combination of the ball joint's axes (which are not orthogonal).
 dvec3 alongAxes(const BallAxes& axes, const dvec3& bone, const dvec3& w) {

@@ -22,7 +22,9 @@ inline RowRanges rowsOf(int variable, bool arms_coupled) {
   return {6, kHandRow, kTaskRows, kTaskRows};
 }
 
-inline constexpr int kMostUpdates = 14;  ///< Changes of side beyond which factorising afresh is cheaper.
+/// Changes of side beyond which factorising afresh is cheaper: about half the 26 rows. Half, twice: the same steps,
+/// slower.
+inline constexpr int kMostUpdates = 14;
 
 /// The system (J D^-1 J^T + R) y = e - J dq0 over the free variables, kept factorised while variables change sides: a
 /// change costs a rank-one update (Gill, Golub, Murray and Saunders, Math. Comp. 28, 1974, method C1).

@@ -7,7 +7,9 @@ namespace hapticell::mannequin {
 
 namespace {
 
-constexpr double kProbe = 1e-3;  ///< m (and rad) of the motion that is asked of the linear model.
+/// m (and rad) of the motion that is asked of the linear model; small enough for bounds of a step. Half, twice: the
+/// same, it is linear.
+constexpr double kProbe = 1e-3;
 
 /// Motion of one segment from the variables that move it.
 Twist motionOf(Segment segment, const FigurePose& pose, const VariableAxes& axes, const Variables& step) {

@@ -12,10 +12,17 @@ namespace {
 
 using Targets = std::array<std::optional<HandTarget>, 2>;
 
-constexpr double kThere = 2e-3;     // m; nearer than a picked point is meant.
-constexpr int kWristRounds = 6;     // A wrist that turns on the way moves the grip; each round leaves a tenth of it.
-constexpr double kUnder = 0.01;     // m below the picked face: the line across meets the sides of a plate.
-constexpr double kThinnest = 2e-3;  // m between two sides.
+// m; nearer than a picked point is meant. Half: more rounds; twice: hands stop 4 mm off.
+constexpr double kThere = 2e-3;
+// A wrist that turns on the way moves the grip; each round leaves a tenth of it: 1e-6 after six. Half: 1e-3, still near
+// kThere; twice: time only.
+constexpr int kWristRounds = 6;
+// m below the picked face: the line across meets the sides of a plate. Half: rounded edges are missed less, thin plates
+// too; twice: plates under 20 mm are missed.
+constexpr double kUnder = 0.01;
+// m between two sides: thinner is one sheet, nothing to hold between hands. Half, twice: thinner or thicker ones are
+// refused.
+constexpr double kThinnest = 2e-3;
 
 /// The hand's turn with its palm along `into` and its fingers as near as can be to where the arm points.
 dquat palmTurn(Side side, const dvec3& into, const dvec3& along) {

@@ -14,9 +14,14 @@ namespace {
 
 constexpr int kTurns = 18;  // Spine and neck: the first 18 of Dof.
 constexpr int kFirstNeck = 9;
-constexpr double kMostHeadTurn = 0.6 * kDegree;  // Of an iteration; three make a tick.
-constexpr double kHeadLever = 0.2;               // m that a radian counts like.
-constexpr double kSpineWeight = 3.0;             // The neck moves more easily.
+// Of an iteration; three make a tick, as kTickTurn of posture_solver.cpp. Half: the head follows half as fast; twice:
+// it jumps.
+constexpr double kMostHeadTurn = 0.6 * kDegree;
+// m that a radian counts like, as kLever of body_solver.h. Half: place goes first; twice: direction of the eyes does.
+constexpr double kHeadLever = 0.2;
+// The neck moves more readily; our choice. Half: the trunk leans for a look; twice: the neck bends to its limits first.
+constexpr double kSpineWeight = 3.0;
+// m^2: keeps steps finite where joints are at their limits. Half, twice: a little faster or slower near them.
 constexpr double kDamping = 1e-4;
 
 using HeadRows = Eigen::Matrix<double, 6, 1>;

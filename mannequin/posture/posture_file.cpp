@@ -14,7 +14,9 @@ namespace {
 
 using nlohmann::ordered_json;
 constexpr int kVersion = 1;
-constexpr double kMostAngle = 7.0;  // A little over one turn.
+// A little over one turn, against files in degrees. Half: some angles of a full turn are refused; twice: 10 deg are
+// read as 10 rad.
+constexpr double kMostAngle = 7.0;
 
 /// `count` finite numbers, or nothing.
 std::optional<std::vector<double>> numbers(const ordered_json& json, std::size_t count) {
@@ -154,6 +156,7 @@ Expected<Posture> parsePosture(std::string_view text, const std::string& name, b
 }
 
 Expected<Posture> readPosture(const std::filesystem::path& file, bool* has_root) {
+  // Guards memory: a posture is some kB. Half, twice: no effect.
   constexpr std::uintmax_t kMostPostureBytes = 1'000'000;
   const auto text = geometry::readRegularFile(file, kMostPostureBytes);
   HAPTICELL_TRY(text);

@@ -18,6 +18,8 @@ SeededState withArms(const Figure& figure, const ResolvedTask& task, const BodyS
 /// arms in closed form, a few at a time when they are asked for.
 class PostureSeeds {
  public:
+  /// Trunks of the lattice (4 crouches, 4 pitches, 3 turns), tries for two hands and for one; by trial. Half: more
+  /// goals in reach are missed; twice: up to twice the time of those out of reach.
   static constexpr std::size_t kTrunks = 48, kMost = 8, kBatch = 4;
 
   PostureSeeds(const Figure& figure, const ResolvedTask& task, const BodyState& present);

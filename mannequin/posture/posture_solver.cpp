@@ -16,17 +16,36 @@ namespace {
 
 using S = Segment;
 
-constexpr double kGoodArms = 0.25;    ///< Cost of closed-form arms below which the present trunk is worth a try.
-constexpr double kNearMerit = 0.003;  ///< m^2: the start itself is nearly there.
+/// Cost of closed-form arms below which the present trunk is worth a try; by trial. Half: trunks move where arms would
+/// do; twice: tries for nothing.
+constexpr double kGoodArms = 0.25;
+/// m^2 (55 mm): the start itself is nearly there. By trial. Half: other trunks are tried for small motions; twice:
+/// tries for nothing.
+constexpr double kNearMerit = 0.003;
+// Steps from a seed; by trial. Half: good seeds fail and the next is tried; twice: seeds that fail cost twice the time.
 constexpr int kPolishSteps = 20;
-constexpr int kLastSteps = 40;  ///< Where all else failed.
+/// Steps where all else failed, twice kPolishSteps. Half: goals at the edge are missed; twice: twice the time for what
+/// is out of reach.
+constexpr int kLastSteps = 40;
+// Steps of comfort up to which the short way without going back is taken. Half, twice: no effect on longer requests.
 constexpr int kBriefSteps = 2;
-constexpr double kComfortSlack = 4e-4;       ///< m^2, 20 mm: what closed-form arms make good again.
-constexpr double kTickTurn = 0.6 * kDegree;  ///< Per iteration; three make a tick.
+/// m^2, 20 mm: what closed-form arms make good again. Half: comfort comes in smaller steps; twice: more steps are taken
+/// back.
+constexpr double kComfortSlack = 4e-4;
+/// rad an iteration; three make a tick, 1.8 deg a joint, so that nothing jumps (docs/dev/mannequin.md). Half: a fast
+/// hand leaves the figure behind; twice: jumps are seen.
+constexpr double kTickTurn = 0.6 * kDegree;
 constexpr double kMostTickTurn = 1.8 * kDegree;
+// Of the arm's length: elbows bent by 20 deg, and by 1.6: a bit off the singular pose. Half the rest: swivels are
+// sought for nearly straight arms; twice: arms end shorter.
 constexpr double kComfortableStretch = 0.985, kStraight = 0.9999;
-constexpr double kLeastTickShare = 0.05;  ///< Of the way to the hand that arms alone go in a tick.
+/// Of the way to the hand that arms alone go in a tick. Half: arms creep where the trunk would help; twice: the whole
+/// body moves sooner.
+constexpr double kLeastTickShare = 0.05;
+// Turn of a step (twice a tick's), regularisation, share of the way to comfort. Half: a figure relaxes half as fast;
+// twice: it jumps.
 constexpr StepLimits kRelaxing{1.2 * kDegree, 1e-2, 0.5};
+// Halvings of a step: to a 64th. Half: it stops relaxing earlier; twice: time for steps that are not seen.
 constexpr int kRefusals = 6;
 
 PostureResult resultOf(const BodySolver& solver, const Posture& start, const FigurePose& start_pose,

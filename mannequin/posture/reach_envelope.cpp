@@ -11,6 +11,7 @@ namespace hapticell::mannequin {
 
 namespace {
 
+// Of 0.6 of the stature: 8 mm for 1.755 m. Half: 0.13 m, steps are seen; twice: 60 um, twice the time.
 constexpr int kHalvings = 7;
 
 /// Distance from `from` along `direction` that the wrist gets to.

@@ -62,7 +62,9 @@ SupportPolygon supportPolygon(const Figure& figure, const std::array<SegmentPlac
 }
 
 std::array<bool, 2> standingFeet(const Figure& figure, const FigurePose& pose) {
-  constexpr double kLifted = 0.01;  // m
+  // m over the lower sole: the foot bears nothing; over what a step of the solver leaves. Half: a sole on a mat bears
+  // nothing; twice: a foot over the floor bears.
+  constexpr double kLifted = 0.01;
   std::array<double, 2> height{};
   for (const Side side : {Side::kLeft, Side::kRight})
     height[static_cast<std::size_t>(side)] = (footPose(pose, side) * dvec3(0.0, 0.0, figure.sole.z)).z;

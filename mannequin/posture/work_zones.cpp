@@ -8,9 +8,13 @@
 namespace hapticell::mannequin {
 namespace {
 
+// Cells of a fan or a cone, drawn only. Half: corners are seen; twice: twice the triangles.
 constexpr int kSteps = 24;
-constexpr double kSide = 1.2217304763960306;  ///< 70 degrees to either side.
-constexpr double kInner = 0.10;               ///< m: what is nearer is the body.
+/// 70 degrees to either side; our choice, as the zones' other bounds (work_zones.h). Half, twice: a narrower zone, or
+/// one behind the back.
+constexpr double kSide = 1.2217304763960306;
+/// m: what is nearer is the body. Half: the zone reaches into the belly; twice: near places are left out.
+constexpr double kInner = 0.10;
 
 /// Closes a fan of cells: `rim[level][step]` with 2 levels and an inner and an outer radius.
 geometry::TriangleMesh sector(const dvec3& middle, double heading, double radius, double low, double high) {

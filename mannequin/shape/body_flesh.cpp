@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mannequin/body/girths.h"
+#include "mannequin/body/rotations.h"
 #include "mannequin/shape/body_sections.h"
 #include "mannequin/shape/body_shape.h"
-#include "mannequin/body/girths.h"
 #include "mannequin/shape/head_flesh.h"
-#include "mannequin/body/rotations.h"
 
 namespace hapticell::mannequin {
 
@@ -16,7 +16,8 @@ using S = Segment;
 
 constexpr std::array<float, 3> kShirt{0.32f, 0.45f, 0.60f}, kTrousers{0.23f, 0.25f, 0.30f}, kShoes{0.16f, 0.15f, 0.15f};
 
-constexpr double kOn = 0.006;  ///< m over which a limb goes on; more would swell it there.
+/// m over which a limb goes on; more would swell it there. Half: seams at joints are seen; twice: swollen joints.
+constexpr double kOn = 0.006;
 
 /// Builds the flesh from ANSUR breadths and depths; lengths in shares of the stature's scale k, girths of limbs with
 /// the square root of mass per stature. Shapes are our own choice.
@@ -111,12 +112,17 @@ class Sculptor {
         .blobs.push_back(
             {{0.012 * k_, 0, 0.56 * neck}, {0.026 * k_, 0, 0.92 * neck}, 0.066 * g_, 0.056 * g_, dvec3(1.0)});
     if (!female_) return;
-    const double depth = figure_.body[Dimension::kChestDepth], z = girthOf(figure_.sex, figure_.body, Girth::kChestHeight);
+    const double depth = figure_.body[Dimension::kChestDepth],
+                 z = girthOf(figure_.sex, figure_.body, Girth::kChestHeight);
     const TubeSection chest = trunk_.at(z);
     const dvec3 middle = dvec3(chest.v + chest.front + 0.140 * depth - 0.203 * depth, 0.43 * chest.half_breadth, z) -
                          originOf(S::kThorax);
-    pair(S::kThorax, {middle + dvec3(-0.010 * k_, 0.0, 0.024 * k_), middle, 0.239 * depth, 0.260 * depth,
-                      {0.78, 1.0, 0.96}, 0.030 * k_});
+    pair(S::kThorax, {middle + dvec3(-0.010 * k_, 0.0, 0.024 * k_),
+                      middle,
+                      0.239 * depth,
+                      0.260 * depth,
+                      {0.78, 1.0, 0.96},
+                      0.030 * k_});
   }
 
   void head() {
@@ -148,7 +154,9 @@ class Sculptor {
   /// The pieces of a limb between two places along it, from its sections; in the frame of a segment that begins at
   /// `origin` along it.
   void limb(Segment segment, const SectionTube& tube, double from, double to, double origin) {
-    constexpr double kPiece = 0.055;  // m
+    // m a piece of a limb that follows its girths. Half: twice the capsules, slower distances; twice: limbs look like
+    // chains.
+    constexpr double kPiece = 0.055;
     const int count = std::max(1, static_cast<int>(std::lround((to - from) / (kPiece * k_))));
     for (int i = 0; i < count; ++i) {
       const TubeSection a = tube.at(from + (to - from) * i / count), b = tube.at(from + (to - from) * (i + 1) / count);

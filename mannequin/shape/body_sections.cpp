@@ -42,7 +42,9 @@ std::vector<TubeSection> trunkSections(const Figure& figure) {
                z_acromion = size.of(D::kAcromialHeight), z_neck = size.of(D::kCervicaleHeight);
   const double bust = size.female() ? 0.86 : 1.0;  // The rest of a woman's chest depth are breasts.
   // The tops of the legs are the outside of the seat, the trunk lies a little within.
-  constexpr double kWithin = 0.010;  // m
+  // m that the trunk is within the seat's measures; our choice, girths are tested within a standard error
+  // (docs/dev/mannequin.md). Half, twice: hips too broad or with a step.
+  constexpr double kWithin = 0.010;
   TubeSection at_seat =
       withGirth({z_seat, 0.0, 0.0, 0.985 * hip, 0.45 * seat, 0.55 * seat, 2.2}, size.girth(Girth::kButtock));
   at_seat.half_breadth -= kWithin * k;

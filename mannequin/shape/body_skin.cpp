@@ -54,7 +54,9 @@ struct Crease {
 
 /// Armpits, and between the thighs.
 std::vector<Crease> creasesOf(const std::vector<PlacedBody>& bodies) {
-  constexpr double kArmpit = 0.035, kArmpitReach = 0.28, kThighs = 0.030, kThighsReach = 0.24;  // m
+  // m over which limbs flow together, and how far from the joint; our choice, drawn and written only. Half: sharp
+  // creases; twice: webs between arm and trunk.
+  constexpr double kArmpit = 0.035, kArmpitReach = 0.28, kThighs = 0.030, kThighsReach = 0.24;
   const auto at = [&](S segment) { return bodies[indexOf(segment)].place.p_WS; };
   std::vector<Crease> creases{{indexOf(S::kLeftThigh), indexOf(S::kRightThigh), kThighs,
                                0.5 * (at(S::kLeftThigh) + at(S::kRightThigh)), kThighsReach}};
@@ -117,7 +119,8 @@ class SkinField {
   const std::array<double, kBodies>& distances() const { return distances_; }
 
  private:
-  static constexpr double kLeastBlend = 1e-4;  // m
+  // m: less is no blend, for speed. Half, twice: no effect seen.
+  static constexpr double kLeastBlend = 1e-4;
 
   /// How much two bodies flow together where they face these ways: not at all
   /// where they face alike, or a straight limb would swell at its joints (after

@@ -12,7 +12,8 @@ namespace hapticell::mannequin {
 
 namespace {
 
-constexpr double kEyeRadius = 0.0122;                              // m, of a man of 1.755 m.
+// m, of a man of 1.755 m. What follows is drawn only, our choice: half or twice changes how a face looks.
+constexpr double kEyeRadius = 0.0122;
 constexpr double kIris = 0.50, kPupil = 0.20;                      // rad about the line of sight.
 constexpr double kOverWhite = 1.010, kOverIris = 1.016;            // Of the eye's radius.
 constexpr double kLid = 1.085, kLidEdge = 1.02;                    // Of the eye's radius.
@@ -44,6 +45,7 @@ geometry::TriangleMesh sheet(std::uint32_t columns, std::uint32_t rows, const Pl
 
 /// A cap of a sphere about +x.
 geometry::TriangleMesh cap(double radius, double angle) {
+  // Triangles of eyes, drawn only. Half: corners are seen; twice: twice the triangles.
   constexpr std::uint32_t kAround = 20, kRings = 6;
   geometry::TriangleMesh mesh;
   mesh.vertices.emplace_back(radius, 0.0, 0.0);
@@ -100,6 +102,7 @@ dvec3 onFace(const HeadMeasures& m, const Flesh& head, double y, double z) {
 template <typename Lower, typename Upper, typename Thick>
 geometry::TriangleMesh strip(const HeadMeasures& m, const Flesh& head, double from, double to, const Lower& lower,
                              const Upper& upper, const Thick& thick) {
+  // Of lips and brows, drawn only. Half: corners are seen; twice: twice the triangles.
   constexpr std::uint32_t kColumns = 28, kRows = 8;
   return sheet(kColumns, kRows, [&](double across, double up) {
     const double y = from + across * (to - from), low = lower(y);

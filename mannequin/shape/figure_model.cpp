@@ -20,6 +20,8 @@ using S = Segment;
 using kinematics::Joint;
 using kinematics::JointType;
 
+// m of the grids of what is drawn and what is checked (coarse); the outline is off by less than a cell. Half: four
+// times the triangles, slower checks; twice: edges of fingers and faces are seen.
 constexpr double kFineCell = 0.011, kCoarseCell = 0.024, kFineFinger = 0.0042, kCoarseFinger = 0.009,
                  kHeadCell = 0.0065;
 

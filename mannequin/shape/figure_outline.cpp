@@ -8,6 +8,8 @@
 namespace hapticell::mannequin {
 namespace {
 
+// Corners of a capsule's outline: 18 degrees each, off by 1.2 % of its radius. Half: 4.9 %; twice: 0.3 %, twice the
+// time.
 constexpr std::size_t kCorners = 20;
 
 /// The blob's point that lies furthest along `u` (unit, in the body's frame): an end's stretched sphere touches there.

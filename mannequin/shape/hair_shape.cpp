@@ -46,7 +46,8 @@ constexpr Line kLong{{{0, 0.078},
 
 /// Rounded at its knots.
 double lineAt(const Line& line, double angle) {
-  constexpr double kRound = 5.0;  // deg
+  // Degrees by which knots of the hairline are rounded; drawn only. Half: corners; twice: no line at the ears.
+  constexpr double kRound = 5.0;
   const auto straight = [&](double at) {
     if (at <= line.front().first) return line.front().second;
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -79,7 +80,9 @@ geometry::TriangleMesh hairMesh(const Figure& figure, double cell) {
   const Flesh bed = hairBed(figure, m);
   const Line& line = m.female ? kLong : kShort;
   const double sides = m.female ? 0.009 : 0.0045, top = m.female ? 0.012 : 0.011;  // m thick.
-  constexpr double kRoots = 0.030, kUnder = 0.0006;                                // m
+  // m over which hair grows to its full thickness, and how far it is in the head; drawn only. Half: a helmet's rim;
+  // twice: bald temples.
+  constexpr double kRoots = 0.030, kUnder = 0.0006;
   GridField field{bed.bounds(), cell, {}};
   field.bounds.min -= dvec3(0.02);
   field.bounds.max += dvec3(0.02);

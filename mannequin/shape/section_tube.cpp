@@ -28,7 +28,9 @@ double slopeAt(double before, double after) {
   return 2.0 * before * after / (before + after);
 }
 
-constexpr double kFar = 0.08;  ///< m from which on a cheap bound will do: nothing blends over so much.
+/// m from which on a cheap bound will do: nothing blends over so much (kShoulder is 0.060). Half: shoulders get a step;
+/// twice: slower.
+constexpr double kFar = 0.08;
 
 constexpr double TubeSection::*kParameters[] = {&TubeSection::u,     &TubeSection::v,    &TubeSection::half_breadth,
                                                 &TubeSection::front, &TubeSection::back, &TubeSection::roundness};
@@ -36,6 +38,8 @@ constexpr double TubeSection::*kParameters[] = {&TubeSection::u,     &TubeSectio
 }  // namespace
 
 double perimeterOf(const TubeSection& section) {
+  // Of a perimeter; the sum of chords is too short by 3e-5. Half: by 1e-4; twice: by 7e-6. All far below a girth's
+  // error.
   constexpr int kPieces = 240;
   double length = 0.0;
   glm::dvec2 last(0.0);

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "kinematics/model/robot_model.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/posture_solver.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::mannequin {
 namespace {
 
-constexpr double kOnSeat = 2e-3;  // m; the pelvis is where it was put.
+// m; the pelvis is where it was put. Half: feet hang for what the solver leaves; twice: it may float by 4 mm.
+constexpr double kOnSeat = 2e-3;
 
 /// Lowest point of the pelvis' flesh.
 double underside(const Figure& figure, const kinematics::RobotModel& model, const Posture& posture) {

@@ -18,10 +18,16 @@ namespace {
 using S = Segment;
 using D = Dimension;
 
+// rad of the posture in which the skin is shaped: arms and legs do not flow into the trunk there. Half: armpits grow
+// together; twice: folds at shoulders that hang.
 constexpr double kArmsApart = 46.0 * std::numbers::pi / 180.0, kLegsApart = 9.0 * std::numbers::pi / 180.0;
-constexpr double kCloth = 0.0030, kTrouserCloth = 0.0040, kBeltCloth = 0.0075;  // m over the bare surface.
-constexpr double kBeltHalf = 0.017;                                             // m
-constexpr double kReachesUnder = 0.035;  ///< m that hands and head go on under cuff and collar.
+// m over the bare surface, our choice, drawn only. Half: skin comes through; twice: clothes look thick, farther from
+// what is felt.
+constexpr double kCloth = 0.0030, kTrouserCloth = 0.0040, kBeltCloth = 0.0075;
+constexpr double kBeltHalf = 0.017;  // m
+/// m that hands and head go on under cuff and collar (docs/dev/mannequin.md). Half: gaps when wrists bend; twice: skin
+/// comes through the cloth.
+constexpr double kReachesUnder = 0.035;
 
 /// Which way a limb points in the bind posture.
 dvec3 downOf(const std::vector<SegmentPlace>& places, S segment) {
@@ -138,7 +144,8 @@ double SkinShape::torso(const dvec3& p) const {
 }
 
 double SkinShape::body(const dvec3& p) const {
-  constexpr double kShoulder = 0.060, kHip = 0.018, kCrotch = 0.006, kNeck = 0.045;  // m
+  // m over which parts flow together, our choice, drawn only. Half: creases; twice: shoulders without arms.
+  constexpr double kShoulder = 0.060, kHip = 0.018, kCrotch = 0.006, kNeck = 0.045;
   double d = torso(p);
   for (const SectionTube& arm : arms_) d = blended(d, arm.distance(p), kShoulder * k_);
   const double legs = blended(legs_[0].distance(p), legs_[1].distance(p), kCrotch * k_);
@@ -202,7 +209,9 @@ double SkinShape::withinHems(Layer which, const dvec3& p) const {
 }
 
 double SkinShape::layer(Layer which, const dvec3& p) const {
-  constexpr double kBeyond = 0.030;  // m
+  // m that a layer goes on under the next one, a little less than kReachesUnder. Half: gaps in bent postures; twice:
+  // cloth comes through.
+  constexpr double kBeyond = 0.030;
   double d = 1e9;
   switch (which) {
     case Layer::kShirt:

@@ -138,7 +138,8 @@ class SkinTailor {
     std::vector<geometry::Triangle> kept;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings;
     const auto crossing = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [place, is_new] = crossings.try_emplace({std::min(a, b), std::max(a, b)}, std::uint32_t(normals.size()));
+      const auto [place, is_new] =
+          crossings.try_emplace({std::min(a, b), std::max(a, b)}, std::uint32_t(normals.size()));
       if (!is_new) return place->second;
       const double t = within[a] / (within[a] - within[b]);
       mesh_.vertices.push_back(mesh_.vertices[a] + t * (mesh_.vertices[b] - mesh_.vertices[a]));
@@ -172,8 +173,9 @@ class SkinTailor {
   /// From each edge of a hem a strip inwards; `edges` as the triangles beside them have them.
   void turnIn(Layer layer, const std::vector<std::array<std::uint32_t, 2>>& edges, std::vector<dvec3>& normals) {
     const double wide = layer == Layer::kTrousers ? 0.016 : 0.005;  // m
-    // A hair's breadth apart from the cloth, or simplifying would take both for one and move the hem.
-    constexpr double kStep = 0.001, kApart = 2e-5;  // m
+    // m of the differences that tell which way a hem looks; and m between hem and cloth. Half, twice of 20 um:
+    // simplifying takes both for one, or a gap is seen.
+    constexpr double kStep = 0.001, kApart = 2e-5;
     std::map<std::uint32_t, std::array<std::uint32_t, 2>> strip;  // Of each vertex: its edge, and inside.
     const auto turned = [&](std::uint32_t v) {
       const auto [place, is_new] = strip.try_emplace(v, std::array<std::uint32_t, 2>{});
@@ -327,7 +329,8 @@ class SkinTailor {
 
   /// What a head has beside its skin, and the eyes.
   void face() {
-    constexpr double kHairCell = 0.0038;  // m
+    // m of the grid of the hair; locks are 1 mm high. Half: four times the triangles; twice: locks are lost.
+    constexpr double kHairCell = 0.0038;
     const auto add = [&](const FacePiece& piece, std::size_t bone) {
       Part part{indexOf(S::kHead), piece.color, true, 0.6, {}, {}};
       const std::vector<dvec3> normals = vertexNormals(piece.mesh);
@@ -336,8 +339,10 @@ class SkinTailor {
       weights.bone[0] = static_cast<std::uint8_t>(bone);
       weights.share[0] = 1.0f;
       for (std::size_t v = 0; v < piece.mesh.vertices.size(); ++v)
-        part.vertices.push_back({fvec3(place.point(piece.mesh.vertices[v])), fvec3(place.R_WS * normals[v]), weights, 0.0f});
-      for (const geometry::Triangle& t : piece.mesh.triangles) part.indices.insert(part.indices.end(), t.begin(), t.end());
+        part.vertices.push_back(
+            {fvec3(place.point(piece.mesh.vertices[v])), fvec3(place.R_WS * normals[v]), weights, 0.0f});
+      for (const geometry::Triangle& t : piece.mesh.triangles)
+        part.indices.insert(part.indices.end(), t.begin(), t.end());
       finish(part);
     };
     FacePiece hair{kHairColor, hairMesh(figure_, kHairCell)};

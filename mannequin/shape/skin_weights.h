@@ -14,6 +14,8 @@ inline constexpr std::size_t kEyeBones = kBodies, kSwungArms = kBodies + 2, kSki
 
 /// How much each of a few bones carries a point of the skin along; shares add up to 1, largest first.
 struct SkinWeights {
+  /// Bones that carry a point, those with the largest shares (docs/dev/mannequin.md). Half: folds where trunk, neck and
+  /// arm meet; twice: larger vertices for shares near 0.
   static constexpr std::size_t kMost = 5;
   std::array<std::uint8_t, kMost> bone{};
   std::array<float, kMost> share{};

@@ -9,6 +9,7 @@ namespace hapticell::mannequin {
 
 namespace {
 
+// Cells of a block that is skipped where no surface is. Half: more blocks to ask; twice: fewer can be skipped.
 constexpr int kBlock = 8;
 
 class Nets {
@@ -141,6 +142,8 @@ geometry::TriangleMesh surfaceOf(const GridField& field) {
 }
 
 void smoothSkin(geometry::TriangleMesh& mesh) {
+  // Pairs of smoothing (Taubin 1995: inwards, then a little farther outwards, so that nothing shrinks). Half: facets of
+  // the grid are seen; twice: noses get flat.
   constexpr int kPasses = 6;
   constexpr double kInward = 0.55, kOutward = -0.58;
   std::vector<dvec3> sum(mesh.vertices.size());

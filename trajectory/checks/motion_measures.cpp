@@ -232,6 +232,8 @@ bool pass(const Trajectory& given, const Comparison& comparison, Distances& wors
 
 Distances passing(const Trajectory& given, const Trajectory& written, const Nearness& near) {
   constexpr Distances kNowhere{1e300, 0.0, 1e300, 0.0, 1e300, 0.0};
+  // Growth of the window of nearness until a pass fits: a failed motion's distance is reported up to 1.5 times too
+  // large. Less: more passes; twice: up to three times. Beyond kWidest times what was asked it is "nowhere".
   constexpr double kWider = 1.5, kWidest = 1e6;
   Distances worst;
   if (written.empty()) return kNowhere;

@@ -16,8 +16,12 @@ namespace {
 using trajectory::PathTolerance;
 using trajectory::Trajectory;
 
-constexpr double kRounding = 1e-9;   ///< m, rad: of numbers in files and of the measuring.
-constexpr double kOfLimits = 1.001;  ///< That differences of frames may use of limits.
+/// m, rad: rounding of numbers in files and of the measuring at some 1e6 times a double's. Half, twice: no effect,
+/// tolerances asked for are 1e-6 and more.
+constexpr double kRounding = 1e-9;
+/// That differences of frames may use of limits: twice what retiming leaves free (kFullUse), for rounding in files.
+/// Half: written files may fail their own check; twice: 0.2 % over a limit passes.
+constexpr double kOfLimits = 1.001;
 
 Text atTime(double t) {
   return Text("at %1 s", trajectory::shortestText(std::round(1e4 * t) / 1e4));

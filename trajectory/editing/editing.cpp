@@ -11,8 +11,12 @@ namespace hapticell::trajectory {
 
 namespace {
 
+// m a rad, to compare turning with moving: a hand-sized tool, as in retiming's options. Half: joined turns are twice as
+// fast; twice: half as fast.
 constexpr double kMetresPerRadian = 0.1;
-constexpr double kLeastTime = 1e-3;  // s
+// s between two frames: a frame of a 1000 Hz loop. Half: frames denser than any recording; twice: two frames of such a
+// recording cannot be joined without a change of time.
+constexpr double kLeastTime = 1e-3;
 
 Error wrong(Text place, Text found, Text expected) {
   return {.place = std::move(place), .found = std::move(found), .expected = std::move(expected)};
@@ -263,6 +267,7 @@ Expected<Trajectory> withDwell(const Trajectory& trajectory, std::size_t i, doub
 
 Expected<Trajectory> withName(const Trajectory& trajectory, std::size_t i, const std::string& name) {
   HAPTICELL_TRY(checkFrame(trajectory, i));
+  // Bytes of a frame's name; a line of text. A limit for files, not tuned: half or twice would do.
   constexpr std::size_t kLongest = 200;
   const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
@@ -297,7 +302,8 @@ Expected<Trajectory> withFrameMoved(const Trajectory& trajectory, std::size_t fr
   };
   double length = 0.0;
   for (std::size_t k = 1; k < trajectory.size(); ++k) length += lengthOf(k - 1, k);
-  constexpr double kSpeedOtherwise = 0.1;  // m/s, where nothing moves.
+  // m/s, where nothing moves: a slow hand. Only frames at one place have it, so half or twice changes times only.
+  constexpr double kSpeedOtherwise = 0.1;
   const double speed = length > 0.0 ? length / trajectory.duration() : kSpeedOtherwise;
   Trajectory result = trajectory.emptyCopy();
   result.reserve(trajectory.size());

@@ -11,8 +11,12 @@ namespace hapticell::trajectory {
 
 namespace {
 
+// Hz: in the middle of a hand's tremor (8 to 12 Hz), as what the window leaves of it is put right. Half: tremor is
+// overestimated, more is smoothed; twice: underestimated.
 constexpr double kTremorHz = 9.0;
-constexpr double kTremorWindow = 0.25;  ///< s: two to three periods of a hand's tremor (8 to 12 Hz).
+/// s: two to three periods of a hand's tremor (8 to 12 Hz). Half: part of it counts as intended and stays; twice: quick
+/// intended motions count as tremor.
+constexpr double kTremorWindow = 0.25;
 
 std::vector<double> timesOf(const Trajectory& trajectory) {
   std::vector<double> times;
@@ -81,6 +85,8 @@ void measure(const Trajectory& before, const Trajectory& after, SmoothingReport&
 /// edge.
 bool bringWithin(const Trajectory& trajectory, std::size_t i, const PathTolerance& tolerance, Pose& X,
                  std::vector<double>& joints) {
+  // Of the tolerance: moved points stay inside after rounding and writing. Half: no use is made of half the tolerance;
+  // over 1: frames are out of it.
   constexpr double kEdge = 0.999;
   const PoseDistance off = distanceBetween(trajectory[i].X_WT, X);
   bool is_out = false;

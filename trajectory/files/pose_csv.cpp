@@ -9,6 +9,8 @@ namespace hapticell::trajectory {
 
 namespace {
 
+// Of a quaternion's length: files with three decimals read (they are off by less than 1e-3); as trajectory_io.cpp.
+// Half: some of those are refused; twice: wrong columns still have lengths far from 1.
 constexpr double kUnitTolerance = 1e-3;
 
 std::string text(double value) {

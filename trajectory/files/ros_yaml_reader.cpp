@@ -20,9 +20,14 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;  ///< ns
 constexpr double kMostSeconds = 9e9;             ///< That a 64-bit count of nanoseconds holds.
-constexpr std::size_t kMostNodes = 1'000'000;    ///< Looked at for it: anchors may stand for ever more.
+/// Looked at for it, as anchors may stand for ever more; chosen so that files of kLargestYaml without anchors read.
+/// Half: long lists of lists are refused; twice: twice the time until a trap is reported.
+constexpr std::size_t kMostNodes = 1'000'000;
+// Bytes: guards memory, as the 256 MB of other readers. Half, twice: other files are refused with a message.
 constexpr std::uintmax_t kLargestYaml = 256'000'000;
-constexpr int kDeepestNesting = 8;  ///< Of a JointTrajectory inside other messages.
+/// Of a JointTrajectory inside other messages, which nest a few levels. Half: still enough; twice: time in files of
+/// other lists.
+constexpr int kDeepestNesting = 8;
 
 /// What is looked for.
 Text wantedMessage() {

@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr int kVersion = 1;
 constexpr const char* kFormat = "hapticell-trajectory";
+// Of a quaternion's length; as kUnitTolerance of pose_csv.cpp, where half and twice are given.
 constexpr double kUnitQuaternionTolerance = 1e-3;
 constexpr std::array<double, 7> kNoPose{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};  ///< Of a motion of joints alone.
 

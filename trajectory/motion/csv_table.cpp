@@ -12,6 +12,7 @@ namespace hapticell::trajectory {
 
 namespace {
 
+// Bytes: a guard against binary files; 64 KiB are some thousand columns. Half, twice: no table is so wide.
 constexpr std::size_t kLongestLine = 1u << 16;
 
 std::string_view trimmed(std::string_view text) {

@@ -10,9 +10,13 @@ namespace hapticell::trajectory {
 
 namespace {
 
-constexpr int kHalf = 4;  // Samples to either side that a derivative looks at.
+// Samples to either side that a derivative looks at: nine samples for a cubic. Half: jerk shows mostly noise; twice:
+// short peaks of jerk are flattened.
+constexpr int kHalf = 4;
 constexpr std::size_t kLeast = 2 * kHalf + 1;
-constexpr std::size_t kSmooth = 240;  // So many are drawn of few frames, too.
+// So many samples are drawn of few frames, too, for curves without corners. Half: corners may be seen; twice: twice the
+// time, not seen.
+constexpr std::size_t kSmooth = 240;
 
 /// Sums of powers of k over a window from -left to right, and of them times the values.
 struct Window {

@@ -8,8 +8,10 @@ namespace hapticell::trajectory {
 
 namespace {
 
+// Of real time: a minute takes 100. Half, twice: other limit of the slow end, nothing else.
 constexpr double kSlowest = 0.01;
-constexpr double kSame = 1e-9;  // s
+// s: times are equal but for rounding. Half, twice: no effect, frames are 1e-3 s apart.
+constexpr double kSame = 1e-9;
 
 }  // namespace
 

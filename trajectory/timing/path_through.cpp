@@ -12,14 +12,29 @@ namespace hapticell::trajectory {
 
 namespace {
 
-constexpr double kOfTolerance = 0.7;    ///< Of it a fit uses at the frames: frames of the result cut a little more.
-constexpr double kOfStraight = 0.1;     ///< Frames so near to a straight way are one.
-constexpr double kBulge = 0.08;         ///< Of the way between two frames, that a spline may leave it by.
-constexpr double kMostBulge = 0.001;    ///< m
-constexpr double kMostTurned = 0.0044;  ///< rad, of the orientation or a joint.
+/// Of it a fit uses at the frames: frames of the result cut a little more. Half: slower motions, less rounded; over 1:
+/// results miss their tolerance.
+constexpr double kOfTolerance = 0.7;
+/// Of the tolerance: frames so near to a straight way are one, as what is left is for the result's cuts. Half: noisy
+/// straight ways get a spline; twice: less is left for rounding.
+constexpr double kOfStraight = 0.1;
+/// Of the way between two frames, that a spline may leave it by; chosen by trial, docs/dev/motions.md tells it. Half:
+/// more ways are rounded corners, slower; twice: motions between far frames bulge visibly.
+constexpr double kBulge = 0.08;
+/// m, however far frames are apart: what a bulge may take of a clearance. Half: slower motions; twice: 2 mm from what
+/// was recorded.
+constexpr double kMostBulge = 0.001;
+/// rad, of the orientation or a joint, a quarter degree: the same at 0.23 m. Half: slower; twice: half a degree off.
+constexpr double kMostTurned = 0.0044;
+// Rounds in which spans are split; the tolerance ends them mostly. Half: noisy motions are left out of tolerance at
+// some frames; twice: more time for those.
 constexpr int kMostSplits = 60;
+// Guards time and memory, some for each frame of an hour at 60 Hz. Half: long motions are coarser; twice: twice the
+// time.
 constexpr std::size_t kMostSpans = 200'000;
-constexpr double kCornerScale = 40.0;  ///< Tolerances that the legs of a corner are long.
+/// Tolerances that the legs of a corner are long: shorter bends are noise or get rounded within the tolerance. Half:
+/// noise is rested at; twice: short zigzags are rounded where a rest is faster.
+constexpr double kCornerScale = 40.0;
 
 PathTolerance times(const PathTolerance& tolerance, double factor) {
   return {factor * tolerance.position, factor * tolerance.angle, factor * tolerance.joint};
@@ -103,7 +118,9 @@ class RoundedWays {
   }
 
  private:
-  static constexpr double kTurnStep = 0.1;  ///< rad
+  /// rad a piece: a turn is straight in quaternions only in small pieces. Half: twice the spans of turns; twice: eight
+  /// times as far from a uniform turn.
+  static constexpr double kTurnStep = 0.1;
 
   /// The frames' straight ways at u: seven numbers of the pose, then the joints.
   void wayAt(double u, double* value) const {

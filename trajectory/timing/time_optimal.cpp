@@ -13,6 +13,7 @@ namespace hapticell::trajectory {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Slopes below it are zero: rounding of numbers near 1. Half, twice: no effect.
 constexpr double kTiny = 1e-12;
 
 /// With x = (ds/dt)^2 and u = d2s/dt2 each bound on acceleration is -m <= a u + b x <= m.
@@ -239,6 +240,8 @@ std::optional<std::vector<double>> reach(const Grid& grid, const TimingOptions& 
 /// acceleration's growth taken over a step; steps begin at so many places within a step. `path`: a Grid or a path.
 template <class Path>
 LimitUse worstUse(const Path& path, const PathTiming& timing, const MotionLimits& limits, std::size_t phases) {
+  // Places in time where limits are checked, each with `phases`. Half: peaks of a 1500th of the time may be over a
+  // limit (the frames' own check finds them); twice: twice the time.
   constexpr std::size_t kSteps = 3000;
   const std::size_t d = path.dimensions();
   const double dt = timing.duration() / static_cast<double>(kSteps);

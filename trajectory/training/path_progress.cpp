@@ -11,8 +11,12 @@ namespace hapticell::trajectory {
 
 namespace {
 
+// m, rad (0.1 mm, 0.1 degree): frames where the expert stands still are one. Half: pieces of tremor count as a way;
+// twice: slow fine motions lose some pieces.
 constexpr double kSamePlace = 1e-4, kSameTurn = 1.745e-3;
-constexpr int kLooks = 8;  // Places tried on each piece.
+// Places tried on each piece for the nearest one. Half: progress in steps of a quarter of a piece; twice: twice the
+// time of a tick.
+constexpr int kLooks = 8;
 
 }  // namespace
 

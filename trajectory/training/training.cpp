@@ -25,6 +25,8 @@ using nlohmann::json;
 
 constexpr const char* kTrainingFormat = "hapticell-training";
 constexpr int kTrainingVersion = 1;
+// Of full help, docs/user/training.md tells them; our choice: five successes free a trainee. Half: ten; twice: three,
+// and help falls before the way is known. Failures give half as much back, so that it does not swing.
 constexpr double kLessHelp = 0.2, kMoreHelp = 0.1;
 
 /// -ln of the squared jerk's integral times T^5 over the square of the way.
@@ -192,6 +194,8 @@ TrainingScore scoreRun(const Trajectory& expert, const Trajectory& run, const Sc
     reached = run[i].t;
   }
   // A hand that stops a hair before the end is there.
+  // Of the way: a hand that stops 2 % before the end is there. Half the rest: some runs are never complete; twice: a
+  // run is complete 4 % before.
   constexpr double kThere = 0.98;
   score.completed = farthest >= kThere ? 1.0 : farthest;
   score.time = reached - run[0].t;

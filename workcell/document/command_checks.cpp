@@ -12,6 +12,7 @@ namespace {
 
 /// What a name may be: shown in one line of the tree.
 bool isName(const std::string& name) {
+  // Bytes: shown in one line of the tree. A limit for files, half or twice would do.
   constexpr std::size_t kLongest = 200;
   const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
@@ -155,6 +156,8 @@ Expected<void> checkProperties(const Entity& entity) {
 
 Expected<void> checkPairSet(const PairSet& set) {
   if (auto checked = checkName(Text("the pair set's name"), set.name); !checked) return checked;
+  // m: more than any machine keeps from another. Half, twice: other typing errors are refused; nearer pairs take more
+  // time.
   constexpr double kLargest = 1.0;
   for (double distance : {set.safety_distance, set.near_miss}) {
     if (!(distance >= 0.0 && distance <= kLargest)) {

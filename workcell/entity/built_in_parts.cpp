@@ -21,7 +21,9 @@ using geometry::TriangleMesh;
 using Sizes = std::span<const double>;
 using Origin = BuiltInPart::Origin;
 
-constexpr double kGreatest = 1e6;  ///< m
+/// m: a limit of sizes in sources, beyond kFarthest of a cell. Half, twice: no effect, what does not fit in a cell is
+/// refused there.
+constexpr double kGreatest = 1e6;
 
 /// Adds a box between two corners.
 void addBox(TriangleMesh& mesh, const dvec3& least, const dvec3& most) {
@@ -42,6 +44,7 @@ void addLegs(TriangleMesh& mesh, double width, double depth, double leg, double 
 }
 
 TriangleMesh table(Sizes s) {
+  // m, a usual table's, our choice. Half, twice: a thinner or thicker top and legs.
   constexpr double kTop = 0.03, kLeg = 0.06;
   TriangleMesh mesh;
   addBox(mesh, {-0.5 * s[0], -0.5 * s[1], s[2] - kTop}, {0.5 * s[0], 0.5 * s[1], s[2]});
@@ -51,6 +54,7 @@ TriangleMesh table(Sizes s) {
 
 /// An adjustable work bench: a top on two telescopes with feet; the lower tubes stay as they are whatever the height.
 TriangleMesh bench(Sizes s) {
+  // m, a usual work bench's, our choice. Half, twice: other beams and tubes, and other room for feet and knees.
   constexpr double kTop = 0.03, kBeam = 0.03, kFoot = 0.04, kTube = 0.5, kOuter = 0.045, kInner = 0.035, kIn = 0.15;
   TriangleMesh mesh;
   const double x = 0.5 * s[0], y = 0.5 * s[1], under = s[2] - kTop - kBeam;
@@ -66,6 +70,7 @@ TriangleMesh bench(Sizes s) {
 
 /// Two sides, and boards at most 0.4 m apart.
 TriangleMesh shelf(Sizes s) {
+  // m, a usual shelf's. Half the distance: twice the boards; twice: boards 0.8 m apart.
   constexpr double kBoard = 0.02, kBetween = 0.4;
   TriangleMesh mesh;
   const double x = 0.5 * s[0], y = 0.5 * s[1];
@@ -80,6 +85,7 @@ TriangleMesh shelf(Sizes s) {
 }
 
 TriangleMesh cabinet(Sizes s) {
+  // m: room for toes under a cabinet, as most have. Half, twice: toes touch it, or a figure stands nearer.
   constexpr double kPlinth = 0.08, kBack = 0.03;
   TriangleMesh mesh;
   addBox(mesh, {-0.5 * s[0] + kBack, -0.5 * s[1] + kBack, 0.0}, {0.5 * s[0] - kBack, 0.5 * s[1] - kBack, kPlinth});
@@ -97,6 +103,7 @@ TriangleMesh stool(Sizes s) {
 
 /// A worker's chair; who sits on it looks along -y.
 TriangleMesh chair(Sizes s) {
+  // m, a usual chair's seat of 0.44 m. Half, twice: a stool, or a bench.
   constexpr double kHalf = 0.22, kLeg = 0.035, kSeat = 0.05;
   TriangleMesh mesh;
   addLegs(mesh, 2.0 * kHalf, 2.0 * kHalf, kLeg, s[0] - kSeat);
@@ -108,6 +115,7 @@ TriangleMesh chair(Sizes s) {
 
 /// Boards over blocks over runners, 144 mm high as the exchange pallet of EN 13698-1.
 TriangleMesh pallet(Sizes s) {
+  // m, heights of the exchange pallet of EN 13698-1: runners, blocks, cross boards, top boards.
   constexpr double kRunner = 0.022, kBlocks = 0.1, kCross = 0.122, kHigh = 0.144;
   TriangleMesh mesh;
   const double x = 0.5 * s[0], y = 0.5 * s[1];
@@ -134,6 +142,8 @@ TriangleMesh pallet(Sizes s) {
 
 /// Posts at most 1.5 m apart with a frame between them, and bars of 8 mm every 0.1 m, so that no hand reaches through.
 TriangleMesh fence(Sizes s) {
+  // m: post, bar, distance of bars, frame, free height over the floor. Half the distance: twice the triangles; twice:
+  // an arm reaches through.
   constexpr double kPost = 0.05, kBar = 0.008, kApart = 0.1, kRail = 0.03, kFoot = 0.15;
   TriangleMesh mesh;
   const int fields = std::max(1, static_cast<int>(std::ceil(s[0] / 1.5)));
@@ -155,10 +165,12 @@ TriangleMesh fence(Sizes s) {
 
 /// A belt about two rollers between side plates, on legs; it runs along x, its upper side at the height.
 TriangleMesh conveyor(Sizes s) {
+  // m, a light conveyor's, our choice. Half, twice: other rollers and plates.
   constexpr double kRoller = 0.05, kPlate = 0.02, kLeg = 0.05;
   TriangleMesh mesh;
   const double x = 0.5 * s[0] - kRoller, y = 0.5 * s[1], z = s[2] - kRoller;
   std::vector<glm::dvec2> belt;
+  // Corners of half a roller; 11 degrees each. Half: corners are seen; twice: twice the triangles.
   constexpr int kSteps = 16;
   for (const double end : {1.0, -1.0}) {
     for (int i = 0; i <= kSteps; ++i) {
@@ -178,6 +190,7 @@ TriangleMesh conveyor(Sizes s) {
 
 /// Two parallel fingers on a body, so far apart as the size says.
 TriangleMesh gripper(Sizes s) {
+  // m along z: flange, body, fingers' width, tips; a small parallel gripper, our choice. Half, twice: another gripper.
   constexpr double kFlange = 0.02, kBody = 0.1, kFinger = 0.02, kTip = 0.16;
   TriangleMesh mesh;
   const double half = 0.5 * s[0] + kFinger;
@@ -187,6 +200,7 @@ TriangleMesh gripper(Sizes s) {
   return mesh;
 }
 
+// m: the least size, so that triangles are not empty. Half, twice: no effect, parts are some mm.
 constexpr double kAny = 1e-6;
 constexpr PartSize kBox[] = {{"length", 0.5, kAny}, {"width", 0.3, kAny}, {"height", 0.2, kAny}};
 constexpr PartSize kRound[] = {{"radius", 0.1, kAny}, {"height", 0.3, kAny}};

@@ -8,7 +8,8 @@ namespace hapticell::workcell {
 
 namespace {
 
-constexpr double kFarthest = 1000.0;  // m, rad.
+// m, rad: a limit against typing errors, half of a cell's (command_checks.h). Half, twice: other errors are refused.
+constexpr double kFarthest = 1000.0;
 
 Error refusal(const Guide& guide, const std::string& found, const std::string& expected) {
   return {.place = "guide '" + guide.name + "'", .found = found, .expected = expected};

@@ -14,7 +14,8 @@ using kinematics::GraphJoint;
 using kinematics::JointGraph;
 using kinematics::JointType;
 
-constexpr double kLargest = 1e6;  // rad, m: what a finite limit may be
+// rad, m: what a finite limit may be, against nonsense. Half, twice: no effect on machines.
+constexpr double kLargest = 1e6;
 
 Error refusal(const std::string& place, std::string found, std::string expected, std::string fix = {}) {
   return {"", place, std::move(found), std::move(expected), std::move(fix)};

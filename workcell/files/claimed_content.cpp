@@ -61,6 +61,8 @@ bool isWhatItClaims(const fs::path& file) {
   std::error_code fault;
   if (!fs::is_regular_file(file, fault)) return false;
   const std::string extension = lowerExtension(file);
+  // Bytes looked at for the first word; comments may be before it. Half: files with long comments are not known; twice:
+  // time.
   constexpr std::size_t kHead = 64 * 1024;
   const std::string head = geometry::headOfFile(file, kHead);
   std::string_view text = head;

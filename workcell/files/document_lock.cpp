@@ -165,6 +165,8 @@ Expected<DocumentLock> DocumentLock::takeForWriting(const fs::path& document) {
 
 void DocumentLock::lock(bool over_other_machines) {
   owner_.reset();
+  // Tries when a lock is removed at the same moment. Half: enough; twice: time, where another program removes it all
+  // the time.
   constexpr int kMostTries = 20;
   for (int tries = 0; tries < kMostTries && file_ < 0; ++tries) {
     const int file = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644);

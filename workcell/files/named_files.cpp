@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Guards time and memory of a pack. Half, twice: larger packs lack files, or take longer.
 constexpr std::size_t kMostFiles = 10'000;
 
 bool isStep(const fs::path& file) {
@@ -44,6 +45,7 @@ std::vector<std::string> materialLibraries(std::string_view content) {
 
 /// Texts between `quote`s that look like names of files.
 std::vector<std::string> quotedNames(std::string_view content, char quote) {
+  // Bytes: longer texts are no names of files; a step of a path has 255 at most. Half, twice: no effect on real files.
   constexpr std::size_t kLongest = 1000;
   std::vector<std::string> names;
   for (std::size_t begin = content.find(quote); begin != std::string_view::npos;) {

@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// 2 GB: guards the disk against a wrong folder. Half, twice: other packs are refused with a message.
 constexpr std::uintmax_t kMostPackedBytes = std::uintmax_t{2} << 30;
 constexpr const char* kPackages[] = {"package.xml", "model.config", "manifest.xml"};
 

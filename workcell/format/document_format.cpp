@@ -30,7 +30,10 @@ namespace {
 
 constexpr const char* kFormat = "hapticell-workcell";
 constexpr int kVersion = 1;
-constexpr int kDeepestParents = 1000;  // Of CAD files it is 500.
+// Levels: guards the stack and time. Of CAD files it is 500. Half, twice: other documents are refused with a message.
+constexpr int kDeepestParents = 1000;
+// Entities that hang on each other in a row: guards time of a motion. Half, twice: other documents are refused with a
+// message.
 constexpr int kMostCarriers = 200;
 
 Json jsonFromPairSet(const PairSet& set) {
@@ -58,7 +61,8 @@ Json jsonFromPairRule(const PairRule& rule) {
   return json;
 }
 
-/// m and rad: what is written with all digits and read again is nearer than this.
+/// m and rad: what is written with all digits and read again is nearer than this. Half: documents of other programs
+/// with seven digits warn; twice: 2 um off is not noted.
 constexpr double kSamePlace = 1e-6;
 
 /// What is wrong with how names stand above each other.

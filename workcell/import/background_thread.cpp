@@ -11,6 +11,8 @@ namespace hapticell::workcell {
 
 void stepBehind() {
 #ifdef __linux__
+  // Of 19: in the middle, so that a busy machine's window and loops go first. Half: reading takes from them; twice: it
+  // stands still beside other work.
   constexpr int kNice = 10;
   const auto thread = static_cast<id_t>(syscall(SYS_gettid));
   if (getpriority(PRIO_PROCESS, thread) < kNice) setpriority(PRIO_PROCESS, thread, kNice);

@@ -13,6 +13,7 @@ namespace hapticell::workcell {
 
 namespace {
 
+// m, rad: unchanged but for rounding. Half, twice: no effect, changes in CAD files are larger.
 constexpr double kSame = 1e-9;
 
 std::string number(double value) {

@@ -142,6 +142,7 @@ class SceneConverter {
 
   void tellEmpty(const std::vector<std::string>& empty) {
     if (empty.empty()) return;
+    // Names in a message; the rest is counted. Half, twice: shorter or longer messages.
     constexpr std::size_t kNamed = 5;
     std::string names;
     for (std::size_t k = 0; k < std::min(empty.size(), kNamed); ++k) names += (k == 0 ? "" : ", ") + empty[k];

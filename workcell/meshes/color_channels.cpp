@@ -8,6 +8,7 @@
 namespace hapticell::workcell {
 
 void ColorChannels::set(std::size_t index, const std::array<double, 3>& channels) {
+  // Guards sums of channels; real ones are 255 or 65535 at most. Half, twice: no effect.
   constexpr double kMost = 1e6;
   const auto usable = [](double channel) { return channel >= 0.0 && channel <= kMost; };  // False for NaN too.
   if (!std::all_of(channels.begin(), channels.end(), usable)) {

@@ -37,13 +37,17 @@ Expected<LengthUnit> parseLengthUnit(std::string_view text) {
 }
 
 LengthUnit guessUnit(const geometry::Bounds& bounds) {
+  // m or mm: parts over 3 mm are more frequent than machines over 3 m. Our choice; unitIsOpen() asks. Half: robots of 2
+  // m become 2 mm; twice: parts of 5 mm become 5 m.
   constexpr double kLargestInMetres = 3.0;
   const dvec3 size = bounds.size();
   return std::max({size.x, size.y, size.z}) > kLargestInMetres ? LengthUnit::kMillimetre : LengthUnit::kMetre;
 }
 
 bool unitIsOpen(const geometry::Bounds& bounds) {
-  constexpr double kSmallestPart = 2.0, kLargestMachine = 30.0;  // mm and m.
+  // mm and m: between them both units make sense, and the user is asked. Half, twice: asked too often, or guessed wrong
+  // in silence.
+  constexpr double kSmallestPart = 2.0, kLargestMachine = 30.0;
   const dvec3 size = bounds.size();
   const double largest = std::max({size.x, size.y, size.z});
   return largest >= kSmallestPart && largest <= kLargestMachine;

@@ -13,6 +13,7 @@ namespace hapticell::workcell {
 
 namespace {
 
+// Guards the tree against meshes of loose triangles. Half, twice: other files are taken as one solid, with a message.
 constexpr std::size_t kMostSolids = 10'000;
 
 using Solids = std::vector<std::uint32_t>;  // Of each piece.

@@ -12,6 +12,8 @@ namespace hapticell::workcell {
 
 namespace {
 
+// Colours of a part that are kept as pieces; more are a scan or a result of simulation. Half, twice: such become grey,
+// or the mesh falls into many pieces.
 constexpr std::size_t kMostColors = 64;
 
 class PieceFinder {

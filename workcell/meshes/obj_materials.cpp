@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Guards memory; a material is some lines. Half, twice: no effect.
 constexpr std::uintmax_t kMostMaterialBytes = std::uintmax_t{16} << 20;
 
 std::optional<Color> readColor(TextCursor& cursor) {
@@ -50,6 +51,7 @@ std::optional<fs::path> find(std::string name, const fs::path& folder) {
 /// A line of mtllib: one name with blanks in it, or several names.
 std::vector<fs::path> filesOf(const std::string& line, const fs::path& folder, Diagnostics& diagnostics) {
   if (const auto whole = find(line, folder)) return {*whole};
+  // Guards time: names in one line. Half, twice: no effect on real files.
   constexpr std::size_t kMost = 64;
   std::vector<fs::path> files;
   TextCursor words(line);

@@ -78,6 +78,7 @@ class ObjReader {
     } else if (keyword == "usemtl") {
       now_.material = cursor_.restOfLine();
     } else if (keyword == "mtllib") {
+      // Guards memory: files of materials. Half, twice: no effect on real files.
       constexpr std::size_t kMost = 64;
       const std::string_view name = cursor_.restOfLine();
       if (!name.empty() && material_files_.size() < kMost) material_files_.emplace_back(name);

@@ -71,6 +71,8 @@ class OffReader {
 
   /// Comments behind the last face: the unit may be stated there, where it disturbs no other reader.
   void readTail() {
+    // Lines behind the last face where a unit is looked for. Half, twice: no effect on our files, which have it in the
+    // first.
     constexpr int kMostLines = 8;
     at_tail_ = true;
     for (int k = 0; k < kMostLines && cursor_.nextLine(); ++k) nextWord();

@@ -34,6 +34,8 @@ bool isConvex(std::span<const glm::dvec2> outline) {
     if (sine < 0.0) return false;
     turned += std::atan2(sine, glm::dot(in, out));
   }
+  // rad: a little over 2 pi, below 4 pi: a polygon that winds once is convex. Half: none is; twice (over 12.6): stars
+  // are.
   constexpr double kMoreThanOneTurn = 7.0;
   return turned < kMoreThanOneTurn;
 }

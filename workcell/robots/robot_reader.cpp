@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Bytes looked at for the first element, as kHead of claimed_content.cpp.
 constexpr std::size_t kRobotHead = 65536;
 
 /// An XML text without its comments.
@@ -90,7 +91,10 @@ std::map<std::string, int> freeLegs(const kinematics::RobotModel& model) {
 
 /// A parallel robot written as a tree, for URDF has no words for its loops: three or more equal legs that end free.
 void hintAtOpenLoops(const kinematics::RobotModel& model, Diagnostics& diagnostics) {
+  // Equal free legs, and joints of each, from which a robot looks parallel: fewer are grippers' fingers. Half: grippers
+  // are warned of; twice: deltas are not.
   constexpr int kLegs = 3;
+  // Joints of a leg; see kLegs.
   constexpr std::size_t kJoints = 3;
   for (const auto& [way, count] : freeLegs(model)) {
     if (count < kLegs || way.size() < kJoints) continue;

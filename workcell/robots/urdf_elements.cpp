@@ -19,7 +19,8 @@ namespace {
 using kinematics::JointType;
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-constexpr double kBeyondAnyLimit = 1e15;  // SDF writes 1e16 for no limit.
+// SDF writes 1e16 for no limit. Half, twice: no effect.
+constexpr double kBeyondAnyLimit = 1e15;
 
 std::string attributeOf(const TiXmlElement& element, const char* name) {
   const char* value = element.Attribute(name);

@@ -18,6 +18,7 @@ using kinematics::Joint;
 using kinematics::JointType;
 using kinematics::RobotModel;
 
+// 64 MB: guards memory. Half, twice: other files are refused with a message.
 constexpr std::uintmax_t kLargestUrdf = 64u << 20;
 
 /// Follows a chain of mimic joints to the one that moves by itself (there is one: the structure was checked).

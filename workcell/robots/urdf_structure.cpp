@@ -14,6 +14,7 @@ namespace hapticell::workcell {
 
 namespace {
 
+// Guards time and memory. Half, twice: other files are refused with a message.
 constexpr std::size_t kMostLinks = 5000;
 
 class StructureReader {

@@ -14,6 +14,7 @@ namespace hapticell::workcell {
 
 namespace {
 
+// 64 MB, as kLargestUrdf.
 constexpr std::uintmax_t kLargestXacro = std::uintmax_t{64} << 20;
 
 Expected<std::string> readXacroText(const std::filesystem::path& path) {

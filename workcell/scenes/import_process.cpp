@@ -166,6 +166,7 @@ class Lines {
   std::string stage;             ///< That it told last.
 
   void add(std::string_view bytes) {
+    // Bytes of a line that never ends: guards memory against a broken child. Half, twice: no effect.
     constexpr std::size_t kLongest = 100'000;
     text_.append(bytes);
     std::size_t end = 0;
@@ -208,7 +209,8 @@ Error inFile(const ImporterCall& call, Text found, Text expected = {}, Text fix 
 Error tookTooLong(const ImporterCall& call, const Lines& lines, double seconds) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", seconds);
-  Error error = inFile(call, Text("not done after %1 s", std::string(text)), "a file that is read in the time that its size allows",
+  Error error = inFile(call, Text("not done after %1 s", std::string(text)),
+                       "a file that is read in the time that its size allows",
                        "Export it again, or in another format; a file that is sound may be cut into parts.");
   if (!lines.stage.empty()) error.place = lines.stage;
   return error;
@@ -224,6 +226,8 @@ Expected<void> listen(const ImporterCall& call, const Child& child, int lines_en
     if (child.processorSeconds() > call.processor_seconds)
       return makeError(tookTooLong(call, lines, call.processor_seconds));
     pollfd waiting{lines_end, POLLIN, 0};
+    // ms: within 0.1 s a cancel is felt as at once (import_process.h promises it). Half: twice the wake-ups; twice: the
+    // promise is just missed.
     constexpr int kCancelledWithinMs = 50;
     if (::poll(&waiting, 1, kCancelledWithinMs) <= 0) continue;
     char buffer[4096];
@@ -273,7 +277,11 @@ Expected<std::string> runImporter(const ImporterCall& call, const std::vector<in
 }  // namespace
 
 void limitBySize(ImporterCall& call, std::uintmax_t bytes, bool finer) {
+  // s of processor, s a byte (20 s a MB): a broken file of 10 kB kept the importer busy for 16 s
+  // (docs/dev/reliability.md). Half: slow sound files are cut; twice: broken ones take longer.
   constexpr double kLeastSeconds = 1.5, kSecondsPerByte = 20e-6;
+  // 1.5 GB, and 1024 times the file; by trial. Half: some sound files are refused; twice: a broken one takes memory
+  // from the rest.
   constexpr std::uint64_t kLeastBytes = std::uint64_t{3} << 29, kFold = 1024;
   constexpr double kSlower = HAPTICELL_SANITIZED ? 20.0 : 1.0;
   const double by_size = kSlower * (kLeastSeconds + kSecondsPerByte * static_cast<double>(bytes));
@@ -283,6 +291,8 @@ void limitBySize(ImporterCall& call, std::uintmax_t bytes, bool finer) {
 }
 
 Expected<std::string> callImporter(const ImporterCall& call) {
+  // Runs, each without one more part that breaks it down. Half: files with four such parts are refused; twice: twice
+  // the time for files full of them.
   constexpr std::size_t kMostRuns = 8;
   std::vector<int> skipped;
   while (true) {

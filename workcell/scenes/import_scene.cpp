@@ -21,6 +21,7 @@ namespace hapticell::workcell {
 
 namespace {
 
+// Bytes looked at for a format's first words. Half, twice: long comments hide COLLADA, or no effect.
 constexpr std::size_t kSceneHead = 4096;
 
 std::string number(double value) {
@@ -58,6 +59,8 @@ Expected<void> checkTessellation(const ImportOptions& options, const std::filesy
 }  // namespace
 
 bool isFiner(const ImportOptions& options) {
+  // Of the size: finer chords than the usual quality's make more triangles than limitBySize() expects. Half: limits by
+  // size refuse fine imports; twice: usual ones have none.
   constexpr double kUsualShare = 1e-4;
   const Tessellation usual;
   if (options.relative_chord > 0.0) return options.relative_chord < kUsualShare;
@@ -65,6 +68,8 @@ bool isFiner(const ImportOptions& options) {
 }
 
 std::uintmax_t bytesToRead(const std::filesystem::path& file) {
+  // Fold of a zip, by which limits by size count: between a fifth and a fiftieth (kMostFold of
+  // importer/model_package.cpp). Half: packed files have half the time; twice: broken ones have twice.
   constexpr std::uintmax_t kPacked = 10;
   std::error_code fault;
   const std::uintmax_t size = std::filesystem::file_size(file, fault);

@@ -96,6 +96,7 @@ void writeMesh(const geometry::TriangleMesh& mesh, Writer& writer) {
 }
 
 bool isCoordinate(const dvec3& p) {
+  // m, as kFarthest of geometry/shapes/pose.cpp.
   constexpr double kFarthest = 1e12;
   return std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest && std::abs(p.z) <= kFarthest;
 }

@@ -11,6 +11,7 @@ namespace hapticell::workcell {
 
 namespace {
 
+// Models of a population: guards time. Half, twice: other files lose theirs, with a message.
 constexpr double kMostSettled = 5000.0;
 
 double numberOr(const TiXmlElement* parent, const char* name, double otherwise) {

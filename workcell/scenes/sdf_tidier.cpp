@@ -23,7 +23,9 @@ namespace {
 
 constexpr int kNewestMinor = 9;  // Of SDF 1.x that the library reads.
 constexpr int kOldestListed = 4;
+// Files within files: guards against circles. Half, twice: no effect on real files.
 constexpr int kFilesDeep = 20;
+// Guards time: elements with all that is included. Half, twice: other files are refused with a message.
 constexpr std::size_t kMostElements = 200'000;
 
 int minorOf(const TiXmlElement& root) {
@@ -90,8 +92,7 @@ void putInPlace(TiXmlElement& parent, TiXmlElement& include, const TiXmlElement&
   }
 }
 
-void putMissing(const std::string& what, const std::map<std::string, int>& missing,
-                std::vector<Text>& warnings) {
+void putMissing(const std::string& what, const std::map<std::string, int>& missing, std::vector<Text>& warnings) {
   if (missing.empty()) return;
   std::string names;
   int count = 0;

@@ -11,6 +11,7 @@ namespace hapticell::workcell {
 
 namespace {
 
+// 64 MB, as kLargestUrdf.
 constexpr std::uintmax_t kLargestSdf = std::uintmax_t{64} << 20;
 
 std::string trimmed(const std::string& text) {

@@ -272,6 +272,7 @@ constexpr FormatRules kFormats[] = {
 
 /// "'a', 'b' and 3 more".
 Text placesListed(const std::vector<Text>& places) {
+  // Places in a message; the rest is counted. Half, twice: shorter or longer messages.
   constexpr std::size_t kMost = 5;
   Text list;
   for (std::size_t k = 0; k < std::min(kMost, places.size()); ++k) {

@@ -136,7 +136,9 @@ void FieldReader::read(const char* key, Pose& target) {
   }
   if (!fields.readNumbers("quaternion", 4, q)) return;
   dquat turned(q[0], q[1], q[2], q[3]);
-  constexpr double kNearlyUnit = 0.01;  // Hand-written ones are rounded; others are mistakes.
+  // Of the length: hand-written ones are rounded to two digits; others are mistakes. Half: those are refused; twice:
+  // some mistakes of 2 % pass, made unit.
+  constexpr double kNearlyUnit = 0.01;
   const double length = glm::length(turned);
   if (!(std::abs(length - 1.0) < kNearlyUnit)) {
     return fields.fail("quaternion", Text("the length %1", std::to_string(length)),

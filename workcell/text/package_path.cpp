@@ -19,7 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostNeighbours = 1000;  // folders looked into for a package.xml at one level
+// Folders looked into for a package.xml at one level: guards time in a home folder. Half, twice: packages among more
+// are not found, or time.
+constexpr std::size_t kMostNeighbours = 1000;
+// 1 MB: guards memory; a manifest is some kB. Half, twice: no effect.
 constexpr std::uintmax_t kLargestManifest = 1 << 20;
 
 bool isFile(const fs::path& path) {
@@ -128,7 +131,10 @@ std::optional<fs::path> folderLike(const std::string& name, const fs::path& rest
 /// path fits something.
 std::optional<FoundFile> findUnderAnyName(const std::string& name, fs::path rest,
                                           const std::vector<fs::path>& folders) {
+  // Levels of folders upwards in which a package is looked for; our choice. Half: meshes deep in a workspace are not
+  // found; twice: folders of other things are looked into.
   constexpr std::size_t kLevels = 5;
+  // Steps of a path: "/", "home", "user" are no packages. Not tuned.
   constexpr std::ptrdiff_t kNearRoot = 3;  // "/", "home", "user"
   for (bool whole = true; std::distance(rest.begin(), rest.end()) >= (whole ? 1 : 2); whole = false) {
     for (std::size_t i = 0; i < std::min(kLevels, folders.size()); ++i) {

@@ -94,6 +94,7 @@ std::string inQuotes(std::string_view word) {
 }
 
 bool isUsable(double coordinate) {
+  // As kFarthest of geometry/shapes/pose.cpp: what is squared on the way is finite then.
   constexpr double kLargest = 1e12;
   return std::abs(coordinate) <= kLargest;  // False for NaN too.
 }

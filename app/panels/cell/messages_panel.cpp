@@ -17,6 +17,8 @@
 namespace hapticell::app {
 namespace {
 
+// Cards and lines of a message that are kept: memory and time of the panel. Half, twice: older messages go earlier or
+// later.
 constexpr int kMostCards = 100, kMostLines = 200;
 
 QColor colorOf(Severity severity, const Theme& theme) {
@@ -47,7 +49,8 @@ QTreeWidget* makeLineList(const std::vector<MessageLine>& lines) {
                                    [&](const MessageLine& line) { return line.kind != lines[k].kind; });
     const auto count = ends - (lines.begin() + static_cast<std::ptrdiff_t>(k));
     if (begins) {
-      group = count > 1 ? new QTreeWidgetItem(list, {QStringLiteral("%1 (%2)").arg(lines[k].kind).arg(count)}) : nullptr;
+      group =
+          count > 1 ? new QTreeWidgetItem(list, {QStringLiteral("%1 (%2)").arg(lines[k].kind).arg(count)}) : nullptr;
     }
     auto* item = group ? new QTreeWidgetItem(group) : new QTreeWidgetItem(list);
     item->setText(0, lines[k].text);

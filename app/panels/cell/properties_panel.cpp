@@ -27,8 +27,9 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kNarrowLabel = 68;       // The dock is narrow.
-constexpr std::size_t kFewJoints = 6;  // Of more there are infinitely many ways.
+constexpr int kNarrowLabel = 68;  // The dock is narrow.
+// Six joints have a few configurations; of more there are infinitely many. Not a matter of half or twice.
+constexpr std::size_t kFewJoints = 6;
 
 }  // namespace
 

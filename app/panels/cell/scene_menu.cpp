@@ -21,7 +21,9 @@ dvec3 floorUnder_W(const ViewportWidget& scene, const QPoint& place) {
   const ViewSize size{static_cast<double>(scene.width()), static_cast<double>(scene.height())};
   const Ray ray = camera.rayThrough({place.x(), place.y()}, size);
   const double along = -ray.origin_W.z / ray.direction_W.z;
-  constexpr double kFar = 1e3;  // Metres: beyond lies the horizon.
+  // m: beyond lies the horizon, and the point under the pointer is no place meant. Half, twice: no effect in cells
+  // (kFarthest of command_checks.h is 2000).
+  constexpr double kFar = 1e3;
   if (!std::isfinite(along) || along <= 0.0 || along > kFar) return {camera.target_W.x, camera.target_W.y, 0.0};
   return ray.origin_W + along * ray.direction_W;
 }

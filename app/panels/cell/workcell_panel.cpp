@@ -243,7 +243,9 @@ void WorkcellPanel::keepExpanded() {
     for (int row = 0; row < filter_model_.rowCount(parent); ++row) {
       const QModelIndex index = filter_model_.index(row, 0, parent);
       const auto kind = model_.kindOf(source(index));
-      constexpr int kManyRows = 40;  // A large assembly is opened by whom it interests.
+      // Parts from which an assembly stays closed: a large one is opened by whom it interests. Half: small ones too;
+      // twice: the tree is long.
+      constexpr int kManyRows = 40;
       // Frames of a motion are opened by whom they interest, and have nothing below them.
       const bool motion = kind == WorkcellTreeModel::Kind::kTrajectory;
       const bool few = kind == WorkcellTreeModel::Kind::kCell || filter_model_.rowCount(index) <= kManyRows;

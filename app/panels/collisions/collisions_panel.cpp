@@ -29,7 +29,9 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kZoomRoom = 0.06;  // Metres about the nearest points of a pair that is zoomed to, at least.
+// m about the nearest points of a pair that is zoomed to, at least. Our choice. Half: parts are not recognised; twice:
+// the place is small.
+constexpr double kZoomRoom = 0.06;
 
 /// In a narrow dock the names of a pair are worth more than what its set says: columns go, the names stay.
 class NamesFirst : public QObject {

@@ -31,7 +31,10 @@ std::string eventName(ContactEvent::Kind kind);
 /// there are more than kMost; the number of dropped ones is kept. A value; one thread; no Qt.
 class ContactLog {
  public:
-  static constexpr double kPause = 0.15;  ///< s
+  /// s: an interruption by which a contact does not end: a hand's tremor (8 to 12 Hz) lets go for less. Half: a held
+  /// contact fills the log; twice: two knocks count as one.
+  static constexpr double kPause = 0.15;
+  /// Events kept: memory. Half, twice: the oldest go earlier or later.
   static constexpr std::size_t kMost = 5000;
   using Namer = std::function<std::string(workcell::EntityId, const std::string& part)>;
 

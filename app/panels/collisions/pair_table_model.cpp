@@ -9,7 +9,8 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kBarEnd = 0.050;  // Metres: where the distance bar is full.
+// m where the distance bar is full; our choice. Half: farther pairs all look alike; twice: near ones do.
+constexpr double kBarEnd = 0.050;
 
 QString nameOf(const workcell::DocumentState& state, workcell::EntityId id, const std::string& part) {
   const workcell::Entity* entity = state.find(id);

@@ -20,7 +20,9 @@ namespace hapticell::app {
 /// touches. Asked again and again by its owner (GUI thread); never waits, never outlives what it needs.
 class RestCheck {
  public:
-  static constexpr double kMeasured = 0.3;  ///< m: farther pairs are not listed.
+  /// m: farther pairs are not listed; our choice. Half: parts a hand's length away are missing; twice: more pairs, and
+  /// time to measure them.
+  static constexpr double kMeasured = 0.3;
 
   /// Starts what is due: distances of `moved` (0: none) when scene or entity are others than the last, touching pairs
   /// when other entities are in the scene than before, one is attached elsewhere, or askAgain() was called.

@@ -78,7 +78,8 @@ Entities addCopies(DocumentModel& document, const QString& text, std::vector<Ent
   geometry::Bounds bounds_W;
   for (const Entity& copy : copies)
     if (copy.mesh) bounds_W.add(geometry::transformed(copy.X_WE, copy.mesh->bounds()));
-  constexpr double kOtherwise = 0.5;  // Metres; robots are about as wide.
+  // m that a copy without shape is put beside; robots are about as wide. Half: it overlaps; twice: it is out of sight.
+  constexpr double kOtherwise = 0.5;
   dvec3 by{bounds_W.isEmpty() ? kOtherwise : 1.1 * bounds_W.size().x, 0.0, 0.0};
   if (p_W) {
     const dvec3 now = bounds_W.isEmpty() ? copies.front().X_WE.p : bounds_W.center();

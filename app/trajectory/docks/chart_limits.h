@@ -8,7 +8,8 @@
 
 namespace hapticell::app {
 
-/// Time (s) in which the greatest acceleration is reached where the user says nothing else: what bounds the jerk.
+/// s in which an acceleration is reached, where no jerk is given; our choice. Half: twice the jerk passes for kept;
+/// twice: half of it is drawn as over.
 inline constexpr double kUsualRamp = 0.1;
 
 /// What the curves of an entity's motion are held against: a robot's joint limits and speeds, accelerations as

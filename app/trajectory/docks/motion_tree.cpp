@@ -15,6 +15,7 @@
 namespace hapticell::app {
 namespace {
 
+// Frames of a motion listed as rows: more are not looked at one by one. Half, twice: fewer or more, and their time.
 constexpr std::size_t kFrameRows = 200;
 
 using Trajectories = Expected<std::vector<trajectory::Trajectory>>;

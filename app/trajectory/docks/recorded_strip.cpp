@@ -7,8 +7,10 @@
 namespace hapticell::app {
 namespace {
 
+// ms a picture while recording, 30 a second. Half: twice the work; twice: it jerks.
 constexpr int kLiveMilliseconds = 33;
-constexpr double kLiveSeconds = 120.0;  // Kept of force and gap while recording.
+// Kept of force and gap while recording; the strip's width. Half, twice: a shorter or longer view.
+constexpr double kLiveSeconds = 120.0;
 
 }  // namespace
 

@@ -8,7 +8,8 @@ namespace hapticell::app {
 namespace {
 
 constexpr double kNamedApart = 60.0;  // Pixels.
-constexpr double kShortest = 0.01;    // Seconds.
+// s: the shortest stretch that can be zoomed to, a frame of 100 Hz. Half, twice: farther in, or less.
+constexpr double kShortest = 0.01;
 
 }  // namespace
 

@@ -15,8 +15,11 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kGrip = 7;        // Pixels about a bracket that grab it.
-constexpr int kDotReach = 6;    // Pixels about a dot that choose it.
+// Pixels about a bracket that grab it, as kEdgePixels of feature_picker.h. Half: hard to meet; twice: two near ones
+// cannot be distinguished.
+constexpr int kGrip = 7;
+// Pixels about a dot that choose it, less than a bracket's. Half: hard to meet; twice: neighbours are taken.
+constexpr int kDotReach = 6;
 constexpr double kRoom = 0.04;  // Of the length, free before and after.
 
 QString seconds(double t) {

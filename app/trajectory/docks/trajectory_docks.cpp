@@ -46,6 +46,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kDockWidth = 332, kHighDock = 460;
+// Points of a drawn trace. Half: corners are seen; twice: twice the lines of each frame.
 constexpr std::size_t kTracePoints = 600;
 
 /// Docks of one window and what they share; owned by the window.

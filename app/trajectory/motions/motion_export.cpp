@@ -33,7 +33,9 @@ using trajectory::ProgramFile;
 using trajectory::ProgramFormat;
 using trajectory::Trajectory;
 
-constexpr std::size_t kManyMoves = 500;  // Our choice.
+// Moves from which simplifying is offered: programs of more are slow to load and edit. Our choice. Half, twice: asked
+// more or less often.
+constexpr std::size_t kManyMoves = 500;
 
 ProgramFormat programFormat(const QString& word) {
   if (word == "krl") return ProgramFormat::kKrl;

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "app/controls/robot_ghosts.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "app/controls/robot_ghosts.h"
 #include "app/trajectory/motions/motion_list.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "trajectory/motion/trajectory.h"
@@ -13,14 +13,20 @@
 namespace hapticell::app {
 namespace {
 
+// ms a picture, that of a screen at 60 Hz. Half: pictures that nobody sees; twice: it moves less smoothly.
 constexpr int kFrameMilliseconds = 16;
 // s of the user's time from picture to picture, the window's guaranteed 10 Hz: below that it plays slower in place of
-// leaping farther.
+// leaping farther. Half: slower on slow machines; twice: leaps.
 constexpr double kLongestStep = 0.1;
-constexpr double kSlowAfter = 1.0;          // s of that until it is said.
-constexpr std::size_t kMostGhosts = 12;     // Of one motion's swept volume.
-constexpr double kGhostApart = 0.02;        // m between two of them, at least.
-constexpr std::size_t kMostStops = 100000;  // Frames of a motion that steps stop at.
+// s of that until it is said: one slow picture is no reason. Half: said when a part appears; twice: one wonders.
+constexpr double kSlowAfter = 1.0;
+// Of one motion's swept volume. Half: gaps are seen; twice: drawing twice as slow, nothing is distinguished.
+constexpr std::size_t kMostGhosts = 12;
+// m between two of them, at least. Half, twice: short motions have more or fewer.
+constexpr double kGhostApart = 0.02;
+// Frames of a motion that steps stop at: guards time. Half, twice: long motions are stepped in every second frame
+// sooner or later.
+constexpr std::size_t kMostStops = 100000;
 
 void addTimes(const trajectory::Trajectory& motion, std::vector<double>& times) {
   const std::size_t stride = 1 + motion.size() / kMostStops;
@@ -39,6 +45,8 @@ void addTouches(const Motion& motion, std::vector<double>& times) {
 
 /// Turning in place needs room too.
 double wayBetween(const Pose& a, const Pose& b) {
+  // m a rad, as metres_per_radian of trajectory/timing/retiming.h. Half: fewer ghosts where a part only turns; twice:
+  // more.
   constexpr double kMetresARadian = 0.1;
   const trajectory::PoseDistance distance = trajectory::distanceBetween(a, b);
   return distance.position + kMetresARadian * distance.angle;

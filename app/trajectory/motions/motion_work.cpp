@@ -23,7 +23,8 @@ using trajectory::PoseDistance;
 using trajectory::Trajectory;
 
 constexpr double kDegrees = 57.29577951308232;
-constexpr double kTimeToSpeed = 0.25;  // s, where nobody gives an acceleration.
+// s, where nobody gives an acceleration; as kTimeToSpeed of cli/trajectory/trajectory_robot.cpp.
+constexpr double kTimeToSpeed = 0.25;
 
 QString distanceText(const PoseDistance& distance) {
   return lengthText(distance.position, 2) + QStringLiteral(", %1°").arg(kDegrees * distance.angle, 0, 'f', 2);

@@ -16,7 +16,9 @@
 namespace hapticell::app {
 namespace {
 
+// As European television has. Half: jerks; twice: twice the time and size.
 constexpr int kFramesASecond = 25;
+// Of a picture: smooth edges. Half: edges flicker; twice: twice the time.
 constexpr int kSamples = 4;
 
 }  // namespace

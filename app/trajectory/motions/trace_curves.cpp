@@ -10,6 +10,7 @@ namespace {
 
 using Role = SceneCurve::Role;
 
+// Dots of frames on a trace: more run together. Half, twice: fewer or more to pick.
 constexpr std::size_t kMostDots = 60;
 
 Role roleOf(CheckMark mark) {

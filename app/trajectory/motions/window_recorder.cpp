@@ -9,7 +9,9 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kPeriod = 10;  // Milliseconds.
+// ms, 100 Hz: ten times what a hand's tremor has. Half: twice the frames; twice: five frames a period of tremor are
+// left to smooth by.
+constexpr int kPeriod = 10;
 
 bool stands(const workcell::Entity& entity, const std::pair<Pose, std::vector<double>>& at) {
   return entity.joints == at.second && entity.X_WE.p == at.first.p && entity.X_WE.q == at.first.q;

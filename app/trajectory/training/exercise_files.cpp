@@ -49,6 +49,7 @@ namespace {
 /// The recording that trainees are measured against: every frame where the expert was.
 Expected<void> writeRecording(const trajectory::Trajectory& expert, const fs::path& place) {
   return workcell::writeFileChecked(place, trajectory::toJsonText(expert), [&](const fs::path& file) -> Expected<void> {
+    // s: copied times but for rounding. Half, twice: no effect.
     constexpr double kSameTime = 1e-9;
     const auto promises = trajectory_checks::copyPromises(expert, true, kSameTime, file);
     HAPTICELL_TRY(promises);

@@ -218,6 +218,8 @@ void TrainingPanel::exportResults() {
 }
 
 double TrainingPanel::neededPoints() const {
+  // Of 100: the score that passes where an exercise says nothing; our choice. Half, twice: runs pass more or less
+  // readily.
   constexpr double kUsualPass = 60.0;
   return exercise_ ? exercise_->pass : kUsualPass;
 }

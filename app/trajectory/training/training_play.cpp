@@ -11,8 +11,10 @@
 namespace hapticell::app {
 namespace {
 
+// ms a picture, as kFollowMilliseconds of training_docks.cpp.
 constexpr int kTrainingPlayMilliseconds = 33;
-constexpr double kRestAtEnd = 0.7;  // s that the end stays to be looked at.
+// s that the end stays to be looked at. Half: it is missed; twice: one waits.
+constexpr double kRestAtEnd = 0.7;
 
 }  // namespace
 

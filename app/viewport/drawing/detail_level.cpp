@@ -6,8 +6,12 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kLongPatience = 300;      // Frames: about half a minute at 10 Hz.
-constexpr double kFewForAll = 12000.0;  // Some milliseconds without a graphics card; a figure needs 9000.
+// Frames in time before a level that took over twice the budget is tried again: about half a minute at 10 Hz. Half:
+// jerks twice as often; twice: a faster scene stays coarse.
+constexpr int kLongPatience = 300;
+// Triangles that are always allowed: some milliseconds without a graphics card; a figure needs 9000. Half: a figure is
+// drawn coarse for nothing; twice: slow machines miss their 55 ms.
+constexpr double kFewForAll = 12000.0;
 
 }  // namespace
 

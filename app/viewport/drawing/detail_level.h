@@ -16,8 +16,12 @@ enum class DetailLevel {
   kCoarse        ///< Parts by the coarsest triangles that are allowed.
 };
 
-inline constexpr double kMostPixels = 3.0;  ///< Of the window: how far a part that is drawn coarser is off at most.
-inline constexpr double kBoxPixels = 6.0;   ///< What is smaller may be drawn as the box around it.
+/// Of the window: how far a part that is drawn coarser is off at most (docs/dev/window.md). Half: more triangles than
+/// slow machines draw in time; twice: steps between levels are seen.
+inline constexpr double kMostPixels = 3.0;
+/// What is smaller may be drawn as the box around it (docs/dev/window.md). Half: more small parts to draw; twice: boxes
+/// are seen.
+inline constexpr double kBoxPixels = 6.0;
 
 /// How far parts may be off in pixels of the window, at a level of detail.
 double allowedPixels(DetailLevel level);
@@ -49,7 +53,9 @@ class DetailGovernor {
   void setBudget(double seconds) { budget_s_ = seconds; }
 
  private:
-  static constexpr int kPatience = 20, kQuickPatience = 2;  // Frames.
+  /// Frames in time until a better level is tried, at the start soon. By trial. Half: levels swing; twice: a faster
+  /// scene stays coarse for longer.
+  static constexpr int kPatience = 20, kQuickPatience = 2;
   double budget_s_;
   DetailLevel level_;
   void learnTriangles(double seconds, std::size_t triangles);
@@ -70,6 +76,7 @@ class FrameMeter {
   double worstSeconds() const;
 
  private:
+  /// Frames of which times are kept: over a second's at 60 Hz. Half: rates of fast screens are cut; twice: memory.
   static constexpr std::size_t kCapacity = 128;
   double start_[kCapacity]{};
   double took_[kCapacity]{};

@@ -7,6 +7,7 @@
 namespace hapticell::app {
 namespace {
 
+// Triangles of one call, so that doubling ends. Half, twice: no effect.
 constexpr std::size_t kMostUnits = std::size_t{1} << 30;
 
 /// From a place in the load on: the rest of a use, or as many whole uses as one call may draw.

@@ -45,8 +45,12 @@ class DrawShare {
   bool isWhole() const { return !left_over_; }
   /// Seconds of the longest call that could not have been cut further by fewer units: a smaller area must be drawn.
   double longestLeast() const { return longest_least_; }
+  /// Triangles of a call, however long it takes: fewer cost more for the call than for drawing. Half: slower; twice:
+  /// longer pauses without a graphics card.
   static constexpr std::size_t kLeastUnits = 256;
-  static constexpr double kCallSeconds = 0.008;  ///< What a call shall take.
+  /// s that a call shall take: half of a 60 Hz picture, between two looks at the time. Half: more calls; twice: a piece
+  /// of a picture is late by twice as much.
+  static constexpr double kCallSeconds = 0.008;
 
  private:
   void drawPart(const DrawPart& part, bool cuttable, const Draw& draw);

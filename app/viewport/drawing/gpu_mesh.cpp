@@ -14,13 +14,20 @@
 namespace hapticell::app {
 namespace {
 
-constexpr std::size_t kSmallMesh = 2000;  // Triangles: sooner made ready than handed over,
-constexpr std::size_t kTinyMesh = 100;    // and so few that coarser ones would win nothing.
+// Triangles: sooner made ready than handed over. Half: small parts appear a frame later; twice: many of them delay a
+// frame.
+constexpr std::size_t kSmallMesh = 2000;
+// Triangles, so few that coarser ones would win nothing. Half: work for nothing; twice: parts of 200 keep all.
+constexpr std::size_t kTinyMesh = 100;
+// Bytes handed to the graphics card between two looks at the time, some ms. Half: more calls; twice: a frame may be
+// late.
 constexpr std::size_t kRunBytes = std::size_t{4} << 20;
+// Edges of a buffer of 16 MB: larger ones are allocated slowly. By trial. Half, twice: more buffers, or longer pauses.
 constexpr std::size_t kEdgesABuffer = (std::size_t{16} << 20) / sizeof(DisplayEdge);
 
 /// From a sample of triangles and creases: it decides how dark lines are, no more.
 double creaseSpacingOf(const DisplayMesh& mesh) {
+  // Triangles and edges whose mean stands for all. Half: less exact spacing of edges; twice: time of each mesh.
   constexpr std::size_t kSample = 20000;
   if (mesh.creases == 0 || mesh.steps.empty()) return std::numeric_limits<double>::infinity();
   const std::size_t triangles = mesh.steps[0].count / 3;

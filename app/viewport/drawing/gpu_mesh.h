@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
-#include "app/viewport/meshes/display_mesh_worker.h"
 #include "app/viewport/drawing/draw_share.h"
 #include "app/viewport/drawing/gl.h"
+#include "app/viewport/meshes/display_mesh_worker.h"
 #include "app/viewport/scene/render_item.h"
 
 namespace hapticell::app {
@@ -101,6 +101,7 @@ class GpuMeshCache {
     bool used = true;
   };
   bool bring(Entry& entry);
+  /// Triangles of meshes no longer drawn that are kept for an undo. Half: they are made again; twice: memory.
   static constexpr std::size_t kMostSpareTriangles = 200'000;
   bool hasTime();
   std::unique_ptr<GpuMesh> wholeMesh(const DisplayMesh& mesh);

@@ -77,6 +77,8 @@ struct Seen {
 /// Coarsens all until they have at most so many triangles, or as far as is allowed; then makes boxes of the small.
 /// Gives how many pixels they may be off now.
 double keepWithin(std::size_t most, double pixels, std::vector<Seen>& seen) {
+  // Growth of the allowed error until the triangles fit: some four rounds to kMostPixels. Nearer to 1: more rounds;
+  // twice: coarser than needed.
   constexpr double kStep = 1.4;
   std::size_t total = 0;
   for (const Seen& one : seen) total += one.triangles();

@@ -10,7 +10,8 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kOcclusionRadius = 0.16;  // Metres.
+// m in which corners darken; our choice, a hand's length. Half: only small corners; twice: grey between parts.
+constexpr double kOcclusionRadius = 0.16;
 
 void setColor(QOpenGLShaderProgram& program, const char* name, const fvec3& color) {
   program.setUniformValue(name, color.x, color.y, color.z);
@@ -53,6 +54,7 @@ PixelArea markedArea(const Frame& frame) {
     }
   }
   if (low.x > high.x) return {};
+  // Pixels about what is drawn: lines and their shadows. Half: cut lines; twice: time.
   constexpr double kRoom = 6.0;
   const int left = static_cast<int>(std::clamp(low.x - kRoom, 0.0, size.width));
   const int right = static_cast<int>(std::clamp(high.x + kRoom, 0.0, size.width));

@@ -56,7 +56,9 @@ class SceneRenderer {
   void waitForParts();
   /// What the last call of draw() drew: calls, triangles of faces, uses of meshes.
   DrawCount lastCount() const;
-  static constexpr int kSamples = 24;  ///< After so many a still picture is finished.
+  /// After so many a still picture is finished (docs/dev/window.md). Half: soft shadows show steps; twice: twice the
+  /// time of a fan.
+  static constexpr int kSamples = 24;
 
  private:
   struct Passes;

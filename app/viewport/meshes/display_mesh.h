@@ -42,8 +42,11 @@ struct DisplayMesh {
   bool closed = true;                  ///< Each edge has two triangles: it bounds a solid.
 };
 
-inline constexpr double kPartCrease = 0.48869219;  ///< 28 degrees.
-inline constexpr double kSkinCrease = 1.9;         ///< rad: only where a surface folds back on itself.
+/// rad, 28 degrees between triangles that makes an edge: chords of usual quality turn by less. Half: coarse cylinders
+/// show their facets; twice: chamfers of 45 degrees look round.
+inline constexpr double kPartCrease = 0.48869219;
+/// rad, 109 degrees: only where a surface folds back on itself. Half: folds of cloth are edges; twice: none is.
+inline constexpr double kSkinCrease = 1.9;
 
 /// Normals are smoothed over faces that meet at less than `crease_angle` (rad); corners at the same place count as one.
 /// Ends soon, with a mesh that is good for nothing, once `given_up` is set.

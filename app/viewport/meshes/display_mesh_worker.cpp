@@ -10,8 +10,11 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kMostThreads = 4;  // Each may need a few hundred bytes a triangle.
-constexpr int kRoughCells = 96;  // Some 50 000 triangles, fewer than a moving frame may have.
+// Each may need a few hundred bytes a triangle. Half: large cells appear later; twice: memory, and less for the loops.
+constexpr int kMostThreads = 4;
+// Some 50 000 triangles, fewer than a moving frame may have (docs/dev/window.md). Half: a quarter, steps are seen;
+// twice: four times, the first picture is late.
+constexpr int kRoughCells = 96;
 
 }  // namespace
 

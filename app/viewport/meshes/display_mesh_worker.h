@@ -41,6 +41,8 @@ class DisplayMeshWorker {
   /// Waits until all are ready.
   void wait();
   /// Meshes of more triangles are shown by rough ones at first.
+  /// Triangles from which it is shown coarsely first (docs/dev/window.md). Half: more parts change shape after reading;
+  /// twice: the first picture is late.
   static constexpr std::size_t kLargeMesh = 150'000;
 
  private:

@@ -10,10 +10,17 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kCornerCosine = 0.81915;  // 35 degrees.
+// 35 degrees: a turn that ends a chain of edges; circles of 12 edges turn by 30. Half: circles break; twice: corners
+// are passed.
+constexpr double kCornerCosine = 0.81915;
+// Of the size: a line; floats of files are off by 1e-7 of it. Half: lines of rounded files break; twice: flat arcs are
+// lines.
 constexpr double kRelativeTolerance = 5e-6;
-constexpr double kCircleTolerance = 1e-4;  // Of the radius.
-constexpr std::size_t kArcEdges = 4;       // Fewer lie on some circle by chance.
+// Of the radius: rounding of files of 0.01 mm at 100 mm. Half: rounded circles are not found; twice: ellipses nearly
+// round are circles.
+constexpr double kCircleTolerance = 1e-4;
+// Fewer lie on some circle by chance (three points do). Half: corners are arcs; twice: short arcs are not found.
+constexpr std::size_t kArcEdges = 4;
 
 struct Circle {
   dvec3 center{0.0}, axis{0.0, 0.0, 1.0};

@@ -7,6 +7,7 @@
 namespace hapticell::app {
 namespace {
 
+// s in which a label goes to its new place: seen as motion. Half: it jumps; twice: it swims behind.
 constexpr double kMoveSeconds = 0.12;
 constexpr double kBorder = 8.0;
 constexpr double kPointRoom = 16.0;  // Free room round the point itself.

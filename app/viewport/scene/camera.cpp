@@ -10,11 +10,17 @@
 namespace hapticell::app {
 namespace {
 
+// 240 pixels are 103 degrees; our choice. Half, twice: more or less of the table for a turn.
 constexpr double kRadiansPerPixel = 0.0075;
 constexpr double kMaxElevation =
     0.5 * std::numbers::pi;  // Just short of the pole: azimuth keeps giving the screen's right.
+// m to the middle: nearer the front plane cuts what is looked at. Half, twice: small parts can be seen larger or
+// smaller.
 constexpr double kMinDistance = 0.01;
+// m: as far as parts may lie (kFarthest of command_checks.h). Half: a large cell cannot be seen whole; twice: parts are
+// points.
 constexpr double kMaxDistance = 2000.0;
+// Of what is fitted: a rim of about 5 % on each side; our choice. Half, twice of the rest: tighter or looser.
 constexpr double kFitMargin = 1.12;
 
 void appendCorners(const geometry::Bounds& box, std::vector<dvec3>& corners) {

@@ -9,7 +9,9 @@ namespace {
 
 constexpr double kTriadLength = 0.1;                                 // m
 constexpr double kTriadLeastPixels = 28.0, kTriadMostPixels = 64.0;  // Of an axis that is seen from the side.
-constexpr double kTriadPixels = 7.0;                                 // Nearer than this a frame is meant.
+// Nearer than this a frame is meant, as kEdgePixels of feature_picker.h. Half: hard to meet; twice: parts behind it
+// cannot be clicked.
+constexpr double kTriadPixels = 7.0;
 constexpr double kPlainWidth = 2.0, kBoldWidth = 3.5;
 
 dvec3 tipOf(const Pose& X_WF, int axis, double length) {

@@ -10,7 +10,9 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kSeen = 1.5e-4;  // Metres and radians: a stylus that is held still trembles by its encoder's steps.
+// m and rad: a stylus that is held still trembles by its encoder's steps. Half: an idle scene is drawn for it; twice:
+// slow motions are seen in steps.
+constexpr double kSeen = 1.5e-4;
 
 bool sameScene(const manipulation::SceneSnapshot& a, const manipulation::SceneSnapshot& b) {
   const auto samePose = [](const Pose& x, const Pose& y) {
@@ -265,6 +267,7 @@ geometry::Bounds SceneModel::boundsOf_W(workcell::EntityId id) const {
   const workcell::Entity* entity = find(id);
   if (!entity) return bounds;
   if (entity->kind == workcell::EntityKind::kFrame) {  // What one sees of it when it is looked for.
+    // m about a thing without shape, to zoom to; our choice. Half, twice: nearer or farther.
     constexpr dvec3 kAround{0.1};
     const dvec3 p_W = placement_W(*entity).p;
     bounds.add(p_W - kAround);

@@ -66,7 +66,8 @@ class SceneModel {
   std::uint64_t revision() const { return revision_; }
   bool empty() const { return entities_.empty(); }
 
-  /// How near a part must be to what is held so that it keeps its shape in motion (RenderItem::keeps_shape), m.
+  /// How near a part must be to what is held so that it keeps its shape in motion (RenderItem::keeps_shape), m; our
+  /// choice. Half: gaps near the hand are of coarse shapes; twice: more triangles in motion.
   static constexpr double kNearHeld = 0.3;
   /// Everything visible; `stylus_length` in metres of the cell (0: none is drawn), colours of body and band sRGB.
   struct StylusLook {

@@ -14,6 +14,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr double kHandlePixels = 54.0;
+// Pixels to the handle, as kNearPixels of gizmo.cpp. Half: hard to meet; twice: parts beside it cannot be clicked.
 constexpr double kNearPixels = 9.0;
 
 dvec3 middleOn(const SectionPlane& plane, const geometry::Bounds& bounds_W) {

@@ -12,7 +12,10 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kSmoothCosine = 0.76604;  // 40 degrees: the flood goes on over such an edge.
+// 40 degrees: the flood goes on over such an edge, more than coarse chords turn by. Half: coarse cylinders are not
+// recognised; twice: it floods over corners.
+constexpr double kSmoothCosine = 0.76604;
+// Meshes whose neighbourhoods are kept: the hand goes between a few parts. Half: made again; twice: memory.
 constexpr std::size_t kKeptMeshes = 4;
 
 collision::Ray rayIn(const Pose& X_WM, const Ray& ray_W) {

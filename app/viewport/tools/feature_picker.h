@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/viewport/scene/camera.h"
-#include "app/viewport/tools/picked_feature.h"
 #include "app/viewport/scene/render_item.h"
 #include "app/viewport/scene/section_plane.h"
+#include "app/viewport/tools/picked_feature.h"
 #include "collision/trees/ray.h"
 
 namespace hapticell::app {
@@ -26,9 +26,12 @@ struct EdgeChain;
 /// cheap. One thread.
 class FeaturePicker {
  public:
+  /// Triangles about the pointer, time of a hover. Half: large faces are known by their middle only; twice: it lags.
   static constexpr std::size_t kFloodLimit = 4000;
-  static constexpr double kVertexPixels = 10.0;  ///< So near a corner is taken,
-  static constexpr double kEdgePixels = 7.0;     ///< so near an edge.
+  /// So near a corner is taken; as a hand aims by mouse. Half: hard to meet; twice: edges beside it cannot be taken.
+  static constexpr double kVertexPixels = 10.0;
+  /// So near an edge, less than a corner, which lies on it. Half: hard to meet; twice: small faces cannot be taken.
+  static constexpr double kEdgePixels = 7.0;
 
   /// What was asked: the items of one entity and link (from the id buffer), and the pixel.
   struct Question {

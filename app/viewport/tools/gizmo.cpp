@@ -9,14 +9,20 @@
 namespace hapticell::app {
 namespace {
 
+// Pixels to a handle, and to the middle; as kEdgePixels of feature_picker.h. Half: hard to meet; twice: handles
+// overlap.
 constexpr double kNearPixels = 8.0;
+// Pixels to the middle, more than to a handle, as all handles begin there. Half: hard to meet; twice: arrows near it
+// cannot be taken.
 constexpr double kMiddlePixels = 11.0;
 constexpr double kMiddleBox = 0.085;  // Half a side, of the arrows.
 constexpr double kRing = 0.75;        // Of the arrows.
 constexpr double kInner = 0.18;       // Arrows begin so far out: the middle is the tool's own.
 constexpr int kRingPoints = 49;
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr double kEdgeOn = 0.08;  // Sine between ray and plane, or between ray and axis, below which nothing is said.
+// Sine between ray and plane, or between ray and axis, below which nothing is said: a pixel is amplified twelvefold.
+// Half: it leaps; twice: handles seen from the side are dead.
+constexpr double kEdgeOn = 0.08;
 
 double distanceToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
   const glm::dvec2 along = b - a;

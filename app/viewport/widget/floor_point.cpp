@@ -10,8 +10,11 @@ namespace hapticell::app {
 namespace {
 
 constexpr QSizeF kViewCube{130, 130};  // Pixels at the right top, where a click turns the view.
-constexpr double kFarthest = 200.0;    // m along the ray: beyond, the pointer is near the horizon.
-constexpr double kClickPixels = 4.0;   // As the viewport tells a click from a drag.
+// m along the ray: beyond, the pointer is near the horizon. Half: not to the end of large halls; twice: a pixel is
+// metres.
+constexpr double kFarthest = 200.0;
+// As kPointerClickPixels of view_pointer.cpp.
+constexpr double kClickPixels = 4.0;
 
 }  // namespace
 

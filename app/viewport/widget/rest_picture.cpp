@@ -6,6 +6,7 @@
 namespace hapticell::app {
 namespace {
 
+// Pieces of one sample. Half: longer pauses on slow machines; twice: more to set up than to draw.
 constexpr int kMostBands = 32;
 
 }  // namespace

@@ -31,8 +31,11 @@ class RestPicture {
   bool isFinished() const;
 
  private:
-  static constexpr double kRestSeconds = 6.0;  // What refining one picture may take in all,
-  static constexpr int kLeastSamples = 4;      // but so many samples it has.
+  /// s that refining one picture may take in all (docs/dev/window.md). Half: slow machines show steps in shadows;
+  /// twice: twice the fan.
+  static constexpr double kRestSeconds = 6.0;
+  /// But so many samples it has. Half: edges are rough; twice: slow machines take longer than 6 s.
+  static constexpr int kLeastSamples = 4;
   int most_samples_;
   double piece_s_;
   int sample_ = 0, band_ = 0, bands_ = 6;

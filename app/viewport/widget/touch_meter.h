@@ -26,6 +26,7 @@ class TouchMeter {
   Figures figures() const;
 
  private:
+  /// Contacts whose times are kept, for median and 90 %. Half: the 90 % is of five; twice: the past counts.
   static constexpr std::size_t kKept = 100;
   std::int64_t counted_ns_ = 0, waiting_ns_ = 0;
   std::deque<double> seconds_;

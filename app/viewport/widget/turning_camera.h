@@ -33,6 +33,7 @@ class TurningCamera {
   /// To be called before each frame; false where it does not turn.
   bool advance() {
     if (!turning_) return false;
+    // s of a turn to another view: one sees which way. Half: a jump; twice: one waits.
     constexpr double kTurnSeconds = 0.25;
     const double s = static_cast<double>(clock_.elapsed()) / 1000.0 / kTurnSeconds;
     now = s >= 1.0 ? goal_ : interpolate(from_, goal_, eased(s));

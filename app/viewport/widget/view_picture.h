@@ -70,9 +70,12 @@ class ViewPicture : public QObject {
   std::unique_ptr<SceneRenderer> renderer_;
   /// What a frame may take: for the window's 10 Hz; and while contacts can be felt, so that they are seen within 50 ms:
   /// one frame may be on its way when it comes, the next one shows it, and the window puts each together.
+  /// s of a frame in motion: 10 Hz with room for the rest of the window; 60 Hz while contacts can be felt
+  /// (docs/dev/window.md). Half: coarser; twice: below 10 Hz.
   static constexpr double kFrameSeconds = 0.055, kTouchFrameSeconds = 0.018;
   DetailGovernor governor_{kFrameSeconds, DetailLevel::kHalfSize};  ///< The first picture must not wait either.
-  static constexpr double kPieceSeconds = 0.03;                     ///< Of a picture at rest.
+  /// s of a picture at rest between two looks for events: not felt. Half: more pieces; twice: keys and mouse lag.
+  static constexpr double kPieceSeconds = 0.03;
   RestPicture rest_{SceneRenderer::kSamples, kPieceSeconds};
   FrameMeter meter_;
   TouchMeter touch_;

@@ -17,8 +17,11 @@
 namespace hapticell::app {
 namespace {
 
+// Pixels: a hand moves so much in a click. Half: clicks are drags; twice: short drags are clicks.
 constexpr double kPointerClickPixels = 4.0;
+// Of the distance a step of the wheel: four halve it. Half, twice of the rest: eight steps, or two.
 constexpr double kZoomPerStep = 0.85;
+// 87 pixels halve the distance. Half, twice of the rest: twice or half as many.
 constexpr double kZoomPerPixel = 0.992;
 
 glm::dvec2 vec(const QPointF& p) {

@@ -8,11 +8,20 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kPeriod = 33;                // Milliseconds between two looks.
-constexpr std::size_t kMostSamples = 600;  // A minute.
-constexpr double kPatience = 6.0;          // Seconds until forces must have come on.
+// ms between two looks, 30 a second, as the meter moves. Half: twice the work; twice: jerks.
+constexpr int kPeriod = 33;
+// Samples kept: one each 0.1 s, a minute. Half, twice: half a minute, or two.
+constexpr std::size_t kMostSamples = 600;
+// s until forces must have come on: the engage gate and a driver's start. Half: slow drivers fail; twice: one waits for
+// dead ones.
+constexpr double kPatience = 6.0;
+// s for a server to see that its client has let go. Half: refused without reason; twice: one waits.
 constexpr double kRefusedPatience = 2.5;
-constexpr double kLongestStep = 0.2;  // s; the server lets a weight change by 5 N/s at most.
+// s; the server lets a weight change by 5 N/s at most: 1 N in this. Half: a slow window takes longer; twice: a leap is
+// cut by the server.
+constexpr double kLongestStep = 0.2;
+// s: up, full, down: a push is felt as slow (0.5 N/s) and its end is soft. Half: twice as quick; twice: eight seconds
+// of waiting.
 constexpr double kRamp = 2.0, kHold = 1.0, kFall = 1.0;
 
 }  // namespace

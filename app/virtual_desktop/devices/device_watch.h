@@ -32,8 +32,11 @@ class RangeTest {
 
 /// The force test's push (N, downwards) at a time since it began: a ramp to one newton, a hold, a ramp down, then 0.
 double testPush(double seconds, double peak_n);
+/// s: kRamp, kHold and kFall of device_watch.cpp together.
 inline constexpr double kTestSeconds = 4.0;
-inline constexpr double kTestPush = 1.0;  ///< N at most, and half of what the motors bear for ever.
+/// N at most, and half of what the motors bear for ever: felt, and not startling. Half: less clear; twice: a loose hand
+/// is moved.
+inline constexpr double kTestPush = 1.0;
 
 /// What the device check knows of the running server: watches it as a client that controls nothing, keeps rate and
 /// lateness of the last minute, and can exert the test's push (then it controls). GUI thread; never waits.

@@ -10,8 +10,12 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kFewHertz = 0.95;    // Of the 1000 a second that are wanted.
-constexpr double kLateWarning = 0.5;  // Milliseconds.
+// Of the 1000 a second that are wanted. Half the rest: warns of a passing load; twice: 100 missing ticks a second are
+// not said.
+constexpr double kFewHertz = 0.95;
+// ms by which one of a hundred ticks is late: half a tick, when the next is near. Half: warns on usual machines; twice:
+// whole ticks are missed unsaid.
+constexpr double kLateWarning = 0.5;
 
 QString tr(const char* text) {
   return QObject::tr(text);
@@ -64,6 +68,8 @@ DeviceCheck sightCheck(const TouchSight& sight) {
 }  // namespace
 
 double longestUnnoticed(const TouchSight& sight) {
+  // s from a contact to its picture that go unnoticed: drawn by the processor; with a card a frame and as much as one
+  // at 60 Hz. Half: warns always; twice: the picture follows the hand visibly.
   constexpr double kSoftware = 0.050, kBeyondFrame = 0.015;
   return sight.software ? kSoftware : kBeyondFrame + sight.frame_s;
 }

@@ -12,12 +12,18 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kPanPixels = 900.0;  // A second at full deflection.
+// A second at full deflection, about a window's width. By trial. Half: slow; twice: hard to stop.
+constexpr double kPanPixels = 900.0;
+// A second at full deflection: 3.75 rad (kRadiansPerPixel of camera.cpp). By trial. Half: slow; twice: hard to stop.
 constexpr double kTurnPixels = 500.0;
-constexpr double kZoom = 1.2;        // Of the distance's logarithm a second.
-constexpr double kHandSpeed = 0.12;  // m/s,
-constexpr double kHandTurn = 1.2;    // rad/s.
-constexpr double kLongest = 0.1;     // s: a window that stood still does not leap.
+// Of the distance's logarithm a second: 3.3 times. By trial. Half: slow; twice: hard to stop.
+constexpr double kZoom = 1.2;
+// m/s of the simulated hand at full deflection. By trial. Half: slow; twice: it presses hard on contacts.
+constexpr double kHandSpeed = 0.12;
+// rad/s, 69 degrees. By trial. Half: slow; twice: hard to stop.
+constexpr double kHandTurn = 1.2;
+// s: a window that stood still does not leap. Half: slow windows move slower; twice: leaps of 24 mm.
+constexpr double kLongest = 0.1;
 
 /// Gentle about the middle, full at the end; the sign stays.
 double curve(double deflection) {

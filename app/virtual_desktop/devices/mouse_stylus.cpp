@@ -9,10 +9,15 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kPenPixels = 14.0;  // So near counts as on the pen.
+// So near counts as on the pen, thin as it is. Half: hard to meet; twice: parts behind it cannot be clicked.
+constexpr double kPenPixels = 14.0;
+// 260 pixels are a quarter turn; our choice. Half, twice: more or less of the table.
 constexpr double kRadiansPerPixel = 0.006;
-constexpr double kDepthPixelsPerStep = 24.0;  // A step of the wheel is so many pixels of depth.
-constexpr double kOvershoot = 1.05;           // The hand may press a little beyond the device's edge.
+// A step of the wheel is so many pixels of depth. Half: many steps; twice: it leaps into parts.
+constexpr double kDepthPixelsPerStep = 24.0;
+// The hand may press a little beyond the device's edge, so that its stop is felt. Half: hardly; twice: the pen stays
+// behind the mouse for longer.
+constexpr double kOvershoot = 1.05;
 
 double distanceToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
   const glm::dvec2 along = b - a;

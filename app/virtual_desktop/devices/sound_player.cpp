@@ -12,7 +12,9 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kRate = 48000;
-constexpr int kBufferBytes = kRate / 8 * 2;  // An eighth of a second of 16-bit samples.
+// An eighth of a second of 16-bit samples: a busy window pauses for less. Half: gaps on slow machines; twice: knocks
+// come late.
+constexpr int kBufferBytes = kRate / 8 * 2;
 
 /// Where there is no sound server the multimedia library says so on stderr; the status bar tells it better.
 class QuietLibrary {

@@ -9,13 +9,21 @@ namespace hapticell::app {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr double kTickAmplitude = 0.0631;  // -24 dB.
-constexpr double kLoudSpeed = 0.2;         // m/s of approach that knocks loudest.
-constexpr double kNoiseAmplitude = 0.04;   // -28 dB: faint.
-constexpr double kSlowestSlide = 0.001;    // m/s: a held hand trembles.
-constexpr double kNoiseFollows = 0.03;     // s
+// -24 dB: faint, as it goes on near contacts. Half: not heard beside a fan; twice: louder than knocks of slow contacts.
+constexpr double kTickAmplitude = 0.0631;
+// m/s of approach that knocks loudest, a quick hand. Half: all knocks are alike; twice: usual ones are faint.
+constexpr double kLoudSpeed = 0.2;
+// -28 dB: faint, as it lasts. Half: not heard; twice: it covers the ticks.
+constexpr double kNoiseAmplitude = 0.04;
+// m/s: a held hand trembles. Half: resting contacts hiss; twice: slow sliding is silent.
+constexpr double kSlowestSlide = 0.001;
+// s: no click where sliding begins. Half: clicks; twice: it lags behind the hand.
+constexpr double kNoiseFollows = 0.03;
+// Above it the noise is cut: rubbing, not hissing. Half: dull; twice: sharp.
 constexpr double kNoiseHertz = 1500.0;
-constexpr double kLasts = 5.0;  // Decay times until a voice is dropped: below -43 dB of itself.
+// Decay times until a voice is dropped: below -43 dB of itself. Half: -22 dB, a click at its end; twice: sounds of the
+// same length fade sooner.
+constexpr double kLasts = 5.0;
 
 }  // namespace
 

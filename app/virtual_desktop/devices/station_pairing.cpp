@@ -8,7 +8,8 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kLookPeriod = 50;  // ms.
+// ms between two looks at the link. Half, twice: the answer is seen so much later.
+constexpr int kLookPeriod = 50;
 
 }  // namespace
 

@@ -30,7 +30,9 @@ class StationPairing : public QObject {
   /// Whether this user has a code for that server.
   static bool knows(const QString& host, int port);
 
-  static constexpr int kPatience = 5000;  ///< ms.
+  /// ms that a station may take to answer, in a network with losses. Half: slow ones fail; twice: one waits for a wrong
+  /// address.
+  static constexpr int kPatience = 5000;
 
  signals:
   /// `sentence` names the device, or says what is wrong and what to do.

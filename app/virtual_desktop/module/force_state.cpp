@@ -39,13 +39,16 @@ ForceFacts ForceState::facts() const {
   facts.on = facts.connected && owner_.snapshot().forces_on;
   facts.ramp = owner_.snapshot().force_ramp;
   facts.device_fault = facts.connected && owner_.snapshot().device_fault;
-  // A loop that hangs brings no snapshot that could say so.
-  constexpr qint64 kStalled = 2000;  // ms
+  // ms without a snapshot until the loop counts as dead; by trial. Half: said where a loop is only busy; twice: a dead
+  // loop is unsaid for longer.
+  constexpr qint64 kStalled = 2000;
   facts.stalled =
       facts.connected && wanted_ &&
       (owner_.snapshot().loop_stalled || (since_snapshot_.isValid() && since_snapshot_.elapsed() > kStalled));
   facts.cut = cut_;
-  constexpr double kEdge = 1e-3;  // m
+  // m to the workspace's edge that count as there: the stops give a little. Half: it flickers; twice: said before the
+  // stop is felt.
+  constexpr double kEdge = 1e-3;
   facts.at_edge = owner_.device() && owner_.snapshot().device_edge_m < kEdge;
   facts.held = owner_.snapshot().held != 0;
   if (const workcell::Entity* held = owner_.host().documentModel().document().find(owner_.snapshot().held)) {

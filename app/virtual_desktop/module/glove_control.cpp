@@ -13,8 +13,12 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kGloveStep = 0.02;  // rad of a finger that count as a motion.
-constexpr int kGloveRest = 400;      // Milliseconds without one: the hand's pose goes into the document.
+// rad of a finger that count as a motion: 1.6 steps of 255 over 180 degrees. Half: noise keeps it moving; twice: slow
+// fingers rest.
+constexpr double kGloveStep = 0.02;
+// ms without one: the hand's pose goes into the document. Half: undo steps for each pause; twice: a saved cell lacks
+// the last pose for longer.
+constexpr int kGloveRest = 400;
 
 }  // namespace
 

@@ -12,7 +12,9 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kServerPatience = 700;  // Milliseconds without an answer until a server is started.
+// ms without an answer until a server is started: one that runs answers sooner. Half: a busy one gets a rival that ends
+// at once; twice: one waits.
+constexpr int kServerPatience = 700;
 
 }  // namespace
 

@@ -20,7 +20,9 @@ namespace {
 
 namespace command = manipulation::command;
 
-constexpr int kIdlePeriod = 100;  // Milliseconds between two looks at a scene in which nothing moves.
+// ms between two looks at a scene in which nothing moves. Half: twice the wake-ups; twice: a contact's first picture
+// comes from the loop's own wake anyway.
+constexpr int kIdlePeriod = 100;
 
 /// "Fine".
 QString scaleName(manipulation::ScaleLevel level) {

@@ -60,7 +60,8 @@ WorkspaceView::WorkspaceView(QWidget* parent) : QWidget(parent) {
 }
 
 void WorkspaceView::setState(const double (&min)[3], const double (&max)[3], const double (&tip)[3], bool known) {
-  constexpr double kSeen = 2e-4;  // m: less does not move the dot by a pixel.
+  // m: less does not move the dot by a pixel. Half: painted for nothing; twice: it moves in steps.
+  constexpr double kSeen = 2e-4;
   const auto same = [](const double(&a)[3], const double(&b)[3]) {
     return std::equal(std::begin(a), std::end(a), std::begin(b),
                       [](double x, double y) { return std::abs(x - y) < kSeen; });

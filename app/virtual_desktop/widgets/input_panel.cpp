@@ -56,8 +56,8 @@ InputPanel::InputPanel(InputDevices& inputs, QWidget* parent) : QWidget(parent),
     inputs_.setMouseMoves(index == 0 ? InputDevices::MouseMoves::kView : InputDevices::MouseMoves::kEntity);
   });
   connect(&inputs_, &InputDevices::changed, this, &InputPanel::refresh);
-  // They come and go by themselves.
-  constexpr int kLook = 250;  // Milliseconds.
+  // ms between two looks for devices. Half: twice the work; twice: a plugged one appears later.
+  constexpr int kLook = 250;
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, [this] {
     if (!inputs_.glove().isEmpty() || !inputs_.mouse().isEmpty()) refresh();

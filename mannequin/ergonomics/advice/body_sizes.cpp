@@ -15,8 +15,12 @@ using mannequin::Posture;
 using mannequin::Segment;
 using mannequin::Side;
 
-constexpr double kRaised = 0.35;  ///< rad that an upper arm is off the trunk's line.
-constexpr double kBent = 0.45;    ///< rad of elbow flexion.
+/// rad (20 deg) that an upper arm is off the trunk's line, RULA's first class. Half: arms that hang count as at work;
+/// twice: hands that work low are not asked of other bodies.
+constexpr double kRaised = 0.35;
+/// rad (26 deg) of elbow flexion, more than a hanging arm's. Our choice. Half: a hanging arm counts as at work; twice:
+/// less bent working arms do not.
+constexpr double kBent = 0.45;
 
 dvec3 feetMiddle(const FigurePose& pose) {
   return 0.5 * (mannequin::footPose(pose, Side::kLeft).p + mannequin::footPose(pose, Side::kRight).p);
@@ -24,9 +28,9 @@ dvec3 feetMiddle(const FigurePose& pose) {
 
 /// Whether it is the very body: then it needs not be put where it stands.
 bool isSameBody(const Figure& a, const Figure& b) {
-  constexpr double kSameStature = 0.0006;  // m
   using mannequin::Dimension;
-  return a.sex == b.sex && std::abs(a.body[Dimension::kStature] - b.body[Dimension::kStature]) < kSameStature;
+  return a.sex == b.sex &&
+         std::abs(a.body[Dimension::kStature] - b.body[Dimension::kStature]) < mannequin::kSameStature;
 }
 
 BodyAtTask asItStands(const Figure& figure, const Posture& posture, const WorkTask& task) {
@@ -129,7 +133,8 @@ std::vector<std::vector<int>> scoresByHeight(const std::vector<mannequin::NamedF
   std::iota(outwards.begin(), outwards.end(), std::size_t{0});
   std::stable_sort(outwards.begin(), outwards.end(),
                    [&](std::size_t a, std::size_t b) { return std::abs(rises[a]) < std::abs(rises[b]); });
-  constexpr double kHere = 1e-9;  // m
+  // m: the place as it is, but for rounding. Half, twice: no effect, places are 0.01 m apart.
+  constexpr double kHere = 1e-9;
   std::vector<std::vector<int>> scores;
   for (const mannequin::NamedFigure& body : bodies) {
     const mannequin::PostureSolver solver(body.figure);

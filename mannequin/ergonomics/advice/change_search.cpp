@@ -7,6 +7,8 @@
 namespace hapticell::ergonomics {
 namespace {
 
+// Values tried of each field, the nearest first. Half: farther changes are not found; twice: twice as many tries for
+// each field that changes at once.
 constexpr std::size_t kMostValues = 5;
 
 std::vector<double> valuesOf(const std::vector<ChangeField>& fields) {

@@ -141,7 +141,8 @@ constexpr std::array<std::pair<std::size_t, BodyPart>, 6> kRebaParts{{{Reba::kUp
                                                                       {Reba::kWrist, BodyPart::kWrist},
                                                                       {Reba::kLegs, BodyPart::kLegs}}};
 
-constexpr double kHand = 0.1;  ///< m: fingers point along -z of the hand's frame.
+/// m, about a hand's length: fingers point along -z of the hand's frame. Half, twice: drawn angle lines only.
+constexpr double kHand = 0.1;
 
 JointAngle between(const dvec3& joint, const dvec3& zero, const dvec3& end) {
   const dvec3 limb = end - joint;

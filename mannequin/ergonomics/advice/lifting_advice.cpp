@@ -51,6 +51,7 @@ LiftingChange changeOf(const LiftingTask& task, const Input& input, const Liftin
     }
     // To a whole step, towards the best.
     const double steps = far / input.step;
+    // Of a step: rounding, so that a value on a whole step stays on it. Half, twice: no effect.
     constexpr double kSlack = 1e-6;
     const double whole = input.step * (input.best < from ? std::floor(steps + kSlack) : std::ceil(steps - kSlack));
     far = input.best < from ? std::max(input.best, whole) : std::min(input.best, whole);

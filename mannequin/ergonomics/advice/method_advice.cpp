@@ -275,6 +275,7 @@ MethodAdvice advise(const PostureScores& scores, PostureMethod method, const Wor
 }
 
 std::vector<FieldChange> comfortDrivers(const mannequin::Posture& posture) {
+  // rad: rounding, as withinComfort's in posture_scores.cpp. Half, twice: no effect.
   constexpr double kDegrees = 57.295779513082323, kSlack = 1e-9;
   std::vector<FieldChange> drivers;
   for (std::size_t i = 0; i < mannequin::kDofCount; ++i) {

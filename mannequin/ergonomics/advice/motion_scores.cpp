@@ -174,7 +174,9 @@ void summarise(MotionScores& scores) {
   }
 }
 
-constexpr double kFlicker = 0.2;  // s; shorter than a person takes to move out of a posture and back.
+// s: shorter than a person takes to move out of a posture and back. Our choice. Half: noise at a limit of a class
+// splits the worst phase; twice: short pauses count to it.
+constexpr double kFlicker = 0.2;
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 namespace hapticell::ergonomics {
 namespace {
 
+// kg: the load constant of the revised NIOSH lifting equation (Waters and others 1993). Not ours to change.
 constexpr double kLoadConstantKg = 23.0;
 
 struct FrequencyRow {

@@ -33,6 +33,8 @@ constexpr std::array<std::string_view, 3> kLoadMeanings{
     HAPTICELL_TRANSLATED("up to 10 kg", "over 10 and up to 20 kg", "over 20 kg")};
 
 int legs(const OwasPosture& posture) {
+  // Degrees of a knee that OWAS calls bent; the method names no number for eyes, this is our choice. Half: natural
+  // standing is bent; twice: a half squat is straight.
   constexpr double kBent = 30.0;
   if (posture.seated) return 1;
   if (posture.kneeling) return 6;
@@ -92,6 +94,8 @@ std::string_view Owas::meaning(Index digit, int value) {
 }
 
 Owas::Values owasValues(const OwasPosture& posture) {
+  // Degrees from which a back is bent or turned; OWAS looks by eye, this is our choice, as RULA's second class ends
+  // there. Half: upright work scores as bent; twice: bending by 40 deg scores as straight.
   constexpr double kTurned = 20.0;
   const bool is_bent = std::abs(posture.trunk_flexion) > kTurned;
   const bool is_turned = std::abs(posture.trunk_twist) > kTurned || std::abs(posture.trunk_side_bend) > kTurned;

@@ -50,13 +50,16 @@ struct PostureAngles : ObservedArm, ObservedTrunk, ObservedLegs {
   std::optional<bool> measured;
 };
 
-/// A measured angle of trunk, neck or wrist within so many degrees of 0 is neutral. The methods' texts name no width:
-/// to the letter, noise of a tenth of a degree would decide between classes (of RULA's neck between 1 and 4).
+/// A measured angle of trunk, neck or wrist within so many degrees of 0 is neutral: the methods name no width, and
+/// noise of 0.1 deg would decide. Half: noise of marker sets does; twice: all of RULA's first class.
 inline constexpr double kNeutralBand = 5.0;
 /// RULA's neck behind the band, measured: up to so many degrees of extension it is class 2, then 3, beyond 4.
+/// Chosen so that one degree changes the class by one (PostureSweep). Half or less than 1 apart: it does by two; twice:
+/// 16 deg of extension is not 4 yet.
 inline constexpr double kNeckSecond = 6.5, kNeckThird = 8.0;
 
-/// Degrees within which legs that are nearly seated go from REBA's class of the seated to their own, a class a third.
+/// Degrees within which legs that are nearly seated go from REBA's class of the seated to their own, three classes 1.5
+/// apart, so that one degree changes one (PostureSweep). Half: it does by two; twice: half squats count as seated.
 inline constexpr double kOffSeat = 4.5;
 
 /// The angle as it is classed: 0 where it is measured and neutral.

@@ -38,7 +38,7 @@ struct PostureUse {
 };
 
 /// A measured angle that is beyond a limit by so many degrees at most is conditional where the standard knows nothing
-/// between acceptable and not acceptable: no measurement is better, and one degree must not decide between the two.
+/// between acceptable and not. No measurement is better. Half: one degree decides (PostureSweep); twice: 3 deg pass.
 inline constexpr double kNearLimit = 1.5;
 
 /// What EN 1005-4 and ISO 11226 look at, degrees.

@@ -8,11 +8,16 @@ namespace hapticell::ergonomics {
 namespace {
 
 constexpr double kDegreesInRadian = 57.295779513082323;
-constexpr double kShortView = 0.2;   ///< Of a line seen from the side: shorter ones have no sure direction there.
-constexpr double kOverLevel = 15.0;  ///< Degrees over which a raised arm goes over from its side view to its elevation.
+/// Of a line seen from the side: shorter ones have no sure direction there. PostureSweep tests it. Half: side views of
+/// arms at the side swing; twice: flexion fades earlier.
+constexpr double kShortView = 0.2;
+/// Degrees over which a raised arm goes over from its side view to its elevation. PostureSweep tests it. Half: twice as
+/// fast, one degree moves flexion more; twice: raised arms count as lower.
+constexpr double kOverLevel = 15.0;
 
 /// A rounding error counts as 0: 1e-15 deg behind it would be another class.
 double cleanedAngle(double degrees) {
+  // Degrees: what rounding leaves, under any limit's last digit. Half, twice: no effect.
   constexpr double kLeft = 1e-6;
   return std::abs(degrees) < kLeft ? 0.0 : degrees;
 }

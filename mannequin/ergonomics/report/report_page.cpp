@@ -15,10 +15,13 @@
 namespace hapticell::ergonomics {
 namespace {
 
-constexpr double kWidth = 595.28, kHeight = 841.89, kMargin = 42.0;  // Points.
-constexpr double kFoot = 96.0;                                       // Kept free for the signatures on the last page.
+// Points: A4, and margins of 15 mm. Not tuned.
+constexpr double kWidth = 595.28, kHeight = 841.89, kMargin = 42.0;
+constexpr double kFoot = 96.0;  // Kept free for the signatures on the last page.
 constexpr double kPictureWidth = 190.0, kPictureHeight = 218.0, kSceneWidth = 190.0, kBesideScene = 90.0;
 constexpr double kLogoWidth = 130.0, kLogoHeight = 32.0;
+// Of the usual size: a text of 9 points becomes 6, the least that is read on paper. Half: unreadable; more: reports
+// that fit on a page get two. With more pages, 0.85 keeps them few.
 constexpr double kLeastDensity = 0.66, kManyPagesDensity = 0.85;
 
 /// Makes columns as wide together as `width`: what is left all share; where it is too little the widest give, down to

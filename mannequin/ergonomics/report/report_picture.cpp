@@ -35,6 +35,7 @@ std::string pngOf(const ReportPicture& picture) {
 }
 
 Expected<ReportPicture> readPng(const std::filesystem::path& file) {
+  // Pixels: guards memory (256 MB). Half, twice: other logos are refused with a message.
   constexpr int kMost = 8192;
   const Surface read(cairo_image_surface_create_from_png(file.c_str()));
   const int width = cairo_image_surface_get_width(read.get()), height = cairo_image_surface_get_height(read.get());

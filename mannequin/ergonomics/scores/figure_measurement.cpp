@@ -22,8 +22,12 @@ using mannequin::Segment;
 using mannequin::Side;
 
 constexpr double kDegrees = 57.295779513082323;
-constexpr double kLiftedFoot = 0.04;   ///< m
-constexpr double kKneelingKnee = 0.2;  ///< m
+/// m: higher than the thickness of a sole or an uneven floor. Our choice. Half: a foot on a mat is lifted; twice: a
+/// foot on a low step bears half the weight.
+constexpr double kLiftedFoot = 0.04;
+/// m of a knee's joint over the lowest point; a standing shank is twice as long. Our choice. Half: kneeling with a knee
+/// on a cushion is missed; twice: a deep squat counts as kneeling.
+constexpr double kKneelingKnee = 0.2;
 
 double degreesBetween(const dvec3& a, const dvec3& b) {
   return kDegrees * mannequin::angleBetween(a, b);

@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kForceNames{"hand",         "height_from_m", "height_to_m",
                                                       "reach_from_m", "reach_to_m",    "limit_n"};
-constexpr double kMostForce = 5000.0;  ///< N
+/// N: some times what a person can do, against numbers in other units. Half, twice: other typing errors are refused.
+constexpr double kMostForce = 5000.0;
+// Guards memory and time. Half, twice: other tables are refused with a message.
 constexpr std::size_t kMostRows = 10000;
 
 std::string_view trimmed(std::string_view text) {

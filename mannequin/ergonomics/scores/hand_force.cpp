@@ -12,8 +12,10 @@ using mannequin::FigurePose;
 using mannequin::Segment;
 using mannequin::Side;
 
-constexpr double kGravity = 9.80665;                        // m/s^2
-constexpr std::array<double, 3> kOwnShares{0.5, 0.7, 1.0};  ///< Of an own limit, where its bands end.
+constexpr double kGravity = 9.80665;  // m/s^2
+/// Of an own limit, where its bands end; our choice, colours only but for 1. Half, twice of the first two: green or
+/// orange begins earlier or later.
+constexpr std::array<double, 3> kOwnShares{0.5, 0.7, 1.0};
 
 /// Horizontal first moment (kg m) of what is gathered, about points given later: mass and mass-weighted place.
 struct Weight {

@@ -19,9 +19,15 @@ using mannequin::Segment;
 using mannequin::Side;
 
 constexpr double kDegreesPerRadian = 57.295779513082323;
-constexpr double kLevelThigh = 35.0, kBentKnee = 45.0, kUprightShank = 60.0;  ///< Degrees, of the seated.
-constexpr double kOffTheSoles = 0.03;  ///< m that their weight is outside the soles;
-constexpr double kSoleDegree = 0.01;   ///< of this so much counts as a degree.
+/// Degrees, of the seated: thighs nearly level, knees bent, shanks not far back. Our choice. Half: leaning stools are
+/// standing; twice: squats are seated.
+constexpr double kLevelThigh = 35.0, kBentKnee = 45.0, kUprightShank = 60.0;
+/// m that the weight is outside the soles: then a seat bears it. Our choice. Half: working postures with rounding count
+/// as seated; twice: on the edge of a stool one stands.
+constexpr double kOffTheSoles = 0.03;
+/// m of this counts as a degree, so that kOffSeat's 4.5 are 45 mm. Half, twice: the way from seated to standing is half
+/// or twice as long.
+constexpr double kSoleDegree = 0.01;
 constexpr double kOverHead =
     0.03;  ///< m from which hands count as above the head; less: as an arm raised to the shoulder.
 
@@ -94,6 +100,7 @@ double comfortOf(const Posture& posture) {
   int within = 0;
   for (std::size_t i = 0; i < mannequin::kDofCount; ++i) {
     const auto& info = mannequin::dofInfo(static_cast<Dof>(i));
+    // rad: rounding, so that an angle on a limit is within. Half, twice: no effect.
     constexpr double kSlack = 1e-9;
     if (posture.angles[i] >= info.comfort_lower - kSlack && posture.angles[i] <= info.comfort_upper + kSlack) ++within;
   }

@@ -8,7 +8,8 @@
 namespace hapticell::ergonomics {
 namespace {
 
-constexpr double kRepeated = 4.0;  ///< Repetitions a minute from which RULA and REBA speak of repeated action.
+/// Repetitions a minute from which RULA and REBA speak of repeated action; the methods' own number. Not ours to change.
+constexpr double kRepeated = 4.0;
 
 Expected<void> within(const char* name, double value, double least, double most, const Text& expected) {
   if (std::isfinite(value) && value >= least && value <= most) return {};

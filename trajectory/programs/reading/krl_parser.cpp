@@ -9,6 +9,7 @@ namespace hapticell::trajectory {
 namespace {
 
 using KrlEnds = std::set<std::string, std::less<>>;
+// Blocks within each other: guards the stack; programs have a few. Half: still enough; twice: twice the stack.
 constexpr int kDeepestKrlBlock = 100;
 
 /// Lines of a module into routines and data.

@@ -7,7 +7,10 @@ namespace hapticell::trajectory {
 
 namespace {
 
+// Brackets within each other: guards the stack; programs have a few. Half: still enough; twice: twice the stack.
 constexpr int kDeepest = 100;
+// Items of a list: guards the memory; as kLongestList of program_run.cpp. Half, twice: longer arrays are read as
+// unknown, or more memory is used.
 constexpr std::size_t kMostItems = 200000;
 
 /// Counts how deep expressions lie in each other.

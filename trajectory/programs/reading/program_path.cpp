@@ -9,12 +9,19 @@
 namespace hapticell::trajectory {
 
 namespace {
-constexpr double kArcError = 1e-4;    // m between an arc and its chords
-constexpr double kLeastStep = 1e-3;   // s between frames
-constexpr double kJointLinear = 1.0;  // m/s and rad/s assumed for a joint move at full speed
+// m between an arc and its chords: 0.1 mm, about how well robots repeat. Half: 1.4 times the frames; twice: 0.2 mm off.
+constexpr double kArcError = 1e-4;
+// s between frames, as kLeastTime of editing.cpp. Half, twice: times of moves shorter than it only.
+constexpr double kLeastStep = 1e-3;
+// m/s and rad/s assumed for a joint move at full speed, as programs do not tell a robot's; our choice. Half: joint
+// moves take twice the time; twice: half.
+constexpr double kJointLinear = 1.0;
 constexpr double kJointAngular = std::numbers::pi;
+// Guards memory: hours at 100 Hz. Half, twice: other programs are refused with a message.
 constexpr std::size_t kMostTargets = 2'000'000;
+// Messages on lines that are listed, what a page shows; the rest is counted. Half, twice: a shorter or longer list.
 constexpr std::size_t kMostLineNotes = 20;
+// Frames of an arc: a full circle of 80 m radius keeps kArcError. Half: of 20 m; twice: of 320 m.
 constexpr std::size_t kMostArcFrames = 2000;
 
 /// A circle through three points.

@@ -13,6 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Bytes: guards memory, as other readers do. Half, twice: other files are refused with a message.
 constexpr std::uintmax_t kLargestProgram = 256U << 20U;
 
 bool isAmong(const std::string& word, std::initializer_list<const char*> words) {

@@ -8,7 +8,10 @@ namespace hapticell::trajectory {
 
 namespace {
 
+// Routines within each other: guards the stack; programs have a few. Half: still enough; twice: twice the stack.
 constexpr int kDeepestCall = 50;
+// Items of an array: guards memory against an index that is wrong. Half, twice: larger arrays are not kept, or more
+// memory.
 constexpr double kLongestList = 200'000;
 
 }  // namespace

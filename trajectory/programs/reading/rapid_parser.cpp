@@ -10,6 +10,7 @@ namespace hapticell::trajectory {
 namespace {
 
 using RapidEnds = std::set<std::string, std::less<>>;
+// Blocks within each other, as kDeepestKrlBlock of krl_parser.cpp.
 constexpr int kDeepestRapidBlock = 100;
 
 class RapidParser {

@@ -15,6 +15,8 @@ namespace hapticell::trajectory {
 namespace {
 
 constexpr double kFanucDegree = 0.017453292519943295;  // rad
+// Lines run: guards against loops without end. Half: programs with long loops are refused; twice: twice the time until
+// an endless one is.
 constexpr std::size_t kMostSteps = 500'000;
 
 bool compared(double a, std::string_view sign, double b) {

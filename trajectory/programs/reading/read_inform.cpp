@@ -15,6 +15,7 @@ namespace hapticell::trajectory {
 namespace {
 
 constexpr double kInformMillimetre = 1e-3;  // m
+// Lines run, as kMostSteps of read_fanuc.cpp.
 constexpr std::size_t kMostInformSteps = 500'000;
 
 /// A position of //POS: a pose in a frame, or pulses, which only the controller can read.

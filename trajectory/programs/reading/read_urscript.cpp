@@ -12,7 +12,10 @@ namespace hapticell::trajectory {
 namespace {
 
 constexpr double kUrDegree = 0.017453292519943295;  // rad
-constexpr double kFastestJoint = 3.14;              // rad/s
+// rad/s: 180 degrees a second, a UR5e's joints at full speed; the writer in program_numbers.cpp has it too. Half: joint
+// moves are read twice as fast; twice: half as fast.
+constexpr double kFastestJoint = 3.14;
+// Blocks within each other, as kDeepestKrlBlock of krl_parser.cpp.
 constexpr int kDeepestUrBlock = 100;
 
 const Dialect& urscript() {
