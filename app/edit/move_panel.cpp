@@ -139,7 +139,8 @@ void MovePanel::addSteps(QVBoxLayout& column) {
   angle_->setAccessibleName(tr("Angle step"));
   for (const auto& [box, field] : {std::pair{grid_on_, grid_}, std::pair{angle_on_, angle_}}) {
     auto* row = new QHBoxLayout;
-    row->addWidget(box, 1);
+    row->addWidget(box);
+    row->addStretch(1);
     field->setFixedWidth(96);
     row->addWidget(field);
     section->addLayout(row);

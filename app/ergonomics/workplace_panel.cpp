@@ -67,7 +67,7 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
     return made;
   };
   rise_ = field("fieldRise", tr("Up/down ±"), 0.0, 600.0, 200.0);
-  away_ = field("fieldAway", tr("Nearer/farther ±"), 0.0, 600.0, 160.0);
+  away_ = field("fieldAway", tr("Near/far ±"), 0.0, 600.0, 160.0);
   step_ = field("fieldStep", tr("In steps of"), 5.0, 200.0, 40.0);
   sit_ = new QCheckBox(tr("Try sitting as well"));
   sit_->setObjectName("checkSit");

@@ -69,6 +69,10 @@
         <translation> · efforts en marche</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; uses this key and would lose it.</source>
+        <translation>« %1 » utilise cette touche et la perdrait.</translation>
+    </message>
+    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -899,18 +903,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>&amp;Oui</translation>
     </message>
     <message>
-        <source>&gt; P 99</source>
-        <translation>&gt; P 99</translation>
-    </message>
-    <message>
-        <source>&lt; P 1</source>
-        <translation>&lt; P 1</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; uses this key and would lose it.</source>
-        <translation>« %1 » utilise cette touche et la perdrait.</translation>
-    </message>
-    <message>
         <source>(open elsewhere)</source>
         <translation>(ouvert ailleurs)</translation>
     </message>
@@ -1041,6 +1033,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>; the file states none</source>
         <translation> ; il n'en nomme aucune</translation>
+    </message>
+    <message>
+        <source>&lt; P 1</source>
+        <translation>&lt; P 1</translation>
+    </message>
+    <message>
+        <source>&gt; P 99</source>
+        <translation>&gt; P 99</translation>
     </message>
     <message>
         <source>?</source>
@@ -3768,7 +3768,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Length unit</source>
-        <translation>Unité de longueur</translation>
+        <translation>Longueurs</translation>
     </message>
     <message>
         <source>Libraries and their licences</source>
@@ -4303,7 +4303,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Quasi-collision : montrée et entendue sous</translation>
     </message>
     <message>
-        <source>Nearer/farther ±</source>
+        <source>Near/far ±</source>
         <translation>Près/loin ±</translation>
     </message>
     <message>
@@ -8922,10 +8922,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>tronc entièrement soutenu</translation>
     </message>
     <message>
-        <source>further away</source>
-        <translation>plus loin</translation>
-    </message>
-    <message>
         <source>good grip</source>
         <translation>bonne prise</translation>
     </message>
@@ -8960,10 +8956,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>high</source>
         <translation>élevé</translation>
-    </message>
-    <message>
-        <source>higher</source>
-        <translation>plus haut</translation>
     </message>
     <message>
         <source>kneeling</source>
@@ -9038,10 +9030,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>faible</translation>
     </message>
     <message>
-        <source>lower</source>
-        <translation>plus bas</translation>
-    </message>
-    <message>
         <source>lower arm across or outside</source>
         <translation>avant-bras hors du plan</translation>
     </message>
@@ -9076,10 +9064,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>muscle use, body</source>
         <translation>usage musculaire, corps</translation>
-    </message>
-    <message>
-        <source>nearer</source>
-        <translation>plus près</translation>
     </message>
     <message>
         <source>neck</source>
@@ -9280,10 +9264,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>supported</source>
         <translation>soutenu</translation>
-    </message>
-    <message>
-        <source>to the side</source>
-        <translation>de côté</translation>
     </message>
     <message>
         <source>trunk</source>

@@ -75,7 +75,7 @@ TEST(ForceReason, NamesADeviceThatFailsAndOneWithoutMotors) {
   ForceFacts facts;
   facts.started = facts.connected = true;
   facts.device_fault = true;
-  EXPECT_TRUE(forceReason(facts).why.contains("does not answer"));
+  EXPECT_TRUE(forceReason(facts).why.contains("not responding"));
   facts.device_fault = false;
   facts.forceless = true;
   EXPECT_TRUE(forceReason(facts).why.contains("no force"));
