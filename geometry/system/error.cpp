@@ -17,6 +17,15 @@ std::string Error::message() const {
   return text;
 }
 
+Text Error::text() const {
+  Text all = file;
+  if (!place.empty()) all = all.empty() ? place : Text("%1, %2", all, place);
+  if (!found.empty()) all = all.empty() ? found : Text("%1: %2", all, found);
+  if (!expected.empty()) all = all.empty() ? Text("expected %1", expected) : Text("%1; expected %2", all, expected);
+  if (!fix.empty()) all = all.empty() ? fix : Text("%1. %2", all, fix);
+  return all;
+}
+
 Text systemText(int error_number) {
   return std::string(std::strerror(error_number));
 }
