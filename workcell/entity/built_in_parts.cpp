@@ -262,14 +262,18 @@ std::optional<std::vector<double>> sizesOf(std::string_view words, const BuiltIn
 }
 
 Error sizesRefused(const std::string& what, const std::string& words, const BuiltInPart& part) {
-  std::string expected = std::string(part.scheme) + ":";
+  Text list;
   for (const PartSize& size : part.sizes) {
     char least[64];
-    std::snprintf(least, sizeof least, size.least > kAny ? " (%g m or more)" : " (above 0)", size.least);
-    expected += (&size == part.sizes.data() ? "" : ", ") + std::string(size.name) + least;
+    std::snprintf(least, sizeof least, "%g", size.least);
+    const Text name(size.name);
+    const Text one = size.least > kAny ? Text("%1 (%2 m or more)", name, least) : Text("%1 (above 0)", name);
+    list = list.empty() ? one : Text("%1, %2", list, one);
   }
-  if (part.sizes.data() == kPipe) expected += ", the inner radius smaller than the outer";
-  return {.file = what, .found = "sizes that cannot be used: '" + words + "'", .expected = expected};
+  if (part.sizes.data() == kPipe) list = Text("%1, the inner radius smaller than the outer", list);
+  return {.file = what,
+          .found = Text("sizes that cannot be used: '%1'", words),
+          .expected = Text("%1:%2", part.scheme, list)};
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace {
 // m, rad: a limit against typing errors, half of a cell's (command_checks.h). Half, twice: other errors are refused.
 constexpr double kFarthest = 1000.0;
 
-Error refusal(const Guide& guide, const std::string& found, const std::string& expected) {
-  return {.place = "guide '" + guide.name + "'", .found = found, .expected = expected};
+Error refusal(const Guide& guide, Text found, Text expected) {
+  return {.place = Text("guide '%1'", guide.name), .found = std::move(found), .expected = std::move(expected)};
 }
 
 bool within(double value, double low, double high) {
@@ -25,9 +25,10 @@ bool isInReach(const dvec3& p) {
 
 Expected<void> checkPath(const Guide& guide) {
   if (guide.kind != GuideKind::kTube) return {};
-  if (guide.path.size() < 2) return makeError(refusal(guide, "a path of fewer than two points", "two or more"));
+  if (guide.path.size() < 2)
+    return makeError(refusal(guide, Text("a path of fewer than two points"), Text("two or more")));
   if (!std::all_of(guide.path.begin(), guide.path.end(), isInReach)) {
-    return makeError(refusal(guide, "a point of the path that is not finite", "metres in the cell"));
+    return makeError(refusal(guide, Text("a point of the path that is not finite"), Text("metres in the cell")));
   }
   return {};
 }
@@ -35,14 +36,15 @@ Expected<void> checkPath(const Guide& guide) {
 Expected<void> checkStops(const Guide& guide) {
   for (const auto& stop : {guide.lower, guide.upper}) {
     if (stop && !within(*stop, -kFarthest, kFarthest)) {
-      return makeError(refusal(guide, "a stop out of range", "metres or radians"));
+      return makeError(refusal(guide, Text("a stop out of range"), Text("metres or radians")));
     }
   }
   if (guide.lower && guide.upper && *guide.lower > *guide.upper) {
-    return makeError(refusal(guide, "a lower stop above the upper one", "the lower one first"));
+    return makeError(refusal(guide, Text("a lower stop above the upper one"), Text("the lower one first")));
   }
   for (const double detent : guide.detents) {
-    if (!within(detent, -kFarthest, kFarthest)) return makeError(refusal(guide, "a detent out of range", "a number"));
+    if (!within(detent, -kFarthest, kFarthest))
+      return makeError(refusal(guide, Text("a detent out of range"), Text("a number")));
   }
   return {};
 }
@@ -50,8 +52,8 @@ Expected<void> checkStops(const Guide& guide) {
 }  // namespace
 
 Expected<void> checkGuide(const Guide& guide) {
-  if (!guide.X_WG.isValid()) return makeError(refusal(guide, "a placement that is none", "a finite pose"));
-  if (guide.entity.empty()) return makeError(refusal(guide, "no entity", "the name of what it guides"));
+  if (!guide.X_WG.isValid()) return makeError(refusal(guide, Text("a placement that is none"), Text("a finite pose")));
+  if (guide.entity.empty()) return makeError(refusal(guide, Text("no entity"), Text("the name of what it guides")));
   struct Range {
     const char* what;
     double value, low, high;
@@ -64,11 +66,11 @@ Expected<void> checkGuide(const Guide& guide) {
         Range{"lead", guide.lead, 0.0, 1.0}}) {
     if (!within(range.value, range.low, range.high)) {
       return makeError(refusal(guide, std::string(range.what) + " " + std::to_string(range.value),
-                               std::to_string(range.low) + " to " + std::to_string(range.high)));
+                               Text("%1 to %2", std::to_string(range.low), std::to_string(range.high))));
     }
   }
   if (guide.kind == GuideKind::kSurface && guide.surface.empty()) {
-    return makeError(refusal(guide, "no surface", "the name of the entity whose surface is followed"));
+    return makeError(refusal(guide, Text("no surface"), Text("the name of the entity whose surface is followed")));
   }
   if (auto path = checkPath(guide); !path) return path;
   return checkStops(guide);

@@ -12,7 +12,7 @@ Expected<UpAxis> parseAxis(std::string_view text) {
   for (UpAxis axis : {UpAxis::kX, UpAxis::kY, UpAxis::kZ}) {
     if (text == axisName(axis)) return axis;
   }
-  return makeError({.found = "the axis '" + std::string(text.substr(0, 20)) + "'", .expected = "x, y or z"});
+  return makeError({.found = Text("the axis '%1'", text.substr(0, 20)), .expected = "x, y or z"});
 }
 
 }  // namespace hapticell::workcell

@@ -17,8 +17,8 @@ using kinematics::JointType;
 // rad, m: what a finite limit may be, against nonsense. Half, twice: no effect on machines.
 constexpr double kLargest = 1e6;
 
-Error refusal(const std::string& place, std::string found, std::string expected, std::string fix = {}) {
-  return {"", place, std::move(found), std::move(expected), std::move(fix)};
+Error refusal(Text place, Text found, Text expected, Text fix = {}) {
+  return {.place = std::move(place), .found = std::move(found), .expected = std::move(expected), .fix = std::move(fix)};
 }
 
 int partNamed(const MechanismDefinition& definition, const std::string& name) {
@@ -38,51 +38,55 @@ const MechanismJoint* jointNamed(const MechanismDefinition& definition, const st
 Expected<void> checkNames(const MechanismDefinition& definition) {
   std::map<std::string, int> parts, joints;
   for (const MechanismPart& part : definition.parts) {
-    if (part.name.empty()) return makeError(refusal("a part", "no name", "a name of its own"));
+    if (part.name.empty()) return makeError(refusal(Text("a part"), Text("no name"), Text("a name of its own")));
     if (++parts[part.name] > 1)
-      return makeError(refusal("part '" + part.name + "'", "its name is there twice", "once"));
-    if (!part.X_MP.isValid()) return makeError(refusal("part '" + part.name + "'", "a pose that is not one", ""));
+      return makeError(refusal(Text("part '%1'", part.name), Text("its name is there twice"), Text("once")));
+    if (!part.X_MP.isValid())
+      return makeError(refusal(Text("part '%1'", part.name), Text("a pose that is not one"), {}));
   }
   for (const MechanismJoint& joint : definition.joints) {
-    if (joint.name.empty()) return makeError(refusal("a joint", "no name", "a name of its own"));
+    if (joint.name.empty()) return makeError(refusal(Text("a joint"), Text("no name"), Text("a name of its own")));
     if (++joints[joint.name] > 1)
-      return makeError(refusal("joint '" + joint.name + "'", "its name is there twice", "once"));
+      return makeError(refusal(Text("joint '%1'", joint.name), Text("its name is there twice"), Text("once")));
   }
   return {};
 }
 
-Expected<void> checkLimits(const MechanismJoint& joint, const std::string& place) {
+Expected<void> checkLimits(const MechanismJoint& joint, const Text& place) {
   if (joint.type == MechanismJointType::kFixed) return {};
   const bool free = std::isinf(joint.lower) && std::isinf(joint.upper) && joint.lower < joint.upper;
   const bool finite = std::abs(joint.lower) <= kLargest && std::abs(joint.upper) <= kLargest;
-  if (!free && !finite) return makeError(refusal(place, "limits that are no numbers", "two numbers, or none at all"));
+  if (!free && !finite)
+    return makeError(refusal(place, Text("limits that are no numbers"), Text("two numbers, or none at all")));
   if (joint.lower > joint.upper) {
     return makeError(refusal(
-        place, "its lower limit " + std::to_string(joint.lower) + " is over the upper " + std::to_string(joint.upper),
-        "lower <= upper", "Swap the two."));
+        place,
+        Text("its lower limit %1 is over the upper %2", std::to_string(joint.lower), std::to_string(joint.upper)),
+        "lower <= upper", Text("Swap the two.")));
   }
   if (free && joint.type == MechanismJointType::kPrismatic)
-    return makeError(refusal(place, "a slide without limits", "a lower and an upper limit"));
+    return makeError(refusal(place, Text("a slide without limits"), Text("a lower and an upper limit")));
   return {};
 }
 
 Expected<void> checkJoint(const MechanismDefinition& definition, const MechanismJoint& joint) {
-  const std::string place = "joint '" + joint.name + "'";
+  const Text place("joint '%1'", joint.name);
   for (const std::string& part : {joint.parent, joint.child}) {
     if (partNamed(definition, part) < 0)
-      return makeError(refusal(place, "there is no part '" + part + "'", "a part of the mechanism"));
+      return makeError(refusal(place, Text("there is no part '%1'", part), Text("a part of the mechanism")));
   }
   if (joint.parent == joint.child)
-    return makeError(refusal(place, "it joins part '" + joint.parent + "' to itself", "two parts"));
+    return makeError(refusal(place, Text("it joins part '%1' to itself", joint.parent), Text("two parts")));
   const double length = glm::length(joint.axis_M);
   if (!(length > 1e-9) || !std::isfinite(length) || !std::isfinite(glm::length(joint.p_MJ)))
-    return makeError(refusal(place, "an axis of length zero", "a direction, such as 0 0 1"));
+    return makeError(refusal(place, Text("an axis of length zero"), Text("a direction, such as 0 0 1")));
   const bool positive =
       std::isfinite(joint.velocity) && joint.velocity > 0.0 && std::isfinite(joint.friction) && joint.friction >= 0.0;
   if (!positive)
-    return makeError(refusal(place, "a speed or friction out of range", "a speed above 0, friction not below 0"));
+    return makeError(
+        refusal(place, Text("a speed or friction out of range"), Text("a speed above 0, friction not below 0")));
   if (joint.type == MechanismJointType::kScrew && !(std::abs(joint.pitch) > 1e-9 && std::isfinite(joint.pitch)))
-    return makeError(refusal(place, "a screw without pitch", "metres a turn, not 0"));
+    return makeError(refusal(place, Text("a screw without pitch"), Text("metres a turn, not 0")));
   return checkLimits(joint, place);
 }
 
@@ -93,17 +97,19 @@ Expected<std::optional<JointCoupling>> resolveCoupling(const MechanismDefinition
   JointCoupling resolved{joint.name, 1.0, 0.0};
   const MechanismJoint* at = &joint;
   for (std::size_t steps = 0; at->coupling; ++steps) {
-    const std::string place = "joint '" + at->name + "'";
+    const Text place("joint '%1'", at->name);
     const JointCoupling& next = *at->coupling;
     if (!std::isfinite(next.ratio) || !std::isfinite(next.offset))
-      return makeError(refusal(place, "a coupling without numbers", "a ratio and an offset"));
+      return makeError(refusal(place, Text("a coupling without numbers"), Text("a ratio and an offset")));
     resolved.offset += resolved.ratio * next.offset;
     resolved.ratio *= next.ratio;
     resolved.joint = next.joint;
     at = jointNamed(definition, next.joint);
-    if (!at) return makeError(refusal(place, "it is coupled to '" + next.joint + "', which is not there", "a joint"));
+    if (!at)
+      return makeError(refusal(place, Text("it is coupled to '%1', which is not there", next.joint), Text("a joint")));
     if (at == &joint || steps > definition.joints.size())
-      return makeError(refusal("joint '" + joint.name + "'", "it is coupled to itself in a circle", "another joint"));
+      return makeError(
+          refusal(Text("joint '%1'", joint.name), Text("it is coupled to itself in a circle"), Text("another joint")));
   }
   return std::optional<JointCoupling>(resolved);
 }
@@ -162,7 +168,8 @@ const char* wordOf(MechanismJointType type) {
 }
 
 Expected<kinematics::RobotModel> buildMechanism(const std::string& name, const MechanismDefinition& definition) {
-  if (definition.parts.empty()) return makeError(refusal("mechanism '" + name + "'", "no parts", "at least one"));
+  if (definition.parts.empty())
+    return makeError(refusal(Text("mechanism '%1'", name), Text("no parts"), Text("at least one")));
   HAPTICELL_TRY(checkNames(definition));
   JointGraph graph;
   graph.name = name;

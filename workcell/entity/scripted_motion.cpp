@@ -61,24 +61,25 @@ dvec3 ScriptedMotion::velocityAt(double t) const {
 }
 
 Expected<void> checkMotion(const ScriptedMotion& motion) {
-  const auto refuse = [](const std::string& place, const std::string& found, const std::string& expected) {
-    return makeError({.place = "motion" + place, .found = found, .expected = expected});
+  const auto refuse = [](Text place, Text found, Text expected) {
+    return makeError({.place = std::move(place), .found = std::move(found), .expected = std::move(expected)});
   };
   if (motion.points.size() < 2) {
-    return refuse(".path", std::to_string(motion.points.size()) + " points", "at least two");
+    return refuse("motion.path", Text("%1 points", motion.points.size()), Text("at least two"));
   }
   if (motion.points.front().t != 0.0) {
-    return refuse(".path point 1", "time " + std::to_string(motion.points.front().t), "0");
+    return refuse(Text("motion.path point %1", 1), Text("time %1", std::to_string(motion.points.front().t)), "0");
   }
   for (std::size_t i = 0; i < motion.points.size(); ++i) {
     const ScriptedMotion::Point& p = motion.points[i];
-    const std::string place = ".path point " + std::to_string(i + 1);
-    if (!std::isfinite(p.t) || !isFinite(p.p_W)) return refuse(place, "a number that is not finite", "t, x, y, z");
+    const Text place("motion.path point %1", i + 1);
+    if (!std::isfinite(p.t) || !isFinite(p.p_W))
+      return refuse(place, Text("a number that is not finite"), "t, x, y, z");
     if (i == 0) continue;
     const double dt = p.t - motion.points[i - 1].t;
-    if (!(dt > 0.0)) return refuse(place, "a time that is not after the one before", "rising times, s");
+    if (!(dt > 0.0)) return refuse(place, Text("a time that is not after the one before"), Text("rising times, s"));
     const double speed = glm::distance(p.p_W, motion.points[i - 1].p_W) / dt;
-    if (!(speed <= kFastest)) return refuse(place, std::to_string(speed) + " m/s", "at most 2 m/s");
+    if (!(speed <= kFastest)) return refuse(place, std::to_string(speed) + " m/s", Text("at most 2 m/s"));
   }
   return {};
 }

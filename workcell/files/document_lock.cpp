@@ -132,11 +132,11 @@ std::string plain(const std::string& text) {
 
 }  // namespace
 
-std::string DocumentOwner::words() const {
-  std::string text = user.empty() ? "somebody" : plain(user);
-  if (!host.empty()) text += " on " + plain(host);
-  if (!since.empty()) text += " since " + plain(since);
-  if (process != 0) text += " (process " + std::to_string(process) + ")";
+Text DocumentOwner::words() const {
+  Text text = user.empty() ? Text("somebody") : Text(plain(user));
+  if (!host.empty()) text = Text("%1 on %2", text, plain(host));
+  if (!since.empty()) text = Text("%1 since %2", text, plain(since));
+  if (process != 0) text = Text("%1 (process %2)", text, process);
   return text;
 }
 
@@ -158,7 +158,7 @@ Expected<DocumentLock> DocumentLock::takeForWriting(const fs::path& document) {
   DocumentLock taken = take(document);
   if (!taken.owner()) return taken;
   return makeError({.file = document.string(),
-                    .found = "it is open in HaptiCell: " + taken.owner()->words(),
+                    .found = Text("it is open in HaptiCell: %1", taken.owner()->words()),
                     .expected = "a file that nobody else is at work on",
                     .fix = "Close it there, or choose another name."});
 }

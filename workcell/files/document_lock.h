@@ -18,7 +18,7 @@ struct DocumentOwner {
                                     ///< number.
 
   /// "anna on station2 since 2026-11-26 09:30 (process 4711)"
-  std::string words() const;
+  Text words() const;
 };
 
 /// Says that this program has a document open, by a hidden file next to it, .NAME.lock, which names the owner and is

@@ -4,6 +4,9 @@
 #include <sys/stat.h>
 
 #include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "geometry/system/scratch_folder.h"
 #include "workcell/entity/mechanism.h"
@@ -27,7 +30,7 @@ Expected<void> copyInto(const fs::path& folder, const PlannedCopy& planned, Pack
   if (fault)
     return makeError({.file = planned.from.string(),
                       .found = fault.message(),
-                      .expected = "a file that can be copied to " + to.string()});
+                      .expected = Text("a file that can be copied to %1", to.string())});
   if (auto same = checkCopy(to, planned.from); !same) return same;
   report.bytes += fs::file_size(to, fault);
   report.copied.push_back(planned.place);
@@ -91,14 +94,28 @@ Expected<ScratchFolder> folderBeside(const fs::path& place) {
   return ScratchFolder::make(place);
 }
 
-/// Says the place that the user knows instead of the folder aside.
-Error inPlace(Error error, const fs::path& aside, const fs::path& place) {
-  for (std::string* words : {&error.file, &error.place, &error.found, &error.expected, &error.fix}) {
-    for (std::size_t at = words->find(aside.string()); at != std::string::npos; at = words->find(aside.string(), at)) {
-      words->replace(at, aside.string().size(), place.string());
-      at += place.string().size();
+void putInPlace(std::string& words, const fs::path& aside, const fs::path& place) {
+  for (std::size_t at = words.find(aside.string()); at != std::string::npos; at = words.find(aside.string(), at)) {
+    words.replace(at, aside.string().size(), place.string());
+    at += place.string().size();
+  }
+}
+
+Text inPlace(const Text& text, const fs::path& aside, const fs::path& place) {
+  std::vector<Text::Argument> arguments = text.arguments();
+  for (Text::Argument& argument : arguments) {
+    if (auto* words = std::get_if<std::string>(&argument)) putInPlace(*words, aside, place);
+    if (auto* texts = std::get_if<std::vector<Text>>(&argument)) {
+      for (Text& one : *texts) one = inPlace(one, aside, place);
     }
   }
+  return arguments == text.arguments() ? text : Text::received(text.id(), std::move(arguments));
+}
+
+/// Says the place that the user knows instead of the folder aside.
+Error inPlace(Error error, const fs::path& aside, const fs::path& place) {
+  putInPlace(error.file, aside, place);
+  for (Text* text : {&error.place, &error.found, &error.expected, &error.fix}) *text = inPlace(*text, aside, place);
   return error;
 }
 

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <fstream>
 #include <memory>
 #include <set>
-#include <sstream>
 
 #include "workcell/entity/mechanism.h"
 #include "workcell/format/document_io.h"
@@ -25,85 +25,97 @@ namespace {
 
 // m: the same triangles read twice, but for rounding of units. Half, twice: no effect, changed shapes are off by more.
 constexpr double kSameLength = 1e-9;
-constexpr const char* kFix =
-    "A file may have been changed since the workcell was opened: save the workcell, open it again and pack it.";
+constexpr const char* kFix = HAPTICELL_TRANSLATED(
+    "A file may have been changed since the workcell was opened: save the workcell, open it again and pack it.");
 
-Error differs(const std::string& entity, std::string found, std::string expected) {
-  return {.place = "entity '" + entity + "' read back from the pack",
+/// `who`: "entity 'A'".
+Error differs(const Text& who, Text found, Text expected) {
+  return {.place = Text("%1 read back from the pack", who),
           .found = std::move(found),
           .expected = std::move(expected),
-          .fix = kFix};
+          .fix = Text(kFix)};
+}
+
+Text entityNamed(const std::string& name) {
+  return Text("entity '%1'", name);
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
 }
 
 using MeshPointer = std::shared_ptr<const geometry::TriangleMesh>;
 
-Expected<void> compareMeshes(const std::string& entity, const MeshPointer& packed, const MeshPointer& read) {
+Expected<void> compareMeshes(const Text& who, const MeshPointer& packed, const MeshPointer& read) {
   if (packed == read) return {};
-  if (!packed || !read) return makeError(differs(entity, read ? "a shape" : "no shape", packed ? "one" : "none"));
+  if (!packed || !read)
+    return makeError(differs(who, read ? Text("a shape") : Text("no shape"), packed ? Text("one") : Text("none")));
   if (packed->triangles.size() != read->triangles.size()) {
-    return makeError(differs(entity, std::to_string(read->triangles.size()) + " triangles",
-                             std::to_string(packed->triangles.size()) + " as in the workcell"));
+    return makeError(differs(who, Text("%1 triangles", read->triangles.size()),
+                             Text("%1 as in the workcell", packed->triangles.size())));
   }
   const geometry::Bounds was = packed->bounds(), is = read->bounds();
   if (was.isEmpty() && is.isEmpty()) return {};
   const double off = std::max(glm::length(was.min - is.min), glm::length(was.max - is.max));
   if (off <= kSameLength) return {};
-  std::ostringstream text;
-  text << "a shape whose box is off by " << off << " m";
-  return makeError(differs(entity, text.str(), "the box of the workcell's shape within 1e-9 m"));
+  return makeError(differs(who, Text("a shape whose box is off by %1 m", number(off)),
+                           Text("the box of the workcell's shape within 1e-9 m")));
 }
 
 Expected<void> compareLinks(const Entity& packed, const Entity& read) {
   const auto& was = packed.robot->links;
   const auto& is = read.robot->links;
   if (was.size() != is.size() || packed.joints.size() != read.joints.size()) {
-    return makeError(differs(packed.name,
-                             std::to_string(is.size()) + " links, " + std::to_string(read.joints.size()) + " joints",
-                             std::to_string(was.size()) + " and " + std::to_string(packed.joints.size())));
+    return makeError(differs(entityNamed(packed.name), Text("%1 links, %2 joints", is.size(), read.joints.size()),
+                             Text("%1 and %2", was.size(), packed.joints.size())));
   }
   for (std::size_t i = 0; i < was.size(); ++i) {
-    const std::string name = packed.name + "', link '" + was[i].name;
+    const Text who("entity '%1', link '%2'", packed.name, was[i].name);
     if (was[i].name != is[i].name || was[i].visuals.size() != is[i].visuals.size())
-      return makeError(differs(name, "a link '" + is[i].name + "' of other shapes", "the link of the workcell"));
+      return makeError(differs(who, Text("a link '%1' of other shapes", is[i].name), Text("the link of the workcell")));
     for (std::size_t k = 0; k < was[i].visuals.size(); ++k) {
-      if (auto same = compareMeshes(name, was[i].visuals[k].mesh, is[i].visuals[k].mesh); !same) return same;
+      if (auto same = compareMeshes(who, was[i].visuals[k].mesh, is[i].visuals[k].mesh); !same) return same;
     }
   }
   return {};
 }
 
 /// Why the entity could not be read: the reader's own words.
-std::string whyUnloaded(const Entity& entity, const std::vector<UnloadedEntity>& unloaded) {
+Text whyUnloaded(const Entity& entity, const std::vector<UnloadedEntity>& unloaded) {
   const auto found = std::find_if(unloaded.begin(), unloaded.end(),
                                   [&](const UnloadedEntity& one) { return one.name == entity.name; });
-  return found == unloaded.end() ? "its file cannot be read" : found->cause.message();
+  return found == unloaded.end() ? Text("its file cannot be read") : found->cause.text();
 }
 
 Expected<void> compareEntities(const DocumentState& packed, const DocumentState& read,
                                const std::vector<UnloadedEntity>& unloaded) {
   for (const auto& entity : packed.entities) {
+    const Text who = entityNamed(entity->name);
     const Entity* again = read.findByName(entity->name);
-    if (!again) return makeError(differs(entity->name, "it is not there", "all that was packed"));
+    if (!again) return makeError(differs(who, Text("it is not there"), Text("all that was packed")));
     if (entity->unloaded) continue;
-    if (again->unloaded) return makeError(differs(entity->name, whyUnloaded(*again, unloaded), "a file that is whole"));
+    if (again->unloaded) return makeError(differs(who, whyUnloaded(*again, unloaded), Text("a file that is whole")));
     if (entity->kind != again->kind || !entity->robot != !again->robot)
-      return makeError(differs(entity->name, "another kind of thing", "what was packed"));
-    if (auto same = compareMeshes(entity->name, entity->mesh, again->mesh); !same) return same;
+      return makeError(differs(who, Text("another kind of thing"), Text("what was packed")));
+    if (auto same = compareMeshes(who, entity->mesh, again->mesh); !same) return same;
     if (!entity->robot) continue;
     if (auto same = compareLinks(*entity, *again); !same) return same;
   }
   for (const EntityChange& change : compareStates(packed, read)) {
     if (change.kind == EntityChange::Kind::kUnchanged) continue;
-    std::ostringstream text;
-    text << wordOf(change.kind) << " by " << change.distance << " m, " << change.angle << " rad";
-    if (!change.joints.empty()) text << "; " << change.joints;
-    return makeError(differs(change.name, text.str(), "the place and the joints of the workcell"));
+    Text found("moved by %1 m, %2 rad", number(change.distance), number(change.angle));
+    if (change.kind == EntityChange::Kind::kAdded) found = Text("added");
+    if (change.kind == EntityChange::Kind::kRemoved) found = Text("removed");
+    if (!change.joints.empty()) found = Text("%1; %2", found, change.joints);
+    return makeError(differs(entityNamed(change.name), found, Text("the place and the joints of the workcell")));
   }
   return {};
 }
 
 /// A file that the document names: inside the pack, and there.
-Expected<void> checkPlace(const std::string& who, const std::string& path, const fs::path& pack) {
+Expected<void> checkPlace(const Text& who, const std::string& path, const fs::path& pack) {
   if (path.empty() || isBuiltIn(path)) return {};
   std::error_code fault;
   const fs::path inside = fs::weakly_canonical(path, fault).lexically_relative(fs::weakly_canonical(pack, fault));
@@ -111,7 +123,7 @@ Expected<void> checkPlace(const std::string& who, const std::string& path, const
     return makeError({.file = path,
                       .place = who,
                       .found = "it lies outside of the pack",
-                      .expected = "files inside " + pack.string(),
+                      .expected = Text("files inside %1", pack.string()),
                       .fix = "Put it below the folder of the file that names it."});
   if (!fs::is_regular_file(path, fault))
     return makeError({.file = path, .place = who, .found = "it is not in the pack", .expected = "the copied file"});
@@ -119,12 +131,12 @@ Expected<void> checkPlace(const std::string& who, const std::string& path, const
 }
 
 /// The files that a robot's own file names.
-Expected<void> checkShapes(const std::string& who, const kinematics::RobotModel& robot, const fs::path& pack) {
+Expected<void> checkShapes(const Text& who, const kinematics::RobotModel& robot, const fs::path& pack) {
   for (const kinematics::Link& link : robot.links) {
     for (const auto* shapes : {&link.visuals, &link.collisions}) {
       for (const kinematics::LinkShape& shape : *shapes) {
         if (!fs::path(shape.source).is_absolute()) continue;
-        if (auto inside = checkPlace(who + ", link '" + link.name + "'", shape.source, pack); !inside) return inside;
+        if (auto inside = checkPlace(Text("%1, link '%2'", who, link.name), shape.source, pack); !inside) return inside;
       }
     }
   }
@@ -134,7 +146,7 @@ Expected<void> checkShapes(const std::string& who, const kinematics::RobotModel&
 Expected<void> checkPlaces(const DocumentState& read, const fs::path& pack) {
   for (const auto& entity : read.entities) {
     if (entity->unloaded) continue;
-    const std::string who = "entity '" + entity->name + "'";
+    const Text who = entityNamed(entity->name);
     if (auto inside = checkPlace(who, entity->source.path, pack); !inside) return inside;
     if (entity->mechanism) {
       for (const MechanismPart& part : entity->mechanism->parts) {
@@ -145,42 +157,43 @@ Expected<void> checkPlaces(const DocumentState& read, const fs::path& pack) {
     }
   }
   for (const TrajectoryReference& trajectory : read.trajectories) {
-    if (auto inside = checkPlace("trajectory '" + trajectory.name + "'", trajectory.path, pack); !inside) return inside;
+    const Text who("trajectory '%1'", trajectory.name);
+    if (auto inside = checkPlace(who, trajectory.path, pack); !inside) return inside;
   }
   return {};
 }
 
 /// What has no place of its own: how many of each, and of which names.
 Expected<void> compareRest(const DocumentState& packed, const DocumentState& read, const std::string& file) {
-  const auto compare = [&](const char* what, const auto& was, const auto& is) -> Expected<void> {
+  const auto compare = [&](const Text& what, const auto& was, const auto& is) -> Expected<void> {
     const bool same = std::equal(was.begin(), was.end(), is.begin(), is.end(),
                                  [](const auto& a, const auto& b) { return a.name == b.name; });
     if (same) return {};
     return makeError({.file = file,
                       .place = what,
-                      .found = std::to_string(is.size()) + " read back, or others",
-                      .expected = "the " + std::to_string(was.size()) + " that were packed",
-                      .fix = kFix});
+                      .found = Text("%1 read back, or others", is.size()),
+                      .expected = Text("the %1 that were packed", was.size()),
+                      .fix = Text(kFix)});
   };
-  if (auto same = compare("pair sets", packed.pair_sets, read.pair_sets); !same) return same;
-  if (auto same = compare("guides", packed.guides, read.guides); !same) return same;
-  if (auto same = compare("tasks", packed.work_tasks, read.work_tasks); !same) return same;
-  if (auto same = compare("trajectories", packed.trajectories, read.trajectories); !same) return same;
+  if (auto same = compare(Text("pair sets"), packed.pair_sets, read.pair_sets); !same) return same;
+  if (auto same = compare(Text("guides"), packed.guides, read.guides); !same) return same;
+  if (auto same = compare(Text("tasks"), packed.work_tasks, read.work_tasks); !same) return same;
+  if (auto same = compare(Text("trajectories"), packed.trajectories, read.trajectories); !same) return same;
   if (packed.pair_rules == read.pair_rules) return {};
   return makeError({.file = file,
                     .place = "pair rules",
                     .found = "others than those that were packed",
                     .expected = "the same",
-                    .fix = kFix});
+                    .fix = Text(kFix)});
 }
 
 struct ReadCloser {
   void operator()(archive* in) const { archive_read_free(in); }
 };
 
-Error inArchive(const fs::path& file, const std::string& name, std::string found) {
+Error inArchive(const fs::path& file, const std::string& name, Text found) {
   return {.file = file.string(),
-          .place = "'" + name + "' in the archive",
+          .place = Text("'%1' in the archive", name),
           .found = std::move(found),
           .expected = "the bytes of the file that was packed",
           .fix = "Pack again, or elsewhere: what was written to the disk is not what was read back from it."};
@@ -189,19 +202,19 @@ Error inArchive(const fs::path& file, const std::string& name, std::string found
 /// One file of the archive beside the file that it was made from.
 Expected<void> compareEntry(archive* in, const std::string& name, const fs::path& original, const fs::path& file) {
   std::ifstream stream(original, std::ios::binary);
-  if (!stream) return makeError(inArchive(file, name, "a file that was not packed"));
+  if (!stream) return makeError(inArchive(file, name, Text("a file that was not packed")));
   std::array<char, 1 << 16> read{}, was{};
   for (la_ssize_t got = 1; got > 0;) {
     got = archive_read_data(in, read.data(), read.size());
     if (got < 0) {
       const char* why = archive_error_string(in);
-      return makeError(inArchive(file, name, why ? why : "it cannot be read"));
+      return makeError(inArchive(file, name, why ? Text(std::string(why)) : Text("it cannot be read")));
     }
     stream.read(was.data(), got);
     if (stream.gcount() != got || !std::equal(read.begin(), read.begin() + got, was.begin()))
-      return makeError(inArchive(file, name, "other bytes"));
+      return makeError(inArchive(file, name, Text("other bytes")));
   }
-  if (stream.peek() != std::ifstream::traits_type::eof()) return makeError(inArchive(file, name, "fewer bytes"));
+  if (stream.peek() != std::ifstream::traits_type::eof()) return makeError(inArchive(file, name, Text("fewer bytes")));
   return {};
 }
 
@@ -246,7 +259,7 @@ Expected<void> checkCopy(const fs::path& copy, const fs::path& original) {
   }
   if (same) return {};
   return makeError({.file = copy.string(),
-                    .found = "other bytes than in " + original.string(),
+                    .found = Text("other bytes than in %1", original.string()),
                     .expected = "a copy of it",
                     .fix = "It may have been changed while it was packed: pack again."});
 }
@@ -265,14 +278,14 @@ Expected<void> checkArchive(const fs::path& file, const fs::path& folder) {
     if (status != ARCHIVE_OK) {
       const char* why = archive_error_string(in.get());
       return makeError({.file = file.string(),
-                        .found = why ? why : "it cannot be read back",
+                        .found = why ? Text(std::string(why)) : Text("it cannot be read back"),
                         .expected = "an archive that is whole"});
     }
     const std::string name = archive_entry_pathname(entry);
-    if (missing.erase(name) == 0) return makeError(inArchive(file, name, "a file that was not packed, or twice"));
+    if (missing.erase(name) == 0) return makeError(inArchive(file, name, Text("a file that was not packed, or twice")));
     if (auto same = compareEntry(in.get(), name, folder / name, file); !same) return same;
   }
-  if (!missing.empty()) return makeError(inArchive(file, *missing.begin(), "it is not there"));
+  if (!missing.empty()) return makeError(inArchive(file, *missing.begin(), Text("it is not there")));
   return {};
 }
 

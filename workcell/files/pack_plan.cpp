@@ -71,7 +71,7 @@ class Planner {
  private:
   using Files = std::set<fs::path>;
 
-  Expected<void> takeSource(SourceFile& source, const std::string& who, bool was_read);
+  Expected<void> takeSource(SourceFile& source, const Text& who, bool was_read);
   Expected<std::string> takeShapes(const fs::path& file);
   Expected<std::string> takeWithFolder(const fs::path& file, Files files);
   Expected<void> takeManifests(const fs::path& file, const fs::path& root, const fs::path& place);
@@ -105,7 +105,7 @@ Expected<void> Planner::copy(const fs::path& file, const fs::path& place) {
   const fs::path real = fs::canonical(file, fault);
   if (fault || !fs::is_regular_file(real, fault))
     return makeError({.file = file.string(),
-                      .found = fault ? fault.message() : "no regular file",
+                      .found = fault ? Text(fault.message()) : Text("no regular file"),
                       .expected = "a file that can be read"});
   const std::uintmax_t size = fs::file_size(real, fault);
   if (fault) return makeError({.file = file.string(), .found = fault.message(), .expected = "a file that can be read"});
@@ -208,7 +208,7 @@ Expected<void> Planner::readAsShapes(const fs::path& file) {
   return read ? Expected<void>() : makeError(read.error());
 }
 
-Expected<void> Planner::takeSource(SourceFile& source, const std::string& who, bool was_read) {
+Expected<void> Planner::takeSource(SourceFile& source, const Text& who, bool was_read) {
   if (source.path.empty() || isBuiltIn(source.path)) return {};
   const fs::path file = wholePath(source.path);
   std::string key = source.path;  // The arguments of a xacro choose what it includes.
@@ -229,7 +229,7 @@ Expected<void> Planner::takeSource(SourceFile& source, const std::string& who, b
   }
   if (!place) {
     Error error = place.error();
-    error.place = who + (error.place.empty() ? "" : ", " + error.place);
+    error.place = error.place.empty() ? who : Text("%1, %2", who, error.place);
     if (error.fix.empty())
       error.fix = "Only what is read as what it is said to be goes into a pack: take it out of the workcell.";
     return makeError(error);
@@ -242,17 +242,17 @@ Expected<void> Planner::takeSource(SourceFile& source, const std::string& who, b
 Expected<void> Planner::takeEntity(std::shared_ptr<const Entity>& entity) {
   if (entity->kind == EntityKind::kAssembly) return {};  // When the others have been.
   if (entity->unloaded) {
-    diagnostics_.warn("entity '" + entity->name + "' is packed without its file, which could not be read");
+    diagnostics_.warn(Text("entity '%1' is packed without its file, which could not be read", entity->name));
     return {};
   }
   auto packed = std::make_shared<Entity>(*entity);
-  const std::string who = "entity '" + entity->name + "'";
+  const Text who("entity '%1'", entity->name);
   const bool was_read = entity->mesh || (entity->robot && !entity->mechanism);
   if (auto taken = takeSource(packed->source, who, was_read); !taken) return taken;
   if (entity->mechanism) {
     auto definition = std::make_shared<MechanismDefinition>(*entity->mechanism);
     for (MechanismPart& part : definition->parts) {
-      if (auto taken = takeSource(part.source, who + ", part '" + part.name + "'", part.mesh != nullptr); !taken)
+      if (auto taken = takeSource(part.source, Text("%1, part '%2'", who, part.name), part.mesh != nullptr); !taken)
         return taken;
     }
     packed->mechanism = std::move(definition);
@@ -264,7 +264,7 @@ Expected<void> Planner::takeEntity(std::shared_ptr<const Entity>& entity) {
 Expected<void> Planner::takeAssembly(std::shared_ptr<const Entity>& entity) {
   if (entity->kind != EntityKind::kAssembly || entity->unloaded) return {};
   auto packed = std::make_shared<Entity>(*entity);
-  if (auto taken = takeSource(packed->source, "assembly '" + entity->name + "'", false); !taken) return taken;
+  if (auto taken = takeSource(packed->source, Text("assembly '%1'", entity->name), false); !taken) return taken;
   entity = std::move(packed);
   return {};
 }
@@ -281,7 +281,8 @@ Expected<void> Planner::takeTrajectory(TrajectoryReference& trajectory) {
   if (const auto read = trajectory::readTrajectory(file); !read) {
     Error error = read.error();
     error.file = file.string();
-    error.place = "trajectory '" + trajectory.name + "'" + (error.place.empty() ? "" : ", " + error.place);
+    const Text who("trajectory '%1'", trajectory.name);
+    error.place = error.place.empty() ? who : Text("%1, %2", who, error.place);
     if (error.fix.empty())
       error.fix = "Only what is read as a recording goes into a pack: take it out of the workcell.";
     return makeError(error);

@@ -198,7 +198,7 @@ Expected<ImportedScene> sceneOfFile(const fs::path& file, const ImportOptions& o
   if (holdsScene(file)) {
     Expected<ImportedScene> scene = readScene(file, options, monitor);
     if (!scene) return scene;
-    for (const std::string& warning : scene->warnings) diagnostics.warn(warning);
+    for (const Text& warning : scene->warnings) diagnostics.warn(warning);
     if (scene->format != "step") return scene;
     const std::vector<std::string> paths = partPaths(*scene);
     for (std::size_t k = 0; k < paths.size(); ++k) {
@@ -229,7 +229,7 @@ Expected<void> exportState(const DocumentState& state, const fs::path& file, con
     if (!entity->robot) continue;
     if (robot) {
       return makeError({.file = file.string(),
-                        .found = "more than one robot ('" + robot->name + "', '" + entity->name + "')",
+                        .found = Text("more than one robot ('%1', '%2')", robot->name, entity->name),
                         .expected = "one, which is all a URDF holds",
                         .fix = "Choose one of them."});
     }
@@ -250,8 +250,9 @@ Expected<void> exportScene(const ImportedScene& scene, const fs::path& file, con
   const std::string extension = lowerExtension(file);
   const auto& known = writableExtensions();
   if (std::find(known.begin(), known.end(), extension) == known.end()) {
-    return makeError(
-        {.file = file.string(), .found = "the extension '" + extension + "'", .expected = "one of " + listed(known)});
+    return makeError({.file = file.string(),
+                      .found = Text("the extension '%1'", extension),
+                      .expected = Text("one of %1", listed(known))});
   }
   const bool any = std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const SceneNode& n) { return n.mesh >= 0; });
   if (!any)

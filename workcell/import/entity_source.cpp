@@ -46,8 +46,9 @@ Expected<Entity> loadFreeHand(const std::string& what) {
   const std::string side = words.substr(0, words.find(':'));
   const std::string body = "mannequin:" + (words == side ? "male:50" : words.substr(side.size() + 1));
   if (side != "left" && side != "right") {
-    return makeError(
-        {.file = what, .found = "the hand '" + side + "'", .expected = "hand:left or hand:right, and :SEX:PERCENTILE"});
+    return makeError({.file = what,
+                      .found = Text("the hand '%1'", side),
+                      .expected = "hand:left or hand:right, and :SEX:PERCENTILE"});
   }
   const Expected<mannequin::BodyRequest> request = mannequin::parseBodyRequest(body);
   const Expected<mannequin::Figure> figure =
@@ -74,7 +75,7 @@ Expected<Entity> loadFreeHand(const std::string& what) {
 Expected<Entity> loadFrame(const std::string& what) {
   if (what.back() != ':') {
     return makeError({.file = what,
-                      .found = "'" + what.substr(what.find(':') + 1) + "' behind frame:",
+                      .found = Text("'%1' behind frame:", what.substr(what.find(':') + 1)),
                       .expected = "frame: alone",
                       .fix = "A frame has no sizes: give it a name and a place (name=N, pose=x,y,z,qw,qx,qy,qz)."});
   }
@@ -136,8 +137,10 @@ Expected<Entity> EntityLoader::loadShapeOf(const SourceFile& source, Diagnostics
     return source.part.empty() ? loadMesh(file, source, diagnostics) : loadPart(file, source, diagnostics);
   }
   if (said) {
-    return makeError(
-        {file.string(), "", "a unit for a robot", "none: robot files are in metres", "Leave the unit out."});
+    return makeError({.file = file.string(),
+                      .found = "a unit for a robot",
+                      .expected = "none: robot files are in metres",
+                      .fix = "Leave the unit out."});
   }
   return loadRobot(file, source.arguments, diagnostics);
 }
@@ -221,7 +224,7 @@ Expected<Entity> EntityLoader::loadPart(const fs::path& file, const SourceFile& 
     return found;
   }
   return makeError({.file = file.string(),
-                    .found = "no part '" + source.part + "'",
+                    .found = Text("no part '%1'", source.part),
                     .expected = "a part that the file still holds",
                     .fix = "Import the file anew."});
 }
@@ -293,7 +296,7 @@ Expected<Entity> EntityLoader::loadMesh(const fs::path& file, const SourceFile& 
     MeshPart& part = read->parts[0];
     turnUp(part.mesh, source.up_axis);
     known = {std::make_shared<const geometry::TriangleMesh>(std::move(part.mesh)), part.color, read->metres_per_unit};
-    for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
+    for (const Text& note : notes.warnings) diagnostics.warn(Text("%1: %2", file.filename().string(), note));
   }
   Entity entity;
   entity.mesh = known.mesh;

@@ -66,7 +66,7 @@ class SceneConverter {
   }
 
   Expected<ImportResult> convert() {
-    for (const std::string& warning : scene_.warnings) diagnostics_.warn(warning);
+    for (const Text& warning : scene_.warnings) diagnostics_.warn(warning);
     if (options_.merge) {
       addMerged();
     } else {
@@ -147,8 +147,7 @@ class SceneConverter {
     std::string names;
     for (std::size_t k = 0; k < std::min(empty.size(), kNamed); ++k) names += (k == 0 ? "" : ", ") + empty[k];
     if (empty.size() > kNamed) names += " ...";
-    diagnostics_.warn("left out, because they hold no shape: " + std::to_string(empty.size()) + " nodes (" + names +
-                      ")");
+    diagnostics_.warn(Text("left out, because they hold no shape: %1 nodes (%2)", empty.size(), names));
   }
 
   void addMerged() {

@@ -43,7 +43,7 @@ std::vector<LibraryRobot> listLibraryRobots(Diagnostics& diagnostics) {
   std::vector<LibraryRobot> robots;
   const auto folder = config::findShippedFile("robots");
   if (!folder) {
-    diagnostics.warn(folder.error().message());
+    diagnostics.warn(folder.error().text());
     return robots;
   }
   std::error_code problem;
@@ -56,7 +56,7 @@ std::vector<LibraryRobot> listLibraryRobots(Diagnostics& diagnostics) {
     LibraryRobot robot{name, {}, *file};
     auto sheet = sheetOf(name, *file);
     if (!sheet) {
-      diagnostics.warn(sheet.error().message());
+      diagnostics.warn(sheet.error().text());
       continue;
     }
     robot.sheet = std::move(*sheet);

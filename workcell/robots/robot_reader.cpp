@@ -99,9 +99,9 @@ void hintAtOpenLoops(const kinematics::RobotModel& model, Diagnostics& diagnosti
   for (const auto& [way, count] : freeLegs(model)) {
     if (count < kLegs || way.size() < kJoints) continue;
     diagnostics.warn(
-        std::to_string(count) + " equal legs of " + std::to_string(way.size()) +
-        " joints end free: if this is a parallel robot, its loops are open, for the file does not state them; "
-        "close them with a robot.toml (docs/user/formats.md)");
+        Text("%1 equal legs of %2 joints end free: if this is a parallel robot, its loops are open, for the file does "
+             "not state them; close them with a robot.toml (docs/user/formats.md)",
+             count, way.size()));
   }
 }
 
@@ -140,7 +140,7 @@ Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, Im
                               std::vector<xacro::DeclaredArgument>* declared) {
   const RobotFormat format = robotFormatOf(file).value_or(RobotFormat::kUrdf);  // Whose reader says what it is instead.
   if (format != RobotFormat::kXacro && !arguments.empty())
-    diagnostics.warn("the file is no xacro; the value of '" + arguments.begin()->first + "' was not used");
+    diagnostics.warn(Text("the file is no xacro; the value of '%1' was not used", arguments.begin()->first));
   if (format == RobotFormat::kToml) return readRobotToml(file, diagnostics);
   Pose X_FB;
   Expected<kinematics::RobotModel> model = [&]() -> Expected<kinematics::RobotModel> {

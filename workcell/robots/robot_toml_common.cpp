@@ -15,12 +15,12 @@ void RobotTomlCommon::readHead() {
   root_.require("format");
   root_.read("format", format);
   if (!error_ && format != "hapticell-robot") {
-    root_.failKey("format", "the format \"" + format.substr(0, 60) + "\"", "\"hapticell-robot\"");
+    root_.failKey("format", Text("the format \"%1\"", format.substr(0, 60)), "\"hapticell-robot\"");
   }
   root_.read("version", version, 1.0, 1.0, 1e6);
   if (!error_ && version > 1.0) {
-    root_.fail(root_.raw().get("version"), "version " + std::to_string(static_cast<int>(version)),
-               "1, the newest that this program knows", "Open it with a newer HaptiCell.");
+    root_.fail(root_.raw().get("version"), Text("version %1", static_cast<int>(version)),
+               Text("1, the newest that this program knows"), Text("Open it with a newer HaptiCell."));
   }
   root_.require("name");
   root_.read("name", sheet_.name);
@@ -49,7 +49,7 @@ void RobotTomlCommon::readLook() {
   look.readWord("style", {"arm", "cobot", "scara", "gantry", "none"}, style);
   style_ = static_cast<BodyStyle>(style + 1);
   for (const double r : look_.radius) {
-    if (!(r > 0.0)) look.failKey("radius", "a radius that is none", "lengths above 0");
+    if (!(r > 0.0)) look.failKey("radius", Text("a radius that is none"), Text("lengths above 0"));
   }
   look.refuseOthers();
 }
@@ -73,7 +73,7 @@ std::vector<JointData> RobotTomlCommon::jointData(const std::vector<bool>& slide
   const auto check = [&](const char* what, std::size_t count, bool needed) {
     if (error_ || count == n || (count == 0 && !needed)) return;
     TomlFields(joints_node_ ? *joints_node_ : root_.raw(), "[joints]", error_)
-        .failKey(what, std::to_string(count) + " numbers in " + what, std::to_string(n) + ", one a joint");
+        .failKey(what, Text("%1 numbers in %2", count, what), Text("%1, one a joint", n));
   };
   check("lower", lower_.size(), true);
   check("upper", upper_.size(), true);
@@ -87,12 +87,12 @@ std::vector<JointData> RobotTomlCommon::jointData(const std::vector<bool>& slide
                     velocity_.empty() ? 0.0 : velocity_[k] * unit};
     if (joint.lower > joint.upper) {
       TomlFields(*joints_node_, "[joints]", error_)
-          .failKey("lower", "joint '" + joint.name + "' has its lower limit over the upper", "lower <= upper");
+          .failKey("lower", Text("joint '%1' has its lower limit over the upper", joint.name), "lower <= upper");
     }
     for (const JointData& other : data) {
       if (other.name == joint.name)
         TomlFields(*joints_node_, "[joints]", error_)
-            .failKey("names", "the name '" + joint.name + "' twice", "each name once");
+            .failKey("names", Text("the name '%1' twice", joint.name), Text("each name once"));
     }
     if (!home_.empty()) rest_.push_back(home_[k] * unit);
     data.push_back(std::move(joint));
@@ -104,7 +104,7 @@ void RobotTomlCommon::failWith(const Error& cause, const toml::node* at) {
   if (error_) return;
   Error plain = cause;
   plain.fix.clear();
-  root_.fail(at, plain.message(), "", cause.fix);
+  root_.fail(at, plain.text(), {}, cause.fix);
 }
 
 Error RobotTomlCommon::failure() const {

@@ -21,8 +21,8 @@ Expected<toml::table> parse(const fs::path& path) {
     return toml::parse(*text);
   } catch (const toml::parse_error& problem) {
     return makeError({.file = path.string(),
-                      .place = "line " + std::to_string(problem.source().begin.line),
-                      .found = "text that is not TOML (" + std::string(problem.description()) + ")",
+                      .place = Text("line %1", problem.source().begin.line),
+                      .found = Text("text that is not TOML (%1)", problem.description()),
                       .expected = "a robot.toml"});
   }
 }
@@ -56,8 +56,9 @@ void RobotTomlReader::readKind() {
   }
   if (there.size() != 1) {
     return common_.root().fail(
-        nullptr, there.empty() ? "no table that says how it moves" : "both [" + there[0] + "] and [" + there[1] + "]",
-        "one of [opw], [dh], [[chain]], [delta], [hexapod], [urdf]");
+        nullptr,
+        there.empty() ? Text("no table that says how it moves") : Text("both [%1] and [%2]", there[0], there[1]),
+        Text("one of [opw], [dh], [[chain]], [delta], [hexapod], [urdf]"));
   }
   const std::string& kind = there[0];
   SerialKindReader serial(common_, robot_.model);
@@ -84,7 +85,7 @@ void RobotTomlReader::readTools() {
     fields.read("link", tool.tip_link);
     fields.readPose(tool.X_LT, common_.unit());
     if (!common_.error() && robot_.model.findLink(tool.tip_link) < 0)
-      fields.failKey("link", "there is no link '" + tool.tip_link + "'", "the name of a link");
+      fields.failKey("link", Text("there is no link '%1'", tool.tip_link), Text("the name of a link"));
     fields.refuseOthers();
     robot_.tools.push_back(std::move(tool));
   }

@@ -22,10 +22,10 @@ void SerialKindReader::readOpw() {
   fields.readList("offsets", offsets, kDegree);
   fields.readList("signs", signs);
   if (!common_.error() && fields.has("offsets") && offsets.size() != 6)
-    fields.failKey("offsets", std::to_string(offsets.size()) + " offsets", "6, in degrees");
+    fields.failKey("offsets", Text("%1 offsets", offsets.size()), Text("6, in degrees"));
   for (const double sign : signs) {
     if (!common_.error() && (std::abs(sign) != 1.0 || signs.size() != 6))
-      fields.failKey("signs", "signs that are none", "six times 1 or -1");
+      fields.failKey("signs", Text("signs that are none"), Text("six times 1 or -1"));
   }
   fields.refuseOthers();
   const std::vector<kinematics::JointData> joints = common_.jointData(std::vector<bool>(6, false));
@@ -79,12 +79,13 @@ void SerialKindReader::readDh() {
   const bool fits = n > 0 && n <= 16 && a.size() == n && alpha.size() == n && (theta.empty() || theta.size() == n) &&
                     (types.empty() || types.size() == n);
   if (!fits)
-    return fields.failKey("d", "lists of unequal length", "theta, d, a, alpha and types of one length, 1 to 16");
+    return fields.failKey("d", Text("lists of unequal length"),
+                          Text("theta, d, a, alpha and types of one length, 1 to 16"));
   std::vector<kinematics::DhRow> rows;
   std::vector<bool> slides;
   for (std::size_t k = 0; k < n; ++k) {
     if (!types.empty() && types[k] != "revolute" && types[k] != "prismatic")
-      return fields.failKey("types", "the joint type '" + types[k] + "'", "revolute or prismatic");
+      return fields.failKey("types", Text("the joint type '%1'", types[k]), Text("revolute or prismatic"));
     slides.push_back(!types.empty() && types[k] == "prismatic");
     rows.push_back({theta.empty() ? 0.0 : theta[k], d[k], a[k], alpha[k], slides.back()});
   }
@@ -111,7 +112,7 @@ void SerialKindReader::readChain() {
     fields.readPose(joint.X_PJ, common_.unit());
     fields.readPoint("axis", joint.axis_J, 1.0);
     if (!common_.error() && !(glm::length(joint.axis_J) > 1e-9))
-      fields.failKey("axis", "an axis of length zero", "a direction, such as [0, 0, 1]");
+      fields.failKey("axis", Text("an axis of length zero"), Text("a direction, such as [0, 0, 1]"));
     fields.refuseOthers();
     if (common_.error()) return;
     joint.axis_J = glm::normalize(joint.axis_J);
@@ -120,7 +121,7 @@ void SerialKindReader::readChain() {
     chain.push_back(joint);
   }
   if (chain.empty() || chain.size() > 16)
-    return common_.root().failKey("chain", std::to_string(chain.size()) + " joints", "1 to 16");
+    return common_.root().failKey("chain", Text("%1 joints", chain.size()), Text("%1 to %2", 1, 16));
   const std::vector<kinematics::JointData> joints = common_.jointData(slides);
   const Pose flange = readFlange();
   if (common_.error()) return;

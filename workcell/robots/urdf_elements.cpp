@@ -50,9 +50,8 @@ Expected<std::vector<double>> readNumbers(const TiXmlElement& element, const cha
   const bool finite =
       numbers && std::all_of(numbers->begin(), numbers->end(), [](double x) { return std::isfinite(x); });
   if (finite && numbers->size() == otherwise.size()) return *numbers;
-  return lines.refuse(element.Row(),
-                      "<" + element.ValueStr() + "> has " + attribute + "=\"" + text.substr(0, 200) + "\"",
-                      otherwise.size() == 1 ? "a finite number" : std::to_string(otherwise.size()) + " finite numbers");
+  return lines.refuse(element.Row(), Text("<%1> has %2=\"%3\"", element.ValueStr(), attribute, text.substr(0, 200)),
+                      otherwise.size() == 1 ? Text("a finite number") : Text("%1 finite numbers", otherwise.size()));
 }
 
 /// Turns about the fixed x, y and z axes, in this order (REP 103).
@@ -72,8 +71,8 @@ Expected<Pose> readOrigin(const TiXmlElement& element, const UrdfLines& lines) {
   HAPTICELL_TRY(rpy);
   const Pose pose{{(*xyz)[0], (*xyz)[1], (*xyz)[2]}, fromRollPitchYaw((*rpy)[0], (*rpy)[1], (*rpy)[2])};
   if (!pose.isValid())
-    return lines.refuse(origin->Row(), "an origin that is not a pose (\"" + attributeOf(*origin, "xyz") + "\")",
-                        "a place within reach");
+    return lines.refuse(origin->Row(), Text("an origin that is not a pose (\"%1\")", attributeOf(*origin, "xyz")),
+                        Text("a place within reach"));
   return pose;
 }
 
@@ -85,8 +84,8 @@ std::optional<std::array<float, 4>> readColor(const TiXmlElement& color, const U
   const bool finite =
       numbers && std::all_of(numbers->begin(), numbers->end(), [](double x) { return std::isfinite(x); });
   if (!finite || numbers->size() < 3 || numbers->size() > 4) {
-    diagnostics.warn(lines.words(color.Row()) + ": the color rgba=\"" + text.substr(0, 100) +
-                     "\" is not four numbers; its shapes are grey");
+    diagnostics.warn(Text("%1: the color rgba=\"%2\" is not four numbers; its shapes are grey",
+                          lines.words(color.Row()), text.substr(0, 100)));
     return std::nullopt;
   }
   std::array<float, 4> channels{0.0f, 0.0f, 0.0f, 1.0f};
@@ -107,10 +106,10 @@ void judgeLengths(UrdfShape& shape, UrdfShape::Kind kind, const std::string& nam
                   const std::vector<std::optional<double>>& lengths) {
   const auto any = [&lengths](auto test) { return std::any_of(lengths.begin(), lengths.end(), test); };
   if (any([](const auto& length) { return !length || !std::isfinite(*length) || *length < 0.0; })) {
-    shape.reason = "a " + name + " whose size is no positive number";
+    shape.reason = Text("a %1 whose size is no positive number", name);
   } else if (any([](const auto& length) { return *length == 0.0; })) {
     shape.kind = UrdfShape::Kind::kEmpty;
-    shape.reason = "a " + name + " of size zero";
+    shape.reason = Text("a %1 of size zero", name);
   } else {
     shape.kind = kind;
   }
@@ -119,7 +118,7 @@ void judgeLengths(UrdfShape& shape, UrdfShape::Kind kind, const std::string& nam
 void readGeometry(const TiXmlElement& geometry, UrdfShape& shape) {
   const TiXmlElement* element = geometry.FirstChildElement();
   if (!element) {
-    shape.reason = "a <geometry> with nothing in it";
+    shape.reason = Text("a <geometry> with nothing in it");
     return;
   }
   const std::string& name = element->ValueStr();
@@ -127,7 +126,7 @@ void readGeometry(const TiXmlElement& geometry, UrdfShape& shape) {
   if (name == "box") {
     const auto numbers = urdfNumbers(attributeOf(*element, "size"));
     if (!numbers || numbers->size() != 3) {
-      shape.reason = "a box whose size is not three numbers";
+      shape.reason = Text("a box whose size is not three numbers");
       return;
     }
     shape.size = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
@@ -150,14 +149,14 @@ void readGeometry(const TiXmlElement& geometry, UrdfShape& shape) {
     const bool sound =
         numbers && (numbers->size() == 3 || numbers->size() == 1) && std::isfinite(product) && product != 0.0;
     if (shape.mesh.empty())
-      shape.reason = "a mesh without filename";
+      shape.reason = Text("a mesh without filename");
     else if (!sound)
-      shape.reason = "the mesh " + shape.mesh + " with scale=\"" + scale.substr(0, 100) +
-                     "\", expected three numbers other than zero";
+      shape.reason = Text("the mesh %1 with scale=\"%2\", expected three numbers other than zero", shape.mesh,
+                          scale.substr(0, 100));
     else
       shape.kind = UrdfShape::Kind::kMesh;
   } else {
-    shape.reason = "<" + name + ">, which is not known";
+    shape.reason = Text("<%1>, which is not known", name);
   }
 }
 
@@ -171,7 +170,7 @@ Expected<UrdfShape> readShape(const TiXmlElement& element, const UrdfLines& line
   if (geometry)
     readGeometry(*geometry, shape);
   else
-    shape.reason = "a <" + element.ValueStr() + "> without <geometry>";
+    shape.reason = Text("a <%1> without <geometry>", element.ValueStr());
   if (const TiXmlElement* material = element.FirstChildElement("material")) {
     UrdfMaterial read = readUrdfMaterial(*material, lines, diagnostics);
     shape.material = std::move(read.name);
@@ -186,8 +185,8 @@ Expected<double> readLimit(const TiXmlElement& limit, const char* attribute, con
   const auto numbers = urdfNumbers(text);
   if (numbers && numbers->empty()) return 0.0;  // URDF: not written means zero.
   if (!numbers || numbers->size() != 1 || std::isnan(numbers->front()))
-    return lines.refuse(limit.Row(), std::string("<limit> has ") + attribute + "=\"" + text.substr(0, 100) + "\"",
-                        "a number");
+    return lines.refuse(limit.Row(), Text("<%1> has %2=\"%3\"", "limit", attribute, text.substr(0, 100)),
+                        Text("a number"));
   const double value = numbers->front();
   return std::abs(value) >= kBeyondAnyLimit ? std::copysign(kEndless, value) : value;
 }
@@ -201,7 +200,6 @@ void makeEndless(kinematics::Joint& joint) {
 Expected<void> readLimits(const TiXmlElement& element, const UrdfLines& lines, UrdfJoint& joint,
                           Diagnostics& diagnostics) {
   const TiXmlElement* limit = element.FirstChildElement("limit");
-  const std::string name = "joint '" + joint.joint.name + "'";
   const auto velocity = limit ? urdfNumbers(attributeOf(*limit, "velocity")) : std::nullopt;
   const bool stated =
       velocity && velocity->size() == 1 && std::isfinite(velocity->front()) && velocity->front() < kBeyondAnyLimit;
@@ -212,8 +210,8 @@ Expected<void> readLimits(const TiXmlElement& element, const UrdfLines& lines, U
     return {};
   }
   if (!limit) {
-    diagnostics.warn(lines.words(joint.line) + ": " + name + " is " + joint.type +
-                     " without <limit>; it is read as one without limits");
+    diagnostics.warn(Text("%1: joint '%2' is %3 without <limit>; it is read as one without limits",
+                          lines.words(joint.line), joint.joint.name, joint.type));
     makeEndless(joint.joint);
     return {};
   }
@@ -224,9 +222,9 @@ Expected<void> readLimits(const TiXmlElement& element, const UrdfLines& lines, U
   joint.joint.upper = *upper;
   const bool crossed = *lower > *upper;
   if (crossed) {
-    diagnostics.warn(lines.words(limit->Row()) + ": " + name + " has its lower limit " + attributeOf(*limit, "lower") +
-                     " over the upper " + attributeOf(*limit, "upper") +
-                     "; it is read as one without limits, as PyBullet does");
+    diagnostics.warn(Text(
+        "%1: joint '%2' has its lower limit %3 over the upper %4; it is read as one without limits, as PyBullet does",
+        lines.words(limit->Row()), joint.joint.name, attributeOf(*limit, "lower"), attributeOf(*limit, "upper")));
   }
   if (crossed || (std::isinf(*lower) && std::isinf(*upper))) makeEndless(joint.joint);
   return {};
@@ -241,8 +239,8 @@ Expected<void> readAxis(const TiXmlElement& element, const UrdfLines& lines, Urd
   const dvec3 direction((*xyz)[0], (*xyz)[1], (*xyz)[2]);
   if (glm::length(direction) < 1e-9 || !std::isfinite(glm::length(direction)))
     return lines.refuse(axis->Row(),
-                        "joint '" + joint.joint.name + "' has the axis \"" + attributeOf(*axis, "xyz") + "\"",
-                        "a direction, such as \"0 0 1\"");
+                        Text("joint '%1' has the axis \"%2\"", joint.joint.name, attributeOf(*axis, "xyz")),
+                        Text("a direction, such as \"0 0 1\""));
   joint.joint.axis_J = glm::normalize(direction);
   return {};
 }
@@ -258,7 +256,7 @@ Expected<void> readMimic(const TiXmlElement& element, const UrdfLines& lines, Ur
   HAPTICELL_TRY(offset);
   joint.multiplier = multiplier->front();
   joint.offset = offset->front();
-  if (joint.mimicked.empty()) return lines.refuse(mimic->Row(), "<mimic> without joint", "joint=\"…\"");
+  if (joint.mimicked.empty()) return lines.refuse(mimic->Row(), Text("<mimic> without joint"), "joint=\"…\"");
   return {};
 }
 
@@ -268,11 +266,11 @@ Expected<JointType> typeOf(const UrdfJoint& joint, const UrdfLines& lines, Diagn
   if (joint.type == "continuous") return JointType::kContinuous;
   if (joint.type == "prismatic") return JointType::kPrismatic;
   if (kHeld.count(joint.type)) {
-    diagnostics.warn(lines.words(joint.line) + ": joint '" + joint.joint.name + "' is " + joint.type +
-                     "; it is read as fixed");
+    diagnostics.warn(
+        Text("%1: joint '%2' is %3; it is read as fixed", lines.words(joint.line), joint.joint.name, joint.type));
   } else if (joint.type != "fixed") {
-    return lines.refuse(joint.line, "joint '" + joint.joint.name + "' has the type '" + joint.type + "'",
-                        "revolute, continuous, prismatic, fixed, floating or planar");
+    return lines.refuse(joint.line, Text("joint '%1' has the type '%2'", joint.joint.name, joint.type),
+                        Text("revolute, continuous, prismatic, fixed, floating or planar"));
   }
   return JointType::kFixed;
 }
@@ -291,7 +289,7 @@ UrdfMaterial readUrdfMaterial(const TiXmlElement& element, const UrdfLines& line
 
 Expected<UrdfLink> readUrdfLink(const TiXmlElement& element, const UrdfLines& lines, Diagnostics& diagnostics) {
   UrdfLink link{attributeOf(element, "name"), element.Row(), {}, {}};
-  if (link.name.empty()) return lines.refuse(link.line, "a link without a name", "name=\"…\"");
+  if (link.name.empty()) return lines.refuse(link.line, Text("a link without a name"), "name=\"…\"");
   for (const TiXmlElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
     const bool visual = child->ValueStr() == "visual";
     if (!visual && child->ValueStr() != "collision") continue;
@@ -307,7 +305,7 @@ Expected<UrdfJoint> readUrdfJoint(const TiXmlElement& element, const UrdfLines& 
   joint.joint.name = attributeOf(element, "name");
   joint.line = element.Row();
   joint.type = attributeOf(element, "type");
-  if (joint.joint.name.empty()) return lines.refuse(joint.line, "a joint without a name", "name=\"…\"");
+  if (joint.joint.name.empty()) return lines.refuse(joint.line, Text("a joint without a name"), "name=\"…\"");
   const auto type = typeOf(joint, lines, diagnostics);
   HAPTICELL_TRY(type);
   joint.joint.type = *type;
@@ -315,10 +313,10 @@ Expected<UrdfJoint> readUrdfJoint(const TiXmlElement& element, const UrdfLines& 
   if (parent) joint.parent = attributeOf(*parent, "link");
   if (child) joint.child = attributeOf(*child, "link");
   if (joint.parent.empty() || joint.child.empty()) {
-    return lines.refuse(
-        joint.line,
-        "joint '" + joint.joint.name + "' names no " + (joint.parent.empty() ? "parent" : "child") + " link",
-        "<parent link=\"…\"/> and <child link=\"…\"/>");
+    return lines.refuse(joint.line,
+                        joint.parent.empty() ? Text("joint '%1' names no parent link", joint.joint.name)
+                                             : Text("joint '%1' names no child link", joint.joint.name),
+                        Text("<parent link=\"…\"/> and <child link=\"…\"/>"));
   }
   const auto origin = readOrigin(element, lines);
   HAPTICELL_TRY(origin);

@@ -18,7 +18,7 @@ class UrdfLines;
 struct UrdfShape {
   enum class Kind { kNone, kEmpty, kBox, kCylinder, kSphere, kCapsule, kMesh };
   Kind kind = Kind::kNone;  ///< kNone: nothing that is known, see `reason`. kEmpty: a placeholder without size.
-  std::string reason;
+  Text reason;
   dvec3 size{1.0};  ///< Edges of a box; scale of a mesh.
   double radius = 0.0, length = 0.0;
   std::string mesh;  ///< As the file names it.
@@ -53,9 +53,9 @@ struct UrdfMaterial {
 };
 
 /// Reads the elements of a URDF file. What moves no joint and no shape is never refused: unusual values give a warning.
-/// Errors have the line: numbers of origins, axes, limits and mimics that are not numbers, a zero axis, a joint of an unknown
-/// type, without name or ends. Limits without end, crossed or missing mean no limit (as in PyBullet); each is a warning
-/// but "inf" itself.
+/// Errors have the line: numbers of origins, axes, limits and mimics that are not numbers, a zero axis, a joint of an
+/// unknown type, without name or ends. Limits without end, crossed or missing mean no limit (as in PyBullet); each is a
+/// warning but "inf" itself.
 Expected<UrdfLink> readUrdfLink(const TiXmlElement& element, const UrdfLines& lines, Diagnostics& diagnostics);
 Expected<UrdfJoint> readUrdfJoint(const TiXmlElement& element, const UrdfLines& lines, Diagnostics& diagnostics);
 UrdfMaterial readUrdfMaterial(const TiXmlElement& element, const UrdfLines& lines, Diagnostics& diagnostics);

@@ -19,17 +19,17 @@ class UrdfLines {
 
   const std::string& file() const { return file_; }
   /// "line 12", or "arm_macro.xacro, line 12" where it is another file's; line 0: empty.
-  std::string words(int line) const {
+  Text words(int line) const {
     const xacro::Expanded::Place* place = placeOf(line);
-    if (!place) return line > 0 ? "line " + std::to_string(line) : "";
-    const std::string own = "line " + std::to_string(place->line);
-    return place->file == file_ ? own : std::filesystem::path(place->file).filename().string() + ", " + own;
+    if (!place) return line > 0 ? Text("line %1", line) : Text();
+    if (place->file == file_) return Text("line %1", place->line);
+    return Text("%1, line %2", std::filesystem::path(place->file).filename().string(), place->line);
   }
-  tl::unexpected<Error> refuse(int line, std::string found, std::string expected, std::string fix = {}) const {
+  tl::unexpected<Error> refuse(int line, Text found, Text expected, Text fix = {}) const {
     const xacro::Expanded::Place* place = placeOf(line);
     const int shown = place ? place->line : line;
     return makeError({.file = place ? place->file : file_,
-                      .place = shown > 0 ? "line " + std::to_string(shown) : "",
+                      .place = shown > 0 ? Text("line %1", shown) : Text(),
                       .found = std::move(found),
                       .expected = std::move(expected),
                       .fix = std::move(fix)});

@@ -71,8 +71,8 @@ Expected<RobotModel> readUrdfText(const std::string& text, const std::filesystem
   const XmlText sound = soundXmlText(text);
   const UrdfLines lines(path.string(), places);
   if (sound.replaced > 0)
-    diagnostics.warn("line " + std::to_string(sound.line) + ": text that is no UTF-8; " +
-                     std::to_string(sound.replaced) + " bytes were taken for Latin-1");
+    diagnostics.warn(
+        Text("line %1: text that is no UTF-8; %2 bytes were taken for Latin-1", sound.line, sound.replaced));
   const auto structure = readUrdfStructure(sound.text, lines, diagnostics);
   HAPTICELL_TRY(structure);
   RobotModel model;

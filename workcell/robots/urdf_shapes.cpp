@@ -22,10 +22,10 @@ bool readable(const std::string& extension) {
   return extension == ".stl" || extension == ".obj" || extension == ".ply" || extension == ".off";
 }
 
-std::string quotedNames(const std::vector<std::string>& names) {
+Text quotedNames(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i == 8) return text + " and " + std::to_string(names.size() - i) + " more";
+    if (i == 8) return Text("%1 and %2 more", text, names.size() - i);
     text += std::string(i > 0 ? ", '" : "'") + names[i] + "'";
   }
   return text;
@@ -83,9 +83,8 @@ void UrdfShapes::readAhead(const std::vector<UrdfLink>& links) {
   scenes_.readAhead(files);
 }
 
-void UrdfShapes::reportOnce(int line, const std::string& what, const std::string& sentence) {
-  if (reported_.insert(what).second)
-    diagnostics_.warn(lines_.words(line) + ": " + sentence + " (link '" + link_ + "')");
+void UrdfShapes::reportOnce(int line, const std::string& what, const Text& sentence) {
+  if (reported_.insert(what).second) diagnostics_.warn(Text("%1: %2 (link '%3')", lines_.words(line), sentence, link_));
 }
 
 Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::scaledMesh(const UrdfShape& source,
@@ -107,13 +106,13 @@ Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::scaledMesh(c
 std::shared_ptr<const geometry::TriangleMesh> UrdfShapes::fileMesh(const UrdfShape& source, std::string& file) {
   const std::string& name = source.mesh;
   if (leavesPackage(name)) {
-    reportOnce(source.line, name, "the mesh " + name + " leads out of the package; the shape is left out");
+    reportOnce(source.line, name, Text("the mesh %1 leads out of the package; the shape is left out", name));
     return nullptr;
   }
   const std::optional<FoundFile>& found = find(name);
   if (!found) {
     package_missing_ = package_missing_ || name.find("package://") != std::string::npos;
-    reportOnce(source.line, name, "the mesh " + name + " is not there; the shape is left out");
+    reportOnce(source.line, name, Text("the mesh %1 is not there; the shape is left out", name));
     return nullptr;
   }
   if (!found->taken_for_package.empty())
@@ -127,7 +126,7 @@ std::shared_ptr<const geometry::TriangleMesh> UrdfShapes::fileMesh(const UrdfSha
   auto read = scaledMesh(source, found->path);
   if (!read) {
     unreadable_formats_.insert(format);
-    reportOnce(source.line, name, read.error().message() + " The shape is left out.");
+    reportOnce(source.line, name, Text("%1 The shape is left out.", read.error().text()));
     return nullptr;
   }
   file = found->path.string();
@@ -138,7 +137,7 @@ std::optional<LinkShape> UrdfShapes::shapeOf(const UrdfShape& source, int& lost)
   LinkShape shape;
   shape.X_LS = source.X_LS;
   if (source.kind == Kind::kNone || source.kind == Kind::kEmpty) {
-    diagnostics_.warn(lines_.words(source.line) + ": " + source.reason + "; the shape is left out");
+    diagnostics_.warn(Text("%1: %2; the shape is left out", lines_.words(source.line), source.reason));
     if (source.kind == Kind::kNone) ++lost;
     return std::nullopt;
   }
@@ -194,14 +193,17 @@ Expected<void> UrdfShapes::fill(const UrdfLink& source, kinematics::Link& link) 
 
 void UrdfShapes::reportReplacements() {
   const std::string formats = listed(unreadable_formats_);
-  const std::string reason = "shapes that cannot be had" + (formats.empty() ? "" : " (" + formats + ")") + ": ";
+  const Text reason =
+      formats.empty() ? Text("shapes that cannot be had") : Text("shapes that cannot be had (%1)", formats);
   if (!shown_by_collision_.empty())
-    diagnostics_.warn(reason + "the collision shape is shown instead for " + quotedNames(shown_by_collision_));
+    diagnostics_.warn(
+        Text("%1: the collision shape is shown instead for %2", reason, quotedNames(shown_by_collision_)));
   if (!checked_by_visual_.empty())
-    diagnostics_.warn(reason + "the visual shape is checked instead for " + quotedNames(checked_by_visual_));
-  if (!partly_.empty()) diagnostics_.warn(reason + "not wholly drawn and checked are " + quotedNames(partly_));
+    diagnostics_.warn(Text("%1: the visual shape is checked instead for %2", reason, quotedNames(checked_by_visual_)));
+  if (!partly_.empty())
+    diagnostics_.warn(Text("%1: not wholly drawn and checked are %2", reason, quotedNames(partly_)));
   if (!without_shape_.empty())
-    diagnostics_.warn(reason + "not drawn and not checked are " + quotedNames(without_shape_));
+    diagnostics_.warn(Text("%1: not drawn and not checked are %2", reason, quotedNames(without_shape_)));
   if (!unreadable_formats_.empty() && (!without_shape_.empty() || !partly_.empty()))
     diagnostics_.warn("meshes that cannot be read: convert them to STL, OBJ or PLY");
   if (package_missing_)

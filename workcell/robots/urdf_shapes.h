@@ -12,9 +12,9 @@
 
 #include "geometry/system/error.h"
 #include "kinematics/model/robot_model.h"
-#include "workcell/text/package_path.h"
-#include "workcell/scenes/scene_batch.h"
 #include "workcell/robots/urdf_elements.h"
+#include "workcell/scenes/scene_batch.h"
+#include "workcell/text/package_path.h"
 
 namespace hapticell::workcell {
 
@@ -56,7 +56,7 @@ class UrdfShapes {
   Expected<std::shared_ptr<const geometry::TriangleMesh>> scaledMesh(const UrdfShape& source,
                                                                      const std::filesystem::path& path);
   const std::optional<FoundFile>& find(const std::string& name);
-  void reportOnce(int line, const std::string& what, const std::string& sentence);
+  void reportOnce(int line, const std::string& what, const Text& sentence);
 };
 
 }  // namespace hapticell::workcell

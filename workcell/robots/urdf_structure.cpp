@@ -56,11 +56,11 @@ class StructureReader {
 };
 
 template <class T>
-std::string listOfNames(const T& names) {
+Text listOfNames(const T& names) {
   std::string text;
   std::size_t count = 0;
   for (const std::string& name : names) {
-    if (++count > 8) return text + " and " + std::to_string(names.size() - 8) + " more";
+    if (++count > 8) return Text("%1 and %2 more", text, names.size() - 8);
     text += std::string(count > 1 ? ", " : "") + "'" + name + "'";
   }
   return text;
@@ -70,8 +70,8 @@ Expected<void> StructureReader::addLink(UrdfLink link) {
   const auto [known, fresh] = link_lines_.emplace(link.name, link.line);
   if (!fresh) {
     return lines_.refuse(link.line,
-                         "a second link '" + link.name + "' (the first is on " + lines_.words(known->second) + ")",
-                         "each name once", "Rename one of them.");
+                         Text("a second link '%1' (the first is on %2)", link.name, lines_.words(known->second)),
+                         Text("each name once"), Text("Rename one of them."));
   }
   structure_.links.push_back(std::move(link));
   return {};
@@ -81,8 +81,8 @@ Expected<void> StructureReader::addJoint(UrdfJoint joint) {
   const auto [known, fresh] = joint_lines_.emplace(joint.joint.name, joint.line);
   if (!fresh) {
     return lines_.refuse(
-        joint.line, "a second joint '" + joint.joint.name + "' (the first is on " + lines_.words(known->second) + ")",
-        "each name once", "Rename one of them.");
+        joint.line, Text("a second joint '%1' (the first is on %2)", joint.joint.name, lines_.words(known->second)),
+        Text("each name once"), Text("Rename one of them."));
   }
   structure_.joints.push_back(std::move(joint));
   return {};
@@ -94,9 +94,8 @@ void StructureReader::defineMaterial(UrdfMaterial material, bool at_top) {
   if (material.name.empty() || (!material.color && !material.textured)) return;
   const auto [known, fresh] = materials_.emplace(material.name, material);
   if (fresh || !at_top || known->second.color == material.color) return;
-  diagnostics_.warn(lines_.words(material.line) + ": the material '" + material.name +
-                    "' is defined a second time with another color; the first, on " + lines_.words(known->second.line) +
-                    ", counts");
+  diagnostics_.warn(Text("%1: the material '%2' is defined a second time with another color; the first, on %3, counts",
+                         lines_.words(material.line), material.name, lines_.words(known->second.line)));
 }
 
 void StructureReader::defineMaterialsBelow(const TiXmlElement& element) {
@@ -113,8 +112,8 @@ Expected<void> StructureReader::readElement(const TiXmlElement& element) {
   static const std::set<std::string> kOfXacro = {"xacro:macro", "xacro:property", "xacro:include",     "xacro:arg",
                                                  "xacro:if",    "xacro:unless",   "xacro:insert_block"};
   if (kOfXacro.count(name) > 0)
-    return lines_.refuse(element.Row(), "<" + name + ">", "plain URDF",
-                         "Give the file the ending .xacro, and it is expanded.");
+    return lines_.refuse(element.Row(), "<" + name + ">", Text("plain URDF"),
+                         Text("Give the file the ending .xacro, and it is expanded."));
   if (name.starts_with("xacro:")) ++unexpanded_.try_emplace(name, Unexpanded{element.Row(), 0}).first->second.count;
   if (name == "material") {
     defineMaterial(readUrdfMaterial(element, lines_, diagnostics_), true);
@@ -147,11 +146,12 @@ void StructureReader::colorShapes() {
 
 void StructureReader::reportColors() {
   for (const auto& [name, line] : undefined_)
-    diagnostics_.warn(lines_.words(line) + ": the material '" + name +
-                      "' is defined nowhere; its links are shown grey");
+    diagnostics_.warn(
+        Text("%1: the material '%2' is defined nowhere; its links are shown grey", lines_.words(line), name));
   for (const auto& [name, line] : textured_)
-    diagnostics_.warn(lines_.words(line) + ": the material '" + name +
-                      "' has a picture and no color; pictures are not shown, its links are grey");
+    diagnostics_.warn(
+        Text("%1: the material '%2' has a picture and no color; pictures are not shown, its links are grey",
+             lines_.words(line), name));
 }
 
 void StructureReader::reportVelocities() {
@@ -164,15 +164,19 @@ void StructureReader::reportVelocities() {
     if (line == 0) line = joint.line;
   }
   if (!names.empty())
-    diagnostics_.warn(lines_.words(line) + ": no finite velocity is stated for " + listOfNames(names) +
-                      "; 180 deg/s or 1 m/s is assumed where one is needed");
+    diagnostics_.warn(Text("%1: no finite velocity is stated for %2; 180 deg/s or 1 m/s is assumed where one is needed",
+                           lines_.words(line), listOfNames(names)));
 }
 
 void StructureReader::reportUnexpanded() {
   for (const auto& [name, calls] : unexpanded_)
-    diagnostics_.warn(lines_.words(calls.line) + ": <" + name + "> was never expanded (" + std::to_string(calls.count) +
-                      (calls.count > 1 ? " times" : " time") +
-                      "), and its macro is not in the file: what it stands for is left out");
+    diagnostics_.warn(calls.count > 1
+                          ? Text("%1: <%2> was never expanded (%3 times), and its macro is not in the file: "
+                                 "what it stands for is left out",
+                                 lines_.words(calls.line), name, calls.count)
+                          : Text("%1: <%2> was never expanded (1 time), and its macro is not in the file: "
+                                 "what it stands for is left out",
+                                 lines_.words(calls.line), name));
 }
 
 /// The world needs no link of its own in some tools (Drake, Bullet): what is joined to it stands on the cell.
@@ -180,8 +184,8 @@ Expected<void> StructureReader::addWorld() {
   if (link_lines_.count("world") > 0) return {};
   for (const UrdfJoint& joint : structure_.joints) {
     if (joint.parent != "world") continue;
-    diagnostics_.warn(lines_.words(joint.line) + ": joint '" + joint.joint.name +
-                      "' hangs on 'world', which is no link of the file; it is taken as the root");
+    diagnostics_.warn(Text("%1: joint '%2' hangs on 'world', which is no link of the file; it is taken as the root",
+                           lines_.words(joint.line), joint.joint.name));
     UrdfLink world;
     world.name = "world";
     world.line = joint.line;
@@ -196,18 +200,18 @@ Expected<void> StructureReader::checkEnds() const {
     for (const std::string& link : {joint.parent, joint.child}) {
       if (!link_lines_.count(link)) {
         return lines_.refuse(joint.line,
-                             "joint '" + joint.joint.name + "' names the link '" + link + "', which is not in the file",
-                             "the name of a link", "Add the link or correct the name.");
+                             Text("joint '%1' names the link '%2', which is not in the file", joint.joint.name, link),
+                             Text("the name of a link"), Text("Add the link or correct the name."));
       }
     }
     const auto [first, fresh] = carried.emplace(joint.child, joint.joint.name);
     if (!fresh) {
-      return lines_.refuse(joint.line,
-                           "link '" + joint.child + "' is the child of two joints, '" + first->second + "' and '" +
-                               joint.joint.name + "'",
-                           "a tree",
-                           "URDF cannot say closed loops: leave one of the joints out, and close it with a robot.toml "
-                           "(docs/user/formats.md).");
+      return lines_.refuse(
+          joint.line,
+          Text("link '%1' is the child of two joints, '%2' and '%3'", joint.child, first->second, joint.joint.name),
+          Text("a tree"),
+          Text("URDF cannot say closed loops: leave one of the joints out, and close it with a robot.toml "
+               "(docs/user/formats.md)."));
     }
   }
   return {};
@@ -221,11 +225,12 @@ Expected<void> StructureReader::checkMimics() {
     const UrdfJoint* mimic = first;
     for (std::size_t steps = 0;; ++steps) {
       if (!joint_lines_.count(mimic->mimicked))
-        return lines_.refuse(mimic->mimic_line, "the joint '" + mimic->mimicked + "' to be mimicked is not in the file",
-                             "the name of a joint");
+        return lines_.refuse(mimic->mimic_line,
+                             Text("the joint '%1' to be mimicked is not in the file", mimic->mimicked),
+                             Text("the name of a joint"));
       if (mimic->mimicked == name || steps > mimics_.size())
-        return lines_.refuse(first->mimic_line, "joint '" + name + "' mimics itself in a circle",
-                             "a joint that moves by itself at the end");
+        return lines_.refuse(first->mimic_line, Text("joint '%1' mimics itself in a circle", name),
+                             Text("a joint that moves by itself at the end"));
       const auto next = mimics_.find(mimic->mimicked);
       if (next == mimics_.end()) break;
       mimic = next->second;
@@ -249,8 +254,8 @@ Expected<std::string> StructureReader::findRoot() {
   if (std::count_if(links.begin(), links.end(), is_root) > 1 && !structure_.joints.empty()) {
     for (const UrdfLink& link : links) {
       if (idle(link))
-        diagnostics_.warn(lines_.words(link.line) + ": no joint names the link '" + link.name +
-                          "' and it has no shape; it is left out");
+        diagnostics_.warn(Text("%1: no joint names the link '%2' and it has no shape; it is left out",
+                               lines_.words(link.line), link.name));
     }
     std::erase_if(links, idle);
   }
@@ -259,15 +264,14 @@ Expected<std::string> StructureReader::findRoot() {
     if (is_root(link)) roots.push_back(&link);
   }
   if (roots.empty()) {
-    return lines_.refuse(structure_.joints.front().line, "the joints form a cycle: every link is the child of another",
-                         "a tree with one root link", "Leave out the joint that closes the cycle.");
+    return lines_.refuse(structure_.joints.front().line,
+                         Text("the joints form a cycle: every link is the child of another"),
+                         Text("a tree with one root link"), Text("Leave out the joint that closes the cycle."));
   }
   if (roots.size() > 1) {
-    return lines_.refuse(roots[1]->line,
-                         "two root links, '" + roots[0]->name + "' (" + lines_.words(roots[0]->line) + ") and '" +
-                             roots[1]->name + "'" +
-                             (roots.size() > 2 ? ", and " + std::to_string(roots.size() - 2) + " more" : ""),
-                         "one link that is no joint's child", "Join them by a fixed joint.");
+    const Text two("two root links, '%1' (%2) and '%3'", roots[0]->name, lines_.words(roots[0]->line), roots[1]->name);
+    return lines_.refuse(roots[1]->line, roots.size() > 2 ? Text("%1, and %2 more", two, roots.size() - 2) : two,
+                         Text("one link that is no joint's child"), Text("Join them by a fixed joint."));
   }
   return roots.front()->name;
 }
@@ -290,8 +294,8 @@ Expected<std::vector<UrdfJoint>> StructureReader::sortFrom(const std::string& ro
     if (!reached.count(joint.child)) {
       return lines_.refuse(
           joint.line,
-          "the joints form a cycle: link '" + joint.child + "' (joint '" + joint.joint.name + "') hangs on itself",
-          "a tree from the root link '" + root + "'", "Leave out the joint that closes the cycle.");
+          Text("the joints form a cycle: link '%1' (joint '%2') hangs on itself", joint.child, joint.joint.name),
+          Text("a tree from the root link '%1'", root), Text("Leave out the joint that closes the cycle."));
     }
   }
   return sorted;
@@ -306,10 +310,10 @@ Expected<UrdfStructure> StructureReader::read(const TiXmlElement& robot) {
   for (const TiXmlElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link"))
     defineMaterialsBelow(*link);
   if (structure_.links.size() > kMostLinks)
-    return lines_.refuse(robot.Row(), std::to_string(structure_.links.size()) + " links", "at most 5000");
+    return lines_.refuse(robot.Row(), Text("%1 links", structure_.links.size()), Text("at most 5000"));
   if (structure_.links.empty()) {
-    return lines_.refuse(robot.Row(), "<robot> has no links", "at least one <link>",
-                         "A file of macros is opened through the file that includes it.");
+    return lines_.refuse(robot.Row(), Text("<robot> has no links"), Text("at least one <link>"),
+                         Text("A file of macros is opened through the file that includes it."));
   }
   reportUnexpanded();
   HAPTICELL_TRY(addWorld());
@@ -340,8 +344,8 @@ Expected<UrdfStructure> readUrdfStructure(const std::string& content, const Urdf
   const TiXmlElement* robot = document.RootElement();
   if (!robot || robot->ValueStr() != "robot") {
     return lines.refuse(robot ? robot->Row() : 0,
-                        robot ? "the root element <" + robot->ValueStr() + ">" : "no XML element",
-                        "<robot name=\"…\"> (URDF)");
+                        robot ? Text("the root element <%1>", robot->ValueStr()) : Text("no XML element"),
+                        Text("<robot name=\"…\"> (URDF)"));
   }
   return StructureReader(lines, diagnostics).read(*robot);
 }

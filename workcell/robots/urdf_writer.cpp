@@ -135,12 +135,12 @@ class UrdfText {
 Expected<void> writeUrdf(const Entity& robot, const fs::path& file, Diagnostics& diagnostics) {
   if (!robot.robot || robot.robot->links.empty()) {
     return makeError({.file = file.string(),
-                      .found = "'" + robot.name + "', which is no robot",
+                      .found = Text("'%1', which is no robot", robot.name),
                       .expected = "a robot",
                       .fix = "Choose a robot."});
   }
   if (robot.robot->closure) {
-    diagnostics.warn("'" + robot.name + "' has closed loops, which URDF cannot say: only its tree was written");
+    diagnostics.warn(Text("'%1' has closed loops, which URDF cannot say: only its tree was written", robot.name));
   }
   UrdfText urdf(robot, file);
   const std::string text = urdf.write();

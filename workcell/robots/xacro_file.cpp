@@ -53,7 +53,7 @@ Expected<xacro::Expanded> expandXacroFile(const std::filesystem::path& file, con
     const bool known =
         std::any_of(declared.begin(), declared.end(), [&](const auto& one) { return one.name == given.first; });
     if (!known)
-      diagnostics.warn("the file has no argument '" + given.first + "'; its value " + given.second + " was not used");
+      diagnostics.warn(Text("the file has no argument '%1'; its value %2 was not used", given.first, given.second));
   }
   return expanded;
 }

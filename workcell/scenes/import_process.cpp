@@ -16,7 +16,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -203,16 +202,16 @@ class Lines {
 };
 
 Error inFile(const ImporterCall& call, Text found, Text expected = {}, Text fix = {}) {
-  return {call.file, {}, std::move(found), std::move(expected), std::move(fix)};
+  return {.file = call.file, .found = std::move(found), .expected = std::move(expected), .fix = std::move(fix)};
 }
 
 Error tookTooLong(const ImporterCall& call, const Lines& lines, double seconds) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", seconds);
-  Error error = inFile(call, Text("not done after %1 s", std::string(text)),
-                       "a file that is read in the time that its size allows",
-                       "Export it again, or in another format; a file that is sound may be cut into parts.");
-  if (!lines.stage.empty()) error.place = lines.stage;
+  Error error =
+      inFile(call, Text("not done after %1 s", text), Text("a file that is read in the time that its size allows"),
+             Text("Export it again, or in another format; a file that is sound may be cut into parts."));
+  if (!lines.stage.empty()) error.place = Text::received(lines.stage, {});
   return error;
 }
 
@@ -221,7 +220,7 @@ Expected<void> listen(const ImporterCall& call, const Child& child, int lines_en
   const auto end =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(call.limits.seconds));
   while (true) {
-    if (call.monitor && call.monitor->isCancelled()) return makeError(inFile(call, "the import was cancelled"));
+    if (call.monitor && call.monitor->isCancelled()) return makeError(inFile(call, Text("the import was cancelled")));
     if (Clock::now() >= end) return makeError(tookTooLong(call, lines, call.limits.seconds));
     if (child.processorSeconds() > call.processor_seconds)
       return makeError(tookTooLong(call, lines, call.processor_seconds));
@@ -241,9 +240,10 @@ Expected<void> listen(const ImporterCall& call, const Child& child, int lines_en
 /// It ended without a word: a library crashed, or the system took its memory.
 Error brokeDown(const ImporterCall& call, const Lines& lines, int status) {
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return tookTooLong(call, lines, 2.0 * call.limits.seconds);
-  Error error = inFile(call, "content at which its reader breaks down", "a sound file",
-                       "Export it again, or in another format (STEP, glTF, STL), and without the part that is named.");
-  error.place = lines.stage.empty() ? Text("at its beginning") : Text(lines.stage);
+  Error error =
+      inFile(call, Text("content at which its reader breaks down"), Text("a sound file"),
+             Text("Export it again, or in another format (STEP, glTF, STL), and without the part that is named."));
+  error.place = lines.stage.empty() ? Text("at its beginning") : Text::received(lines.stage, {});
   return error;
 }
 
@@ -256,13 +256,12 @@ Expected<std::string> runImporter(const ImporterCall& call, const std::vector<in
   const Descriptor listening(ends[0]);
   Descriptor speaking(ends[1]);
   if (!piped || scene.get() < 0 || !sendAll(scene.get(), call.scene) || ::lseek(scene.get(), 0, SEEK_SET) != 0) {
-    return makeError(inFile(call, std::string("no memory to import into: ") + std::strerror(errno)));
+    return makeError(inFile(call, Text("no memory to import into: %1", systemText(errno))));
   }
   Child child;
   if (const int fault = child.start(call, skipped, scene.get(), speaking.get()); fault != 0) {
-    return makeError(inFile(call,
-                            std::string("the program ") + kProgram + " could not be started: " + std::strerror(fault),
-                            "it beside the other programs of HaptiCell", "Install HaptiCell again."));
+    return makeError(inFile(call, Text("the program %1 could not be started: %2", kProgram, systemText(fault)),
+                            Text("it beside the other programs of HaptiCell"), Text("Install HaptiCell again.")));
   }
   speaking.close();
   Lines lines(call);

@@ -55,8 +55,10 @@ class CellReader {
     Diagnostics notes;
     auto robot = with_robots_ ? readSdfRobot(source_, model, file_, notes, monitor_) : Expected<SdfRobot>();
     if (!with_robots_ || !robot) {
-      scene_.warnings.push_back("'" + model.Name() + "' has joints that move; it is read as a solid body" +
-                                (with_robots_ ? ": " + robot.error().message() : ""));
+      scene_.warnings.push_back(
+          with_robots_
+              ? Text("'%1' has joints that move; it is read as a solid body: %2", model.Name(), robot.error().text())
+              : Text("'%1' has joints that move; it is read as a solid body", model.Name()));
       return false;
     }
     scene_.warnings.insert(scene_.warnings.end(), notes.warnings.begin(), notes.warnings.end());
@@ -113,12 +115,12 @@ class CellReader {
     ignition::math::Pose3d X;
     const sdf::Errors errors = pose.Resolve(X, to);
     if (!errors.empty()) {
-      scene_.warnings.push_back("'" + name + "': the frame of its pose is not there; it is taken in the body above");
+      scene_.warnings.push_back(Text("'%1': the frame of its pose is not there; it is taken in the body above", name));
       X = raw;
     }
     const Pose result = toPose(X);
     if (result.isValid()) return result;
-    scene_.warnings.push_back("'" + name + "': its pose is none; it stands at the body above");
+    scene_.warnings.push_back(Text("'%1': its pose is none; it stands at the body above", name));
     return {};
   }
 

@@ -3,17 +3,17 @@
 
 #include <tinyxml.h>
 
-#include <string>
 #include <vector>
 
 #include "geometry/shapes/vector.h"
+#include "geometry/system/text.h"
 
 namespace hapticell::workcell {
 
 /// Poses of the models of an SDF <population>, in the world.
 struct Population {
   std::vector<dvec3> positions;
-  std::string remark;  ///< What was assumed, or why there is no population; empty if the file states everything.
+  Text remark;  ///< What was assumed, or why there is no population; empty if the file states everything.
 };
 
 /// As in Gazebo (its class physics::Population): a grid around the pose, rows along x and y turned with it; rows along

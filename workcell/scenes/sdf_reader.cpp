@@ -44,7 +44,7 @@ class SdfModelReader {
     graph_.name = model_.Name();
     HAPTICELL_TRY(addModel(model_, "", Pose()));
     if (graph_.links.empty())
-      return makeError(refusal("model '" + graph_.name + "'", "no links", "at least one <link>"));
+      return makeError(refusal(Text("model '%1'", graph_.name), Text("no links"), Text("at least one <link>")));
     if (shapes_.isCancelled()) return makeError({.file = file_.string(), .found = "the import was cancelled"});
     setMimics();
     graph_.root = root();
@@ -56,13 +56,14 @@ class SdfModelReader {
       return makeError(std::move(error));
     }
     chooseTip(*model);
-    for (const std::string& note : shapes_.notes().warnings) diagnostics_.warn(file_.string() + ": " + note);
+    for (const Text& note : shapes_.notes().warnings) diagnostics_.warn(Text("%1: %2", file_.string(), note));
     return SdfRobot{std::move(*model), graph_.links[static_cast<std::size_t>(graph_.root)].X_ML};
   }
 
  private:
-  Error refusal(const std::string& place, const std::string& found, const std::string& expected) const {
-    return {.file = file_.string(), .place = place, .found = found, .expected = expected};
+  Error refusal(Text place, Text found, Text expected) const {
+    return {
+        .file = file_.string(), .place = std::move(place), .found = std::move(found), .expected = std::move(expected)};
   }
 
   int linkNamed(const std::string& name) const {
@@ -82,7 +83,7 @@ class SdfModelReader {
       const sdf::Model& inside = *model.ModelByIndex(k);
       ignition::math::Pose3d X;
       if (const auto errors = inside.SemanticPose().Resolve(X, "__model__"); !errors.empty())
-        return makeError(refusal("model '" + inside.Name() + "'", firstOf(errors), "a pose that can be told"));
+        return makeError(refusal(Text("model '%1'", inside.Name()), firstOf(errors), Text("a pose that can be told")));
       if (auto added = addModel(inside, scope + inside.Name() + "::", X_MN * toPose(X)); !added) return added;
     }
     for (std::uint64_t k = 0; k < model.JointCount(); ++k) {
@@ -97,10 +98,8 @@ class SdfModelReader {
     if (!mesh) return;
     ignition::math::Pose3d pose;
     if (const auto errors = shape.SemanticPose().Resolve(pose, link.Name()); !errors.empty()) {
-      diagnostics_.warn(file_.string() + ": link '" + link.Name() +
-                        "': a shape is left out, for its place cannot be "
-                        "told: " +
-                        firstOf(errors));
+      diagnostics_.warn(Text("%1: link '%2': a shape is left out, for its place cannot be told: %3", file_.string(),
+                             link.Name(), firstOf(errors)));
       return;
     }
     LinkShape made = look;
@@ -115,10 +114,11 @@ class SdfModelReader {
     link.link.name = scope + source.Name();
     ignition::math::Pose3d pose;
     if (const auto errors = source.SemanticPose().Resolve(pose, "__model__"); !errors.empty())
-      return makeError(refusal("link '" + source.Name() + "'", firstOf(errors), "a pose that can be told"));
+      return makeError(refusal(Text("link '%1'", source.Name()), firstOf(errors), Text("a pose that can be told")));
     link.X_ML = X_MN * toPose(pose);
     if (!link.X_ML.isValid())
-      return makeError(refusal("link '" + source.Name() + "'", "a pose that is not one", "finite numbers"));
+      return makeError(
+          refusal(Text("link '%1'", source.Name()), Text("a pose that is not one"), Text("finite numbers")));
     LinkShape look;
     for (std::uint64_t k = 0; k < source.VisualCount(); ++k) {
       const sdf::Visual& visual = *source.VisualByIndex(k);
@@ -150,12 +150,12 @@ class SdfModelReader {
   }
 
   Expected<void> addJoint(const sdf::Joint& source, const std::string& scope, const Pose& X_MN) {
-    const std::string place = "joint '" + scope + source.Name() + "'";
+    const Text place("joint '%1'", scope + source.Name());
     std::string parent, child;
     if (const auto errors = source.ResolveParentLink(parent); !errors.empty())
-      return makeError(refusal(place, firstOf(errors), "the name of a link"));
+      return makeError(refusal(place, firstOf(errors), Text("the name of a link")));
     if (const auto errors = source.ResolveChildLink(child); !errors.empty())
-      return makeError(refusal(place, firstOf(errors), "the name of a link"));
+      return makeError(refusal(place, firstOf(errors), Text("the name of a link")));
     const bool to_world = parent == "world" || child == "world";
     if (to_world && source.Type() == sdf::JointType::FIXED) {
       if (world_link_.empty()) world_link_ = scope + (parent == "world" ? child : parent);
@@ -171,28 +171,29 @@ class SdfModelReader {
     if (joint.joint.parent_link < 0 || joint.joint.child_link < 0)
       return makeError(refusal(
           place,
-          "it names the link '" + (joint.joint.parent_link < 0 ? parent : child) + "', which is not in the model",
-          "a link of it"));
+          Text("it names the link '%1', which is not in the model", joint.joint.parent_link < 0 ? parent : child),
+          Text("a link of it")));
     ignition::math::Pose3d pose;
     if (const auto errors = source.SemanticPose().Resolve(pose, "__model__"); !errors.empty())
-      return makeError(refusal(place, firstOf(errors), "a pose that can be told"));
+      return makeError(refusal(place, firstOf(errors), Text("a pose that can be told")));
     joint.X_MJ = Pose::translation((X_MN * toPose(pose)).p);  // Axes are asked for in the model's frame.
     return addTyped(source, joint, scope, X_MN, place);
   }
 
   Expected<std::vector<SdfAxis>> axesOf(const sdf::Joint& source, const std::string& scope, const Pose& X_MN,
-                                        const std::string& place) {
+                                        const Text& place) {
     std::vector<SdfAxis> axes;
     for (unsigned k = 0; k < 2; ++k) {
       const sdf::JointAxis* axis = source.Axis(k);
       if (!axis) continue;
       ignition::math::Vector3d xyz;
       if (const auto errors = axis->ResolveXyz(xyz, "__model__"); !errors.empty())
-        return makeError(refusal(place, firstOf(errors), "an axis"));
+        return makeError(refusal(place, firstOf(errors), Text("an axis")));
       const sdf::ElementPtr own = axis->Element();  // The library takes z where it complains.
       if (own && own->HasElement("xyz") && own->Get<ignition::math::Vector3d>("xyz").Length() < 1e-9) xyz = {0, 0, 0};
       const dvec3 direction(xyz.X(), xyz.Y(), xyz.Z());
-      if (!(glm::length(direction) > 1e-9)) return makeError(refusal(place, "an axis of length zero", "a direction"));
+      if (!(glm::length(direction) > 1e-9))
+        return makeError(refusal(place, Text("an axis of length zero"), Text("a direction")));
       SdfAxis made;
       made.axis_M = X_MN.rotate(glm::normalize(direction));
       made.lower = axis->Lower() < -kNoLimit ? -kInfinity : axis->Lower();
@@ -200,7 +201,8 @@ class SdfModelReader {
       made.velocity = axis->MaxVelocity() > 0.0 && axis->MaxVelocity() < kNoLimit ? axis->MaxVelocity() : 0.0;
       if (std::isnan(made.lower) || made.lower > made.upper)
         return makeError(refusal(
-            place, "its lower limit " + std::to_string(made.lower) + " is over the upper " + std::to_string(made.upper),
+            place,
+            Text("its lower limit %1 is over the upper %2", std::to_string(made.lower), std::to_string(made.upper)),
             "lower <= upper"));
       axes.push_back(made);
       noteMimic(*axis, scope, scope + source.Name(), k);
@@ -226,12 +228,12 @@ class SdfModelReader {
   }
 
   Expected<void> addTyped(const sdf::Joint& source, GraphJoint& joint, const std::string& scope, const Pose& X_MN,
-                          const std::string& place) {
+                          const Text& place) {
     auto read = axesOf(source, scope, X_MN, place);
     HAPTICELL_TRY(read);
     std::vector<SdfAxis>& axes = *read;
     const auto take = [&](std::size_t count, bool slides) -> Expected<void> {
-      if (axes.size() < count) return makeError(refusal(place, "no axis", "<axis> with <xyz>"));
+      if (axes.size() < count) return makeError(refusal(place, Text("no axis"), Text("<axis> with <xyz>")));
       axes.resize(count);
       addAxes(joint, axes, slides);
       return {};
@@ -260,18 +262,18 @@ class SdfModelReader {
       case sdf::JointType::SCREW:
         return addScrew(source, joint, axes, place);
       case sdf::JointType::GEARBOX:
-        diagnostics_.warn(file_.string() + ": " + place + " is a gearbox; it is left out");
+        diagnostics_.warn(Text("%1: %2 is a gearbox; it is left out", file_.string(), place));
         return {};
       case sdf::JointType::INVALID:
         break;
     }
-    return makeError(refusal(place, "a joint type that is not known",
-                             "revolute, continuous, prismatic, fixed, screw, universal, revolute2 or ball"));
+    return makeError(refusal(place, Text("a joint type that is not known"),
+                             Text("revolute, continuous, prismatic, fixed, screw, universal, revolute2 or ball")));
   }
 
   Expected<void> addScrew(const sdf::Joint& source, GraphJoint& joint, const std::vector<SdfAxis>& axes,
-                          const std::string& place) {
-    if (axes.empty()) return makeError(refusal(place, "no axis", "<axis> with <xyz>"));
+                          const Text& place) {
+    if (axes.empty()) return makeError(refusal(place, Text("no axis"), Text("<axis> with <xyz>")));
     joint.joint.axis_J = axes[0].axis_M;
     joint.joint.lower = axes[0].lower;
     joint.joint.upper = axes[0].upper;
@@ -284,7 +286,7 @@ class SdfModelReader {
         metres ? std::strtod(metres->Get<std::string>().c_str(), nullptr)
                : -2.0 * std::numbers::pi / source.ThreadPitch();  // Until SDF 1.9: radians a metre, left-handed.
     if (!(std::abs(pitch) > 1e-12 && std::abs(pitch) < 1e9))
-      return makeError(refusal(place, "a screw without pitch", "<thread_pitch>"));
+      return makeError(refusal(place, Text("a screw without pitch"), "<thread_pitch>"));
     kinematics::addScrewJoint(graph_, joint, pitch);
     return {};
   }
@@ -324,9 +326,13 @@ class SdfModelReader {
       const bool chained = std::any_of(mimics_.begin(), mimics_.end(),
                                        [&](const MimicOf& other) { return find(other.follower) == leader; });
       if (follower < 0 || leader < 0 || chained) {
-        diagnostics_.warn(file_.string() + ": joint '" + mimic.follower.first + "' is read as one that moves by " +
-                          "itself: it follows '" + mimic.leader.first + "', " +
-                          (chained ? "which follows another itself" : "which is not there"));
+        const std::string file = file_.string();
+        diagnostics_.warn(
+            chained ? Text("%1: joint '%2' is read as one that moves by itself: it follows '%3', which follows another "
+                           "itself",
+                           file, mimic.follower.first, mimic.leader.first)
+                    : Text("%1: joint '%2' is read as one that moves by itself: it follows '%3', which is not there",
+                           file, mimic.follower.first, mimic.leader.first));
         continue;
       }
       graph_.joints[static_cast<std::size_t>(follower)].joint.mimic =
@@ -354,8 +360,8 @@ class SdfModelReader {
       joint.X_MJ = graph_.links[k].X_ML;
       graph_.joints.push_back(joint);
       group[static_cast<std::size_t>(own)] = base;
-      diagnostics_.warn(file_.string() + ": no joint connects the link '" + graph_.links[k].link.name +
-                        "' to the root; it is fixed where it stands");
+      diagnostics_.warn(Text("%1: no joint connects the link '%2' to the root; it is fixed where it stands",
+                             file_.string(), graph_.links[k].link.name));
     }
   }
 
@@ -428,12 +434,12 @@ Expected<SdfRobot> readSdf(const fs::path& file, Diagnostics& diagnostics, Impor
   HAPTICELL_TRY(source);
   const std::vector<const sdf::Model*> models = source->models();
   if (models.empty()) return makeError({.file = file.string(), .found = "no model", .expected = "<model name=\"…\">"});
-  for (const std::string& warning : source->warnings()) diagnostics.warn(file.string() + ": " + warning);
+  for (const Text& warning : source->warnings()) diagnostics.warn(Text("%1: %2", file.string(), warning));
   const auto moving = std::find_if(models.begin(), models.end(), [](const sdf::Model* m) { return movesInside(*m); });
   const sdf::Model* const model = moving == models.end() ? models.front() : *moving;
   if (models.size() > 1) {
-    diagnostics.warn(file.string() + ": of " + std::to_string(models.size()) + " models only '" + model->Name() +
-                     "' is read, for it has joints that move");
+    diagnostics.warn(Text("%1: of %2 models only '%3' is read, for it has joints that move", file.string(),
+                          models.size(), model->Name()));
   }
   Expected<SdfRobot> robot = readSdfRobot(*source, *model, file, diagnostics, monitor);
   ignition::math::Pose3d X_FM;

@@ -94,7 +94,7 @@ Expected<geometry::TriangleMesh> SdfShapes::wholeOrPart(const fs::path& file, co
   }
   if (part.triangles.empty()) {
     return makeError({.file = file.string(),
-                      .found = "no part '" + mesh.Submesh() + "' in it",
+                      .found = Text("no part '%1' in it", mesh.Submesh()),
                       .expected = "the part that <submesh> names"});
   }
   if (mesh.CenterSubmesh()) {
@@ -114,7 +114,7 @@ SdfShapes::MeshPointer SdfShapes::meshOfFile(const sdf::Mesh& mesh, const std::s
   auto read = wholeOrPart(file.file, mesh);
   if (monitor_) monitor_->report("reading meshes", 1.0 - 1.0 / (1.0 + 0.1 * static_cast<double>(known_.size())));
   if (!read) {
-    notes_.warn("'" + owner + "': its mesh " + file.uri + " is left out: " + read.error().message());
+    notes_.warn(Text("'%1': its mesh %2 is left out: %3", owner, file.uri, read.error().text()));
     return nullptr;
   }
   scaleOutward(*read, scale);

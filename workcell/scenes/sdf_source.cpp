@@ -36,8 +36,8 @@ void tellComplaints(const sdf::Errors& errors, std::vector<Text>& warnings) {
     told.push_back(words);
   }
   if (told.empty() && !errors.empty()) told.push_back(firstOf(errors));
-  for (std::size_t k = 0; k < std::min(told.size(), kMost); ++k) warnings.push_back("sdformat: " + told[k]);
-  if (told.size() > kMost) warnings.push_back("sdformat: " + std::to_string(told.size() - kMost) + " more complaints");
+  for (std::size_t k = 0; k < std::min(told.size(), kMost); ++k) warnings.emplace_back("sdformat: " + told[k]);
+  if (told.size() > kMost) warnings.push_back(Text("sdformat: %1 more complaints", told.size() - kMost));
 }
 
 bool isSolid(const TiXmlElement& link) {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/system/error.h"
 #include "geometry/shapes/pose.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::workcell {
 
@@ -48,14 +48,14 @@ class SdfSource {
  private:
   std::shared_ptr<sdf::Root> root_;
   std::vector<SdfMeshFile> meshes_;
-  std::vector<std::string> warnings_;
+  std::vector<Text> warnings_;
 };
 
 /// The top level of an SDF file, read without the library: quick enough for isSdfCell().
 struct SdfOutline {
-  int models = 0;              ///< With a shape that is no plane, at the top.
-  int jointed = 0;             ///< With a joint that moves and links of their own, at the top or alone in a wrapper.
-  bool grouped = false;        ///< A moving joint connects models of a model that has no links.
+  int models = 0;        ///< With a shape that is no plane, at the top.
+  int jointed = 0;       ///< With a joint that moves and links of their own, at the top or alone in a wrapper.
+  bool grouped = false;  ///< A moving joint connects models of a model that has no links.
   bool world = false;
 };
 

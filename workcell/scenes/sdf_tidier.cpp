@@ -34,13 +34,13 @@ int minorOf(const TiXmlElement& root) {
 }
 
 /// What a place is called in a warning: the nearest name from the element upwards.
-std::string nameFor(const TiXmlElement* element) {
+Text nameFor(const TiXmlElement* element) {
   for (; element; element = element->Parent() ? element->Parent()->ToElement() : nullptr) {
     const std::string own = attributeOf(*element, "name");
-    if (!own.empty()) return "'" + own + "'";
-    if (const std::string named = textOf(element, "name"); !named.empty()) return "'" + named + "'";
+    if (!own.empty()) return Text("'" + own + "'");
+    if (const std::string named = textOf(element, "name"); !named.empty()) return Text("'" + named + "'");
   }
-  return "the file";
+  return Text("the file");
 }
 
 std::string textOfNumbers(const std::vector<double>& numbers) {
@@ -92,17 +92,6 @@ void putInPlace(TiXmlElement& parent, TiXmlElement& include, const TiXmlElement&
   }
 }
 
-void putMissing(const std::string& what, const std::map<std::string, int>& missing, std::vector<Text>& warnings) {
-  if (missing.empty()) return;
-  std::string names;
-  int count = 0;
-  for (const auto& [name, times] : missing) {
-    names += (names.empty() ? "" : ", ") + name + (times > 1 ? " (" + std::to_string(times) + " times)" : "");
-    count += times;
-  }
-  warnings.push_back(std::to_string(count) + " " + what + " and were left out: " + names);
-}
-
 }  // namespace
 
 Expected<std::string> SdfTidier::tidy(const fs::path& file) {
@@ -120,11 +109,22 @@ Expected<std::string> SdfTidier::tidy(const fs::path& file) {
   return printer.Str();
 }
 
-std::vector<std::string> SdfTidier::warnings() const {
-  std::vector<std::string> all = told_;
+std::pair<int, std::vector<Text>> SdfTidier::listed(const std::map<std::string, Missing>& missing) {
+  std::pair<int, std::vector<Text>> all;
+  for (const auto& [name, one] : missing) {
+    all.first += one.times;
+    all.second.push_back(one.times > 1 ? Text("%1 (%2 times)", one.shown, one.times) : one.shown);
+  }
+  return all;
+}
+
+std::vector<Text> SdfTidier::warnings() const {
+  std::vector<Text> all = told_;
   report_.tell(all);
-  putMissing("models that it names are not there", missing_models_, all);
-  putMissing("meshes that it names are not there", missing_meshes_, all);
+  if (auto [count, names] = listed(missing_models_); count > 0)
+    all.push_back(Text("%1 models that it names are not there and were left out: %2", count, std::move(names)));
+  if (auto [count, names] = listed(missing_meshes_); count > 0)
+    all.push_back(Text("%1 meshes that it names are not there and were left out: %2", count, std::move(names)));
   return all;
 }
 
@@ -144,7 +144,7 @@ void SdfTidier::arrangeTop(TiXmlElement& root, const Place& place) {
     models += child->ValueStr() == "model" ? 1 : 0;
     includes += child->ValueStr() == "include" ? 1 : 0;
     if (child->ValueStr() == "world" && worlds++ > 0) {
-      tell(*child, place, "a second world is left out");
+      tell(*child, place, Text("a second world is left out"));
       root.RemoveChild(child);
     }
     child = next;
@@ -161,9 +161,9 @@ void SdfTidier::arrangeTop(TiXmlElement& root, const Place& place) {
   root.LinkEndChild(world);
 }
 
-void SdfTidier::tell(const TiXmlElement& of, const Place& place, const std::string& what) {
-  const std::string where = place.depth > 0 ? " (" + place.file.filename().string() + ")" : "";
-  told_.push_back(nameFor(&of) + where + ": " + what);
+void SdfTidier::tell(const TiXmlElement& of, const Place& place, Text what) {
+  told_.push_back(place.depth > 0 ? Text("%1 (%2): %3", nameFor(&of), place.file.filename().string(), std::move(what))
+                                  : Text("%1: %2", nameFor(&of), std::move(what)));
 }
 
 void SdfTidier::tidyChildren(TiXmlElement& parent, const Place& place) {
@@ -205,7 +205,8 @@ bool SdfTidier::keep(TiXmlElement& parent, TiXmlElement& child, Names& names, co
   if (!count(1, place)) return false;
   const std::string kind = child.ValueStr(), element = parent.ValueStr() + "/" + kind;
   if (!place.lenient || report_.rule(element)) {
-    const std::string where = nameFor(&child) + (place.depth == 0 ? " in line " + std::to_string(child.Row()) : "");
+    const Text name = nameFor(&child);
+    const Text where = place.depth == 0 ? Text("%1 in line %2", name, child.Row()) : name;
     if (report_.meet(element, where) != Treatment::kUsed) return false;
   }
   if (kind == "include") return keepInclude(parent, child, names, place);
@@ -247,7 +248,7 @@ void SdfTidier::giveName(TiXmlElement& element, Names& names, const Place& place
   const std::string name = names[kind].own(wanted);
   if (name == written) return;
   if (!written.empty()) {
-    tell(element, place, "the name is there twice or not allowed; this <" + kind + "> is called '" + name + "'");
+    tell(element, place, Text("the name is there twice or not allowed; this <%1> is called '%2'", kind, name));
   }
   element.SetAttribute("name", name);
 }
@@ -256,7 +257,7 @@ bool SdfTidier::keepPose(TiXmlElement& pose, const TiXmlElement& of, const Place
   const std::string text = textOf(pose), format = attributeOf(pose, "rotation_format");
   const bool quaternion = format == "quat_xyzw";
   if (!format.empty() && !quaternion && format != "euler_rpy") {
-    tell(of, place, "the rotation format '" + format + "' is not known; roll, pitch, yaw is assumed");
+    tell(of, place, Text("the rotation format '%1' is not known; roll, pitch, yaw is assumed", format));
     pose.RemoveAttribute("rotation_format");
   }
   if (text.empty()) return true;
@@ -266,14 +267,13 @@ bool SdfTidier::keepPose(TiXmlElement& pose, const TiXmlElement& of, const Place
   const std::size_t wanted = quaternion ? 7 : 6;
   if (numbers.size() != wanted) {
     tell(of, place,
-         "the pose '" + text + "' has " + std::to_string(numbers.size()) + " numbers instead of " +
-             std::to_string(wanted) + "; the others are taken as 0");
+         Text("the pose '%1' has %2 numbers instead of %3; the others are taken as 0", text, numbers.size(), wanted));
     numbers.resize(wanted, 0.0);
     setText(pose, textOfNumbers(numbers));
   }
   if (!quaternion) return true;
   if (std::hypot(std::hypot(numbers[3], numbers[4]), std::hypot(numbers[5], numbers[6])) > 1e-9) return true;
-  tell(of, place, "the pose '" + text + "' has a quaternion of length 0; no rotation is assumed");
+  tell(of, place, Text("the pose '%1' has a quaternion of length 0; no rotation is assumed", text));
   numbers[6] = 1.0;
   setText(pose, textOfNumbers(numbers));
   return true;
@@ -295,13 +295,17 @@ bool SdfTidier::keepNumbers(TiXmlElement& element, const TiXmlElement& of, const
     return true;
   }
   if (color) return false;
-  std::string assumed;
-  if (kind == "scale" || kind == "multiplier") assumed = "; 1 is assumed";
-  if (kind == "lower" || kind == "upper") assumed = "; no limit is assumed";
-  if (kind == "offset" || kind == "reference") assumed = "; 0 is assumed";
-  tell(of, place,
-       "<" + kind + "> is '" + text + "' instead of " + std::to_string(wanted) + " number" + (wanted > 1 ? "s" : "") +
-           assumed);
+  const Text is = wanted > 1 ? Text("<%1> is '%2' instead of %3 numbers", kind, text, wanted)
+                             : Text("<%1> is '%2' instead of 1 number", kind, text);
+  if (kind == "scale" || kind == "multiplier") {
+    tell(of, place, Text("%1; 1 is assumed", is));
+  } else if (kind == "lower" || kind == "upper") {
+    tell(of, place, Text("%1; no limit is assumed", is));
+  } else if (kind == "offset" || kind == "reference") {
+    tell(of, place, Text("%1; 0 is assumed", is));
+  } else {
+    tell(of, place, is);
+  }
   return false;
 }
 
@@ -318,7 +322,9 @@ bool SdfTidier::keepInclude(TiXmlElement& parent, TiXmlElement& include, Names& 
   const fs::path file = findSdfModel(uri, place.file);
   const Taken taken = file.empty() ? Taken{} : take(file, place);
   if (taken.file.empty()) {
-    ++missing_models_[uri + taken.why];
+    Missing& missing = missing_models_[uri + english(taken.why)];
+    missing.shown = taken.why.empty() ? Text(uri) : Text("%1 (%2)", uri, taken.why);
+    ++missing.times;
     return false;
   }
   if (!count(taken.elements, place)) return false;
@@ -327,7 +333,7 @@ bool SdfTidier::keepInclude(TiXmlElement& parent, TiXmlElement& include, Names& 
   if (!name) name = include.InsertEndChild(TiXmlElement("name"))->ToElement();
   const std::string written = textOf(*name), wanted = written.empty() ? taken.name : written;
   const std::string own = names["model"].own(wanted);
-  if (own != wanted && !written.empty()) tell(include, place, "the name is there twice; it is called '" + own + "'");
+  if (own != wanted && !written.empty()) tell(include, place, Text("the name is there twice; it is called '%1'", own));
   setText(*name, own);
   setText(*include.FirstChildElement("uri"), taken.file.string());
   if (include.FirstChildElement("placement_frame") && !include.FirstChildElement("pose")) {
@@ -341,14 +347,14 @@ bool SdfTidier::keepInclude(TiXmlElement& parent, TiXmlElement& include, Names& 
 const SdfTidier::Taken& SdfTidier::take(const fs::path& file, const Place& place) {
   const std::string key = fs::absolute(file).lexically_normal().string();
   if (const auto known = taken_.find(key); known != taken_.end()) return known->second;
-  static const Taken kLoop{{}, {}, " (it takes itself in)", nullptr, 0};
+  static const Taken kLoop{{}, {}, Text("it takes itself in"), nullptr, 0};
   if (place.depth >= kFilesDeep || open_.contains(key)) return kLoop;
   Taken taken;
   TiXmlDocument document;
   const auto root = parseSdf(file, document);
   TiXmlElement* const model = root ? (*root)->FirstChildElement("model") : nullptr;
   if (!model) {
-    taken.why = root ? " (no model in it)" : " (" + root.error().found + ")";
+    taken.why = root ? Text("no model in it") : root.error().found;
     return taken_[key] = taken;
   }
   open_.insert(key);
@@ -369,7 +375,7 @@ const SdfTidier::Taken& SdfTidier::take(const fs::path& file, const Place& place
   printer.SetStreamPrinting();
   (*root)->Accept(&printer);
   if (!writeFileAtomically(taken.file, printer.Str(), {.durable = false}))
-    taken = {{}, {}, " (no room for a copy)", nullptr, 0};
+    taken = {{}, {}, Text("no room for a copy"), nullptr, 0};
   return taken_[key] = taken;
 }
 
@@ -379,14 +385,16 @@ bool SdfTidier::keepMesh(TiXmlElement& mesh, const Place& place) {
   const fs::path file = found ? found->path : fs::path();
   std::error_code ignored;
   if (file.empty() || !fs::is_regular_file(file, ignored)) {
-    ++missing_meshes_[uri.empty() ? "a mesh without <uri>" : uri];
+    Missing& missing = missing_meshes_[uri];
+    missing.shown = uri.empty() ? Text("a mesh without <uri>") : Text(uri);
+    ++missing.times;
     return false;
   }
   if (!found->taken_for_package.empty() && taken_packages_.insert(found->taken_for_package).second)
     tell(mesh, place, takenForPackage(uri, *found));
   const std::vector<double> scale = numbersIn(textOf(&mesh, "scale"));
   if (std::find(scale.begin(), scale.end(), 0.0) != scale.end()) {
-    tell(mesh, place, "the mesh " + uri + " is left out: a scale of 0");
+    tell(mesh, place, Text("the mesh %1 is left out: a scale of 0", uri));
     return false;
   }
   const auto [number, is_new] = mesh_numbers_.try_emplace(uri + "|" + file.string(), static_cast<int>(meshes_.size()));
@@ -411,7 +419,7 @@ bool SdfTidier::keepShape(TiXmlElement& geometry, const TiXmlElement& of, const 
     const bool positive = !numbers.empty() &&
                           std::all_of(numbers.begin(), numbers.end(), [](double n) { return n > 0.0 && isUsable(n); });
     if (positive) continue;
-    tell(of, place, "is left out: a shape <" + shape->ValueStr() + "> without size");
+    tell(of, place, Text("is left out: a shape <%1> without size", shape->ValueStr()));
     return false;
   }
   return true;

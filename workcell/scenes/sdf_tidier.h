@@ -7,12 +7,13 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/system/text.h"
-#include "workcell/text/content_rules.h"
 #include "workcell/scenes/sdf_source.h"
 #include "workcell/scenes/sdf_xml.h"
+#include "workcell/text/content_rules.h"
 
 namespace hapticell::workcell {
 
@@ -47,10 +48,15 @@ class SdfTidier {
     int depth = 0;         // How many files deep.
     bool lenient = false;  // A version whose elements the table does not list.
   };
+  /// A file that is named but not there.
+  struct Missing {
+    Text shown;
+    int times = 0;
+  };
   struct Taken {
     std::filesystem::path file;  // Empty: not to be had.
     std::string name;
-    std::string why;
+    Text why;
     std::shared_ptr<TiXmlElement> model;  // Where it means the same in any version: it is put in place of the include.
     std::size_t elements = 0;             // With all that it takes in itself.
   };
@@ -61,14 +67,16 @@ class SdfTidier {
   std::map<std::string, int> mesh_numbers_;
   std::map<std::string, Taken> taken_;
   std::set<std::string> open_;
-  std::vector<std::string> told_;
+  std::vector<Text> told_;
   std::size_t elements_ = 0;  // Of the file that is tidied, with all that it takes in.
   std::optional<Error> refused_;
-  std::map<std::string, int> missing_models_, missing_meshes_;
+  std::map<std::string, Missing> missing_models_, missing_meshes_;
   std::set<std::filesystem::path> taken_packages_;  ///< That were reported as guessed.
 
   /// False from where there are more elements than a library should be given.
   bool count(std::size_t elements, const Place& place);
+  /// How many times files are named that are not there, and which.
+  static std::pair<int, std::vector<Text>> listed(const std::map<std::string, Missing>& missing);
   Place placeOf(TiXmlElement& root, const Place& place);
   void arrangeTop(TiXmlElement& root, const Place& place);
   void tidyChildren(TiXmlElement& parent, const Place& place);
@@ -83,7 +91,7 @@ class SdfTidier {
   bool keepShape(TiXmlElement& geometry, const TiXmlElement& of, const Place& place);
   void settle(TiXmlElement& world, TiXmlElement& population, Names& names, const Place& place);
   const Taken& take(const std::filesystem::path& file, const Place& place);
-  void tell(const TiXmlElement& of, const Place& place, const std::string& what);
+  void tell(const TiXmlElement& of, const Place& place, Text what);
 };
 
 }  // namespace hapticell::workcell

@@ -33,8 +33,8 @@ Expected<TiXmlElement*> parseSdf(const std::filesystem::path& file, TiXmlDocumen
   document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {
     return makeError({.file = file.string(),
-                      .place = "line " + std::to_string(document.ErrorRow()),
-                      .found = document.ErrorDesc(),
+                      .place = Text("line %1", document.ErrorRow()),
+                      .found = std::string(document.ErrorDesc()),
                       .expected = "XML"});
   }
   TiXmlElement* root = document.RootElement();

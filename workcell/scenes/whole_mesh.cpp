@@ -17,14 +17,14 @@ Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file
     const MeshReadOptions reading{options.metres_per_unit, options.weld, options.warn_about_unit};
     Diagnostics notes;
     auto mesh = readMesh(file, reading, notes);
-    for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
+    for (const Text& note : notes.warnings) diagnostics.warn(Text("%1: %2", file.filename().string(), note));
     return mesh;
   }
   ImportOptions as_solids = options;
   as_solids.merge = true;
   Expected<ImportedScene> scene = batch ? batch->scene(file) : readScene(file, as_solids, nullptr);
   HAPTICELL_TRY(scene);
-  for (const std::string& warning : scene->warnings) diagnostics.warn(warning);
+  for (const Text& warning : scene->warnings) diagnostics.warn(warning);
   const std::vector<Pose> X_F = nodePoses(*scene);
   geometry::TriangleMesh whole;
   for (std::size_t k = 0; k < X_F.size(); ++k) {
@@ -37,7 +37,7 @@ Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file
   FacingNote facing;
   facing.look(whole);
   facing.tell(notes);
-  for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
+  for (const Text& note : notes.warnings) diagnostics.warn(Text("%1: %2", file.filename().string(), note));
   return whole;
 }
 
