@@ -175,7 +175,7 @@ class AssimpSceneBuilder {
     dmat4 M_FN = M_FP * toMatrix(source.mTransformation);
     if (!isFinite(M_FN)) {
       scene_.warnings.push_back(
-          Text("'%1' has a placement that is none; it stands at its parent", source.mName.C_Str()));
+          Text("'%1' has an invalid placement; it is placed at its parent", source.mName.C_Str()));
       M_FN = M_FP;
     }
     const Pose X_FN = rigidPart(M_FN);

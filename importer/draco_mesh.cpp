@@ -24,7 +24,7 @@ Expected<UnpackedMesh> unpackDraco(std::string_view bytes, std::uint32_t attribu
   for (draco::PointIndex k(0); k < mesh->num_points(); ++k) {
     float p[3] = {};
     if (!positions->ConvertValue<float, 3>(positions->mapped_index(k), p))
-      return refused(Text("positions that are none"));
+      return refused(Text("invalid positions"));
     result.positions.insert(result.positions.end(), p, p + 3);
   }
   result.triangles.reserve(3 * static_cast<std::size_t>(mesh->num_faces()));

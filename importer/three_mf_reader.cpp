@@ -263,7 +263,7 @@ class ThreeMfReader {
     const pugi::xml_node object = objectOf(resources, owner, id);
     if (!object) return makeError(damagedFile(place, Text("no such object"), Text("an object of that part")));
     const auto matrix = transformOf(source);
-    if (!matrix) return makeError(damagedFile(place, Text("a transform that is none"), Text("12 numbers")));
+    if (!matrix) return makeError(damagedFile(place, Text("an invalid transform"), Text("12 numbers")));
     auto made = shapeOf(object, resources, {owner, id});
     HAPTICELL_TRY(made);
     auto node = newNode((*made)->name);

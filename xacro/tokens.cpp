@@ -142,7 +142,7 @@ class Tokenizer {
     if (kind == 'x') base = 16;
     const auto [end, problem] = std::from_chars(first, last, whole, base);
     if (problem != std::errc() || end != last || first == last)
-      throw Fault{.found = "a number that is none in the expression", .expected = "0x1f"};
+      throw Fault{.found = "an invalid number in the expression", .expected = "0x1f"};
     return {Token::Kind::kConstant, "", whole};
   }
 

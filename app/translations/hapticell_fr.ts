@@ -69,8 +69,24 @@
         <translation> · efforts en marche</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; that is not in the text</source>
+        <translation>&quot;%1&quot;, qui n'est pas dans le texte</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; uses this key and would lose it.</source>
         <translation>« %1 » utilise cette touche et la perdrait.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; with a unit</source>
+        <translation>&quot;%1&quot; avec une unité</translation>
+    </message>
+    <message>
+        <source>&quot;mid&quot; or &quot;end&quot;</source>
+        <translation>&quot;mid&quot; ou &quot;end&quot;</translation>
+    </message>
+    <message>
+        <source>$(find), $(arg), $(env), $(optenv), $(eval), $(dirname) or $(cwd)</source>
+        <translation>$(find), $(arg), $(env), $(optenv), $(eval), $(dirname) ou $(cwd)</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -93,6 +109,18 @@
         <translation>%1 % du chemin</translation>
     </message>
     <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3</source>
+        <translation>%1 %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation>%1 %2 sur %3</translation>
+    </message>
+    <message>
         <source>%1 %2, %3 triangles. One unit of the file is one %4%5.</source>
         <translation>%1 %2, %3 triangles. Une unité du fichier vaut un %4%5.</translation>
     </message>
@@ -101,12 +129,40 @@
         <translation>%1 %2, %3 – %4</translation>
     </message>
     <message>
+        <source>%1 (%2 m or more)</source>
+        <translation>%1 (%2 m ou plus)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 times)</source>
+        <translation>%1 (%2 fois)</translation>
+    </message>
+    <message>
         <source>%1 (%2 to %3)</source>
         <translation>%1 (%2 à %3)</translation>
     </message>
     <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (%2) is left out: %3</source>
+        <translation>%1 (%2) est ignoré : %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2): %3</source>
+        <translation>%1 (%2) : %3</translation>
+    </message>
+    <message>
+        <source>%1 (above 0)</source>
+        <translation>%1 (supérieur à 0)</translation>
+    </message>
+    <message>
         <source>%1 (not usable)</source>
         <translation>%1 (inutilisable)</translation>
+    </message>
+    <message>
+        <source>%1 (process %2)</source>
+        <translation>%1 (processus %2)</translation>
     </message>
     <message>
         <source>%1 (unplugged)</source>
@@ -141,6 +197,10 @@
         <translation>%1 N ont été commandés. Si vous n'avez rien senti, vérifiez que le périphérique est sous tension, son arrêt d'urgence relâché, et étalonné.</translation>
     </message>
     <message>
+        <source>%1 The shape is left out.</source>
+        <translation>%1 La forme est omise.</translation>
+    </message>
+    <message>
         <source>%1 against %2: the meshes are too dense there to tell all contacts, so only the nearest point of each pair is felt</source>
         <translation>%1 contre %2 : les maillages y sont trop denses pour tous les contacts ; seul le point le plus proche de chaque paire est senti</translation>
     </message>
@@ -151,16 +211,52 @@ Do you want to replace it?</source>
 Voulez-vous le remplacer ?</translation>
     </message>
     <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 hinges</source>
+        <translation>%1 et %2 articulations</translation>
+    </message>
+    <message>
         <source>%1 and %2 in total</source>
         <translation>%1 et %2 au total</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
-        <translation>%1 et %2 de plus</translation>
+        <translation>%1 et %2 autres</translation>
     </message>
     <message>
         <source>%1 and %2 more: triangles face inward; they count as facing outward</source>
         <translation>%1 et %2 de plus : des triangles sont tournés vers l'intérieur ; ils comptent comme tournés vers l'extérieur</translation>
+    </message>
+    <message>
+        <source>%1 as in the workcell</source>
+        <translation>%1 comme dans la cellule</translation>
+    </message>
+    <message>
+        <source>%1 as the key of a dictionary</source>
+        <translation>%1 comme clé d'un dictionnaire</translation>
+    </message>
+    <message>
+        <source>%1 blocks</source>
+        <translation>%1 blocs</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 octets</translation>
+    </message>
+    <message>
+        <source>%1 bytes behind the last frame are not read; they are no whole frames</source>
+        <translation>%1 octets après la dernière image ne sont pas lus ; ils ne forment pas d'images entières</translation>
+    </message>
+    <message>
+        <source>%1 bytes behind the last triangle were not read</source>
+        <translation>%1 octets après le dernier triangle n'ont pas été lus</translation>
+    </message>
+    <message>
+        <source>%1 bytes without the identifier</source>
+        <translation>%1 octets sans l'identifiant</translation>
     </message>
     <message>
         <source>%1 cannot be made from this geometry</source>
@@ -179,6 +275,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 a changé sur le disque</translation>
     </message>
     <message>
+        <source>%1 compared with %2</source>
+        <translation>%1 face à %2 dans une comparaison</translation>
+    </message>
+    <message>
         <source>%1 continuous</source>
         <translation>%1 en continu</translation>
     </message>
@@ -189,6 +289,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 d</source>
         <translation>%1 j</translation>
+    </message>
+    <message>
+        <source>%1 damaged entries (the first: %2)</source>
+        <translation>%1 entrées endommagées (la première : %2)</translation>
     </message>
     <message>
         <source>%1 does not go along with %2: %3</source>
@@ -203,12 +307,56 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 arêtes à plus de deux faces</translation>
     </message>
     <message>
+        <source>%1 elements %2</source>
+        <translation>%1 éléments %2</translation>
+    </message>
+    <message>
+        <source>%1 elements without data</source>
+        <translation>%1 éléments sans données</translation>
+    </message>
+    <message>
+        <source>%1 elements, more than its buffer view holds</source>
+        <translation>%1 éléments, plus que sa vue de tampon (buffer view) n'en contient</translation>
+    </message>
+    <message>
+        <source>%1 entries</source>
+        <translation>%1 éléments</translation>
+    </message>
+    <message>
+        <source>%1 equal legs of %2 joints end free: if this is a parallel robot, its loops are open, for the file does not state them; close them with a robot.toml (docs/user/formats.md)</source>
+        <translation>%1 jambes identiques de %2 axes ont une extrémité libre : si c'est un robot parallèle, ses boucles sont ouvertes, car le fichier ne les indique pas ; fermez-les par un robot.toml (docs/user/formats.md)</translation>
+    </message>
+    <message>
+        <source>%1 faces cross themselves or are not plane; they were cut as fans</source>
+        <translation>%1 faces se croisent elles-mêmes ou ne sont pas planes ; elles ont été découpées en éventail</translation>
+    </message>
+    <message>
+        <source>%1 faces have a colour by its number in a map; it was left out</source>
+        <translation>%1 faces ont une couleur donnée par son numéro dans une table ; elle a été ignorée</translation>
+    </message>
+    <message>
+        <source>%1 faces have a colour that is no numbers of at least 0; it was left out</source>
+        <translation>%1 faces ont une couleur dont les valeurs ne sont pas des nombres positifs ou nuls ; elle a été ignorée</translation>
+    </message>
+    <message>
         <source>%1 faces were flipped outwards.</source>
         <translation>%1 faces ont été retournées vers l'extérieur.</translation>
     </message>
     <message>
+        <source>%1 faces with fewer than three corners were dropped</source>
+        <translation>%1 faces de moins de trois coins ont été supprimées</translation>
+    </message>
+    <message>
         <source>%1 farther</source>
         <translation>%1 plus loin</translation>
+    </message>
+    <message>
+        <source>%1 fields</source>
+        <translation>%1 champs</translation>
+    </message>
+    <message>
+        <source>%1 files are outside its folder</source>
+        <translation>%1 fichiers sont hors de son dossier</translation>
     </message>
     <message>
         <source>%1 files are outside the workcell's folder. Pack them too?</source>
@@ -217,6 +365,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 files of this cell are missing</source>
         <translation>%1 fichiers de cette cellule manquent</translation>
+    </message>
+    <message>
+        <source>%1 finite numbers</source>
+        <translation>%1 nombres finis</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 images</translation>
+    </message>
+    <message>
+        <source>%1 frames, as the file states</source>
+        <translation>%1 images, comme le fichier l'indique</translation>
     </message>
     <message>
         <source>%1 gives %2.</source>
@@ -231,8 +391,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 h</translation>
     </message>
     <message>
+        <source>%1 has %2 numbers</source>
+        <translation>%1 a %2 nombres</translation>
+    </message>
+    <message>
         <source>%1 has been plugged in</source>
         <translation>%1 vient d'être branché</translation>
+    </message>
+    <message>
+        <source>%1 has no '%2' here</source>
+        <translation>%1 n'a pas de '%2' ici</translation>
     </message>
     <message>
         <source>%1 has too many frames to reorder here. Simplify it first.</source>
@@ -250,13 +418,37 @@ Voulez-vous le remplacer ?</translation>
         <source>%1 higher</source>
         <translation>%1 plus haut</translation>
     </message>
+    <message>
+        <source>%1 holds %2</source>
+        <translation>%1 contient %2</translation>
+    </message>
+    <message>
+        <source>%1 in ${%2}</source>
+        <translation>%1, dans ${%2}</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 dans %2</translation>
+    </message>
     <message numerus="yes">
         <source>%1 in %n frames</source>
         <translation><numerusform>%1 sur %n image</numerusform><numerusform>%1 sur %n images</numerusform></translation>
     </message>
     <message>
+        <source>%1 in all</source>
+        <translation>%1 au total</translation>
+    </message>
+    <message>
+        <source>%1 in line %2</source>
+        <translation>%1 à la ligne %2</translation>
+    </message>
+    <message>
         <source>%1 in total</source>
         <translation>%1 au total</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 est %2</translation>
     </message>
     <message>
         <source>%1 is %2 beyond its limit</source>
@@ -307,8 +499,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est tenu par l'autre stylet</translation>
     </message>
     <message>
+        <source>%1 is kept without its shape: %2</source>
+        <translation>%1 est conservée sans sa forme : %2</translation>
+    </message>
+    <message>
         <source>%1 is known</source>
         <translation>%1 est connu</translation>
+    </message>
+    <message>
+        <source>%1 is left out: %2</source>
+        <translation>%1 est ignoré : %2</translation>
     </message>
     <message>
         <source>%1 is near %2 of %3</source>
@@ -319,8 +519,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est près d'une position où rien ne le retient</translation>
     </message>
     <message>
+        <source>%1 is no list</source>
+        <translation>%1 n'est pas une liste</translation>
+    </message>
+    <message>
         <source>%1 is not a readable picture. Choose a PNG, JPEG or SVG file. The report is unchanged.</source>
         <translation>%1 n'est pas une image lisible. Choisissez un fichier PNG, JPEG ou SVG. Le rapport est inchangé.</translation>
+    </message>
+    <message>
+        <source>%1 is not above %2</source>
+        <translation>%1 ne se trouve pas plus haut que %2</translation>
+    </message>
+    <message>
+        <source>%1 is not finite</source>
+        <translation>%1 n'est pas fini</translation>
     </message>
     <message>
         <source>%1 is not in this cell.</source>
@@ -347,6 +559,22 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est utilisé, mais seulement jusqu'à la fermeture.</translation>
     </message>
     <message>
+        <source>%1 joint positions</source>
+        <translation>%1 positions d'axes</translation>
+    </message>
+    <message>
+        <source>%1 joint values</source>
+        <translation>%1 valeurs d'axe</translation>
+    </message>
+    <message>
+        <source>%1 joints</source>
+        <translation>%1 axes</translation>
+    </message>
+    <message>
+        <source>%1 joints move it</source>
+        <translation>%1 axes le déplacent</translation>
+    </message>
+    <message>
         <source>%1 kg</source>
         <translation>%1 kg</translation>
     </message>
@@ -357,6 +585,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 left</source>
         <translation>reste %1</translation>
+    </message>
+    <message>
+        <source>%1 lines beginning with %2 were not understood</source>
+        <translation>%1 lignes qui commencent par %2 n'ont pas été comprises</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 segments</translation>
+    </message>
+    <message>
+        <source>%1 links, %2 joints</source>
+        <translation>%1 segments, %2 axes</translation>
     </message>
     <message>
         <source>%1 long</source>
@@ -371,8 +611,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 m</translation>
     </message>
     <message>
+        <source>%1 m, %2 rad off</source>
+        <translation>un écart de %1 m, %2 rad</translation>
+    </message>
+    <message>
+        <source>%1 materials have a colour that is not three numbers of at least 0</source>
+        <translation>%1 matériaux ont une couleur qui n'est pas faite de trois nombres positifs ou nuls</translation>
+    </message>
+    <message>
+        <source>%1 materials have a picture, which is not shown</source>
+        <translation>%1 matériaux ont une image, qui n'est pas affichée</translation>
+    </message>
+    <message>
         <source>%1 may contain the work of others.</source>
         <translation>%1 contient peut-être le travail d’autrui.</translation>
+    </message>
+    <message>
+        <source>%1 meshes that it names are not there and were left out: %2</source>
+        <translation>%1 maillages cités sont introuvables et ont été omis : %2</translation>
     </message>
     <message>
         <source>%1 min</source>
@@ -387,6 +643,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 mm&lt;br&gt;%2°</translation>
     </message>
     <message>
+        <source>%1 models that it names are not there and were left out: %2</source>
+        <translation>%1 modèles cités sont introuvables et ont été omis : %2</translation>
+    </message>
+    <message>
         <source>%1 moved, %2 added, %3 removed. Placements: X Y Z in mm, A B C in degrees about z, y, x.</source>
         <translation>%1 déplacés, %2 ajoutés, %3 retirés. Places : X Y Z en mm, A B C en degrés autour de z, y, x.</translation>
     </message>
@@ -399,12 +659,56 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 suit</translation>
     </message>
     <message>
+        <source>%1 moving joints carry it</source>
+        <translation>%1 axes mobiles le portent</translation>
+    </message>
+    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
     <message>
+        <source>%1 names '%2', which is left out: plug-ins come only from folders that are named by their whole path and that no other user may write to.</source>
+        <translation>%1 nomme '%2', qui est ignoré : les modules ne viennent que de dossiers nommés par leur chemin complet, où aucun autre utilisateur ne peut écrire.</translation>
+    </message>
+    <message>
         <source>%1 nearer</source>
         <translation>%1 plus près</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 nombres</translation>
+    </message>
+    <message>
+        <source>%1 numbers in %2</source>
+        <translation>%1 nombres dans %2</translation>
+    </message>
+    <message>
+        <source>%1 numbers in brackets</source>
+        <translation>%1 nombres entre crochets</translation>
+    </message>
+    <message>
+        <source>%1 numbers in frame %2</source>
+        <translation>%1 nombres dans l'image %2</translation>
+    </message>
+    <message>
+        <source>%1 numbers, one a channel</source>
+        <translation>%1 nombres, un par canal</translation>
+    </message>
+    <message>
+        <source>%1 numbers, or not a unit quaternion</source>
+        <translation>%1 nombres, ou un quaternion qui n'est pas unitaire</translation>
+    </message>
+    <message>
+        <source>%1 numbers: t,x,y,z,qw,qx,qy,qz, the joints and the channels</source>
+        <translation>%1 nombres : t,x,y,z,qw,qx,qy,qz, les axes et les canaux</translation>
+    </message>
+    <message>
+        <source>%1 objects or groups that hang together at their open borders are %2 solids</source>
+        <translation>%1 objets ou groupes qui se touchent par leurs bords ouverts forment %2 solides</translation>
+    </message>
+    <message>
+        <source>%1 objects or groups that hang together at their open borders are 1 solid</source>
+        <translation>%1 objets ou groupes qui se touchent par leurs bords ouverts forment 1 solide</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -435,6 +739,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 parmi beaucoup, les plus proches d'abord</translation>
     </message>
     <message>
+        <source>%1 of the limit</source>
+        <translation>%1 de la limite</translation>
+    </message>
+    <message>
+        <source>%1 of them</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>%1 offsets</source>
+        <translation>%1 décalages</translation>
+    </message>
+    <message>
         <source>%1 on %2</source>
         <translation>%1 sur %2</translation>
     </message>
@@ -455,12 +771,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 paires se touchent au repos : %2. Les exclure de la vérification ?</translation>
     </message>
     <message>
+        <source>%1 parameters are cut or of no known kind; they are passed over</source>
+        <translation>%1 paramètres sont tronqués ou d'un type inconnu ; ils sont ignorés</translation>
+    </message>
+    <message>
+        <source>%1 parts have no shape (first '%2'): a file that they refer to is missing, or they hold lines only</source>
+        <translation>%1 pièces n'ont pas de forme (la première : '%2') : un fichier auquel elles renvoient manque, ou elles ne contiennent que des lignes</translation>
+    </message>
+    <message>
         <source>%1 peak</source>
         <translation>%1 crête</translation>
     </message>
     <message>
+        <source>%1 placements</source>
+        <translation>%1 placements</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 points</translation>
+    </message>
+    <message>
         <source>%1 points. To pass: %2 points and the whole path</source>
         <translation>%1 points. Pour réussir : %2 points et tout le chemin</translation>
+    </message>
+    <message>
+        <source>%1 positions</source>
+        <translation>%1 positions</translation>
+    </message>
+    <message>
+        <source>%1 read back from the pack</source>
+        <translation>%1 relue dans l'archive</translation>
+    </message>
+    <message>
+        <source>%1 read back, or others</source>
+        <translation>%1 relus, ou d'autres</translation>
     </message>
     <message>
         <source>%1 responds at %2.</source>
@@ -473,6 +817,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 s  %2</source>
         <translation>%1 s  %2</translation>
+    </message>
+    <message>
+        <source>%1 s for %2 s</source>
+        <translation>%1 s pour %2 s</translation>
+    </message>
+    <message>
+        <source>%1 s to %2 s</source>
+        <translation>%1 s à %2 s</translation>
     </message>
     <message>
         <source>%1 s · frames: %2</source>
@@ -495,8 +847,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>manque %1</translation>
     </message>
     <message>
+        <source>%1 signs</source>
+        <translation>%1 caractères</translation>
+    </message>
+    <message>
+        <source>%1 since %2</source>
+        <translation>%1 depuis %2</translation>
+    </message>
+    <message>
         <source>%1 sits on %2</source>
         <translation>%1 s'assied sur %2</translation>
+    </message>
+    <message>
+        <source>%1 solids have faces of several colours; shown in that of most of the area</source>
+        <translation>%1 solides ont des faces de plusieurs couleurs ; ils sont affichés dans celle de la plus grande surface</translation>
+    </message>
+    <message>
+        <source>%1 solids of triangles without area were left out</source>
+        <translation>%1 solides faits de triangles sans aire ont été ignorés</translation>
+    </message>
+    <message>
+        <source>%1 stands below itself by way of '%2'; it is put at the top</source>
+        <translation>%1 se trouve sous elle-même par l'intermédiaire de '%2' ; elle est placée en haut de l'arbre</translation>
     </message>
     <message>
         <source>%1 starts inside %2 and no straight way out was found; it is not held back by it until they are apart</source>
@@ -511,12 +883,56 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 commence à l'intérieur de %2, à %3 de profondeur : il se dégage selon %4 (maillage ouvert : d'après son indice d'enroulement)</translation>
     </message>
     <message>
+        <source>%1 steps</source>
+        <translation>%1 étapes</translation>
+    </message>
+    <message>
+        <source>%1 surfaces that belong to no solid were put into one part</source>
+        <translation>%1 surfaces qui n'appartiennent à aucun solide ont été réunies en une pièce</translation>
+    </message>
+    <message>
+        <source>%1 targets</source>
+        <translation>%1 cibles</translation>
+    </message>
+    <message>
+        <source>%1 tessellated shapes (triangles as of AP242) are left out; exact ones are read</source>
+        <translation>%1 formes tessellées (triangles selon AP242) sont laissées de côté ; les formes exactes sont lues</translation>
+    </message>
+    <message>
+        <source>%1 texts, among them perhaps names of parts, are written in bytes of no stated encoding; %2 is assumed</source>
+        <translation>%1 textes, dont peut-être des noms de pièces, sont écrits dans un codage non indiqué ; %2 est supposé</translation>
+    </message>
+    <message>
+        <source>%1 that is called like a function</source>
+        <translation>%1 à la place d'une fonction</translation>
+    </message>
+    <message>
         <source>%1 times, last %2</source>
         <translation>%1 fois, dernière à %2</translation>
     </message>
     <message>
         <source>%1 to %2</source>
         <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3, as %4 can hold</source>
+        <translation>%1 à %2 %3, ce que %4 peut contenir</translation>
+    </message>
+    <message>
+        <source>%1 to %2 (40 % about its expectation)</source>
+        <translation>%1 à %2 (40 % autour de la valeur attendue)</translation>
+    </message>
+    <message>
+        <source>%1 to %2 degrees</source>
+        <translation>de %1 à %2 degrés</translation>
+    </message>
+    <message>
+        <source>%1 to %2 kg at this stature</source>
+        <translation>%1 à %2 kg pour cette stature</translation>
+    </message>
+    <message>
+        <source>%1 to %2 m, its limits</source>
+        <translation>%1 à %2 m, ses limites</translation>
     </message>
     <message>
         <source>%1 to %2: measuring…</source>
@@ -551,12 +967,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 touche %2.</translation>
     </message>
     <message>
+        <source>%1 trajectories</source>
+        <translation>%1 trajectoires</translation>
+    </message>
+    <message>
         <source>%1 triangles</source>
         <translation>%1 triangles</translation>
     </message>
     <message>
+        <source>%1 triangles were there twice and dropped once</source>
+        <translation>%1 triangles en double ont été supprimés une fois</translation>
+    </message>
+    <message>
+        <source>%1 triangles with a corner that is no point were dropped</source>
+        <translation>%1 triangles dont un sommet n'est pas un point ont été écartés</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area were dropped</source>
+        <translation>%1 triangles sans aire ont été supprimés</translation>
+    </message>
+    <message>
         <source>%1 triangles, at most %2 from the mesh</source>
         <translation>%1 triangles, à %2 au plus du maillage</translation>
+    </message>
+    <message>
+        <source>%1 values for %2 names</source>
+        <translation>%1 valeurs pour %2 noms</translation>
+    </message>
+    <message>
+        <source>%1 vertices and %2 faces</source>
+        <translation>%1 sommets et %2 faces</translation>
+    </message>
+    <message>
+        <source>%1 vertices have a colour that is no numbers of at least 0; it was left out</source>
+        <translation>%1 sommets ont une couleur dont les valeurs ne sont pas des nombres positifs ou nuls ; elle a été ignorée</translation>
     </message>
     <message>
         <source>%1 was changed in the meantime, so nothing was done</source>
@@ -589,6 +1033,22 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 was saved with warnings</source>
         <translation>%1 a été enregistré avec des avertissements</translation>
+    </message>
+    <message>
+        <source>%1 where a list is needed</source>
+        <translation>%1 là où il faut une liste</translation>
+    </message>
+    <message>
+        <source>%1 where a number is needed</source>
+        <translation>%1 là où il faut un nombre</translation>
+    </message>
+    <message>
+        <source>%1 where a text is needed</source>
+        <translation>%1 là où il faut un texte</translation>
+    </message>
+    <message>
+        <source>%1 where a whole number is needed</source>
+        <translation>%1 là où il faut un nombre entier</translation>
     </message>
     <message>
         <source>%1 works while the pointer is over the scene</source>
@@ -671,6 +1131,34 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1%2 triangles</translation>
     </message>
     <message>
+        <source>%1() of %2</source>
+        <translation>%1() appliqué à %2</translation>
+    </message>
+    <message>
+        <source>%1() of a number that it is not defined for</source>
+        <translation>%1() appliqué à un nombre pour lequel il n'est pas défini</translation>
+    </message>
+    <message>
+        <source>%1() that is too large or not defined</source>
+        <translation>%1() trop grand ou non défini</translation>
+    </message>
+    <message>
+        <source>%1() with &quot;%2&quot;</source>
+        <translation>%1() avec &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>%1() with %2</source>
+        <translation>%1() avec %2</translation>
+    </message>
+    <message>
+        <source>%1() with %2 values</source>
+        <translation>%1() avec %2 valeurs</translation>
+    </message>
+    <message>
+        <source>%1, &quot;%2&quot;</source>
+        <translation>%1, &quot;%2&quot;</translation>
+    </message>
+    <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
@@ -687,6 +1175,34 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, %2, %3 : </translation>
     </message>
     <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2 : %3</translation>
+    </message>
+    <message>
+        <source>%1, and %2 more</source>
+        <translation>%1, et %2 autres</translation>
+    </message>
+    <message>
+        <source>%1, as in the header</source>
+        <translation>%1, comme dans l'en-tête</translation>
+    </message>
+    <message>
+        <source>%1, as its file is</source>
+        <translation>%1, comme son fichier</translation>
+    </message>
+    <message>
+        <source>%1, byte %2</source>
+        <translation>%1, octet %2</translation>
+    </message>
+    <message>
+        <source>%1, field '%2'</source>
+        <translation>%1, champ '%2'</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, repère %2</translation>
+    </message>
+    <message>
         <source>%1, from the file</source>
         <translation>%1, d'après le fichier</translation>
     </message>
@@ -695,8 +1211,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, classe la plus lourde</translation>
     </message>
     <message>
+        <source>%1, joint %2</source>
+        <translation>%1, articulation %2</translation>
+    </message>
+    <message>
+        <source>%1, key '%2'</source>
+        <translation>%1, clé '%2'</translation>
+    </message>
+    <message>
         <source>%1, left</source>
         <translation>%1, gauche</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, ligne %2</translation>
+    </message>
+    <message>
+        <source>%1, link '%2'</source>
+        <translation>%1, segment '%2'</translation>
     </message>
     <message>
         <source>%1, minimum distance</source>
@@ -707,6 +1239,38 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, pas étalonné pour vous</translation>
     </message>
     <message>
+        <source>%1, number %2,</source>
+        <translation>%1, nombre %2,</translation>
+    </message>
+    <message>
+        <source>%1, object %2</source>
+        <translation>%1, objet %2</translation>
+    </message>
+    <message>
+        <source>%1, one a joint</source>
+        <translation>%1, un par axe</translation>
+    </message>
+    <message>
+        <source>%1, one a moving joint</source>
+        <translation>%1, une par axe mobile</translation>
+    </message>
+    <message>
+        <source>%1, one for each joint that moves the tip, base first</source>
+        <translation>%1, un pour chaque axe qui déplace l'extrémité, à partir de la base</translation>
+    </message>
+    <message>
+        <source>%1, part %2</source>
+        <translation>%1, pièce %2</translation>
+    </message>
+    <message>
+        <source>%1, part '%2'</source>
+        <translation>%1, pièce '%2'</translation>
+    </message>
+    <message>
+        <source>%1, pose %2</source>
+        <translation>%1, pose %2</translation>
+    </message>
+    <message>
         <source>%1, right</source>
         <translation>%1, droite</translation>
     </message>
@@ -715,12 +1279,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, aller-retour %2 ms</translation>
     </message>
     <message>
+        <source>%1, row %2</source>
+        <translation>%1, ligne %2</translation>
+    </message>
+    <message>
         <source>%1, target missed</source>
         <translation>%1, cible manquée</translation>
     </message>
     <message>
+        <source>%1, the inner radius smaller than the outer</source>
+        <translation>%1, le rayon intérieur plus petit que le rayon extérieur</translation>
+    </message>
+    <message>
+        <source>%1, tool %2</source>
+        <translation>%1, outil %2</translation>
+    </message>
+    <message>
         <source>%1, undone</source>
         <translation>%1, annulé</translation>
+    </message>
+    <message>
+        <source>%1, which is what the file's length holds</source>
+        <translation>%1, ce qui correspond à la longueur du fichier</translation>
     </message>
     <message>
         <source>%1, which the other stylus holds, goes with %2</source>
@@ -731,12 +1311,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, µ %2</translation>
     </message>
     <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1.src beside it</source>
+        <translation>%1.src à côté</translation>
+    </message>
+    <message>
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
     </message>
     <message>
         <source>%1: %2 % seen, %3 away, %4</source>
         <translation>%1 : vu à %2 %, à %3, %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 (link '%3')</source>
+        <translation>%1 : %2 (segment '%3')</translation>
+    </message>
+    <message>
+        <source>%1: %2 is a gearbox; it is left out</source>
+        <translation>%1 : %2 est un réducteur (gearbox) ; il est omis</translation>
     </message>
     <message>
         <source>%1: %2 is in the way, %3 short of the target</source>
@@ -755,8 +1351,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : il manque %2 jusqu'à la cible</translation>
     </message>
     <message>
+        <source>%1: %2.</source>
+        <translation>%1 : %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2; the shape is left out</source>
+        <translation>%1 : %2 ; la forme est omise</translation>
+    </message>
+    <message>
         <source>%1: %2° to %3°, comfortable %4° to %5°</source>
         <translation>%1 : %2° à %3°, confortable %4° à %5°</translation>
+    </message>
+    <message>
+        <source>%1: &lt;%2&gt; was never expanded (%3 times), and its macro is not in the file: what it stands for is left out</source>
+        <translation>%1 : &lt;%2&gt; n'a jamais été développé (%3 fois) et sa macro n'est pas dans le fichier : son contenu est omis</translation>
+    </message>
+    <message>
+        <source>%1: &lt;%2&gt; was never expanded (1 time), and its macro is not in the file: what it stands for is left out</source>
+        <translation>%1 : &lt;%2&gt; n'a jamais été développé (1 fois) et sa macro n'est pas dans le fichier : son contenu est omis</translation>
     </message>
     <message>
         <source>%1: at least %2 mm</source>
@@ -773,6 +1385,62 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1: friction</source>
         <translation>%1 : frottement</translation>
+    </message>
+    <message>
+        <source>%1: it names links or joints that the robot does not have: %2</source>
+        <translation>%1 : des segments ou axes cités n'existent pas dans le robot : %2</translation>
+    </message>
+    <message>
+        <source>%1: joint '%2' hangs on 'world', which is no link of the file; it is taken as the root</source>
+        <translation>%1 : l'axe '%2' est rattaché à 'world', qui n'est pas un segment du fichier ; ce dernier est pris comme racine</translation>
+    </message>
+    <message>
+        <source>%1: joint '%2' has its lower limit %3 over the upper %4; it is read as one without limits, as PyBullet does</source>
+        <translation>%1 : la butée inférieure %3 de l'axe '%2' dépasse la butée supérieure %4 ; l'axe est lu sans butées, comme le fait PyBullet</translation>
+    </message>
+    <message>
+        <source>%1: joint '%2' is %3 without &lt;limit&gt;; it is read as one without limits</source>
+        <translation>%1 : l'axe '%2' est de type %3 sans &lt;limit&gt; ; il est lu sans butées</translation>
+    </message>
+    <message>
+        <source>%1: joint '%2' is %3; it is read as fixed</source>
+        <translation>%1 : l'axe '%2' est de type %3 ; il est lu comme fixe</translation>
+    </message>
+    <message>
+        <source>%1: joint '%2' is read as one that moves by itself: it follows '%3', which follows another itself</source>
+        <translation>%1 : l'axe '%2' est lu comme indépendant : il suit '%3', qui suit lui-même un autre axe</translation>
+    </message>
+    <message>
+        <source>%1: joint '%2' is read as one that moves by itself: it follows '%3', which is not there</source>
+        <translation>%1 : l'axe '%2' est lu comme indépendant : il suit '%3', qui n'existe pas</translation>
+    </message>
+    <message>
+        <source>%1: link '%2': a shape is left out, because its placement is unknown: %3</source>
+        <translation>%1 : segment '%2' : une forme est omise, car sa pose ne peut pas être déterminée : %3</translation>
+    </message>
+    <message>
+        <source>%1: no finite velocity is stated for %2; 180 deg/s or 1 m/s is assumed where one is needed</source>
+        <translation>%1 : aucune vitesse finie n'est indiquée pour %2 ; 180 deg/s ou 1 m/s est supposé là où il en faut une</translation>
+    </message>
+    <message>
+        <source>%1: no joint connects the link '%2' to the root; it is fixed where it stands</source>
+        <translation>%1 : aucun axe ne relie le segment '%2' à la racine ; il est fixé là où il se trouve</translation>
+    </message>
+    <message>
+        <source>%1: no joint names the link '%2' and it has no shape; it is left out</source>
+        <translation>%1 : aucun axe ne cite le segment '%2', et il n'a pas de forme ; il est omis</translation>
+    </message>
+    <message>
+        <source>%1: not drawn and not checked are %2</source>
+        <translation>%1 : ni affichés ni vérifiés : %2</translation>
+    </message>
+    <message>
+        <source>%1: not wholly drawn and checked are %2</source>
+        <translation>%1 : affichés et vérifiés en partie seulement : %2</translation>
+    </message>
+    <message>
+        <source>%1: of %2 models only '%3' is read, for it has joints that move</source>
+        <translation>%1 : sur %2 modèles, seul '%3' est lu, car il a des axes mobiles</translation>
     </message>
     <message>
         <source>%1: one lies inside the other</source>
@@ -795,6 +1463,38 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : %2 s'en approche au plus à %3.</translation>
     </message>
     <message>
+        <source>%1: the collision shape is shown instead for %2</source>
+        <translation>%1 : la forme de collision est affichée à la place pour %2</translation>
+    </message>
+    <message>
+        <source>%1: the color rgba=&quot;%2&quot; is not four numbers; its shapes are grey</source>
+        <translation>%1 : la couleur rgba=&quot;%2&quot; ne se compose pas de quatre nombres ; ses formes sont grises</translation>
+    </message>
+    <message>
+        <source>%1: the key &quot;%2&quot; is not known and was left out</source>
+        <translation>%1 : la clé &quot;%2&quot; est inconnue et a été ignorée</translation>
+    </message>
+    <message>
+        <source>%1: the material '%2' has a picture and no color; pictures are not shown, its links are grey</source>
+        <translation>%1 : le matériau '%2' a une image et pas de couleur ; les images ne sont pas affichées, ses segments sont gris</translation>
+    </message>
+    <message>
+        <source>%1: the material '%2' is defined a second time with another color; the first, on %3, counts</source>
+        <translation>%1 : le matériau '%2' est défini une seconde fois avec une autre couleur ; la première définition (%3) est retenue</translation>
+    </message>
+    <message>
+        <source>%1: the material '%2' is defined nowhere; its links are shown grey</source>
+        <translation>%1 : le matériau '%2' n'est défini nulle part ; ses segments sont affichés en gris</translation>
+    </message>
+    <message>
+        <source>%1: the path leaves the workspace of the %2 by %3 mm; its stops hold the stylus.</source>
+        <translation>%1 : la trajectoire sort de l'espace de travail du périphérique %2 de %3 mm ; ses butées retiennent le stylet.</translation>
+    </message>
+    <message>
+        <source>%1: the visual shape is checked instead for %2</source>
+        <translation>%1 : la forme visuelle est vérifiée à la place pour %2</translation>
+    </message>
+    <message>
         <source>%1: they touch or overlap</source>
         <translation>%1 : elles se touchent ou se chevauchent</translation>
     </message>
@@ -805,6 +1505,34 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1: why %2, and how to lower it</source>
         <translation>%1 : pourquoi %2, et comment l'abaisser</translation>
+    </message>
+    <message>
+        <source>%1:%2</source>
+        <translation>%1:%2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1 ; %2</translation>
+    </message>
+    <message>
+        <source>%1; 0 is assumed</source>
+        <translation>%1 ; 0 est supposé</translation>
+    </message>
+    <message>
+        <source>%1; 1 is assumed</source>
+        <translation>%1 ; 1 est supposé</translation>
+    </message>
+    <message>
+        <source>%1; expected %2</source>
+        <translation>%1 ; attendu : %2</translation>
+    </message>
+    <message>
+        <source>%1; its moves are read once.</source>
+        <translation>%1 ; ses mouvements sont lus une fois.</translation>
+    </message>
+    <message>
+        <source>%1; no limit is assumed</source>
+        <translation>%1 ; l'absence de butée est supposée</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -903,6 +1631,230 @@ Voulez-vous le remplacer ?</translation>
         <translation>&amp;Oui</translation>
     </message>
     <message>
+        <source>'%1' a second time</source>
+        <translation>'%1' une seconde fois</translation>
+    </message>
+    <message>
+        <source>'%1' after a file that is not xacro</source>
+        <translation>'%1' après un fichier qui n'est pas xacro</translation>
+    </message>
+    <message>
+        <source>'%1' before its parent</source>
+        <translation>'%1' avant son parent</translation>
+    </message>
+    <message>
+        <source>'%1' behind frame:</source>
+        <translation>'%1' après frame:</translation>
+    </message>
+    <message>
+        <source>'%1' depends on what the file does not give; it is read as not so.</source>
+        <translation>'%1' dépend de ce que le fichier ne donne pas ; la condition est lue comme fausse.</translation>
+    </message>
+    <message>
+        <source>'%1' has an invalid placement; it is placed at its parent</source>
+        <translation>'%1' a un placement qui n'en est pas un ; il est mis au placement de son parent</translation>
+    </message>
+    <message>
+        <source>'%1' has closed loops, which URDF cannot say: only its tree was written</source>
+        <translation>'%1' a des boucles fermées, que l'URDF ne peut pas décrire : seul son arbre a été écrit</translation>
+    </message>
+    <message>
+        <source>'%1' has faces of several colours; it is shown in that of most of its area</source>
+        <translation>'%1' a des faces de plusieurs couleurs ; il est affiché dans celle de sa plus grande surface</translation>
+    </message>
+    <message>
+        <source>'%1' has joints that move; it is read as a solid body</source>
+        <translation>'%1' a des axes mobiles ; il est lu comme un corps rigide</translation>
+    </message>
+    <message>
+        <source>'%1' has joints that move; it is read as a solid body: %2</source>
+        <translation>'%1' a des axes mobiles ; il est lu comme un corps rigide : %2</translation>
+    </message>
+    <message>
+        <source>'%1' has no such joint</source>
+        <translation>'%1' n'a pas cet axe</translation>
+    </message>
+    <message>
+        <source>'%1' in a text that is filled</source>
+        <translation>'%1' dans un texte à compléter</translation>
+    </message>
+    <message>
+        <source>'%1' in a time</source>
+        <translation>'%1' dans un temps</translation>
+    </message>
+    <message>
+        <source>'%1' in pulses, which only the controller can read</source>
+        <translation>'%1' en impulsions, que seul le contrôleur peut lire</translation>
+    </message>
+    <message>
+        <source>'%1' in the archive</source>
+        <translation>'%1' dans l'archive</translation>
+    </message>
+    <message>
+        <source>'%1' in the expression</source>
+        <translation>'%1' dans l'expression</translation>
+    </message>
+    <message>
+        <source>'%1' is left out.</source>
+        <translation>'%1' est omis.</translation>
+    </message>
+    <message>
+        <source>'%1' is left out: %2</source>
+        <translation>'%1' est laissé de côté : %2</translation>
+    </message>
+    <message>
+        <source>'%1' is left out: threads are not read.</source>
+        <translation>'%1' est omis : les tâches parallèles ne sont pas lues.</translation>
+    </message>
+    <message>
+        <source>'%1' is locked in place</source>
+        <translation>'%1' est verrouillé en place</translation>
+    </message>
+    <message>
+        <source>'%1' is no solid of the cell</source>
+        <translation>'%1' n'est pas un solide de la cellule</translation>
+    </message>
+    <message>
+        <source>'%1' is not in the file or not understood; if it moves, that is missing.</source>
+        <translation>'%1' n'est pas dans le fichier ou n'est pas compris ; si cela déplace le robot, ce mouvement manque.</translation>
+    </message>
+    <message>
+        <source>'%1' is not in the file; if it moves, that is missing.</source>
+        <translation>'%1' n'est pas dans le fichier ; si cela déplace le robot, ce mouvement manque.</translation>
+    </message>
+    <message>
+        <source>'%1' is not understood and left out.</source>
+        <translation>'%1' n'est pas compris et est omis.</translation>
+    </message>
+    <message>
+        <source>'%1' is that entity or hangs on it</source>
+        <translation>'%1' est cette entité ou y est attaché</translation>
+    </message>
+    <message>
+        <source>'%1' read back</source>
+        <translation>'%1' à la relecture</translation>
+    </message>
+    <message>
+        <source>'%1' that does not end</source>
+        <translation>'%1', qui n'est pas fermé</translation>
+    </message>
+    <message>
+        <source>'%1' twice</source>
+        <translation>'%1' deux fois</translation>
+    </message>
+    <message>
+        <source>'%1', a jump to elsewhere</source>
+        <translation>'%1', un saut hors du programme</translation>
+    </message>
+    <message>
+        <source>'%1', attached</source>
+        <translation>'%1', attache</translation>
+    </message>
+    <message>
+        <source>'%1', frame '%2'</source>
+        <translation>'%1', repère '%2'</translation>
+    </message>
+    <message>
+        <source>'%1', tool '%2'</source>
+        <translation>'%1', outil '%2'</translation>
+    </message>
+    <message>
+        <source>'%1', which has no value</source>
+        <translation>'%1', qui n'a pas de valeur</translation>
+    </message>
+    <message>
+        <source>'%1', which is no robot</source>
+        <translation>'%1', qui n'est pas un robot</translation>
+    </message>
+    <message>
+        <source>'%1', which is not understood</source>
+        <translation>'%1', qui n'est pas compris</translation>
+    </message>
+    <message>
+        <source>'%1', which moves all targets that follow</source>
+        <translation>'%1', qui déplace toutes les cibles suivantes</translation>
+    </message>
+    <message>
+        <source>'%1', which moves by a variable of the controller</source>
+        <translation>'%1', qui se déplace selon une variable du contrôleur</translation>
+    </message>
+    <message>
+        <source>'%1', which moves the targets that follow</source>
+        <translation>'%1', qui déplace les cibles suivantes</translation>
+    </message>
+    <message>
+        <source>'%1', which the file does not give</source>
+        <translation>'%1', que le fichier ne donne pas</translation>
+    </message>
+    <message>
+        <source>'%1', whose motion depends on the controller's clock</source>
+        <translation>'%1', dont le mouvement dépend de l'horloge du contrôleur</translation>
+    </message>
+    <message>
+        <source>'%1': %2 of %3 faces could not be cut into triangles and are missing</source>
+        <translation>'%1' : %2 des %3 faces n'ont pas pu être découpées en triangles et manquent</translation>
+    </message>
+    <message>
+        <source>'%1': %2 polygons with holes could not be cut into triangles and are missing</source>
+        <translation>'%1' : %2 polygones à trous n'ont pas pu être découpés en triangles et manquent</translation>
+    </message>
+    <message>
+        <source>'%1': its mesh %2 is left out: %3</source>
+        <translation>'%1' : son maillage %2 est omis : %3</translation>
+    </message>
+    <message>
+        <source>'%1': invalid pose; it is placed at the body above</source>
+        <translation>'%1' : sa pose n'est pas valable ; il est placé sur le corps parent</translation>
+    </message>
+    <message>
+        <source>'%1': the frame of its pose is not there; it is taken in the body above</source>
+        <translation>'%1' : le repère de sa pose n'existe pas ; elle est prise dans le corps parent</translation>
+    </message>
+    <message>
+        <source>'%1.%2'</source>
+        <translation>'%1.%2'</translation>
+    </message>
+    <message>
+        <source>'OFF'</source>
+        <translation>'OFF'</translation>
+    </message>
+    <message>
+        <source>'OFF', 'COFF' or 'NOFF' in three dimensions</source>
+        <translation>'OFF', 'COFF' ou 'NOFF' en trois dimensions</translation>
+    </message>
+    <message>
+        <source>'element', 'property', 'comment' or 'end_header'</source>
+        <translation>'element', 'property', 'comment' ou 'end_header'</translation>
+    </message>
+    <message>
+        <source>'end_header'</source>
+        <translation>'end_header'</translation>
+    </message>
+    <message>
+        <source>'facet' or 'endsolid'</source>
+        <translation>'facet' ou 'endsolid'</translation>
+    </message>
+    <message>
+        <source>'format' ascii, binary_little_endian or binary_big_endian</source>
+        <translation>'format' ascii, binary_little_endian ou binary_big_endian</translation>
+    </message>
+    <message>
+        <source>'not' of what is no truth</source>
+        <translation>'not' de ce qui n'est pas une valeur logique</translation>
+    </message>
+    <message>
+        <source>'ply'</source>
+        <translation>'ply'</translation>
+    </message>
+    <message>
+        <source>'solid'</source>
+        <translation>'solid'</translation>
+    </message>
+    <message>
+        <source>'vertex' (three of them a facet)</source>
+        <translation>'vertex' (trois par facette)</translation>
+    </message>
+    <message>
         <source>(open elsewhere)</source>
         <translation>(ouvert ailleurs)</translation>
     </message>
@@ -959,6 +1911,146 @@ Voulez-vous le remplacer ?</translation>
         <translation>, µ %1</translation>
     </message>
     <message>
+        <source>--add %1</source>
+        <translation>--add %1</translation>
+    </message>
+    <message>
+        <source>--cell, or one of --percentile and --stature</source>
+        <translation>--cell, ou l'une des options --percentile et --stature</translation>
+    </message>
+    <message>
+        <source>--check %1</source>
+        <translation>--check %1</translation>
+    </message>
+    <message>
+        <source>--device</source>
+        <translation>--device</translation>
+    </message>
+    <message>
+        <source>--direction</source>
+        <translation>--direction</translation>
+    </message>
+    <message>
+        <source>--entity</source>
+        <translation>--entity</translation>
+    </message>
+    <message>
+        <source>--hands</source>
+        <translation>--hands</translation>
+    </message>
+    <message>
+        <source>--input, --motion</source>
+        <translation>--input, --motion</translation>
+    </message>
+    <message>
+        <source>--kind</source>
+        <translation>--kind</translation>
+    </message>
+    <message>
+        <source>--lock</source>
+        <translation>--lock</translation>
+    </message>
+    <message>
+        <source>--mannequin</source>
+        <translation>--mannequin</translation>
+    </message>
+    <message>
+        <source>--mode</source>
+        <translation>--mode</translation>
+    </message>
+    <message>
+        <source>--only</source>
+        <translation>--only</translation>
+    </message>
+    <message>
+        <source>--output</source>
+        <translation>--output</translation>
+    </message>
+    <message>
+        <source>--plane</source>
+        <translation>--plane</translation>
+    </message>
+    <message>
+        <source>--pose</source>
+        <translation>--pose</translation>
+    </message>
+    <message>
+        <source>--record with it</source>
+        <translation>--record en plus</translation>
+    </message>
+    <message>
+        <source>--record-interval, --record-distance</source>
+        <translation>--record-interval, --record-distance</translation>
+    </message>
+    <message>
+        <source>--robot or --velocity</source>
+        <translation>--robot ou --velocity</translation>
+    </message>
+    <message>
+        <source>--safety-zone</source>
+        <translation>--safety-zone</translation>
+    </message>
+    <message>
+        <source>--sample</source>
+        <translation>--sample</translation>
+    </message>
+    <message>
+        <source>--set</source>
+        <translation>--set</translation>
+    </message>
+    <message>
+        <source>--set forces</source>
+        <translation>--set forces</translation>
+    </message>
+    <message>
+        <source>--set safety_distance</source>
+        <translation>--set safety_distance</translation>
+    </message>
+    <message>
+        <source>--sex</source>
+        <translation>--sex</translation>
+    </message>
+    <message>
+        <source>--start</source>
+        <translation>--start</translation>
+    </message>
+    <message>
+        <source>--start: joint '%1' at %2 is beyond its limits of %3 to %4</source>
+        <translation>--start : l'axe '%1' à %2 est au-delà de ses butées, de %3 à %4</translation>
+    </message>
+    <message>
+        <source>--station</source>
+        <translation>--station</translation>
+    </message>
+    <message>
+        <source>--tip</source>
+        <translation>--tip</translation>
+    </message>
+    <message>
+        <source>--to</source>
+        <translation>--to</translation>
+    </message>
+    <message>
+        <source>--tolerance, --angle-tolerance</source>
+        <translation>--tolerance, --angle-tolerance</translation>
+    </message>
+    <message>
+        <source>--unit</source>
+        <translation>--unit</translation>
+    </message>
+    <message>
+        <source>--up, --markers</source>
+        <translation>--up, --markers</translation>
+    </message>
+    <message>
+        <source>--velocity</source>
+        <translation>--velocity</translation>
+    </message>
+    <message>
+        <source>--view</source>
+        <translation>--view</translation>
+    </message>
+    <message>
         <source>-changes.pdf</source>
         <translation>-changements.pdf</translation>
     </message>
@@ -991,6 +2083,30 @@ Voulez-vous le remplacer ?</translation>
         <translation>. Pour y remédier (priorité temps réel) : ajoutez votre compte au groupe realtime</translation>
     </message>
     <message>
+        <source>.bvh, .amc beside its .asf, or .c3d</source>
+        <translation>.bvh, .amc à côté de son .asf, ou .c3d</translation>
+    </message>
+    <message>
+        <source>.htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi</source>
+        <translation>.htraj, .csv, .json, .yaml, ou un programme de robot : .src, .mod, .ls, .script, .jbi</translation>
+    </message>
+    <message>
+        <source>.htraj, .json or .csv</source>
+        <translation>.htraj, .json ou .csv</translation>
+    </message>
+    <message>
+        <source>.json (the posture), .obj (the body), .x3d (H-Anim) or .bvh (the motion)</source>
+        <translation>.json (la posture), .obj (le corps), .x3d (H-Anim) ou .bvh (le mouvement)</translation>
+    </message>
+    <message>
+        <source>.src, .mod, .ls or .script</source>
+        <translation>.src, .mod, .ls ou .script</translation>
+    </message>
+    <message>
+        <source>/dev/</source>
+        <translation>/dev/</translation>
+    </message>
+    <message>
         <source>/min</source>
         <translation>/min</translation>
     </message>
@@ -1007,8 +2123,64 @@ Voulez-vous le remplacer ?</translation>
         <translation>/s³</translation>
     </message>
     <message>
+        <source>0 (controller) or 1 (watcher)</source>
+        <translation>0 (client actif) ou 1 (observateur)</translation>
+    </message>
+    <message>
         <source>0 N</source>
         <translation>0 N</translation>
+    </message>
+    <message>
+        <source>0 and more</source>
+        <translation>0 ou plus</translation>
+    </message>
+    <message>
+        <source>0 or 1</source>
+        <translation>0 ou 1</translation>
+    </message>
+    <message>
+        <source>0 or more</source>
+        <translation>0 ou plus</translation>
+    </message>
+    <message>
+        <source>0 or more, within the bounds of docs/library/protocol.md</source>
+        <translation>0 ou plus, dans les limites de docs/library/protocol.md</translation>
+    </message>
+    <message>
+        <source>0 to %1 less one</source>
+        <translation>de 0 à %1 moins un</translation>
+    </message>
+    <message>
+        <source>0 to 1</source>
+        <translation>de 0 à 1</translation>
+    </message>
+    <message>
+        <source>0 to 1 m</source>
+        <translation>de 0 à 1 m</translation>
+    </message>
+    <message>
+        <source>0 to 6</source>
+        <translation>0 à 6</translation>
+    </message>
+    <message>
+        <source>0 to 62</source>
+        <translation>de 0 à 62</translation>
+    </message>
+    <message>
+        <source>0, 1 while pressed, 2 for a second one, 3 for both</source>
+        <translation>0, 1 bouton pressé, 2 pour un second, 3 pour les deux</translation>
+    </message>
+    <message>
+        <source>0.001 to 3.2 rad</source>
+        <translation>de 0,001 à 3,2 rad</translation>
+    </message>
+    <message>
+        <source>0.1 to 99.9</source>
+        <translation>0.1 à 99.9</translation>
+    </message>
+    <message>
+        <source>1 damaged entry (%1)</source>
+        <translation>1 entrée endommagée (%1)</translation>
     </message>
     <message>
         <source>1 joint</source>
@@ -1019,12 +2191,92 @@ Voulez-vous le remplacer ?</translation>
         <translation>1 articulations</translation>
     </message>
     <message>
+        <source>1 or 2</source>
+        <translation>1 ou 2</translation>
+    </message>
+    <message>
         <source>1 pair touches at rest: %1. Exclude it from the check?</source>
         <translation>1 paire se touche au repos : %1. L'exclure de la vérification ?</translation>
     </message>
     <message>
+        <source>1 solid has faces of several colours; shown in that of most of the area</source>
+        <translation>1 solide a des faces de plusieurs couleurs ; il est affiché dans celle de la plus grande surface</translation>
+    </message>
+    <message>
+        <source>1 to %1</source>
+        <translation>1 à %1</translation>
+    </message>
+    <message>
+        <source>1 to 10000 of them</source>
+        <translation>de 1 à 10000</translation>
+    </message>
+    <message>
+        <source>1 to 10000 per second</source>
+        <translation>1 à 10000 par seconde</translation>
+    </message>
+    <message>
+        <source>1, the newest that this program knows</source>
+        <translation>1, la plus récente que ce programme connaît</translation>
+    </message>
+    <message>
+        <source>1.2 to 2.3 m</source>
+        <translation>1.2 à 2.3 m</translation>
+    </message>
+    <message>
+        <source>12 numbers</source>
+        <translation>12 nombres</translation>
+    </message>
+    <message>
+        <source>1e-9 to 1000 m</source>
+        <translation>de 1e-9 à 1000 m</translation>
+    </message>
+    <message>
+        <source>28 letters and digits in groups of four, as hapticell-haptic-server --pair shows them</source>
+        <translation>28 lettres et chiffres par groupes de quatre, comme hapticell-haptic-server --pair les affiche</translation>
+    </message>
+    <message>
+        <source>3 (force) or 6 (force and torque)</source>
+        <translation>3 (force) ou 6 (force et couple)</translation>
+    </message>
+    <message>
+        <source>3, or 4 with the turn of the tool</source>
+        <translation>3, ou 4 avec la rotation de l'outil</translation>
+    </message>
+    <message>
         <source>3D mouse</source>
         <translation>Souris 3D</translation>
+    </message>
+    <message>
+        <source>6 legs</source>
+        <translation>6 jambes</translation>
+    </message>
+    <message>
+        <source>6 on the base and 6 on the platform</source>
+        <translation>6 sur la base et 6 sur la plateforme</translation>
+    </message>
+    <message>
+        <source>6, in degrees</source>
+        <translation>6, en degrés</translation>
+    </message>
+    <message>
+        <source>70-hapticell.rules is installed</source>
+        <translation>70-hapticell.rules est installé</translation>
+    </message>
+    <message>
+        <source>70-hapticell.rules is not installed</source>
+        <translation>70-hapticell.rules n'est pas installé</translation>
+    </message>
+    <message>
+        <source>84 (Intel), 85 (DEC) or 86 (MIPS)</source>
+        <translation>84 (Intel), 85 (DEC) ou 86 (MIPS)</translation>
+    </message>
+    <message>
+        <source>: </source>
+        <translation> : </translation>
+    </message>
+    <message>
+        <source>:RADIANS and :DEGREES</source>
+        <translation>:RADIANS et :DEGREES</translation>
     </message>
     <message>
         <source>; of the limits: speed %1 %, acceleration %2 %</source>
@@ -1037,6 +2289,82 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>&lt; P 1</source>
         <translation>&lt; P 1</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; has %2=&quot;%3&quot;</source>
+        <translation>&lt;%1&gt; a %2=&quot;%3&quot;</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; has '%2', which xacro does not know</source>
+        <translation>&lt;%1&gt; a '%2', que xacro ne connaît pas</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; inside of the call of macro '%2'</source>
+        <translation>&lt;%1&gt; dans l'appel de la macro '%2'</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; is '%2' instead of %3 numbers</source>
+        <translation>&lt;%1&gt; vaut '%2' au lieu de %3 nombres</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; is '%2' instead of 1 number</source>
+        <translation>&lt;%1&gt; vaut '%2' au lieu d'un nombre</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; is left out, it moves nothing: %2</source>
+        <translation>&lt;%1&gt; est laissé de côté, il ne déplace rien : %2</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; without %2</source>
+        <translation>&lt;%1&gt; sans %2</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt;, which is not known</source>
+        <translation>&lt;%1&gt;, qui est inconnu</translation>
+    </message>
+    <message>
+        <source>&lt;&lt; with %1</source>
+        <translation>&lt;&lt; avec %1</translation>
+    </message>
+    <message>
+        <source>&lt;axis&gt; with &lt;xyz&gt;</source>
+        <translation>&lt;axis&gt; avec &lt;xyz&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;mimic&gt; without joint</source>
+        <translation>&lt;mimic&gt; sans axe</translation>
+    </message>
+    <message>
+        <source>&lt;model name=&quot;…&quot;&gt;</source>
+        <translation>&lt;model name=&quot;…&quot;&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;parent link=&quot;…&quot;/&gt; and &lt;child link=&quot;…&quot;/&gt;</source>
+        <translation>&lt;parent link=&quot;…&quot;/&gt; et &lt;child link=&quot;…&quot;/&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;robot name=&quot;…&quot;&gt; (URDF)</source>
+        <translation>&lt;robot name=&quot;…&quot;&gt; (URDF)</translation>
+    </message>
+    <message>
+        <source>&lt;robot&gt;</source>
+        <translation>&lt;robot&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;robot&gt; has no links</source>
+        <translation>&lt;robot&gt; n'a pas de segments</translation>
+    </message>
+    <message>
+        <source>&lt;xacro:%1&gt;: there is no macro of this name</source>
+        <translation>&lt;xacro:%1&gt; : il n'y a pas de macro de ce nom</translation>
+    </message>
+    <message>
+        <source>&lt;xacro:attribute&gt; with an empty name</source>
+        <translation>&lt;xacro:attribute&gt; avec un nom vide</translation>
+    </message>
+    <message>
+        <source>&lt;xacro:element&gt; with an empty name</source>
+        <translation>&lt;xacro:element&gt; avec un nom vide</translation>
     </message>
     <message>
         <source>&gt; P 99</source>
@@ -1059,8 +2387,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une portière sur sa charnière</translation>
     </message>
     <message>
+        <source>A file may have been changed since the workcell was opened: save the workcell, open it again and pack it.</source>
+        <translation>Un fichier a peut-être été modifié depuis l'ouverture de la cellule : enregistrez la cellule, rouvrez-la et archivez-la.</translation>
+    </message>
+    <message>
+        <source>A file of macros is opened through the file that includes it.</source>
+        <translation>Ouvrez un fichier de macros par le fichier qui l'inclut.</translation>
+    </message>
+    <message>
         <source>A file of this cell is missing</source>
         <translation>Un fichier de cette cellule manque</translation>
+    </message>
+    <message>
+        <source>A frame has no sizes: give it a name and a place (name=N, pose=x,y,z,qw,qx,qy,qz).</source>
+        <translation>Donnez au repère, qui n'a pas de dimensions, un nom et une pose (name=N, pose=x,y,z,qw,qx,qy,qz).</translation>
+    </message>
+    <message>
+        <source>A frame is one line; the file is cut or was changed.</source>
+        <translation>Vérifiez le fichier : une image tient sur une ligne ; il est tronqué ou a été modifié.</translation>
     </message>
     <message>
         <source>A free hand with the fingers of the glove; the stylus moves it</source>
@@ -1103,6 +2447,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une image en tête de chaque rapport ; aucune n'est choisie</translation>
     </message>
     <message>
+        <source>A program has no times: lines take their length by their speed, joint moves are taken at 1 m/s and 180 deg/s by their share.</source>
+        <translation>Un programme n'a pas de temps : la durée des lignes est leur longueur divisée par leur vitesse ; les mouvements articulaires sont pris à 1 m/s et 180 deg/s fois leur pourcentage.</translation>
+    </message>
+    <message>
+        <source>A property that is a text may hold a mistyped number.</source>
+        <translation>Vérifiez les propriétés : l'une d'elles est un texte, peut-être un nombre mal saisi.</translation>
+    </message>
+    <message>
         <source>A trajectory is not saved</source>
         <translation>Une trajectoire n'est pas enregistrée</translation>
     </message>
@@ -1117,6 +2469,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>A workcell from someone else can name any file on this computer. Check that all of these belong to it.</source>
         <translation>Une cellule reçue d'autrui peut nommer n'importe quel fichier de cet ordinateur. Vérifiez que tous ceux-ci lui appartiennent.</translation>
+    </message>
+    <message>
+        <source>A+B:C+D, names of entities on either side of one colon</source>
+        <translation>A+B:C+D, des noms d'entités de part et d'autre d'un deux-points</translation>
     </message>
     <message>
         <source>ABB RAPID (.mod)</source>
@@ -1175,6 +2531,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ajouter un mannequin</translation>
     </message>
     <message>
+        <source>Add one.</source>
+        <translation>Ajoutez-en une.</translation>
+    </message>
+    <message>
         <source>Add robot</source>
         <translation>Ajouter un robot</translation>
     </message>
@@ -1193,6 +2553,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Add selected</source>
         <translation>Ajouter la sélection</translation>
+    </message>
+    <message>
+        <source>Add the link or correct the name.</source>
+        <translation>Ajoutez le segment ou corrigez le nom.</translation>
     </message>
     <message>
         <source>Add with size</source>
@@ -1243,6 +2607,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les quatre</translation>
     </message>
     <message>
+        <source>All keys stand in the shipped hapticell.toml.</source>
+        <translation>Toutes les clés figurent dans le hapticell.toml livré.</translation>
+    </message>
+    <message>
         <source>All manufacturers</source>
         <translation>Tous les constructeurs</translation>
     </message>
@@ -1259,6 +2627,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Autoriser la rotation autour de %1 (%1 deux fois : cet axe seul)</translation>
     </message>
     <message>
+        <source>Allow writing to it, or choose another name.</source>
+        <translation>Autorisez l'écriture ou choisissez un autre nom.</translation>
+    </message>
+    <message>
         <source>Alt</source>
         <translation>Alt</translation>
     </message>
@@ -1273,6 +2645,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>An expert's recording guides the stylus along its path and waits for the trainee.</source>
         <translation>L'enregistrement d'un expert guide le stylet sur son chemin et attend l'apprenant.</translation>
+    </message>
+    <message>
+        <source>And %1 more lines of these kinds.</source>
+        <translation>Et %1 autres lignes de ce genre.</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -1355,6 +2731,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Archives (*.zip *.tar.gz)</translation>
     </message>
     <message>
+        <source>Arcs are given by frames within 0.1 mm of them, turning evenly from their begin to their end.</source>
+        <translation>Les arcs sont remplacés par des images à moins de 0.1 mm d'eux, avec une rotation régulière du début à la fin.</translation>
+    </message>
+    <message>
         <source>Arguments</source>
         <translation>Arguments</translation>
     </message>
@@ -1381,6 +2761,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>As recorded</source>
         <translation>Comme enregistré</translation>
+    </message>
+    <message>
+        <source>Ask for a stature instead.</source>
+        <translation>Indiquez plutôt une stature.</translation>
     </message>
     <message>
         <source>Assign</source>
@@ -1599,8 +2983,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Largeur du bassin</translation>
     </message>
     <message>
+        <source>Bring the motion nearer to the robot's base.</source>
+        <translation>Rapprochez le mouvement de la base du robot.</translation>
+    </message>
+    <message>
         <source>Bringing the work %1 nearer</source>
         <translation>En approchant le travail de %1</translation>
+    </message>
+    <message>
+        <source>Build it anew with version %1.</source>
+        <translation>Recompilez-le avec la version %1.</translation>
     </message>
     <message>
         <source>Built-in parts</source>
@@ -1619,6 +3011,22 @@ Voulez-vous le remplacer ?</translation>
         <translation>Par valeurs</translation>
     </message>
     <message>
+        <source>C with one position</source>
+        <translation>C avec une seule position</translation>
+    </message>
+    <message>
+        <source>C7, T10, CLAV and STRN are not all there; the chest is as shoulders and hips lie</source>
+        <translation>C7, T10, CLAV et STRN ne sont pas tous présents ; l'orientation du thorax est déduite des épaules et des hanches</translation>
+    </message>
+    <message>
+        <source>CIRC auxiliary point, end point</source>
+        <translation>CIRC point auxiliaire, point final</translation>
+    </message>
+    <message>
+        <source>COORD: poses are relative to what the other motion group carries; its motion is not read.</source>
+        <translation>COORD : les poses sont relatives à ce que porte l'autre groupe de mouvement ; son mouvement n'est pas lu.</translation>
+    </message>
+    <message>
         <source>Cabinet</source>
         <translation>Armoire</translation>
     </message>
@@ -1629,6 +3037,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Calibrate glove…</source>
         <translation>Étalonner le gant…</translation>
+    </message>
+    <message>
+        <source>Calibrate the glove anew.</source>
+        <translation>Étalonnez de nouveau le gant.</translation>
     </message>
     <message>
         <source>Calibrated for you.</source>
@@ -1703,6 +3115,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Modifier le mécanisme</translation>
     </message>
     <message>
+        <source>Change the own measures together, or leave some to the regressions.</source>
+        <translation>Modifiez ensemble les mesures propres, ou laissez-en certaines aux régressions.</translation>
+    </message>
+    <message>
         <source>Changed</source>
         <translation>Modifié</translation>
     </message>
@@ -1743,6 +3159,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le vérifier</translation>
     </message>
     <message>
+        <source>Check it with another program (gz sdf --check), or export it again.</source>
+        <translation>Vérifiez-le avec un autre programme (gz sdf --check), ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Check its permissions.</source>
+        <translation>Vérifiez ses droits d'accès.</translation>
+    </message>
+    <message>
         <source>Check results</source>
         <translation>Résultats de la vérification</translation>
     </message>
@@ -1751,8 +3175,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier les collisions internes des robots</translation>
     </message>
     <message>
+        <source>Check that you may read it.</source>
+        <translation>Vérifiez que vous avez le droit de le lire.</translation>
+    </message>
+    <message>
         <source>Check the motion</source>
         <translation>Vérifier le mouvement</translation>
+    </message>
+    <message>
+        <source>Check the pipe or the disk.</source>
+        <translation>Vérifiez le tube ou le disque.</translation>
     </message>
     <message>
         <source>Check the whole path</source>
@@ -1779,6 +3211,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisir</translation>
     </message>
     <message>
+        <source>Choose a coarser tessellation or import it in parts.</source>
+        <translation>Choisissez un maillage plus grossier ou importez-le en plusieurs parties.</translation>
+    </message>
+    <message>
         <source>Choose a file to see what it is.</source>
         <translation>Choisissez un fichier pour voir ce que c'est.</translation>
     </message>
@@ -1795,6 +3231,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisir une image…</translation>
     </message>
     <message>
+        <source>Choose a robot.</source>
+        <translation>Choisissez un robot.</translation>
+    </message>
+    <message>
         <source>Choose a type below, then pick its geometry in the scene</source>
         <translation>Choisissez un type ci-dessous, puis désignez sa géométrie dans la scène</translation>
     </message>
@@ -1807,6 +3247,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez un exercice</translation>
     </message>
     <message>
+        <source>Choose another %1. Nothing was written.</source>
+        <translation>Choisissez une autre valeur (%1). Rien n'a été écrit.</translation>
+    </message>
+    <message>
+        <source>Choose another tip link.</source>
+        <translation>Choisissez un autre segment terminal.</translation>
+    </message>
+    <message>
         <source>Choose folder…</source>
         <translation>Choisir le dossier…</translation>
     </message>
@@ -1815,8 +3263,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez-le dans le panneau Virtual Desktop.</translation>
     </message>
     <message>
+        <source>Choose one of them.</source>
+        <translation>Choisissez l'un d'eux.</translation>
+    </message>
+    <message>
         <source>Choose the report logo</source>
         <translation>Choisir le logo des rapports</translation>
+    </message>
+    <message>
+        <source>Choose the robot in the cell, then import the motion again.</source>
+        <translation>Choisissez le robot dans la cellule, puis réimportez le mouvement.</translation>
     </message>
     <message>
         <source>Choose the size first</source>
@@ -1949,6 +3405,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Close a window or program that watches.</source>
         <translation>Fermez une fenêtre ou un programme qui observe.</translation>
+    </message>
+    <message>
+        <source>Close it there, or choose another name.</source>
+        <translation>Fermez-le là-bas, ou choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Close it, or connect as a watcher.</source>
@@ -2171,6 +3631,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Copier</translation>
     </message>
     <message>
+        <source>Copy or export it again: it is not whole.</source>
+        <translation>Copiez-le ou exportez-le à nouveau : il n'est pas complet.</translation>
+    </message>
+    <message>
         <source>Copy the command for %1</source>
         <translation>Copier la commande pour %1</translation>
     </message>
@@ -2181,6 +3645,30 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Corner</source>
         <translation>Coin</translation>
+    </message>
+    <message>
+        <source>Correct &quot;attached&quot; in the document.</source>
+        <translation>Corrigez &quot;attached&quot; dans le document.</translation>
+    </message>
+    <message>
+        <source>Correct &quot;parent&quot; in the document.</source>
+        <translation>Corrigez &quot;parent&quot; dans le document.</translation>
+    </message>
+    <message>
+        <source>Correct it, or evaluate it where it is written with lazy_eval=&quot;false&quot;.</source>
+        <translation>Corrigez-la, ou évaluez-la là où elle est écrite avec lazy_eval=&quot;false&quot;.</translation>
+    </message>
+    <message>
+        <source>Correct the file or take it away from beside the robot.</source>
+        <translation>Corrigez le fichier ou retirez-le du dossier du robot.</translation>
+    </message>
+    <message>
+        <source>Correct the name, or define the property in front.</source>
+        <translation>Corrigez le nom, ou définissez la propriété avant.</translation>
+    </message>
+    <message>
+        <source>Correct the path or put the file there.</source>
+        <translation>Corrigez le chemin ou placez-y le fichier.</translation>
     </message>
     <message>
         <source>Coupling</source>
@@ -2305,6 +3793,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Delete this frame</source>
         <translation>Supprimer cette image</translation>
+    </message>
+    <message>
+        <source>Delta '%1'</source>
+        <translation>Delta '%1'</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -2499,8 +3991,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>EN, ISO</translation>
     </message>
     <message>
+        <source>ENDFOR without FOR</source>
+        <translation>ENDFOR sans FOR</translation>
+    </message>
+    <message>
         <source>Ear to top of head</source>
         <translation>Oreille au sommet du crâne</translation>
+    </message>
+    <message>
+        <source>Echo it again with --full-length (-f).</source>
+        <translation>Refaites l'écho avec --full-length (-f).</translation>
     </message>
     <message>
         <source>Edge</source>
@@ -2603,6 +4103,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tous les</translation>
     </message>
     <message>
+        <source>Every user of this machine can see a code on the command line while the command runs. Leave it out to type it.</source>
+        <translation>Tous les utilisateurs de cette machine peuvent voir un code sur la ligne de commande pendant que la commande s'exécute. Omettez-le pour le saisir.</translation>
+    </message>
+    <message>
         <source>Everything</source>
         <translation>Tout</translation>
     </message>
@@ -2659,8 +4163,60 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exporter la cellule…</translation>
     </message>
     <message>
+        <source>Export it again, or in another format (STEP, glTF, STL), and without the part that is named.</source>
+        <translation>Exportez-le de nouveau, ou dans un autre format (STEP, glTF, STL), et sans la pièce citée.</translation>
+    </message>
+    <message>
+        <source>Export it again, or in another format (STEP, glTF, STL).</source>
+        <translation>Exportez-le à nouveau, ou dans un autre format (STEP, glTF, STL).</translation>
+    </message>
+    <message>
+        <source>Export it again, or in another format; a file that is sound may be cut into parts.</source>
+        <translation>Exportez-le de nouveau, ou dans un autre format ; si le fichier est correct, divisez-le en plusieurs.</translation>
+    </message>
+    <message>
+        <source>Export it again.</source>
+        <translation>Exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>Export it as csv, json or ros.</source>
+        <translation>Exportez-le en csv, json ou ros.</translation>
+    </message>
+    <message>
+        <source>Export it as glTF or STL, or make the mesh coarser first.</source>
+        <translation>Exportez-le en glTF ou STL, ou rendez d'abord le maillage plus grossier.</translation>
+    </message>
+    <message>
+        <source>Export it in one of these.</source>
+        <translation>Exportez-le dans un de ces formats.</translation>
+    </message>
+    <message>
+        <source>Export it with exact shapes (B-rep), or its triangles as STL, OBJ or 3MF.</source>
+        <translation>Exportez-le avec des formes exactes (B-rep), ou ses triangles en STL, OBJ ou 3MF.</translation>
+    </message>
+    <message>
+        <source>Export it with its poses first: trajectory export --to csv --robot.</source>
+        <translation>Exportez-le d'abord avec ses poses : trajectory export --to csv --robot.</translation>
+    </message>
+    <message>
+        <source>Export it without that extension, or convert it with a tool that can take it out.</source>
+        <translation>Exportez-le sans cette extension, ou convertissez-le avec un outil qui sait la retirer.</translation>
+    </message>
+    <message>
+        <source>Export it without that extension.</source>
+        <translation>Exportez-le sans cette extension.</translation>
+    </message>
+    <message>
+        <source>Export its poses as csv or json instead.</source>
+        <translation>Exportez plutôt ses poses en csv ou json.</translation>
+    </message>
+    <message>
         <source>Export motion</source>
         <translation>Exporter le mouvement</translation>
+    </message>
+    <message>
+        <source>Export one person a file.</source>
+        <translation>Exportez une seule personne par fichier.</translation>
     </message>
     <message>
         <source>Export results</source>
@@ -2673,6 +4229,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Export selection…</source>
         <translation>Exporter la sélection…</translation>
+    </message>
+    <message>
+        <source>Export the file again.</source>
+        <translation>Exportez le fichier à nouveau.</translation>
     </message>
     <message>
         <source>Exported program</source>
@@ -2691,12 +4251,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les axes externes suivent l'outil avec les axes du robot</translation>
     </message>
     <message>
+        <source>External axes of the targets (E1 ...) are not kept.</source>
+        <translation>Les axes externes des cibles (E1 ...) ne sont pas conservés.</translation>
+    </message>
+    <message>
+        <source>External axes of the targets (E1 to E6) are not kept.</source>
+        <translation>Les axes externes des cibles (E1 à E6) ne sont pas conservés.</translation>
+    </message>
+    <message>
+        <source>External axes of the targets are not kept.</source>
+        <translation>Les axes externes des cibles ne sont pas conservés.</translation>
+    </message>
+    <message>
         <source>Eye height, sitting</source>
         <translation>Hauteur des yeux, assis</translation>
     </message>
     <message>
         <source>FANUC (.ls)</source>
         <translation>FANUC (.ls)</translation>
+    </message>
+    <message>
+        <source>FANUC's J3 is counted from the horizontal: J2 is added to it.</source>
+        <translation>Le J3 de FANUC est compté depuis l'horizontale : J2 lui est ajouté.</translation>
     </message>
     <message>
         <source>FRONT</source>
@@ -2717,6 +4293,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Fastest, limited jerk</source>
         <translation>Au plus vite, à-coup limité</translation>
+    </message>
+    <message>
+        <source>Fault ({}) at tick {}: its ticks are in {}; {} others have no file</source>
+        <translation>Fault ({}) at tick {}: its ticks are in {}; {} others have no file</translation>
+    </message>
+    <message>
+        <source>Fault ({}) at tick {}: {}</source>
+        <translation>Fault ({}) at tick {}: {}</translation>
     </message>
     <message>
         <source>Feel and files</source>
@@ -3043,6 +4627,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Point %1 · %2 s</translation>
     </message>
     <message>
+        <source>Frames are missing or doubled; write the file anew.</source>
+        <translation>Écrivez de nouveau le fichier : des images manquent ou sont en double.</translation>
+    </message>
+    <message>
         <source>Frames recorded: %1</source>
         <translation>Images enregistrées : %1</translation>
     </message>
@@ -3057,6 +4645,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Free %1 only</source>
         <translation>Libérer %1 seul</translation>
+    </message>
+    <message>
+        <source>Free disk space, or write to another disk.</source>
+        <translation>Libérez de l'espace ou écrivez sur un autre disque.</translation>
     </message>
     <message>
         <source>Free to move</source>
@@ -3107,6 +4699,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Plein écran</translation>
     </message>
     <message>
+        <source>GB 18030 (Chinese)</source>
+        <translation>GB 18030 (chinois)</translation>
+    </message>
+    <message>
         <source>Gaze of %1</source>
         <translation>Regard de %1</translation>
     </message>
@@ -3117,6 +4713,26 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Geometry</source>
         <translation>Géométrie</translation>
+    </message>
+    <message>
+        <source>Give one: %1:=VALUE.</source>
+        <translation>Donnez-en une : %1:=VALUE.</translation>
+    </message>
+    <message>
+        <source>Give the file another ending.</source>
+        <translation>Donnez au fichier une autre extension.</translation>
+    </message>
+    <message>
+        <source>Give the file the ending .xacro, and it is expanded.</source>
+        <translation>Donnez au fichier l'extension .xacro pour qu'il soit développé.</translation>
+    </message>
+    <message>
+        <source>Give the robot (--robot) where it is given by joints, else write its value into the program.</source>
+        <translation>Indiquez le robot (--robot) si la cible est donnée par ses axes ; sinon, écrivez sa valeur dans le programme.</translation>
+    </message>
+    <message>
+        <source>Give the robot (--robot) where targets are given by joints.</source>
+        <translation>Indiquez le robot (--robot) si des cibles sont données par leurs axes.</translation>
     </message>
     <message>
         <source>Glove</source>
@@ -3197,6 +4813,26 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Guide…</source>
         <translation>Guide…</translation>
+    </message>
+    <message>
+        <source>HAPTICELL_CONFIG_DIR</source>
+        <translation>HAPTICELL_CONFIG_DIR</translation>
+    </message>
+    <message>
+        <source>HOME is '%1', no absolute path</source>
+        <translation>HOME vaut '%1', qui n'est pas un chemin absolu</translation>
+    </message>
+    <message>
+        <source>HOME is empty</source>
+        <translation>HOME est vide</translation>
+    </message>
+    <message>
+        <source>HOME is not set</source>
+        <translation>HOME n'est pas définie</translation>
+    </message>
+    <message>
+        <source>HOST:PORT with a port from 1 to 65535</source>
+        <translation>HOST:PORT avec un port de 1 à 65535</translation>
     </message>
     <message>
         <source>Hand breadth</source>
@@ -3471,12 +5107,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Importer comme</translation>
     </message>
     <message>
+        <source>Import it anew.</source>
+        <translation>Importez-le à nouveau.</translation>
+    </message>
+    <message>
         <source>Import motions</source>
         <translation>Importer des mouvements</translation>
     </message>
     <message>
         <source>Import motions…</source>
         <translation>Importer des mouvements…</translation>
+    </message>
+    <message>
+        <source>Import the file anew.</source>
+        <translation>Importez le fichier de nouveau.</translation>
     </message>
     <message>
         <source>Import — %1</source>
@@ -3515,6 +5159,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Inclure %1 – %2</translation>
     </message>
     <message>
+        <source>Include the file that defines it, or correct the name.</source>
+        <translation>Incluez le fichier qui la définit, ou corrigez le nom.</translation>
+    </message>
+    <message>
         <source>Include this pair</source>
         <translation>Inclure cette paire</translation>
     </message>
@@ -3543,8 +5191,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Insérer une pièce</translation>
     </message>
     <message>
+        <source>Install HaptiCell again.</source>
+        <translation>Réinstallez HaptiCell.</translation>
+    </message>
+    <message>
+        <source>Install ffmpeg, or write a picture (png).</source>
+        <translation>Installez ffmpeg, ou enregistrez une image (png).</translation>
+    </message>
+    <message>
+        <source>Install the library that it names, or remove the file.</source>
+        <translation>Installez la bibliothèque qu'il nomme, ou supprimez le fichier.</translation>
+    </message>
+    <message>
         <source>Invert the wheel</source>
         <translation>Inverser la molette</translation>
+    </message>
+    <message>
+        <source>Is another haptic server running? Give another --port, or 0 for any.</source>
+        <translation>Vérifiez si un autre serveur haptique tourne, ou donnez un autre --port (0 : n'importe lequel).</translation>
+    </message>
+    <message>
+        <source>Is its unit right? Otherwise move it to the origin in the program that made it.</source>
+        <translation>Vérifiez son unité. Sinon, déplacez-la à l'origine dans le programme qui l'a créée.</translation>
     </message>
     <message>
         <source>Iso</source>
@@ -3579,6 +5247,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il est ici en lecture seule. Enregistrez-le sous un autre nom, ou fermez-le d'abord là-bas.</translation>
     </message>
     <message>
+        <source>It may have been changed while it was packed: pack again.</source>
+        <translation>Archivez de nouveau : le fichier a peut-être été modifié pendant l'archivage.</translation>
+    </message>
+    <message>
         <source>It moves with the hand and is checked with it</source>
         <translation>Elle suit la main et est vérifiée avec elle</translation>
     </message>
@@ -3589,6 +5261,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>It stays where it is</source>
         <translation>Il reste où il est</translation>
+    </message>
+    <message>
+        <source>It works, with less detail while you turn the view. Install a graphics card driver for full speed.</source>
+        <translation>Cela fonctionne, avec moins de détails pendant que vous tournez la vue. Installez un pilote de carte graphique pour la pleine vitesse.</translation>
+    </message>
+    <message>
+        <source>JOINT, End Site, OFFSET, CHANNELS or }</source>
+        <translation>JOINT, End Site, OFFSET, CHANNELS ou }</translation>
+    </message>
+    <message>
+        <source>JSON as a recording writes it</source>
+        <translation>du JSON tel qu'un enregistrement l'écrit</translation>
     </message>
     <message>
         <source>Jerk</source>
@@ -3603,8 +5287,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacement manuel %1 du TCP de %2</translation>
     </message>
     <message>
+        <source>Join it, if only by a fixed joint.</source>
+        <translation>Reliez-le, ne serait-ce que par une liaison fixe.</translation>
+    </message>
+    <message>
         <source>Join parts into a mechanism…</source>
         <translation>Relier des pièces en mécanisme…</translation>
+    </message>
+    <message>
+        <source>Join them by a fixed joint.</source>
+        <translation>Reliez-les par un axe fixe.</translation>
     </message>
     <message>
         <source>Join with the next</source>
@@ -3627,8 +5319,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Articulations</translation>
     </message>
     <message>
+        <source>Joints are not kept, as not all targets have them; their poses are.</source>
+        <translation>Les axes ne sont pas conservés, car toutes les cibles n'en ont pas ; leurs poses le sont.</translation>
+    </message>
+    <message>
         <source>Joints, with their limits</source>
         <translation>Articulations et leurs butées</translation>
+    </message>
+    <message>
+        <source>KEY=VALUE</source>
+        <translation>KEY=VALUE</translation>
+    </message>
+    <message>
+        <source>KHR_draco_mesh_compression</source>
+        <translation>KHR_draco_mesh_compression</translation>
     </message>
     <message>
         <source>KUKA KRL (.src, .dat)</source>
@@ -3661,6 +5365,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Keep position, wrist joint fixed</source>
         <translation>Garder la position, axe du poignet fixe</translation>
+    </message>
+    <message>
+        <source>Keep the one that is wanted in the file.</source>
+        <translation>Ne gardez dans le fichier que celle qui est voulue.</translation>
     </message>
     <message>
         <source>Keep the range between the brackets</source>
@@ -3719,8 +5427,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Plus tard</translation>
     </message>
     <message>
+        <source>Latin-1 (Western Europe)</source>
+        <translation>Latin-1 (Europe de l'Ouest)</translation>
+    </message>
+    <message>
         <source>Layout</source>
         <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Leave out the joint that closes the cycle.</source>
+        <translation>Retirez l'axe qui ferme le cycle.</translation>
+    </message>
+    <message>
+        <source>Leave the unit out.</source>
+        <translation>N'indiquez pas d'unité.</translation>
     </message>
     <message>
         <source>Left</source>
@@ -3815,6 +5535,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ligne</translation>
     </message>
     <message>
+        <source>Line %1: %2</source>
+        <translation>Ligne %1 : %2</translation>
+    </message>
+    <message>
         <source>Line: rate. Bars: lateness (99th percentile), full height %1 ms</source>
         <translation>Ligne : fréquence. Barres : retard (99 %), au plus %1 ms</translation>
     </message>
@@ -3883,6 +5607,26 @@ Voulez-vous le remplacer ?</translation>
         <translation>Regarder la pièce</translation>
     </message>
     <message>
+        <source>Look at what it holds, then: chmod go-w '%1'.</source>
+        <translation>Examinez son contenu, puis lancez : chmod go-w '%1'.</translation>
+    </message>
+    <message>
+        <source>Look for a macro that calls itself.</source>
+        <translation>Cherchez une macro qui s'appelle elle-même.</translation>
+    </message>
+    <message>
+        <source>Look for a macro, a file or a property that contains itself.</source>
+        <translation>Cherchez une macro, un fichier ou une propriété qui se contient soi-même.</translation>
+    </message>
+    <message>
+        <source>Look for models that include each other several times, or cut the world into parts.</source>
+        <translation>Cherchez des modèles qui s'incluent plusieurs fois l'un l'autre, ou divisez le monde en plusieurs parties.</translation>
+    </message>
+    <message>
+        <source>Look whether the folder exists, and whether ffmpeg knows this ending.</source>
+        <translation>Vérifiez que le dossier existe et que ffmpeg connaît cette extension.</translation>
+    </message>
+    <message>
         <source>Loop</source>
         <translation>En boucle</translation>
     </message>
@@ -3907,8 +5651,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Allongé</translation>
     </message>
     <message>
+        <source>M7 and M11 are measured only with --timing.</source>
+        <translation>Ajoutez --timing pour mesurer M7 et M11.</translation>
+    </message>
+    <message>
+        <source>MOVC to %1 points</source>
+        <translation>MOVC vers %1 points</translation>
+    </message>
+    <message>
         <source>Make a fist, every finger joint bent by a right angle.</source>
         <translation>Fermez le poing, chaque articulation des doigts pliée à angle droit.</translation>
+    </message>
+    <message>
+        <source>Make a key first: hapticell-haptic-server --pair.</source>
+        <translation>Créez d'abord une clé : hapticell-haptic-server --pair.</translation>
+    </message>
+    <message>
+        <source>Make a new one (hapticell-haptic-server --pair), or chmod 600 if nobody has read it.</source>
+        <translation>Créez-en une nouvelle (hapticell-haptic-server --pair), ou faites chmod 600 si personne ne l'a lue.</translation>
+    </message>
+    <message>
+        <source>Make a surface of the point cloud first.</source>
+        <translation>Faites d'abord une surface à partir du nuage de points.</translation>
     </message>
     <message>
         <source>Make an exercise from this cell and an expert's motion</source>
@@ -3993,6 +5757,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Medium</source>
         <translation>Moyen</translation>
+    </message>
+    <message>
+        <source>Memory is not locked (mlockall: %1), so a tick may wait for a page. Write the line &quot;NAME - memlock unlimited&quot; with your user name into %2 and log in again.</source>
+        <translation>La mémoire n'est pas verrouillée (mlockall : %1) ; un cycle peut donc attendre une page. Ajoutez la ligne &quot;NAME - memlock unlimited&quot;, avec votre nom d'utilisateur, dans %2 et reconnectez-vous.</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -4135,6 +5903,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacer le TCP de %1</translation>
     </message>
     <message>
+        <source>Move the hinges apart, or turn the platform against the base.</source>
+        <translation>Écartez les articulations, ou tournez la plateforme par rapport à la base.</translation>
+    </message>
+    <message>
         <source>Move the mannequin or the part nearer, or unlock the feet so that it can step.</source>
         <translation>Rapprochez le mannequin ou la pièce, ou débloquez les pieds pour qu'il puisse faire un pas.</translation>
     </message>
@@ -4223,6 +5995,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>N/mm</translation>
     </message>
     <message>
+        <source>NAME or NAME:LINK</source>
+        <translation>NAME ou NAME:LINK</translation>
+    </message>
+    <message>
+        <source>NAME or NAME:LINK of an entity that was added before</source>
+        <translation>NAME ou NAME:LINK d'une entité ajoutée auparavant</translation>
+    </message>
+    <message>
+        <source>NAME:=VALUE</source>
+        <translation>NAME:=VALUE</translation>
+    </message>
+    <message>
         <source>NIOSH does not apply: %1</source>
         <translation>NIOSH ne s'applique pas : %1</translation>
     </message>
@@ -4251,8 +6035,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Nommer un point de %1</translation>
     </message>
     <message>
+        <source>Name fewer or other joints as actuated.</source>
+        <translation>Nommez moins d'axes actionnés, ou d'autres.</translation>
+    </message>
+    <message>
+        <source>Name it by its whole path.</source>
+        <translation>Nommez-le par son chemin complet.</translation>
+    </message>
+    <message>
         <source>Name of the pose (home replaces home)</source>
         <translation>Nom de la pose (home remplace home)</translation>
+    </message>
+    <message>
+        <source>Name the robot whose joints they are (--robot): its forward kinematics give the poses.</source>
+        <translation>Nommez le robot auquel appartiennent ces axes (--robot) : sa cinématique directe donne les poses.</translation>
     </message>
     <message>
         <source>Name, manufacturer, type or payload</source>
@@ -4389,6 +6185,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No</source>
         <translation>Non</translation>
+    </message>
+    <message>
+        <source>No --robot: configuration data are the format's defaults; check them on the controller.</source>
+        <translation>Pas de --robot : les données de configuration sont celles par défaut du format ; vérifiez-les sur le contrôleur.</translation>
     </message>
     <message>
         <source>No action needed.</source>
@@ -4667,6 +6467,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
     </message>
     <message>
+        <source>Nothing is written without --allow-miss.</source>
+        <translation>Rien n'est écrit sans --allow-miss.</translation>
+    </message>
+    <message>
         <source>Nothing moved, so nothing was recorded.</source>
         <translation>Rien n'a bougé : rien n'a été enregistré.</translation>
     </message>
@@ -4675,8 +6479,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien ne bouge avant votre accord.</translation>
     </message>
     <message>
+        <source>Nothing was held and moved, so the recording has no frames.</source>
+        <translation>Rien n'a été tenu et déplacé, donc l'enregistrement n'a pas d'images.</translation>
+    </message>
+    <message>
+        <source>Nothing was saved. Use --unchecked to save the code without a connection.</source>
+        <translation>Rien n'a été enregistré. Utilisez --unchecked pour enregistrer le code sans connexion.</translation>
+    </message>
+    <message>
+        <source>Nothing was written.</source>
+        <translation>Rien n'a été écrit.</translation>
+    </message>
+    <message>
+        <source>Nothing was written. A workcell from someone else can name any file of this machine. Check the list, then pack with --allow-outside, or move the files into the folder.</source>
+        <translation>Rien n'a été écrit. Une cellule venue d'ailleurs peut nommer n'importe quel fichier de cette machine. Vérifiez la liste, puis archivez avec --allow-outside, ou déplacez les fichiers dans le dossier.</translation>
+    </message>
+    <message>
+        <source>Nothing was written. Bring the motion nearer to the robot's base.</source>
+        <translation>Rien n'a été écrit. Rapprochez le mouvement de la base du robot.</translation>
+    </message>
+    <message>
+        <source>Nothing was written. Look at what the server says, and run the session again.</source>
+        <translation>Rien n'a été écrit. Consultez les messages du serveur, puis relancez la session.</translation>
+    </message>
+    <message>
         <source>OBJ (*.obj)</source>
         <translation>OBJ (*.obj)</translation>
+    </message>
+    <message>
+        <source>OFF as text</source>
+        <translation>un fichier OFF en texte</translation>
     </message>
     <message>
         <source>OK</source>
@@ -4723,6 +6555,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sur le segment</translation>
     </message>
     <message>
+        <source>On the controller the file must be named '%1', as its program.</source>
+        <translation>Sur le contrôleur, le fichier doit s'appeler '%1', comme son programme.</translation>
+    </message>
+    <message>
         <source>On the other station, run hapticell-haptic-server --pair once to see the code, then hapticell-haptic-server --listen with its address.</source>
         <translation>Sur l'autre poste, lancez une fois hapticell-haptic-server --pair pour voir le code, puis hapticell-haptic-server --listen avec son adresse.</translation>
     </message>
@@ -4739,8 +6575,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une étape d'annulation</translation>
     </message>
     <message>
+        <source>Only motion group 1 is read.</source>
+        <translation>Seul le groupe de mouvement 1 est lu.</translation>
+    </message>
+    <message>
         <source>Only the simulated stylus. No problems found.</source>
         <translation>Seulement le stylet simulé. Aucun problème trouvé.</translation>
+    </message>
+    <message>
+        <source>Only what is read as a recording goes into a pack: take it out of the workcell.</source>
+        <translation>Retirez-le de la cellule : seul ce qui est lisible comme enregistrement entre dans une archive.</translation>
+    </message>
+    <message>
+        <source>Only what is read as what it is said to be goes into a pack: take it out of the workcell.</source>
+        <translation>Retirez-le de la cellule : seul ce qui est lisible selon le type déclaré entre dans une archive.</translation>
     </message>
     <message>
         <source>Only while the robot is held by its tool</source>
@@ -4791,6 +6639,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrez-la par la poignée : sentez le guide, ses butées et un cran.</translation>
     </message>
     <message>
+        <source>Open it with a newer HaptiCell.</source>
+        <translation>Ouvrez-le avec une version plus récente de HaptiCell.</translation>
+    </message>
+    <message>
         <source>Open markers…</source>
         <translation>Ouvrir des marqueurs…</translation>
     </message>
@@ -4805,6 +6657,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Open recorded markers</source>
         <translation>Ouvrir des marqueurs enregistrés</translation>
+    </message>
+    <message>
+        <source>Open the .src file.</source>
+        <translation>Ouvrez le fichier .src.</translation>
+    </message>
+    <message>
+        <source>Open the document with a newer HaptiCell.</source>
+        <translation>Ouvrez le document avec une version plus récente de HaptiCell.</translation>
     </message>
     <message>
         <source>Open the file</source>
@@ -4939,6 +6799,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>PLY (*.ply)</translation>
     </message>
     <message>
+        <source>P[%1], which has no value</source>
+        <translation>P[%1], qui n'a pas de valeur</translation>
+    </message>
+    <message>
+        <source>P[%1], which is not in /POS</source>
+        <translation>P[%1], qui n'est pas dans /POS</translation>
+    </message>
+    <message>
+        <source>Pack again, or elsewhere: what was written to the disk is not what was read back from it.</source>
+        <translation>Archivez de nouveau, ou ailleurs : ce qui a été relu sur le disque n'est pas ce qui y a été écrit.</translation>
+    </message>
+    <message>
         <source>Pack the workcell with its files</source>
         <translation>Archiver la cellule avec ses fichiers</translation>
     </message>
@@ -4965,6 +6837,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Pages of the settings</source>
         <translation>Pages des réglages</translation>
+    </message>
+    <message>
+        <source>Pair again: hapticell-haptic-server --pair shows a code.</source>
+        <translation>Refaites l'appairage : hapticell-haptic-server --pair affiche un code.</translation>
     </message>
     <message>
         <source>Pair and use</source>
@@ -5135,8 +7011,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Désignez une pièce d'où mesurer</translation>
     </message>
     <message>
+        <source>Pick another.</source>
+        <translation>Choisissez-en une autre.</translation>
+    </message>
+    <message>
         <source>Pick axis</source>
         <translation>Désigner l'axe</translation>
+    </message>
+    <message>
+        <source>Pick both in the scene.</source>
+        <translation>Désignez les deux dans la scène.</translation>
     </message>
     <message>
         <source>Pick entities for the first column · Esc: end</source>
@@ -5351,6 +7235,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Posez le mannequin, vérifiez son atteinte et sa posture.</translation>
     </message>
     <message>
+        <source>Poses are in %1, whose place the file does not give.</source>
+        <translation>Les poses sont exprimées dans %1, dont le fichier ne donne pas la pose.</translation>
+    </message>
+    <message>
         <source>Position</source>
         <translation>Position</translation>
     </message>
@@ -5455,6 +7343,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>Poussée vers le bas, %1 %</translation>
     </message>
     <message>
+        <source>Put it below the folder of the file that names it.</source>
+        <translation>Placez-le sous le dossier du fichier qui le cite.</translation>
+    </message>
+    <message>
+        <source>Put it there: a .gltf needs its .bin files.</source>
+        <translation>Placez-le là : un .gltf a besoin de ses fichiers .bin.</translation>
+    </message>
+    <message>
+        <source>Put the package's folder beside the file or above it, or name its place in ROS_PACKAGE_PATH.</source>
+        <translation>Placez le dossier du paquet à côté du fichier ou au-dessus, ou indiquez son emplacement dans ROS_PACKAGE_PATH.</translation>
+    </message>
+    <message>
         <source>Quantity of the curves</source>
         <translation>Grandeur des courbes</translation>
     </message>
@@ -5477,6 +7377,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>RIGHT</source>
         <translation>DROITE</translation>
+    </message>
+    <message>
+        <source>ROOT and a name</source>
+        <translation>ROOT et un nom</translation>
     </message>
     <message>
         <source>ROS 2 JointTrajectory (.yaml)</source>
@@ -5707,6 +7611,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ôter le tremblement de la main, garder le chemin</translation>
     </message>
     <message>
+        <source>Remove it, or take it over with chown.</source>
+        <translation>Supprimez-le, ou appropriez-le-vous avec chown.</translation>
+    </message>
+    <message>
         <source>Remove the pair set</source>
         <translation>Retirer le jeu de paires</translation>
     </message>
@@ -5739,6 +7647,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Renommer %1</translation>
     </message>
     <message>
+        <source>Rename one of them.</source>
+        <translation>Renommez l'un d'eux.</translation>
+    </message>
+    <message>
+        <source>Rename the joint in the program that wrote the file.</source>
+        <translation>Renommez l'articulation dans le logiciel qui a écrit le fichier.</translation>
+    </message>
+    <message>
         <source>Repetition</source>
         <translation>Répétition</translation>
     </message>
@@ -5753,6 +7669,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Report changes</source>
         <translation>Rapport des changements</translation>
+    </message>
+    <message>
+        <source>Report the file that caused it.</source>
+        <translation>Signalez le fichier en cause.</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -5919,6 +7839,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Essais : %1, le dernier avec %2 points</translation>
     </message>
     <message>
+        <source>SDF</source>
+        <translation>SDF</translation>
+    </message>
+    <message>
         <source>STEP (*.step)</source>
         <translation>STEP (*.step)</translation>
     </message>
@@ -5959,8 +7883,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer sous…</translation>
     </message>
     <message>
+        <source>Save it again as UTF-8 or ASCII.</source>
+        <translation>Enregistrez-le à nouveau en UTF-8 ou en ASCII.</translation>
+    </message>
+    <message>
         <source>Save it as a file or a robot program</source>
         <translation>L'enregistrer comme fichier ou programme de robot</translation>
+    </message>
+    <message>
+        <source>Save it as plain text (UTF-8).</source>
+        <translation>Enregistrez-le en texte brut (UTF-8).</translation>
+    </message>
+    <message>
+        <source>Save it as text on the controller (FANUC: .ls, not .tp).</source>
+        <translation>Enregistrez-le en texte sur le contrôleur (FANUC : .ls, et non .tp).</translation>
+    </message>
+    <message>
+        <source>Save it as text or as PLY.</source>
+        <translation>Enregistrez-le en texte ou en PLY.</translation>
     </message>
     <message>
         <source>Save log</source>
@@ -6047,6 +7987,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistré : %1 ; images : %2. Outil, base et sécurité sont ceux de la commande. Vérifiez-les là</translation>
     </message>
     <message>
+        <source>Say with --markers TABLE which marker sits where (docs/user/formats.md).</source>
+        <translation>Indiquez avec --markers TABLE où se trouve chaque marqueur (docs/user/formats.md).</translation>
+    </message>
+    <message>
         <source>Scale</source>
         <translation>Échelle</translation>
     </message>
@@ -6085,6 +8029,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Search again</source>
         <translation>Chercher de nouveau</translation>
+    </message>
+    <message>
+        <source>Search again with the cell as it stands.</source>
+        <translation>Relancez la recherche avec la cellule telle qu'elle est.</translation>
     </message>
     <message>
         <source>Search the library</source>
@@ -6143,6 +8091,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Plan de coupe</translation>
     </message>
     <message>
+        <source>See docs/library/drivers.md, or remove the file.</source>
+        <translation>Consultez docs/library/drivers.md, ou supprimez le fichier.</translation>
+    </message>
+    <message>
+        <source>See hapticell-cli COMMAND --help.</source>
+        <translation>Voyez hapticell-cli COMMAND --help.</translation>
+    </message>
+    <message>
         <source>Select</source>
         <translation>Choisir</translation>
     </message>
@@ -6179,8 +8135,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Jeu %1</translation>
     </message>
     <message>
+        <source>Set HAPTICELL_CONFIG_DIR to the folder that holds hapticell.toml.</source>
+        <translation>Donnez à HAPTICELL_CONFIG_DIR le dossier qui contient hapticell.toml.</translation>
+    </message>
+    <message>
+        <source>Set HOME or %1. Nothing is looked for in the current folder.</source>
+        <translation>Définissez HOME ou %1. Rien n'est cherché dans le dossier courant.</translation>
+    </message>
+    <message>
+        <source>Set HOME. Nothing is looked for in the current folder.</source>
+        <translation>Définissez HOME. Rien n'est cherché dans le dossier courant.</translation>
+    </message>
+    <message>
         <source>Set for this pair; click to change it</source>
         <translation>Choisi pour cette paire ; cliquez pour changer</translation>
+    </message>
+    <message>
+        <source>Set it before the program is started.</source>
+        <translation>Définissez-la avant de démarrer le programme.</translation>
     </message>
     <message>
         <source>Set the range first, with the brackets that are now in the time bar.</source>
@@ -6225,6 +8197,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Shift</source>
         <translation>Maj</translation>
+    </message>
+    <message>
+        <source>Shift-JIS (Japanese)</source>
+        <translation>Shift-JIS (japonais)</translation>
     </message>
     <message>
         <source>Shoulder breadth</source>
@@ -6309,6 +8285,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Simplify first</source>
         <translation>Simplifier d'abord</translation>
+    </message>
+    <message>
+        <source>Simplify the motion first, or split it.</source>
+        <translation>Simplifiez d'abord le mouvement, ou coupez-le.</translation>
     </message>
     <message>
         <source>Single keys work while the pointer is over the scene; elsewhere they type text.</source>
@@ -6419,6 +8399,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Couper au curseur</translation>
     </message>
     <message>
+        <source>Split the model, or export it again.</source>
+        <translation>Divisez le modèle, ou exportez-le à nouveau.</translation>
+    </message>
+    <message>
         <source>Squatting</source>
         <translation>Accroupi</translation>
     </message>
@@ -6437,6 +8421,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Start hapticell-haptic-server.</source>
         <translation>Démarrez hapticell-haptic-server.</translation>
+    </message>
+    <message>
+        <source>Start it on a desktop, or under xvfb-run.</source>
+        <translation>Lancez-le sur un bureau, ou sous xvfb-run s'il n'y en a pas.</translation>
     </message>
     <message>
         <source>Start page</source>
@@ -6469,6 +8457,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>State</source>
         <translation>État</translation>
+    </message>
+    <message>
+        <source>State a start nearer to it.</source>
+        <translation>Indiquez un départ plus proche.</translation>
     </message>
     <message>
         <source>Stature</source>
@@ -6587,6 +8579,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Échanger les mains de %1</translation>
     </message>
     <message>
+        <source>Swap the two.</source>
+        <translation>Échangez les deux.</translation>
+    </message>
+    <message>
         <source>Switch the forces off first. Panels stay in place while the stylus is in use.</source>
         <translation>Coupez d'abord les efforts. Les panneaux ne bougent pas tant que le stylet sert.</translation>
     </message>
@@ -6601,6 +8597,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>TCP in world</source>
         <translation>TCP dans le monde</translation>
+    </message>
+    <message>
+        <source>TOML</source>
+        <translation>du TOML</translation>
     </message>
     <message>
         <source>TOP</source>
@@ -6627,8 +8627,44 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prise %1</translation>
     </message>
     <message>
+        <source>Take a larger --simplify.</source>
+        <translation>Prenez une valeur de --simplify plus grande.</translation>
+    </message>
+    <message>
+        <source>Take a larger tolerance, or move the motion to where the robot reaches.</source>
+        <translation>Augmentez la tolérance, ou déplacez le mouvement à la portée du robot.</translation>
+    </message>
+    <message>
+        <source>Take a larger tolerance.</source>
+        <translation>Augmentez la tolérance.</translation>
+    </message>
+    <message>
+        <source>Take a longer one, or a higher speed.</source>
+        <translation>Prenez un pas plus long, ou une vitesse plus élevée.</translation>
+    </message>
+    <message>
+        <source>Take a shorter --sample, a larger --tolerance or other limits.</source>
+        <translation>Réduisez --sample, augmentez --tolerance ou changez les limites.</translation>
+    </message>
+    <message>
         <source>Take control</source>
         <translation>Prendre le contrôle</translation>
+    </message>
+    <message>
+        <source>Take it out of a copy of the program.</source>
+        <translation>Retirez-le d'une copie du programme.</translation>
+    </message>
+    <message>
+        <source>Take the branch that is not wanted out of a copy of the program.</source>
+        <translation>Retirez d'une copie du programme la branche qui n'est pas voulue.</translation>
+    </message>
+    <message>
+        <source>Take the branches that are not wanted out of a copy.</source>
+        <translation>Retirez d'une copie les branches qui ne sont pas voulues.</translation>
+    </message>
+    <message>
+        <source>Take the offset out of a copy, or write the targets with it.</source>
+        <translation>Retirez le décalage d'une copie, ou écrivez les cibles avec lui.</translation>
     </message>
     <message>
         <source>Taking the stylus.</source>
@@ -6669,6 +8705,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>That is the same part. Pick another one to measure to.</source>
         <translation>C'est la même pièce. Désignez-en une autre jusqu'où mesurer.</translation>
+    </message>
+    <message>
+        <source>The %1 of %6, %2 %3, is rounded to %4 %3: %5 has no more digits.</source>
+        <translation>%1, %6 : %2 %3 est arrondi à %4 %3, car %5 n'a pas plus de chiffres.</translation>
+    </message>
+    <message>
+        <source>The %1, %2 %3, is rounded to %4 %3: %5 has no more digits.</source>
+        <translation>%1 : %2 %3 est arrondi à %4 %3, car %5 n'a pas plus de chiffres.</translation>
     </message>
     <message>
         <source>The 3D mouse moves the view</source>
@@ -6775,6 +8819,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le fichier est en lecture</translation>
     </message>
     <message>
+        <source>The file is cut; write it anew, or correct the number behind Frames:.</source>
+        <translation>Écrivez de nouveau le fichier, car il est tronqué, ou corrigez le nombre après Frames:.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: export it again.</source>
+        <translation>Le fichier est endommagé : exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>The file is truncated: export it again.</source>
+        <translation>Le fichier est tronqué : exportez-le à nouveau.</translation>
+    </message>
+    <message>
         <source>The file of %1 has no home pose, and its zero pose is singular, so it could hardly be dragged. It starts with %2 bent. To set a home pose, use the Robot panel.</source>
         <translation>Le fichier de %1 n'indique pas de position de repos, et sa pose zéro est singulière : on pourrait à peine le tirer. Il démarre avec %2 plié. Fixez sa position de repos dans le panneau Robot.</translation>
     </message>
@@ -6787,12 +8843,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le fichier n'indique pas d'unité. Quelle taille est la bonne ?</translation>
     </message>
     <message>
+        <source>The file was written by a newer HaptiCell: open it there and export it as CSV.</source>
+        <translation>Ouvrez le fichier avec le HaptiCell plus récent qui l'a écrit, et exportez-le en CSV.</translation>
+    </message>
+    <message>
         <source>The force loop is on time</source>
         <translation>La boucle d'effort tient son rythme</translation>
     </message>
     <message>
         <source>The force loop is sometimes late</source>
         <translation>La boucle d'effort est parfois en retard</translation>
+    </message>
+    <message>
+        <source>The force loop runs without real-time priority (SCHED_FIFO %1: %2), so ticks come late when the machine is busy. Write the line &quot;NAME - rtprio %1&quot; with your user name into %3 and log in again.</source>
+        <translation>La boucle d'effort tourne sans priorité temps réel (SCHED_FIFO %1 : %2) ; les cycles sont donc en retard quand la machine est chargée. Ajoutez la ligne &quot;NAME - rtprio %1&quot;, avec votre nom d'utilisateur, dans %3 et reconnectez-vous.</translation>
     </message>
     <message>
         <source>The frame keeps its current placement and moves with it</source>
@@ -6943,6 +9007,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les marqueurs ne peuvent pas être montrés</translation>
     </message>
     <message>
+        <source>The measures are of grown persons; beyond that the regressions mean nothing.</source>
+        <translation>Restez dans cette plage : les mesures sont celles d'adultes ; au-delà, les régressions n'ont pas de sens.</translation>
+    </message>
+    <message>
         <source>The module %1 was not loaded. %2</source>
         <translation>Le module %1 n'a pas été chargé. %2</translation>
     </message>
@@ -7019,6 +9087,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'aperçu est créé quand le fichier est enregistré ou fermé ici.</translation>
     </message>
     <message>
+        <source>The program is called '%1': '%2' is a word of %3 itself.</source>
+        <translation>Le programme s'appelle '%1' : '%2' est un mot réservé de %3.</translation>
+    </message>
+    <message>
+        <source>The program is called '%1': '%2' is no name in %3 (letters, digits and _, a letter first, at most %4 characters).</source>
+        <translation>Le programme s'appelle '%1' : '%2' n'est pas un nom de %3 (lettres, chiffres et _, une lettre d'abord, %4 caractères au plus).</translation>
+    </message>
+    <message>
         <source>The program was terminated, or the power failed.</source>
         <translation>Le programme a été arrêté de l’extérieur, ou le courant a manqué.</translation>
     </message>
@@ -7061,6 +9137,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The robot cannot reach the frame: it stays up to %1 or %2 away</source>
         <translation>Le robot n’atteint pas l’image : il en reste jusqu’à %1 ou %2</translation>
+    </message>
+    <message>
+        <source>The robot has no six-axis configuration; configuration data are the format's defaults.</source>
+        <translation>Le robot n'a pas de configuration à six axes ; les données de configuration sont celles par défaut du format.</translation>
     </message>
     <message>
         <source>The robot was not added</source>
@@ -7163,6 +9243,22 @@ Voulez-vous le remplacer ?</translation>
         <translation>Thème</translation>
     </message>
     <message>
+        <source>There is no %1.dat beside it, where KRL keeps its points.</source>
+        <translation>Placez à côté le fichier %1.dat, où KRL garde ses points.</translation>
+    </message>
+    <message>
+        <source>There is no %1.dat beside it.</source>
+        <translation>Il n'y a pas de %1.dat à côté.</translation>
+    </message>
+    <message>
+        <source>There is no PROC main() with moves: '%1', the first with moves, is read.</source>
+        <translation>Il n'y a pas de PROC main() avec des mouvements : '%1', la première qui en a, est lue.</translation>
+    </message>
+    <message>
+        <source>There is no PROC main() with moves: '%1', the first with moves, is read; not read unless it calls them: %2.</source>
+        <translation>Il n'y a pas de PROC main() avec des mouvements : '%1', la première qui en a, est lue ; ne sont lues que si elle les appelle : %2.</translation>
+    </message>
+    <message>
         <source>There is no frame '%1' to move along; the cell's axes are used</source>
         <translation>Il n'y a pas de repère « %1 » à suivre ; les axes de la cellule sont utilisés</translation>
     </message>
@@ -7225,6 +9321,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>This exercise was practised. Choose Retention here, or test transfer on another exercise.</source>
         <translation>Cet exercice a été pratiqué. Choisissez ici Rétention, ou testez le transfert sur un autre.</translation>
+    </message>
+    <message>
+        <source>This is a bug. Please report it.</source>
+        <translation>Signalez cette erreur du programme, s'il vous plaît.</translation>
     </message>
     <message>
         <source>This is the current configuration.</source>
@@ -7293,6 +9393,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Time in the recording</source>
         <translation>Instant de l'enregistrement</translation>
+    </message>
+    <message>
+        <source>Time it at a constant speed.</source>
+        <translation>Calculez ses temps à vitesse constante.</translation>
+    </message>
+    <message>
+        <source>Time it by the joints' limits.</source>
+        <translation>Calculez ses temps d'après les limites des axes.</translation>
     </message>
     <message>
         <source>Time s</source>
@@ -7427,8 +9535,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rogner</translation>
     </message>
     <message>
+        <source>True or False</source>
+        <translation>True ou False</translation>
+    </message>
+    <message>
         <source>Trunk</source>
         <translation>Tronc</translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation>Réessayez.</translation>
     </message>
     <message>
         <source>Try sitting as well</source>
@@ -7467,6 +9583,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Type</translation>
     </message>
     <message>
+        <source>Type the code again.</source>
+        <translation>Retapez le code.</translation>
+    </message>
+    <message>
+        <source>Type what hapticell-haptic-server --pair shows.</source>
+        <translation>Saisissez ce que montre hapticell-haptic-server --pair.</translation>
+    </message>
+    <message>
         <source>Typing</source>
         <translation>À la frappe</translation>
     </message>
@@ -7475,12 +9599,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>URDF (*.urdf)</translation>
     </message>
     <message>
+        <source>URDF cannot say closed loops: leave one of the joints out, and close it with a robot.toml (docs/user/formats.md).</source>
+        <translation>Retirez l'un des axes et fermez la boucle par un robot.toml (docs/user/formats.md) : l'URDF ne peut pas décrire de boucles fermées.</translation>
+    </message>
+    <message>
         <source>URDF of the robot (*.urdf)</source>
         <translation>URDF du robot (*.urdf)</translation>
     </message>
     <message>
         <source>URDF, xacro, SDF or robot.toml</source>
         <translation>URDF, xacro, SDF ou robot.toml</translation>
+    </message>
+    <message>
+        <source>UTF-16 text</source>
+        <translation>un texte UTF-16</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -7523,6 +9655,22 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déverrouiller %1</translation>
     </message>
     <message>
+        <source>Unlock it first.</source>
+        <translation>Déverrouillez-la d'abord.</translation>
+    </message>
+    <message>
+        <source>Unlock it in the tree or in its properties.</source>
+        <translation>Déverrouillez-la dans l'arbre ou dans ses propriétés.</translation>
+    </message>
+    <message>
+        <source>Unpack it, or export it again.</source>
+        <translation>Décompressez-le, ou exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>Unpack it, or export it as .step.</source>
+        <translation>Décompressez-le, ou exportez-le en .step.</translation>
+    </message>
+    <message>
         <source>Unsaved changes</source>
         <translation>Changements non enregistrés</translation>
     </message>
@@ -7547,6 +9695,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Butée haute</translation>
     </message>
     <message>
+        <source>Use a newer HaptiCell.</source>
+        <translation>Utilisez un HaptiCell plus récent.</translation>
+    </message>
+    <message>
+        <source>Use a smaller or coarser model.</source>
+        <translation>Utilisez un modèle plus petit ou plus grossier.</translation>
+    </message>
+    <message>
         <source>Use single keys without Ctrl</source>
         <translation>Utiliser les touches seules, sans Ctrl</translation>
     </message>
@@ -7557,6 +9713,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Use this one</source>
         <translation>Utiliser celui-ci</translation>
+    </message>
+    <message>
+        <source>Use trajectory export for other formats.</source>
+        <translation>Utilisez trajectory export pour les autres formats.</translation>
     </message>
     <message>
         <source>Video of the motion</source>
@@ -7687,6 +9847,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sans assistance, sur un exercice qui n'a pas été pratiqué.</translation>
     </message>
     <message>
+        <source>Without motion and not kept (outputs, waiting for inputs, settings): lines %1 and %2 more.</source>
+        <translation>Sans mouvement et non conservées (sorties, attentes d'entrées, réglages) : lignes %1 et %2 autres.</translation>
+    </message>
+    <message>
+        <source>Without motion and not kept (outputs, waiting for inputs, settings): lines %1.</source>
+        <translation>Sans mouvement et non conservées (sorties, attentes d'entrées, réglages) : lignes %1.</translation>
+    </message>
+    <message>
         <source>Woman</source>
         <translation>Femme</translation>
     </message>
@@ -7743,6 +9911,38 @@ Voulez-vous le remplacer ?</translation>
         <translation>Écrire tous les déplacements</translation>
     </message>
     <message>
+        <source>Write it as a number with a point.</source>
+        <translation>Écrivez-le comme un nombre avec un point.</translation>
+    </message>
+    <message>
+        <source>Write it somewhere else.</source>
+        <translation>Écrivez-le ailleurs.</translation>
+    </message>
+    <message>
+        <source>Write it to another disk.</source>
+        <translation>Écrivez-le sur un autre disque.</translation>
+    </message>
+    <message>
+        <source>Write its value into the program.</source>
+        <translation>Écrivez sa valeur dans le programme.</translation>
+    </message>
+    <message>
+        <source>Write out the text that they stand for.</source>
+        <translation>Écrivez en toutes lettres le texte qu'elles représentent.</translation>
+    </message>
+    <message>
+        <source>Write the file with decimal points; this one has commas.</source>
+        <translation>Écrivez le fichier avec des points décimaux ; celui-ci a des virgules.</translation>
+    </message>
+    <message>
+        <source>Write the frames' values into the program, or read its parts one by one.</source>
+        <translation>Écrivez les valeurs des repères dans le programme, ou lisez ses parties une à une.</translation>
+    </message>
+    <message>
+        <source>Write the lines in the order in which they run.</source>
+        <translation>Écrivez les lignes dans l'ordre de leur exécution.</translation>
+    </message>
+    <message>
         <source>Writing %1</source>
         <translation>Écriture de %1</translation>
     </message>
@@ -7761,6 +9961,22 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>X, width</source>
         <translation>X, largeur</translation>
+    </message>
+    <message>
+        <source>XML</source>
+        <translation>XML</translation>
+    </message>
+    <message>
+        <source>XML text</source>
+        <translation>un texte XML</translation>
+    </message>
+    <message>
+        <source>XML that does not parse (%1)</source>
+        <translation>du XML qui n'est pas lisible (%1)</translation>
+    </message>
+    <message>
+        <source>Xposition ... Zrotation</source>
+        <translation>Xposition ... Zrotation</translation>
     </message>
     <message>
         <source>Y</source>
@@ -7811,8 +10027,1696 @@ Voulez-vous le remplacer ?</translation>
         <translation>Zoomer vers le pointeur</translation>
     </message>
     <message>
+        <source>[capabilities], [mechanics] or [electronics]</source>
+        <translation>[capabilities], [mechanics] ou [electronics]</translation>
+    </message>
+    <message>
+        <source>[first frame, last frame]</source>
+        <translation>[première image, dernière image]</translation>
+    </message>
+    <message>
+        <source>[frame, &quot;name&quot;]</source>
+        <translation>[image, &quot;nom&quot;]</translation>
+    </message>
+    <message>
+        <source>[frame, seconds]</source>
+        <translation>[image, secondes]</translation>
+    </message>
+    <message>
+        <source>[in, out, &quot;first&quot;, &quot;second&quot;, force]</source>
+        <translation>[début, fin, &quot;première&quot;, &quot;seconde&quot;, effort]</translation>
+    </message>
+    <message>
+        <source>[markers] with landmarks and their markers</source>
+        <translation>[markers] avec des repères anatomiques et leurs marqueurs</translation>
+    </message>
+    <message>
+        <source>[t, x, y, z] in seconds and metres</source>
+        <translation>[t, x, y, z] en secondes et en mètres</translation>
+    </message>
+    <message>
+        <source>[width, depth, height], each %1</source>
+        <translation>[largeur, profondeur, hauteur], chacune dans %1</translation>
+    </message>
+    <message>
+        <source>[x, y, z] in metres</source>
+        <translation>[x, y, z] en mètres</translation>
+    </message>
+    <message>
+        <source>a %1 file</source>
+        <translation>un fichier %1</translation>
+    </message>
+    <message>
+        <source>a %1 of size zero</source>
+        <translation>une forme '%1' de taille nulle</translation>
+    </message>
+    <message>
+        <source>a %1 that is a list</source>
+        <translation>un %1 qui est une liste</translation>
+    </message>
+    <message>
+        <source>a %1 whose size is no positive number</source>
+        <translation>une forme '%1' dont la taille n'est pas un nombre positif</translation>
+    </message>
+    <message>
+        <source>a '%' in a text that is filled</source>
+        <translation>un '%' dans un texte à compléter</translation>
+    </message>
+    <message>
+        <source>a '%' with more than two digits</source>
+        <translation>un '%' avec plus de deux chiffres</translation>
+    </message>
+    <message>
+        <source>a 3MF file</source>
+        <translation>un fichier 3MF</translation>
+    </message>
+    <message>
+        <source>a 3MF model</source>
+        <translation>un modèle 3MF</translation>
+    </message>
+    <message>
+        <source>a &lt;%1&gt; without &lt;geometry&gt;</source>
+        <translation>un &lt;%1&gt; sans &lt;geometry&gt;</translation>
+    </message>
+    <message>
+        <source>a &lt;geometry&gt; with nothing in it</source>
+        <translation>un &lt;geometry&gt; vide</translation>
+    </message>
+    <message>
+        <source>a BVH file</source>
+        <translation>un fichier BVH</translation>
+    </message>
+    <message>
+        <source>a BVH file in UTF-8</source>
+        <translation>un fichier BVH en UTF-8</translation>
+    </message>
+    <message>
+        <source>a C3D file</source>
+        <translation>un fichier C3D</translation>
+    </message>
+    <message>
+        <source>a CSV file</source>
+        <translation>un fichier CSV</translation>
+    </message>
+    <message>
+        <source>a Collada file</source>
+        <translation>un fichier Collada</translation>
+    </message>
+    <message>
+        <source>a FANUC program in LS form: /PROG, /MN, /POS</source>
+        <translation>un programme FANUC au format LS : /PROG, /MN, /POS</translation>
+    </message>
+    <message>
+        <source>a FOR that is not understood</source>
+        <translation>un FOR qui n'est pas compris</translation>
+    </message>
+    <message>
+        <source>a FOR whose limits are no numbers</source>
+        <translation>un FOR dont les bornes ne sont pas des nombres</translation>
+    </message>
+    <message>
+        <source>a FOR whose limits the file does not give</source>
+        <translation>un FOR dont le fichier ne donne pas les bornes</translation>
+    </message>
+    <message>
+        <source>a FlatBuffer that points outside itself</source>
+        <translation>un FlatBuffer qui pointe hors de lui-même</translation>
+    </message>
+    <message>
+        <source>a FlatBuffer with the identifier HCEL</source>
+        <translation>un FlatBuffer avec l'identifiant HCEL</translation>
+    </message>
+    <message>
+        <source>a HaptiCell trajectory</source>
+        <translation>une trajectoire HaptiCell</translation>
+    </message>
+    <message>
+        <source>a JSON file, or JSON in place</source>
+        <translation>un fichier JSON, ou du JSON à cet endroit</translation>
+    </message>
+    <message>
+        <source>a JointTrajectory (joint_names and points), or JointState messages (name and position)</source>
+        <translation>un JointTrajectory (joint_names et points), ou des messages JointState (name et position)</translation>
+    </message>
+    <message>
+        <source>a KRL program: DEF NAME( )</source>
+        <translation>un programme KRL : DEF NOM( )</translation>
+    </message>
+    <message>
+        <source>a LBL of the program</source>
+        <translation>un LBL du programme</translation>
+    </message>
+    <message>
+        <source>a NUL byte</source>
+        <translation>un octet NUL</translation>
+    </message>
+    <message>
+        <source>a PLY number type such as 'float' or 'uchar'</source>
+        <translation>un type de nombre PLY comme 'float' ou 'uchar'</translation>
+    </message>
+    <message>
+        <source>a PROC main(), or one with moves</source>
+        <translation>une PROC main(), ou une avec des mouvements</translation>
+    </message>
+    <message>
+        <source>a RAPID module with a PROC</source>
+        <translation>un module RAPID avec une PROC</translation>
+    </message>
+    <message>
+        <source>a STEP file</source>
+        <translation>un fichier STEP</translation>
+    </message>
+    <message>
+        <source>a STEP file with solids or surfaces</source>
+        <translation>un fichier STEP avec des solides ou des surfaces</translation>
+    </message>
+    <message>
+        <source>a STEP file, or one packed by gzip or ZIP</source>
+        <translation>un fichier STEP, éventuellement compressé par gzip ou ZIP</translation>
+    </message>
+    <message>
+        <source>a URDF robot</source>
+        <translation>un robot URDF</translation>
+    </message>
+    <message>
+        <source>a YAML file</source>
+        <translation>un fichier YAML</translation>
+    </message>
+    <message>
+        <source>a YAML file of more than 8 MB</source>
+        <translation>un fichier YAML de plus de 8 Mo</translation>
+    </message>
+    <message>
+        <source>a base by %1</source>
+        <translation>une base donnée par %1</translation>
+    </message>
+    <message>
+        <source>a binary OFF file</source>
+        <translation>un fichier OFF binaire</translation>
+    </message>
+    <message>
+        <source>a binary file</source>
+        <translation>un fichier binaire</translation>
+    </message>
+    <message>
+        <source>a block</source>
+        <translation>un bloc</translation>
+    </message>
+    <message>
+        <source>a block behind the header</source>
+        <translation>un bloc après l'en-tête</translation>
+    </message>
+    <message>
+        <source>a block of the macro, or a property with elements</source>
+        <translation>un bloc de la macro, ou une propriété avec des éléments</translation>
+    </message>
+    <message>
+        <source>a body with a thickness</source>
+        <translation>un corps avec une épaisseur</translation>
+    </message>
+    <message>
+        <source>a bone of :bonedata, once</source>
+        <translation>un os de :bonedata, une seule fois</translation>
+    </message>
+    <message>
+        <source>a bone of the skeleton</source>
+        <translation>un os du squelette</translation>
+    </message>
+    <message>
+        <source>a box whose size is not three numbers</source>
+        <translation>un pavé dont la taille ne se compose pas de trois nombres</translation>
+    </message>
+    <message>
+        <source>a circle of symbolic links</source>
+        <translation>des liens symboliques qui tournent en rond</translation>
+    </message>
+    <message>
+        <source>a colour out of range</source>
+        <translation>une couleur hors limites</translation>
+    </message>
+    <message>
+        <source>a colour such as &quot;#ff6600&quot;</source>
+        <translation>une couleur comme &quot;#ff6600&quot;</translation>
+    </message>
+    <message>
+        <source>a condition that the file decides</source>
+        <translation>une condition que le fichier détermine</translation>
+    </message>
+    <message>
+        <source>a cone</source>
+        <translation>un cône</translation>
+    </message>
+    <message>
+        <source>a configuration</source>
+        <translation>une configuration</translation>
+    </message>
+    <message>
+        <source>a content of an unknown kind</source>
+        <translation>un contenu d'un type inconnu</translation>
+    </message>
+    <message>
+        <source>a content that is not of this format</source>
+        <translation>un contenu qui n'est pas de ce format</translation>
+    </message>
+    <message>
+        <source>a copy of it</source>
+        <translation>une copie de celui-ci</translation>
+    </message>
+    <message>
+        <source>a copy that can be moved</source>
+        <translation>une copie qui peut être déplacée</translation>
+    </message>
+    <message>
+        <source>a corner beyond the last of %1</source>
+        <translation>un sommet au-delà du dernier des %1</translation>
+    </message>
+    <message>
+        <source>a corner that is no vertex number</source>
+        <translation>un coin qui n'est pas un numéro de sommet</translation>
+    </message>
+    <message>
+        <source>a count of %1 triangles</source>
+        <translation>un nombre annoncé de %1 triangles</translation>
+    </message>
+    <message>
+        <source>a count that is larger than what the file holds, or more than an import may use</source>
+        <translation>un nombre d'éléments supérieur à ce que le fichier contient, ou à ce qu'une importation peut utiliser</translation>
+    </message>
+    <message>
+        <source>a coupling without numbers</source>
+        <translation>un couplage sans valeurs numériques</translation>
+    </message>
+    <message>
+        <source>a damaged archive</source>
+        <translation>une archive endommagée</translation>
+    </message>
+    <message>
+        <source>a data URI without data</source>
+        <translation>un URI de données sans données</translation>
+    </message>
+    <message>
+        <source>a default without its closing quote in params</source>
+        <translation>une valeur par défaut sans guillemet fermant dans params</translation>
+    </message>
+    <message>
+        <source>a detent out of range</source>
+        <translation>un cran hors limites</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>un périphérique</translation>
+    </message>
+    <message>
+        <source>a device profile</source>
+        <translation>un profil de périphérique</translation>
+    </message>
+    <message>
+        <source>a device, not a regular file</source>
+        <translation>un périphérique, et non un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>a dictionary</source>
+        <translation>un dictionnaire</translation>
+    </message>
+    <message>
+        <source>a direction</source>
+        <translation>une direction</translation>
+    </message>
+    <message>
+        <source>a direction of no length, or axes that fall together</source>
+        <translation>une direction de longueur nulle, ou des axes confondus</translation>
+    </message>
+    <message>
+        <source>a direction, such as &quot;0 0 1&quot;</source>
+        <translation>une direction, telle que &quot;0 0 1&quot;</translation>
+    </message>
+    <message>
+        <source>a direction, such as 0 0 1</source>
+        <translation>une direction, telle que 0 0 1</translation>
+    </message>
+    <message>
+        <source>a direction, such as [0, 0, 1]</source>
+        <translation>une direction, telle que [0, 0, 1]</translation>
+    </message>
+    <message>
+        <source>a disk that stores all data</source>
+        <translation>un disque qui conserve toutes les données</translation>
+    </message>
+    <message>
+        <source>a display with OpenGL 3.3 core</source>
+        <translation>un affichage avec OpenGL 3.3 core</translation>
+    </message>
+    <message>
+        <source>a distance out of range</source>
+        <translation>une distance hors limites</translation>
+    </message>
+    <message>
+        <source>a division by 0</source>
+        <translation>une division par 0</translation>
+    </message>
+    <message>
+        <source>a division by zero</source>
+        <translation>une division par zéro</translation>
+    </message>
+    <message>
+        <source>a document type with entities of its own (&lt;!ENTITY ...&gt;)</source>
+        <translation>un type de document avec ses propres entités (&lt;!ENTITY ...&gt;)</translation>
+    </message>
+    <message>
+        <source>a driver of HaptiCell</source>
+        <translation>un pilote de HaptiCell</translation>
+    </message>
+    <message>
+        <source>a face with too few corners</source>
+        <translation>une face avec trop peu de coins</translation>
+    </message>
+    <message>
+        <source>a figure out of its range</source>
+        <translation>une valeur hors de sa plage</translation>
+    </message>
+    <message>
+        <source>a figure that moves by a script</source>
+        <translation>un personnage animé par un script</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>un fichier</translation>
+    </message>
+    <message>
+        <source>a file beside it</source>
+        <translation>un fichier à côté</translation>
+    </message>
+    <message>
+        <source>a file that can be copied to %1</source>
+        <translation>un fichier qui peut être copié vers %1</translation>
+    </message>
+    <message>
+        <source>a file that can be read</source>
+        <translation>un fichier lisible</translation>
+    </message>
+    <message>
+        <source>a file that is read in the time that its size allows</source>
+        <translation>un fichier lu dans le temps que sa taille autorise</translation>
+    </message>
+    <message>
+        <source>a file that is whole</source>
+        <translation>un fichier complet</translation>
+    </message>
+    <message>
+        <source>a file that is write-protected</source>
+        <translation>un fichier protégé en écriture</translation>
+    </message>
+    <message>
+        <source>a file that nobody else is at work on</source>
+        <translation>un fichier sur lequel personne d'autre ne travaille</translation>
+    </message>
+    <message>
+        <source>a file that was not packed</source>
+        <translation>un fichier qui n'a pas été archivé</translation>
+    </message>
+    <message>
+        <source>a file that was not packed, or twice</source>
+        <translation>un fichier qui n'a pas été archivé, ou qui y est deux fois</translation>
+    </message>
+    <message>
+        <source>a file without them</source>
+        <translation>un fichier sans ces entités</translation>
+    </message>
+    <message>
+        <source>a file, or library:NAME, first</source>
+        <translation>un fichier, ou library:NAME, en premier</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>un nombre fini</translation>
+    </message>
+    <message>
+        <source>a finite number with '.' as decimal point</source>
+        <translation>un nombre fini avec '.' comme séparateur décimal</translation>
+    </message>
+    <message>
+        <source>a finite pose</source>
+        <translation>une pose finie</translation>
+    </message>
+    <message>
+        <source>a finite result</source>
+        <translation>un résultat fini</translation>
+    </message>
+    <message>
+        <source>a flatter list</source>
+        <translation>une liste moins imbriquée</translation>
+    </message>
+    <message>
+        <source>a folder</source>
+        <translation>un dossier</translation>
+    </message>
+    <message>
+        <source>a folder for temporary files</source>
+        <translation>un dossier pour les fichiers temporaires</translation>
+    </message>
+    <message>
+        <source>a folder on a local disk</source>
+        <translation>un dossier sur un disque local</translation>
+    </message>
+    <message>
+        <source>a folder that can be made</source>
+        <translation>un dossier qui peut être créé</translation>
+    </message>
+    <message>
+        <source>a folder that can be read</source>
+        <translation>un dossier lisible</translation>
+    </message>
+    <message>
+        <source>a folder that exists and is writable</source>
+        <translation>un dossier qui existe et qui est accessible en écriture</translation>
+    </message>
+    <message>
+        <source>a folder that is there</source>
+        <translation>un dossier qui existe</translation>
+    </message>
+    <message>
+        <source>a frame of '%1'</source>
+        <translation>un repère de '%1'</translation>
+    </message>
+    <message>
+        <source>a frame that is not understood</source>
+        <translation>un repère qui n'est pas compris</translation>
+    </message>
+    <message>
+        <source>a function</source>
+        <translation>une fonction</translation>
+    </message>
+    <message>
+        <source>a glTF file</source>
+        <translation>un fichier glTF</translation>
+    </message>
+    <message>
+        <source>a glove's calibration</source>
+        <translation>l'étalonnage d'un gant</translation>
+    </message>
+    <message>
+        <source>a haptic server</source>
+        <translation>un serveur haptique</translation>
+    </message>
+    <message>
+        <source>a header line and at least one row</source>
+        <translation>une ligne d'en-tête et au moins une ligne de données</translation>
+    </message>
+    <message>
+        <source>a header line hand,x,y,z,qw,qx,qy,qz</source>
+        <translation>une ligne d'en-tête hand,x,y,z,qw,qx,qy,qz</translation>
+    </message>
+    <message>
+        <source>a header line with the columns %1</source>
+        <translation>une ligne d'en-tête avec les colonnes %1</translation>
+    </message>
+    <message>
         <source>a high risk</source>
         <translation>un risque élevé</translation>
+    </message>
+    <message>
+        <source>a home where the six legs hold the platform</source>
+        <translation>une position de repos où les six jambes tiennent la plateforme</translation>
+    </message>
+    <message>
+        <source>a job that comes to an end</source>
+        <translation>un job qui se termine</translation>
+    </message>
+    <message>
+        <source>a job: /JOB, //POS, //INST</source>
+        <translation>un job : /JOB, //POS, //INST</translation>
+    </message>
+    <message>
+        <source>a joint</source>
+        <translation>un axe</translation>
+    </message>
+    <message>
+        <source>a joint between models of a world</source>
+        <translation>une articulation entre des modèles d'un monde</translation>
+    </message>
+    <message>
+        <source>a joint position that is no number</source>
+        <translation>une position d'axe qui n'est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a joint that moves by itself at the end</source>
+        <translation>un axe indépendant au bout de la chaîne</translation>
+    </message>
+    <message>
+        <source>a joint that only Drake knows</source>
+        <translation>une articulation que seul Drake connaît</translation>
+    </message>
+    <message>
+        <source>a joint that the mannequin has not</source>
+        <translation>une articulation que le mannequin n'a pas</translation>
+    </message>
+    <message>
+        <source>a joint type that is not known</source>
+        <translation>un type d'axe inconnu</translation>
+    </message>
+    <message>
+        <source>a joint value that is not finite</source>
+        <translation>une valeur d'axe qui n'est pas finie</translation>
+    </message>
+    <message>
+        <source>a joint without a name</source>
+        <translation>un axe sans nom</translation>
+    </message>
+    <message>
+        <source>a jump back; what it repeats is read once.</source>
+        <translation>un saut en arrière ; ce qu'il répète est lu une fois.</translation>
+    </message>
+    <message>
+        <source>a jump to a label that is not there</source>
+        <translation>un saut vers une étiquette absente</translation>
+    </message>
+    <message>
+        <source>a key like %1</source>
+        <translation>une clé comme %1</translation>
+    </message>
+    <message>
+        <source>a key that other users may read or change</source>
+        <translation>une clé que d'autres utilisateurs peuvent lire ou modifier</translation>
+    </message>
+    <message>
+        <source>a known target</source>
+        <translation>une cible connue</translation>
+    </message>
+    <message>
+        <source>a label of the job</source>
+        <translation>une étiquette du job</translation>
+    </message>
+    <message>
+        <source>a lambda of %1 parameters called with %2</source>
+        <translation>un lambda à %1 paramètres appelé avec %2</translation>
+    </message>
+    <message>
+        <source>a leg with a length</source>
+        <translation>une jambe de longueur non nulle</translation>
+    </message>
+    <message>
+        <source>a length beyond the end of the file</source>
+        <translation>une longueur qui dépasse la fin du fichier</translation>
+    </message>
+    <message>
+        <source>a length of %1 bytes</source>
+        <translation>une longueur de %1 octets</translation>
+    </message>
+    <message>
+        <source>a length of %1 m at home</source>
+        <translation>une longueur de %1 m au repos</translation>
+    </message>
+    <message>
+        <source>a length of 1 within 1 %</source>
+        <translation>une longueur de 1 à 1 % près</translation>
+    </message>
+    <message>
+        <source>an invalid length</source>
+        <translation>une longueur qui n'en est pas une</translation>
+    </message>
+    <message>
+        <source>a length, a speed or a direction that is nought</source>
+        <translation>une longueur, une vitesse ou une direction nulle</translation>
+    </message>
+    <message>
+        <source>a line 'format'</source>
+        <translation>une ligne 'format'</translation>
+    </message>
+    <message>
+        <source>a line for each face</source>
+        <translation>une ligne par face</translation>
+    </message>
+    <message>
+        <source>a line for each vertex</source>
+        <translation>une ligne par sommet</translation>
+    </message>
+    <message>
+        <source>a line of more than 65 536 characters</source>
+        <translation>une ligne de plus de 65 536 caractères</translation>
+    </message>
+    <message>
+        <source>a line of over 200 characters</source>
+        <translation>une ligne de plus de 200 caractères</translation>
+    </message>
+    <message>
+        <source>a link '%1' of other shapes</source>
+        <translation>un segment '%1' avec d'autres formes</translation>
+    </message>
+    <message>
+        <source>a link behind a joint</source>
+        <translation>un segment après un axe</translation>
+    </message>
+    <message>
+        <source>a link of '%1'</source>
+        <translation>un segment de '%1'</translation>
+    </message>
+    <message>
+        <source>a link of it</source>
+        <translation>un segment du modèle</translation>
+    </message>
+    <message>
+        <source>a link of robot '%1'</source>
+        <translation>un segment du robot '%1'</translation>
+    </message>
+    <message>
+        <source>a link of the robot</source>
+        <translation>un segment du robot</translation>
+    </message>
+    <message>
+        <source>a link without a name</source>
+        <translation>un segment sans nom</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>une liste</translation>
+    </message>
+    <message>
+        <source>a list cut short</source>
+        <translation>une liste tronquée</translation>
+    </message>
+    <message>
+        <source>a list in brackets</source>
+        <translation>une liste entre crochets</translation>
+    </message>
+    <message>
+        <source>a list of frames</source>
+        <translation>une liste d'images</translation>
+    </message>
+    <message>
+        <source>a list of lifting tasks</source>
+        <translation>une liste de tâches de levage</translation>
+    </message>
+    <message>
+        <source>a list of more than 100 000 values</source>
+        <translation>une liste de plus de 100 000 valeurs</translation>
+    </message>
+    <message>
+        <source>a list of numbers</source>
+        <translation>une liste de nombres</translation>
+    </message>
+    <message>
+        <source>a list of points</source>
+        <translation>une liste de points</translation>
+    </message>
+    <message>
+        <source>a list of rows</source>
+        <translation>une liste de lignes</translation>
+    </message>
+    <message>
+        <source>a list of texts</source>
+        <translation>une liste de textes</translation>
+    </message>
+    <message>
+        <source>a list or a date</source>
+        <translation>une liste ou une date</translation>
+    </message>
+    <message>
+        <source>a list or a text</source>
+        <translation>une liste ou un texte</translation>
+    </message>
+    <message>
+        <source>a list too long</source>
+        <translation>une liste trop longue</translation>
+    </message>
+    <message>
+        <source>a list whose length the file cannot hold</source>
+        <translation>une liste plus longue que le fichier ne le permet</translation>
+    </message>
+    <message>
+        <source>a list, a dictionary or a text</source>
+        <translation>une liste, un dictionnaire ou un texte</translation>
+    </message>
+    <message>
+        <source>a list, a dictionary or a text behind 'in'</source>
+        <translation>une liste, un dictionnaire ou un texte après 'in'</translation>
+    </message>
+    <message>
+        <source>a loop that does not end</source>
+        <translation>une boucle qui ne se termine pas</translation>
+    </message>
+    <message>
+        <source>a loop that ends by %1; its moves are read so far.</source>
+        <translation>une boucle qui se termine selon %1 ; ses mouvements sont lus jusque-là.</translation>
+    </message>
+    <message>
+        <source>a loop while %1</source>
+        <translation>une boucle qui dépend de %1</translation>
+    </message>
+    <message>
+        <source>a loop without end</source>
+        <translation>une boucle sans fin</translation>
+    </message>
+    <message>
+        <source>a lower and an upper limit</source>
+        <translation>une butée inférieure et une butée supérieure</translation>
+    </message>
+    <message>
+        <source>a lower stop above the upper one</source>
+        <translation>une butée inférieure au-dessus de la butée supérieure</translation>
+    </message>
+    <message>
+        <source>a macro that is defined in front, or an element of xacro's</source>
+        <translation>une macro définie avant, ou un élément de xacro</translation>
+    </message>
+    <message>
+        <source>a macro with the name '%1'</source>
+        <translation>une macro du nom de '%1'</translation>
+    </message>
+    <message>
+        <source>a mannequin</source>
+        <translation>un mannequin</translation>
+    </message>
+    <message>
+        <source>a mannequin's whole posture (moved: whole)</source>
+        <translation>la posture entière d'un mannequin (moved: whole)</translation>
+    </message>
+    <message>
+        <source>a marker for each of them</source>
+        <translation>un marqueur pour chacun d'eux</translation>
+    </message>
+    <message>
+        <source>a marker that is seen</source>
+        <translation>un marqueur qui est vu</translation>
+    </message>
+    <message>
+        <source>a marker's name, or a list of names</source>
+        <translation>le nom d'un marqueur, ou une liste de noms</translation>
+    </message>
+    <message>
+        <source>an invalid mass</source>
+        <translation>une masse qui n'en est pas une</translation>
+    </message>
+    <message>
+        <source>a mechanism</source>
+        <translation>un mécanisme</translation>
+    </message>
+    <message>
+        <source>a mesh</source>
+        <translation>un maillage</translation>
+    </message>
+    <message>
+        <source>a mesh as STL, OBJ, PLY or OFF</source>
+        <translation>un maillage STL, OBJ, PLY ou OFF</translation>
+    </message>
+    <message>
+        <source>a mesh of the file</source>
+        <translation>un maillage du fichier</translation>
+    </message>
+    <message>
+        <source>a mesh that a picture raises</source>
+        <translation>un maillage mis en relief par une image</translation>
+    </message>
+    <message>
+        <source>a mesh that spans no volume</source>
+        <translation>un maillage sans volume</translation>
+    </message>
+    <message>
+        <source>a mesh with at least one triangle</source>
+        <translation>un maillage avec au moins un triangle</translation>
+    </message>
+    <message>
+        <source>a mesh without &lt;uri&gt;</source>
+        <translation>un maillage sans &lt;uri&gt;</translation>
+    </message>
+    <message>
+        <source>a mesh without filename</source>
+        <translation>un maillage sans nom de fichier</translation>
+    </message>
+    <message>
+        <source>a message of the protocol</source>
+        <translation>un message du protocole</translation>
+    </message>
+    <message>
+        <source>a mistyped sign (the check sum does not fit)</source>
+        <translation>une faute de frappe (la somme de contrôle ne convient pas)</translation>
+    </message>
+    <message>
+        <source>a motion</source>
+        <translation>un mouvement</translation>
+    </message>
+    <message>
+        <source>a motion in AMC</source>
+        <translation>un mouvement en AMC</translation>
+    </message>
+    <message>
+        <source>a motion that is switched on</source>
+        <translation>un mouvement activé</translation>
+    </message>
+    <message>
+        <source>a move relative to a target that the file does not give</source>
+        <translation>un mouvement relatif à une cible que le fichier ne donne pas</translation>
+    </message>
+    <message>
+        <source>a move without target</source>
+        <translation>un mouvement sans cible</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>un nom</translation>
+    </message>
+    <message>
+        <source>a name of its own</source>
+        <translation>un nom propre à cet élément</translation>
+    </message>
+    <message>
+        <source>a name of the shipped robots/, such as hc6 or ur5e</source>
+        <translation>un nom du dossier robots/ fourni, tel que hc6 ou ur5e</translation>
+    </message>
+    <message>
+        <source>a name or link that leads out of the archive</source>
+        <translation>un nom ou un lien qui mène hors de l'archive</translation>
+    </message>
+    <message>
+        <source>a name space</source>
+        <translation>un espace de noms</translation>
+    </message>
+    <message>
+        <source>a name such as l_elbow_flexion</source>
+        <translation>un nom tel que l_elbow_flexion</translation>
+    </message>
+    <message>
+        <source>a name that is no text</source>
+        <translation>un nom qui n'est pas un texte</translation>
+    </message>
+    <message>
+        <source>a name without points, other than call</source>
+        <translation>un nom sans points, autre que call</translation>
+    </message>
+    <message>
+        <source>a new or empty folder</source>
+        <translation>un dossier nouveau ou vide</translation>
+    </message>
+    <message>
+        <source>a node of the file</source>
+        <translation>un nœud du fichier</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>un nombre supérieur à 0</translation>
+    </message>
+    <message>
+        <source>a number of degrees</source>
+        <translation>un nombre de degrés</translation>
+    </message>
+    <message>
+        <source>an invalid number in the expression</source>
+        <translation>un nombre mal écrit dans l'expression</translation>
+    </message>
+    <message>
+        <source>a number that is not finite</source>
+        <translation>un nombre non fini</translation>
+    </message>
+    <message>
+        <source>a number that is not finite or negative</source>
+        <translation>un nombre non fini ou négatif</translation>
+    </message>
+    <message>
+        <source>a number that is not finite or out of its range</source>
+        <translation>un nombre non fini ou hors de sa plage</translation>
+    </message>
+    <message>
+        <source>a number that no computer can hold</source>
+        <translation>un nombre qu'aucun ordinateur ne peut représenter</translation>
+    </message>
+    <message>
+        <source>a number that no computer holds</source>
+        <translation>un nombre non représentable</translation>
+    </message>
+    <message>
+        <source>a number within +-7 rad</source>
+        <translation>un nombre entre -7 et +7 rad</translation>
+    </message>
+    <message>
+        <source>a number within 64 bits</source>
+        <translation>un nombre sur 64 bits</translation>
+    </message>
+    <message>
+        <source>a number within its domain</source>
+        <translation>un nombre de son domaine de définition</translation>
+    </message>
+    <message>
+        <source>a number, %1 to %2</source>
+        <translation>un nombre de %1 à %2</translation>
+    </message>
+    <message>
+        <source>a number; the equation needs every field</source>
+        <translation>un nombre ; l'équation a besoin de tous les champs</translation>
+    </message>
+    <message>
+        <source>a pair's rule</source>
+        <translation>une règle de paire</translation>
+    </message>
+    <message>
+        <source>a pairing code</source>
+        <translation>un code d'appairage</translation>
+    </message>
+    <message>
+        <source>a part</source>
+        <translation>une pièce</translation>
+    </message>
+    <message>
+        <source>a part is missing</source>
+        <translation>il manque une partie</translation>
+    </message>
+    <message>
+        <source>a part of %1 s to %2 s</source>
+        <translation>une partie de %1 s à %2 s</translation>
+    </message>
+    <message>
+        <source>a part of it</source>
+        <translation>une partie de ce texte</translation>
+    </message>
+    <message>
+        <source>a part of the mechanism</source>
+        <translation>une pièce du mécanisme</translation>
+    </message>
+    <message>
+        <source>a part of the package</source>
+        <translation>un élément du paquet</translation>
+    </message>
+    <message>
+        <source>a part that is made from its sizes: a box, a table, a bench</source>
+        <translation>une pièce faite à partir de ses dimensions : un pavé, une table, un établi</translation>
+    </message>
+    <message>
+        <source>a part that the file still holds</source>
+        <translation>une pièce encore présente dans le fichier</translation>
+    </message>
+    <message>
+        <source>a path of fewer than two points</source>
+        <translation>une trajectoire de moins de deux points</translation>
+    </message>
+    <message>
+        <source>a path of no length</source>
+        <translation>une trajectoire de longueur nulle</translation>
+    </message>
+    <message>
+        <source>a picture format that cannot be written</source>
+        <translation>un format d'image qui ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>a picture of %1 x %2</source>
+        <translation>une image de %1 x %2</translation>
+    </message>
+    <message>
+        <source>a pipe, not a regular file</source>
+        <translation>un tube, et non un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>a place below itself</source>
+        <translation>une place sous lui-même</translation>
+    </message>
+    <message>
+        <source>a place too far away</source>
+        <translation>une position trop éloignée</translation>
+    </message>
+    <message>
+        <source>a place within reach</source>
+        <translation>une position à portée</translation>
+    </message>
+    <message>
+        <source>an invalid placement</source>
+        <translation>un placement qui n'est pas valable</translation>
+    </message>
+    <message>
+        <source>a plane without end</source>
+        <translation>un plan infini</translation>
+    </message>
+    <message>
+        <source>a point of the path that is not finite</source>
+        <translation>un point non fini de la trajectoire</translation>
+    </message>
+    <message>
+        <source>a point that is no map</source>
+        <translation>un point qui n'est pas une table</translation>
+    </message>
+    <message>
+        <source>a point that is not four numbers</source>
+        <translation>un point qui n'est pas fait de quatre nombres</translation>
+    </message>
+    <message>
+        <source>a point that is not three numbers</source>
+        <translation>un point qui n'est pas fait de trois nombres</translation>
+    </message>
+    <message>
+        <source>a port from 0 (any) to 65535</source>
+        <translation>un port de 0 (n'importe lequel) à 65535</translation>
+    </message>
+    <message>
+        <source>a pose</source>
+        <translation>une pose</translation>
+    </message>
+    <message>
+        <source>a pose of '%1'</source>
+        <translation>une pose de '%1'</translation>
+    </message>
+    <message>
+        <source>a known pose</source>
+        <translation>une pose qui peut être déterminée</translation>
+    </message>
+    <message>
+        <source>an invalid pose</source>
+        <translation>une pose qui n'en est pas une</translation>
+    </message>
+    <message>
+        <source>a pose that is not one</source>
+        <translation>une pose qui n'en est pas une</translation>
+    </message>
+    <message>
+        <source>a pose that is not valid</source>
+        <translation>une pose non valide</translation>
+    </message>
+    <message>
+        <source>a pose that moves while the joints stand</source>
+        <translation>une pose qui bouge alors que les axes sont immobiles</translation>
+    </message>
+    <message>
+        <source>a position %1 from the middle of the workspace</source>
+        <translation>une position à %1 du centre de l'espace de travail</translation>
+    </message>
+    <message>
+        <source>a position by a register</source>
+        <translation>une position donnée par un registre</translation>
+    </message>
+    <message>
+        <source>a position within the joint's limits</source>
+        <translation>une position dans les limites de l'axe</translation>
+    </message>
+    <message>
+        <source>a positive one</source>
+        <translation>une valeur positive</translation>
+    </message>
+    <message>
+        <source>a positive one, at most ten million frames</source>
+        <translation>une valeur positive, dix millions d'images au plus</translation>
+    </message>
+    <message>
+        <source>a positive velocity and acceleration for each of %1 axes</source>
+        <translation>une vitesse et une accélération positives pour chacun des %1 axes</translation>
+    </message>
+    <message>
+        <source>a posture</source>
+        <translation>une posture</translation>
+    </message>
+    <message>
+        <source>a power that is no number (%1 ** %2)</source>
+        <translation>une puissance qui n'est pas un nombre (%1 ** %2)</translation>
+    </message>
+    <message>
+        <source>a power that is too large</source>
+        <translation>une puissance trop grande</translation>
+    </message>
+    <message>
+        <source>a printable name of 1 to 200 letters</source>
+        <translation>un nom imprimable de 1 à 200 lettres</translation>
+    </message>
+    <message>
+        <source>a program as text</source>
+        <translation>un programme en texte</translation>
+    </message>
+    <message>
+        <source>a program that comes to an end</source>
+        <translation>un programme qui se termine</translation>
+    </message>
+    <message>
+        <source>a program with moves to targets</source>
+        <translation>un programme avec des mouvements vers des cibles</translation>
+    </message>
+    <message>
+        <source>a property</source>
+        <translation>une propriété</translation>
+    </message>
+    <message>
+        <source>a property with the name '%1'</source>
+        <translation>une propriété du nom de '%1'</translation>
+    </message>
+    <message>
+        <source>a property, a parameter or a function that xacro knows</source>
+        <translation>une propriété, un paramètre ou une fonction que xacro connaît</translation>
+    </message>
+    <message>
+        <source>a quaternion of length %1</source>
+        <translation>un quaternion de norme %1</translation>
+    </message>
+    <message>
+        <source>an invalid quaternion</source>
+        <translation>un quaternion qui n'en est pas un</translation>
+    </message>
+    <message>
+        <source>a quaternion w, x, y, z of length 1</source>
+        <translation>un quaternion w, x, y, z de norme 1</translation>
+    </message>
+    <message>
+        <source>an invalid radius</source>
+        <translation>un rayon qui n'est pas valable</translation>
+    </message>
+    <message>
+        <source>a ratio and an offset</source>
+        <translation>un rapport et un décalage</translation>
+    </message>
+    <message>
+        <source>a readable CSV file</source>
+        <translation>un fichier CSV lisible</translation>
+    </message>
+    <message>
+        <source>a real number</source>
+        <translation>un nombre réel</translation>
+    </message>
+    <message>
+        <source>a recorded device session (*.hdev)</source>
+        <translation>une session de périphérique enregistrée (*.hdev)</translation>
+    </message>
+    <message>
+        <source>a recorded motion to read by them</source>
+        <translation>un mouvement enregistré à lire avec ces options</translation>
+    </message>
+    <message>
+        <source>a recording in C3D</source>
+        <translation>un enregistrement en C3D</translation>
+    </message>
+    <message>
+        <source>a reference or a count that points beyond what the file holds</source>
+        <translation>un renvoi ou un nombre d'éléments au-delà de ce que le fichier contient</translation>
+    </message>
+    <message>
+        <source>a reference to something that is not in the file</source>
+        <translation>un renvoi à quelque chose qui n'est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>a robot</source>
+        <translation>un robot</translation>
+    </message>
+    <message>
+        <source>a robot file, or library:NAME</source>
+        <translation>un fichier de robot, ou library:NAME</translation>
+    </message>
+    <message>
+        <source>a robot of six joints</source>
+        <translation>un robot à six axes</translation>
+    </message>
+    <message>
+        <source>a robot or a mechanism</source>
+        <translation>un robot ou un mécanisme</translation>
+    </message>
+    <message>
+        <source>a robot that hangs on a moving link of a mechanism or robot that is not locked</source>
+        <translation>un robot porté par un segment mobile d'un mécanisme ou d'un robot non verrouillé</translation>
+    </message>
+    <message>
+        <source>a robot with a moving link</source>
+        <translation>un robot avec un segment mobile</translation>
+    </message>
+    <message>
+        <source>a robot's trajectory</source>
+        <translation>la trajectoire d'un robot</translation>
+    </message>
+    <message>
+        <source>a robot, which can have a tool</source>
+        <translation>un robot, qui peut avoir un outil</translation>
+    </message>
+    <message>
+        <source>a robot, which can have named poses</source>
+        <translation>un robot, qui peut avoir des poses nommées</translation>
+    </message>
+    <message>
+        <source>a robot, which can have tools</source>
+        <translation>un robot, qui peut avoir des outils</translation>
+    </message>
+    <message>
+        <source>a robot.toml</source>
+        <translation>un robot.toml</translation>
+    </message>
+    <message>
+        <source>a scale that is no number</source>
+        <translation>une échelle qui n'est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a scene without nodes</source>
+        <translation>une scène sans nœuds</translation>
+    </message>
+    <message>
+        <source>a screw without pitch</source>
+        <translation>une vis sans pas</translation>
+    </message>
+    <message>
+        <source>a search, which ends where a signal comes; it is read to its end point.</source>
+        <translation>une recherche, qui s'arrête à un signal ; elle est lue jusqu'à son point final.</translation>
+    </message>
+    <message>
+        <source>a second ROOT '%1'</source>
+        <translation>un second ROOT '%1'</translation>
+    </message>
+    <message>
+        <source>a second document</source>
+        <translation>un second document</translation>
+    </message>
+    <message>
+        <source>a second element %1</source>
+        <translation>un deuxième élément %1</translation>
+    </message>
+    <message>
+        <source>a second joint '%1' (the first is on %2)</source>
+        <translation>un second axe '%1' (le premier : %2)</translation>
+    </message>
+    <message>
+        <source>a second link '%1' (the first is on %2)</source>
+        <translation>un second segment '%1' (le premier : %2)</translation>
+    </message>
+    <message>
+        <source>a second one of that name</source>
+        <translation>un deuxième élément de ce nom</translation>
+    </message>
+    <message>
+        <source>a second world is left out</source>
+        <translation>un second monde est omis</translation>
+    </message>
+    <message>
+        <source>a server that answers until the hand path ends</source>
+        <translation>un serveur qui répond jusqu'à la fin du trajet de la main</translation>
+    </message>
+    <message>
+        <source>a session that was recorded</source>
+        <translation>une session enregistrée</translation>
+    </message>
+    <message>
+        <source>a shape</source>
+        <translation>une forme</translation>
+    </message>
+    <message>
+        <source>a shape given by a function</source>
+        <translation>une forme donnée par une fonction</translation>
+    </message>
+    <message>
+        <source>a shape of the kind it has</source>
+        <translation>une forme du même type</translation>
+    </message>
+    <message>
+        <source>a shape whose box is off by %1 m</source>
+        <translation>une forme dont la boîte englobante s'écarte de %1 m</translation>
+    </message>
+    <message>
+        <source>a shift by %1</source>
+        <translation>un décalage de %1</translation>
+    </message>
+    <message>
+        <source>a shorter list</source>
+        <translation>une liste plus courte</translation>
+    </message>
+    <message>
+        <source>a shorter one</source>
+        <translation>un plus court</translation>
+    </message>
+    <message>
+        <source>a simpler one</source>
+        <translation>une plus simple</translation>
+    </message>
+    <message>
+        <source>a simulated device</source>
+        <translation>un périphérique simulé</translation>
+    </message>
+    <message>
+        <source>a skeleton</source>
+        <translation>un squelette</translation>
+    </message>
+    <message>
+        <source>a skeleton in ASF</source>
+        <translation>un squelette en ASF</translation>
+    </message>
+    <message>
+        <source>a skeleton with its root</source>
+        <translation>un squelette avec sa racine</translation>
+    </message>
+    <message>
+        <source>a skeleton without a joint for the %1 (its joints are %2)</source>
+        <translation>un squelette sans articulation pour : %1 (ses articulations sont %2)</translation>
+    </message>
+    <message>
+        <source>a slice of %1</source>
+        <translation>une tranche prise dans %1</translation>
+    </message>
+    <message>
+        <source>a slice with a step of 0</source>
+        <translation>une tranche de pas 0</translation>
+    </message>
+    <message>
+        <source>a slide without limits</source>
+        <translation>une glissière sans butées</translation>
+    </message>
+    <message>
+        <source>a smaller one</source>
+        <translation>un plus petit</translation>
+    </message>
+    <message>
+        <source>a smaller or coarser model</source>
+        <translation>un modèle plus petit ou plus grossier</translation>
+    </message>
+    <message>
+        <source>a socket, not a regular file</source>
+        <translation>une socket, et non un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>a solid</source>
+        <translation>un solide</translation>
+    </message>
+    <message>
+        <source>a sound %1 file</source>
+        <translation>un fichier %1 valide</translation>
+    </message>
+    <message>
+        <source>a sound file</source>
+        <translation>un fichier valide</translation>
+    </message>
+    <message>
+        <source>a sound mesh</source>
+        <translation>un maillage valide</translation>
+    </message>
+    <message>
+        <source>a speed above 0, friction not below 0</source>
+        <translation>une vitesse supérieure à 0, un frottement au moins égal à 0</translation>
+    </message>
+    <message>
+        <source>a speed or friction out of range</source>
+        <translation>une vitesse ou un frottement hors limites</translation>
+    </message>
+    <message>
+        <source>a spline; it is read as straight lines between its points.</source>
+        <translation>une spline ; elle est lue comme des droites entre ses points.</translation>
+    </message>
+    <message>
+        <source>a start or end speed that no motion within the limits has</source>
+        <translation>une vitesse de départ ou d'arrivée qu'aucun mouvement dans les limites n'atteint</translation>
+    </message>
+    <message>
+        <source>a stiffness, damping or load that is negative, not finite or too great</source>
+        <translation>une raideur, un amortissement ou une charge négatifs, non finis ou trop grands</translation>
+    </message>
+    <message>
+        <source>a stop out of range</source>
+        <translation>une butée hors limites</translation>
+    </message>
+    <message>
+        <source>a strip along points</source>
+        <translation>une bande le long de points</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>une table</translation>
+    </message>
+    <message>
+        <source>a table [%1]</source>
+        <translation>une table [%1]</translation>
+    </message>
+    <message>
+        <source>a table in TOML</source>
+        <translation>une table en TOML</translation>
+    </message>
+    <message>
+        <source>a table in TOML of at most 1 MB</source>
+        <translation>une table en TOML de 1 Mo au plus</translation>
+    </message>
+    <message>
+        <source>a table of markers for a skeleton</source>
+        <translation>une table de marqueurs pour un squelette</translation>
+    </message>
+    <message>
+        <source>a table, a fixture</source>
+        <translation>une table, un montage</translation>
+    </message>
+    <message>
+        <source>a target before it</source>
+        <translation>une cible avant lui</translation>
+    </message>
+    <message>
+        <source>a target by %1</source>
+        <translation>une cible donnée par %1</translation>
+    </message>
+    <message>
+        <source>a target given by joints</source>
+        <translation>une cible donnée par des axes</translation>
+    </message>
+    <message>
+        <source>a target in a position register, which the program does not set</source>
+        <translation>une cible dans un registre de position que le programme ne définit pas</translation>
+    </message>
+    <message>
+        <source>a target that accepts all data</source>
+        <translation>une cible qui accepte toutes les données</translation>
+    </message>
+    <message>
+        <source>a target that is neither p[...] nor six joints</source>
+        <translation>une cible qui n'est ni p[...] ni six axes</translation>
+    </message>
+    <message>
+        <source>a target that is no robtarget or jointtarget</source>
+        <translation>une cible qui n'est ni robtarget ni jointtarget</translation>
+    </message>
+    <message>
+        <source>a target that is not finite</source>
+        <translation>une cible qui n'est pas finie</translation>
+    </message>
+    <message>
+        <source>a target that the file gives</source>
+        <translation>une cible que le fichier donne</translation>
+    </message>
+    <message>
+        <source>a target that the file gives, as moves follow it</source>
+        <translation>une cible que le fichier donne, car des mouvements la suivent</translation>
+    </message>
+    <message>
+        <source>a target with an offset by a position register</source>
+        <translation>une cible décalée par un registre de position</translation>
+    </message>
+    <message>
+        <source>a target without all its coordinates</source>
+        <translation>une cible sans toutes ses coordonnées</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>a text of more than 1 MB</source>
+        <translation>un texte de plus de 1 Mo</translation>
+    </message>
+    <message>
+        <source>a text of two bytes a letter (UTF-16)</source>
+        <translation>un texte de deux octets par lettre (UTF-16)</translation>
+    </message>
+    <message>
+        <source>a text or a number</source>
+        <translation>un texte ou un nombre</translation>
+    </message>
+    <message>
+        <source>a text that is not empty</source>
+        <translation>un texte non vide</translation>
+    </message>
+    <message>
+        <source>a text to be filled with more places than values</source>
+        <translation>un texte à compléter avec plus d'emplacements que de valeurs</translation>
+    </message>
+    <message>
+        <source>a text to replace</source>
+        <translation>un texte à remplacer</translation>
+    </message>
+    <message>
+        <source>a text to split at</source>
+        <translation>un texte séparateur</translation>
+    </message>
+    <message>
+        <source>a text where a number belongs, or a number that no computer holds</source>
+        <translation>un texte à la place d'un nombre, ou un nombre non représentable</translation>
+    </message>
+    <message>
+        <source>a text without its closing quote in the expression</source>
+        <translation>un texte sans guillemet fermant dans l'expression</translation>
+    </message>
+    <message>
+        <source>a text, a number or a list</source>
+        <translation>un texte, un nombre ou une liste</translation>
+    </message>
+    <message>
+        <source>a time after that of the row before, %1 s</source>
+        <translation>un temps après celui de la ligne précédente, %1 s</translation>
+    </message>
+    <message>
+        <source>a time after the one before, %1 s</source>
+        <translation>un temps après le précédent, %1 s</translation>
+    </message>
+    <message>
+        <source>a time of %1 s</source>
+        <translation>un temps de %1 s</translation>
+    </message>
+    <message>
+        <source>a time of 0 s or more</source>
+        <translation>un temps de 0 s ou plus</translation>
+    </message>
+    <message>
+        <source>a time that is no whole number</source>
+        <translation>un temps qui n'est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>a time that is not after the one before</source>
+        <translation>un instant qui n'est pas postérieur au précédent</translation>
+    </message>
+    <message>
+        <source>a time_from_start of %1 s</source>
+        <translation>un time_from_start de %1 s</translation>
+    </message>
+    <message>
+        <source>a tolerance that is no length</source>
+        <translation>une tolérance qui n'est pas une longueur</translation>
+    </message>
+    <message>
+        <source>a tool of '%1'</source>
+        <translation>un outil de '%1'</translation>
+    </message>
+    <message>
+        <source>a tool that moves, for a constant speed of it</source>
+        <translation>un outil qui bouge, pour qu'il ait une vitesse constante</translation>
+    </message>
+    <message>
+        <source>a trajectory</source>
+        <translation>une trajectoire</translation>
+    </message>
+    <message>
+        <source>a trajectory file</source>
+        <translation>un fichier de trajectoire</translation>
+    </message>
+    <message>
+        <source>an invalid transform</source>
+        <translation>une transformation qui n'en est pas une</translation>
+    </message>
+    <message>
+        <source>a tree</source>
+        <translation>un arbre</translation>
+    </message>
+    <message>
+        <source>a tree from the root link '%1'</source>
+        <translation>un arbre issu du segment racine '%1'</translation>
+    </message>
+    <message>
+        <source>a tree of components</source>
+        <translation>un arbre de composants</translation>
+    </message>
+    <message>
+        <source>a tree with one root link</source>
+        <translation>un arbre avec un seul segment racine</translation>
+    </message>
+    <message>
+        <source>a triangle with a corner that is not there</source>
+        <translation>un triangle dont un sommet n'existe pas</translation>
+    </message>
+    <message>
+        <source>a unique name</source>
+        <translation>un nom unique</translation>
+    </message>
+    <message>
+        <source>a unit for a robot</source>
+        <translation>une unité pour un robot</translation>
+    </message>
+    <message>
+        <source>a unit quaternion</source>
+        <translation>un quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>a unit quaternion, w first</source>
+        <translation>un quaternion unitaire, w d'abord</translation>
+    </message>
+    <message>
+        <source>a valid Envelope</source>
+        <translation>une Envelope valide</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>une valeur</translation>
+    </message>
+    <message>
+        <source>a value after it</source>
+        <translation>une valeur à la suite</translation>
+    </message>
+    <message>
+        <source>a value for each</source>
+        <translation>une valeur pour chacun</translation>
+    </message>
+    <message>
+        <source>a value for each %</source>
+        <translation>une valeur pour chaque %</translation>
+    </message>
+    <message>
+        <source>a value for it</source>
+        <translation>une valeur correspondante</translation>
+    </message>
+    <message>
+        <source>a value in the expression</source>
+        <translation>une valeur dans l'expression</translation>
+    </message>
+    <message>
+        <source>a value outside its range</source>
+        <translation>une valeur hors de sa plage</translation>
+    </message>
+    <message>
+        <source>a value that is not in the list</source>
+        <translation>une valeur qui n'est pas dans la liste</translation>
+    </message>
+    <message>
+        <source>a value that is not positive</source>
+        <translation>une valeur qui n'est pas positive</translation>
+    </message>
+    <message>
+        <source>a value that the file does not give</source>
+        <translation>une valeur que le fichier ne donne pas</translation>
+    </message>
+    <message>
+        <source>a vertex number (1 is the first, -1 the last so far)</source>
+        <translation>un numéro de sommet (1 pour le premier, -1 pour le dernier lu)</translation>
+    </message>
+    <message>
+        <source>a vertex number below %1</source>
+        <translation>un numéro de sommet inférieur à %1</translation>
+    </message>
+    <message>
+        <source>a vertex that is no point</source>
+        <translation>un sommet qui n'est pas un point</translation>
+    </message>
+    <message>
+        <source>a vertex with fewer than three coordinates</source>
+        <translation>un sommet de moins de trois coordonnées</translation>
+    </message>
+    <message>
+        <source>a video that can be written</source>
+        <translation>une vidéo qui peut être écrite</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un nombre entier</translation>
+    </message>
+    <message>
+        <source>a whole number beyond 64 bits</source>
+        <translation>un nombre entier au-delà de 64 bits</translation>
+    </message>
+    <message>
+        <source>a whole number from 1</source>
+        <translation>un nombre entier à partir de 1</translation>
+    </message>
+    <message>
+        <source>a whole number, %1 to %2</source>
+        <translation>un nombre entier de %1 à %2</translation>
+    </message>
+    <message>
+        <source>a workcell document</source>
+        <translation>un document de cellule</translation>
+    </message>
+    <message>
+        <source>a zip archive</source>
+        <translation>une archive zip</translation>
     </message>
     <message>
         <source>about </source>
@@ -7823,8 +11727,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>autour de %1</translation>
     </message>
     <message>
+        <source>above 0 with driven_axes = 6, else 0</source>
+        <translation>plus de 0 avec driven_axes = 6, sinon 0</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>accélération</translation>
+    </message>
+    <message>
         <source>acceptable for nearly all</source>
         <translation>acceptable pour presque tous</translation>
+    </message>
+    <message>
+        <source>accessor %1</source>
+        <translation>accesseur %1</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>ajouté</translation>
     </message>
     <message>
         <source>against</source>
@@ -7835,40 +11755,656 @@ Voulez-vous le remplacer ?</translation>
         <translation>âge : médiane %1 ms, 99e centile %2 ms ; %3</translation>
     </message>
     <message>
+        <source>all is read as solid bodies</source>
+        <translation>tout est lu comme des corps solides</translation>
+    </message>
+    <message>
+        <source>all that was packed</source>
+        <translation>tout ce qui a été archivé</translation>
+    </message>
+    <message>
+        <source>all, translation, rotation, or some of x y z</source>
+        <translation>all, translation, rotation, ou certains de x y z</translation>
+    </message>
+    <message>
+        <source>allowed up to %1, 80 is asked for</source>
+        <translation>autorisée jusqu'à %1, 80 demandé</translation>
+    </message>
+    <message>
         <source>along %1</source>
         <translation>le long de %1</translation>
+    </message>
+    <message>
+        <source>an 'element' before it</source>
+        <translation>un 'element' avant elle</translation>
+    </message>
+    <message>
+        <source>an FBX file</source>
+        <translation>un fichier FBX</translation>
+    </message>
+    <message>
+        <source>an IF without its ENDIF</source>
+        <translation>un IF sans son ENDIF</translation>
+    </message>
+    <message>
+        <source>an IGES file with surfaces</source>
+        <translation>un fichier IGES avec des surfaces</translation>
+    </message>
+    <message>
+        <source>an OBJ statement</source>
+        <translation>une instruction OBJ</translation>
+    </message>
+    <message>
+        <source>an SDF file</source>
+        <translation>un fichier SDF</translation>
+    </message>
+    <message>
+        <source>an absolute path</source>
+        <translation>un chemin absolu</translation>
+    </message>
+    <message>
+        <source>an address of this machine only (127.0.0.1 or ::1)</source>
+        <translation>une adresse de cette seule machine (127.0.0.1 ou ::1)</translation>
+    </message>
+    <message>
+        <source>an address of this machine, such as 127.0.0.1</source>
+        <translation>une adresse de cette machine, par exemple 127.0.0.1</translation>
+    </message>
+    <message>
+        <source>an address that other machines can reach, where anybody could take the stylus</source>
+        <translation>une adresse joignable par d'autres machines, où n'importe qui pourrait prendre le stylet</translation>
+    </message>
+    <message>
+        <source>an angle up to 100 rad</source>
+        <translation>un angle de 100 rad au plus</translation>
+    </message>
+    <message>
+        <source>an invalid answer of the importer</source>
+        <translation>une réponse de l'importateur qui n'est pas valable</translation>
+    </message>
+    <message>
+        <source>an arc from a place that is not known</source>
+        <translation>un arc depuis une position inconnue</translation>
+    </message>
+    <message>
+        <source>an arc of no or many turns</source>
+        <translation>un arc d'angle nul ou de trop de tours</translation>
+    </message>
+    <message>
+        <source>an arc or spline by single points; it is read as straight lines between them.</source>
+        <translation>un arc ou une spline par points isolés ; lu comme des droites entre eux.</translation>
+    </message>
+    <message>
+        <source>an arc whose three points lie on one line, or in another order</source>
+        <translation>un arc dont les trois points sont alignés, ou dans un autre ordre</translation>
+    </message>
+    <message>
+        <source>an arc without known points</source>
+        <translation>un arc sans points connus</translation>
+    </message>
+    <message>
+        <source>an archive that is whole</source>
+        <translation>une archive complète</translation>
+    </message>
+    <message>
+        <source>an argument that is left out</source>
+        <translation>un argument omis</translation>
+    </message>
+    <message>
+        <source>an attempt</source>
+        <translation>un essai</translation>
+    </message>
+    <message>
+        <source>an axis</source>
+        <translation>un axe de mouvement</translation>
+    </message>
+    <message>
+        <source>an axis of length zero</source>
+        <translation>un vecteur d'axe de longueur nulle</translation>
+    </message>
+    <message>
+        <source>an element 'face'</source>
+        <translation>un élément 'face'</translation>
+    </message>
+    <message>
+        <source>an element 'vertex' with x, y and z</source>
+        <translation>un élément 'vertex' avec x, y et z</translation>
+    </message>
+    <message>
+        <source>an element beyond the last</source>
+        <translation>un élément au-delà du dernier</translation>
+    </message>
+    <message>
+        <source>an element inside of the call for each block</source>
+        <translation>un élément dans l'appel pour chaque bloc</translation>
+    </message>
+    <message>
+        <source>an element of '%1' that has no value</source>
+        <translation>un élément de '%1' qui n'a pas de valeur</translation>
+    </message>
+    <message>
+        <source>an element that is neither true nor false</source>
+        <translation>un élément qui n'est ni true ni false</translation>
+    </message>
+    <message>
+        <source>an element that the list does not have</source>
+        <translation>un élément que la liste n'a pas</translation>
+    </message>
+    <message>
+        <source>an element with more than %1 attributes</source>
+        <translation>un élément de plus de %1 attributs</translation>
+    </message>
+    <message>
+        <source>an empty %1</source>
+        <translation>un %1 vide</translation>
+    </message>
+    <message>
+        <source>an empty file</source>
+        <translation>un fichier vide</translation>
+    </message>
+    <message>
+        <source>an endless first line</source>
+        <translation>une première ligne sans fin</translation>
+    </message>
+    <message>
+        <source>an entity (the workcell is empty)</source>
+        <translation>une entité (la cellule est vide)</translation>
+    </message>
+    <message>
+        <source>an entity and a link of it</source>
+        <translation>une entité et un de ses segments</translation>
+    </message>
+    <message>
+        <source>an entity of the cell</source>
+        <translation>une entité de la cellule</translation>
+    </message>
+    <message>
+        <source>an entity that may be moved</source>
+        <translation>une entité qui peut être déplacée</translation>
+    </message>
+    <message>
+        <source>an envelope without a body</source>
+        <translation>une enveloppe sans contenu</translation>
+    </message>
+    <message>
+        <source>an error</source>
+        <translation>une erreur</translation>
+    </message>
+    <message>
+        <source>an even width and height</source>
+        <translation>une largeur et une hauteur paires</translation>
+    </message>
+    <message>
+        <source>an expert's motion</source>
+        <translation>le mouvement d'un expert</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>une expression</translation>
+    </message>
+    <message>
+        <source>an expression nested deeper than 100 levels</source>
+        <translation>une expression imbriquée sur plus de 100 niveaux</translation>
+    </message>
+    <message>
+        <source>an expression of more than 300 nested steps</source>
+        <translation>une expression de plus de 300 étapes imbriquées</translation>
+    </message>
+    <message>
+        <source>an expression of more than 64 kB</source>
+        <translation>une expression de plus de 64 ko</translation>
+    </message>
+    <message>
+        <source>an expression of too many brackets</source>
+        <translation>une expression avec trop de parenthèses</translation>
+    </message>
+    <message>
+        <source>an expression that ends too early</source>
+        <translation>une expression qui se termine trop tôt</translation>
     </message>
     <message>
         <source>an increased risk for some</source>
         <translation>un risque accru pour certains</translation>
     </message>
     <message>
+        <source>an index</source>
+        <translation>un indice</translation>
+    </message>
+    <message>
+        <source>an index into %1</source>
+        <translation>un indice appliqué à %1</translation>
+    </message>
+    <message>
+        <source>an index within</source>
+        <translation>un indice valable</translation>
+    </message>
+    <message>
+        <source>an integer type for the list's length</source>
+        <translation>un type entier pour la longueur de la liste</translation>
+    </message>
+    <message>
+        <source>an invalid pose</source>
+        <translation>une pose non valide</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objet</translation>
+    </message>
+    <message>
+        <source>an object in braces</source>
+        <translation>un objet entre accolades</translation>
+    </message>
+    <message>
+        <source>an object of more than %1 members</source>
+        <translation>un objet de plus de %1 membres</translation>
+    </message>
+    <message>
+        <source>an object of that part</source>
+        <translation>un objet de cet élément</translation>
+    </message>
+    <message>
+        <source>an object with fields</source>
+        <translation>un objet avec des champs</translation>
+    </message>
+    <message>
+        <source>an operator '%1' between lists</source>
+        <translation>un opérateur '%1' entre des listes</translation>
+    </message>
+    <message>
+        <source>an operator '%1' of a list</source>
+        <translation>un opérateur '%1' sur une liste</translation>
+    </message>
+    <message>
+        <source>an operator '%1' that is not understood</source>
+        <translation>un opérateur '%1' qui n'est pas compris</translation>
+    </message>
+    <message>
+        <source>an origin that is not a pose (&quot;%1&quot;)</source>
+        <translation>une origine qui n'est pas une pose (&quot;%1&quot;)</translation>
+    </message>
+    <message>
+        <source>an outline that is pulled up</source>
+        <translation>un contour extrudé</translation>
+    </message>
+    <message>
+        <source>an unforeseen fault: %1</source>
+        <translation>une erreur imprévue : %1</translation>
+    </message>
+    <message>
+        <source>an unknown kind or no gradient</source>
+        <translation>un type inconnu ou aucun gradient</translation>
+    </message>
+    <message>
         <source>and %1 more</source>
         <translation>et %1 de plus</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>angle</translation>
+    </message>
+    <message>
+        <source>angles of the motion are degrees, as the AMC says; those of the skeleton are not</source>
+        <translation>les angles du mouvement sont en degrés, comme l'indique l'AMC ; ceux du squelette ne le sont pas</translation>
+    </message>
+    <message>
+        <source>angles of the motion are radians, as the AMC says; those of the skeleton are not</source>
+        <translation>les angles du mouvement sont en radians, comme l'indique l'AMC ; ceux du squelette ne le sont pas</translation>
+    </message>
+    <message>
+        <source>another assembly</source>
+        <translation>un autre assemblage</translation>
     </message>
     <message>
         <source>another clicked</source>
         <translation>un autre cliqué</translation>
     </message>
     <message>
+        <source>another divisor</source>
+        <translation>un autre diviseur</translation>
+    </message>
+    <message>
+        <source>another entity</source>
+        <translation>une autre entité</translation>
+    </message>
+    <message>
+        <source>another entity or other joints</source>
+        <translation>une autre entité ou d'autres axes</translation>
+    </message>
+    <message>
+        <source>another entity to hang it on</source>
+        <translation>une autre entité à laquelle l'attacher</translation>
+    </message>
+    <message>
+        <source>another joint</source>
+        <translation>un autre axe</translation>
+    </message>
+    <message>
+        <source>another kind of thing</source>
+        <translation>un élément d'un autre type</translation>
+    </message>
+    <message>
+        <source>another step</source>
+        <translation>un autre pas</translation>
+    </message>
+    <message>
+        <source>another time</source>
+        <translation>un autre temps</translation>
+    </message>
+    <message>
+        <source>another type than is needed there, or none</source>
+        <translation>un autre type que celui qu'il faut là, ou aucun</translation>
+    </message>
+    <message>
+        <source>another version</source>
+        <translation>une autre version</translation>
+    </message>
+    <message>
+        <source>any text</source>
+        <translation>un texte quelconque</translation>
+    </message>
+    <message>
+        <source>approach or retract</source>
+        <translation>approche ou dégagement</translation>
+    </message>
+    <message>
+        <source>arguments</source>
+        <translation>arguments</translation>
+    </message>
+    <message>
+        <source>arms, legs and a trunk that have lengths</source>
+        <translation>des bras, des jambes et un tronc de longueur non nulle</translation>
+    </message>
+    <message>
         <source>as in the controller</source>
         <translation>celui de la commande</translation>
+    </message>
+    <message>
+        <source>as many</source>
+        <translation>le même nombre</translation>
+    </message>
+    <message>
+        <source>as many as in the recording</source>
+        <translation>autant que dans l'enregistrement</translation>
+    </message>
+    <message>
+        <source>as many scenes as files</source>
+        <translation>autant de scènes que de fichiers</translation>
+    </message>
+    <message>
+        <source>assembly '%1'</source>
+        <translation>assemblage '%1'</translation>
+    </message>
+    <message>
+        <source>at %1 s</source>
+        <translation>à %1 s</translation>
+    </message>
+    <message>
+        <source>at frame %1</source>
+        <translation>à l'image %1</translation>
+    </message>
+    <message>
+        <source>at its beginning</source>
+        <translation>à son début</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>at least one</source>
+        <translation>au moins un</translation>
+    </message>
+    <message>
+        <source>at least one &lt;link&gt;</source>
+        <translation>au moins un &lt;link&gt;</translation>
+    </message>
+    <message>
+        <source>at least one frame</source>
+        <translation>au moins une image</translation>
+    </message>
+    <message>
+        <source>at least one marker</source>
+        <translation>au moins un marqueur</translation>
+    </message>
+    <message>
+        <source>at least one part that can be read</source>
+        <translation>au moins une pièce lisible</translation>
+    </message>
+    <message>
+        <source>at least one solid</source>
+        <translation>au moins un solide</translation>
+    </message>
+    <message>
+        <source>at least one solid or surface</source>
+        <translation>au moins un solide ou une surface</translation>
+    </message>
+    <message>
+        <source>at least one target</source>
+        <translation>au moins une cible</translation>
+    </message>
+    <message>
+        <source>at least one value</source>
+        <translation>au moins une valeur</translation>
+    </message>
+    <message>
+        <source>at least the 84 bytes of a binary STL's header</source>
+        <translation>au moins les 84 octets de l'en-tête d'un STL binaire</translation>
+    </message>
+    <message>
+        <source>at least two</source>
+        <translation>au moins deux</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>at most %1 MB</source>
+        <translation>au plus %1 Mo</translation>
+    </message>
+    <message>
+        <source>at most %1 bytes</source>
+        <translation>au plus %1 octets</translation>
+    </message>
+    <message>
+        <source>at most %1 independent ones</source>
+        <translation>au plus %1 axes indépendants</translation>
+    </message>
+    <message>
+        <source>at most %1 levels</source>
+        <translation>au plus %1 niveaux</translation>
+    </message>
+    <message>
+        <source>at most %1 m, %2 rad</source>
+        <translation>au plus %1 m, %2 rad</translation>
+    </message>
+    <message>
+        <source>at most %1, as a job of INFORM can hold</source>
+        <translation>au plus %1, ce qu'un job INFORM peut contenir</translation>
+    </message>
+    <message>
+        <source>at most 1 GB, and 200 times its own size</source>
+        <translation>au plus 1 Go, et 200 fois sa propre taille</translation>
+    </message>
+    <message>
+        <source>at most 1, the newest that this program knows</source>
+        <translation>au plus 1, la plus récente que ce programme connaît</translation>
+    </message>
+    <message>
+        <source>at most 1000</source>
+        <translation>au plus 1000</translation>
+    </message>
+    <message>
+        <source>at most 10000</source>
+        <translation>au plus 10000</translation>
+    </message>
+    <message>
+        <source>at most 16</source>
+        <translation>au plus 16</translation>
+    </message>
+    <message>
+        <source>at most 1e12 m</source>
+        <translation>au plus 1e12 m</translation>
+    </message>
+    <message>
+        <source>at most 2 m/s</source>
+        <translation>au plus 2 m/s</translation>
+    </message>
+    <message>
+        <source>at most 200000 as STEP faces</source>
+        <translation>au plus 200000 comme faces STEP</translation>
+    </message>
+    <message>
+        <source>at most 2000000</source>
+        <translation>au plus 2000000</translation>
+    </message>
+    <message>
+        <source>at most 24</source>
+        <translation>au plus 24</translation>
+    </message>
+    <message>
+        <source>at most 4 GB, and 200 times its own size</source>
+        <translation>au plus 4 Go, et 200 fois sa propre taille</translation>
+    </message>
+    <message>
+        <source>at most 50 within each other</source>
+        <translation>au plus 50 imbriquées</translation>
+    </message>
+    <message>
+        <source>at most 5000</source>
+        <translation>au plus 5000</translation>
+    </message>
+    <message>
+        <source>at most 9e9 s</source>
+        <translation>au plus 9e9 s</translation>
+    </message>
+    <message>
+        <source>at most the %1 that the file's length can hold</source>
+        <translation>au plus les %1 que permet la longueur du fichier</translation>
     </message>
     <message>
         <source>at work</source>
         <translation>au travail</translation>
     </message>
     <message>
+        <source>attempt %1</source>
+        <translation>essai %1</translation>
+    </message>
+    <message>
+        <source>axes</source>
+        <translation>axes</translation>
+    </message>
+    <message>
+        <source>axes relative to a target that has none</source>
+        <translation>des axes relatifs à une cible qui n'en a pas</translation>
+    </message>
+    <message>
         <source>back</source>
         <translation>derrière</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>base</translation>
+    </message>
+    <message>
+        <source>base_radius, upper_arm, lower_arm and platform_radius above 0</source>
+        <translation>base_radius, upper_arm, lower_arm et platform_radius supérieurs à 0</translation>
+    </message>
+    <message>
+        <source>bash, zsh or fish</source>
+        <translation>bash, zsh ou fish</translation>
+    </message>
+    <message>
+        <source>beams and balls</source>
+        <translation>des poutres et des billes</translation>
+    </message>
+    <message>
+        <source>beginning</source>
+        <translation>début</translation>
+    </message>
+    <message>
+        <source>best</source>
+        <translation>best</translation>
     </message>
     <message>
         <source>best %1</source>
         <translation>meilleur %1</translation>
     </message>
     <message>
+        <source>blend</source>
+        <translation>rayon de raccordement</translation>
+    </message>
+    <message>
+        <source>bodies for a simulation</source>
+        <translation>des corps pour une simulation</translation>
+    </message>
+    <message>
+        <source>bones and blends; the mesh is shown as modelled</source>
+        <translation>des os et des mélanges de formes ; le maillage est affiché tel que modélisé</translation>
+    </message>
+    <message>
+        <source>bones that slide or grow are taken as they are at rest</source>
+        <translation>les os qui glissent ou s'allongent sont pris comme au repos</translation>
+    </message>
+    <message>
+        <source>bones without length</source>
+        <translation>des os de longueur nulle</translation>
+    </message>
+    <message>
+        <source>bones; the mesh is shown as modelled</source>
+        <translation>des os ; le maillage est affiché tel que modélisé</translation>
+    </message>
+    <message>
+        <source>both --percentile and --stature</source>
+        <translation>à la fois --percentile et --stature</translation>
+    </message>
+    <message>
+        <source>both [%1] and [%2]</source>
+        <translation>à la fois [%1] et [%2]</translation>
+    </message>
+    <message>
+        <source>both are given</source>
+        <translation>les deux sont donnés</translation>
+    </message>
+    <message>
+        <source>box:, table:, fence: or another of them</source>
+        <translation>box:, table:, fence: ou une autre pièce paramétrique</translation>
+    </message>
+    <message>
+        <source>boxes from a picture</source>
+        <translation>des pavés tirés d'une image</translation>
+    </message>
+    <message>
+        <source>buffer %1</source>
+        <translation>tampon (buffer) %1</translation>
+    </message>
+    <message>
+        <source>buffer view %1</source>
+        <translation>vue de tampon (buffer view) %1</translation>
+    </message>
+    <message>
         <source>by %1</source>
         <translation>de %1</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>octet %1</translation>
+    </message>
+    <message>
+        <source>byte %1 of its JSON</source>
+        <translation>octet %1 de son JSON</translation>
+    </message>
+    <message>
+        <source>bytes that are no text</source>
+        <translation>des octets qui ne sont pas un texte</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>annulé</translation>
+    </message>
+    <message>
+        <source>cannot listen there: %1</source>
+        <translation>écoute impossible à cette adresse : %1</translation>
     </message>
     <message>
         <source>carried by the seat</source>
@@ -7891,6 +12427,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>changée</translation>
     </message>
     <message>
+        <source>changes of shape; the mesh is shown as modelled</source>
+        <translation>des changements de forme ; le maillage est affiché tel que modélisé</translation>
+    </message>
+    <message>
+        <source>changes to the model that is taken in</source>
+        <translation>des changements du modèle inclus</translation>
+    </message>
+    <message>
+        <source>channels of the joints</source>
+        <translation>des canaux des articulations</translation>
+    </message>
+    <message>
         <source>check cancelled</source>
         <translation>vérification interrompue</translation>
     </message>
@@ -7899,12 +12447,52 @@ Voulez-vous le remplacer ?</translation>
         <translation>vérifié</translation>
     </message>
     <message>
+        <source>chord</source>
+        <translation>flèche</translation>
+    </message>
+    <message>
+        <source>chunk</source>
+        <translation>bloc (chunk)</translation>
+    </message>
+    <message>
         <source>clearance</source>
         <translation>distance</translation>
     </message>
     <message>
+        <source>client kind %1</source>
+        <translation>type de client %1</translation>
+    </message>
+    <message>
         <source>closed</source>
         <translation>fermé</translation>
+    </message>
+    <message>
+        <source>columns x, y, z</source>
+        <translation>colonnes x, y, z</translation>
+    </message>
+    <message>
+        <source>comb() or perm() beyond 64 bits</source>
+        <translation>comb() ou perm() au-delà de 64 bits</translation>
+    </message>
+    <message>
+        <source>comb() or perm() of a negative number</source>
+        <translation>comb() ou perm() appliqué à un nombre négatif</translation>
+    </message>
+    <message>
+        <source>completion</source>
+        <translation>completion</translation>
+    </message>
+    <message>
+        <source>components in a circle</source>
+        <translation>des composants en boucle</translation>
+    </message>
+    <message>
+        <source>constant, contact or dynamics</source>
+        <translation>constant, contact ou dynamics</translation>
+    </message>
+    <message>
+        <source>constraint %1</source>
+        <translation>contrainte %1</translation>
     </message>
     <message>
         <source>contact</source>
@@ -7923,8 +12511,48 @@ Voulez-vous le remplacer ?</translation>
         <translation>contacts : %1</translation>
     </message>
     <message>
+        <source>content at which its reader breaks down</source>
+        <translation>un contenu qui bloque le lecteur</translation>
+    </message>
+    <message>
+        <source>content that contradicts itself</source>
+        <translation>un contenu contradictoire</translation>
+    </message>
+    <message>
+        <source>content that contradicts itself (%1)</source>
+        <translation>un contenu contradictoire (%1)</translation>
+    </message>
+    <message>
+        <source>content that the SDF library does not get through</source>
+        <translation>un contenu que la bibliothèque SDF ne parvient pas à lire</translation>
+    </message>
+    <message>
+        <source>corners from 0 to %1</source>
+        <translation>des sommets de 0 à %1</translation>
+    </message>
+    <message>
+        <source>corners of the mesh</source>
+        <translation>des sommets du maillage</translation>
+    </message>
+    <message>
+        <source>counts that fit the file</source>
+        <translation>des nombres d'éléments conformes au fichier</translation>
+    </message>
+    <message>
+        <source>csv, json, ros, krl, rapid, fanuc, urscript, val3 or inform</source>
+        <translation>csv, json, ros, krl, rapid, fanuc, urscript, val3 ou inform</translation>
+    </message>
+    <message>
         <source>current</source>
         <translation>actuelle</translation>
+    </message>
+    <message>
+        <source>curves</source>
+        <translation>des courbes</translation>
+    </message>
+    <message>
+        <source>curves and surfaces that exist</source>
+        <translation>des courbes et des surfaces qui existent</translation>
     </message>
     <message>
         <source>d MMM yyyy, HH:mm</source>
@@ -7939,12 +12567,104 @@ Voulez-vous le remplacer ?</translation>
         <translation>d MMMM, HH:mm</translation>
     </message>
     <message>
+        <source>data of EXT_meshopt_compression that cannot be unpacked</source>
+        <translation>des données de EXT_meshopt_compression impossibles à décompresser</translation>
+    </message>
+    <message>
+        <source>data that cannot be unpacked (%1)</source>
+        <translation>des données impossibles à décompresser (%1)</translation>
+    </message>
+    <message>
+        <source>data that the database does not have</source>
+        <translation>des données que la base de données n'a pas</translation>
+    </message>
+    <message>
+        <source>deg or rad</source>
+        <translation>deg ou rad</translation>
+    </message>
+    <message>
+        <source>degrees, or a length</source>
+        <translation>des degrés, ou une longueur</translation>
+    </message>
+    <message>
         <source>delay: median %1 ms, maximum %2 ms, contacts: %3; up to %4 ms is not noticeable</source>
         <translation>délai : médiane %1 ms, maximum %2 ms, contacts : %3 ; jusqu'à %4 ms, imperceptible</translation>
     </message>
     <message>
+        <source>device</source>
+        <translation>périphérique</translation>
+    </message>
+    <message>
+        <source>dict() of what are no pairs</source>
+        <translation>dict() appliqué à autre chose que des paires</translation>
+    </message>
+    <message>
+        <source>digit %1 (%2) is '%3'</source>
+        <translation>le chiffre %1 (%2) est '%3'</translation>
+    </message>
+    <message>
+        <source>directions that differ</source>
+        <translation>des directions différentes</translation>
+    </message>
+    <message>
+        <source>dist() of points of unequal dimension</source>
+        <translation>dist() appliqué à des points de dimensions différentes</translation>
+    </message>
+    <message>
         <source>down</source>
         <translation>bas</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>dessin</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>temporisation</translation>
+    </message>
+    <message>
+        <source>each bone once</source>
+        <translation>chaque os une seule fois</translation>
+    </message>
+    <message>
+        <source>each element once</source>
+        <translation>chaque élément une seule fois</translation>
+    </message>
+    <message>
+        <source>each entity once: nothing is checked against itself</source>
+        <translation>chaque entité une seule fois : rien n'est vérifié par rapport à soi-même</translation>
+    </message>
+    <message>
+        <source>each hand once a step</source>
+        <translation>chaque main une fois par étape</translation>
+    </message>
+    <message>
+        <source>each key once</source>
+        <translation>chaque clé une fois</translation>
+    </message>
+    <message>
+        <source>each name once</source>
+        <translation>chaque nom une seule fois</translation>
+    </message>
+    <message>
+        <source>each of them written once</source>
+        <translation>chacun écrit une seule fois</translation>
+    </message>
+    <message>
+        <source>each once</source>
+        <translation>chacun une seule fois</translation>
+    </message>
+    <message>
+        <source>each option once</source>
+        <translation>chaque option une fois</translation>
+    </message>
+    <message>
+        <source>elements nested deeper than %1</source>
+        <translation>des éléments imbriqués sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>elements, macros or expressions nested too deeply</source>
+        <translation>des éléments, macros ou expressions trop imbriqués</translation>
     </message>
     <message>
         <source>enter the grip in Task data.</source>
@@ -7963,8 +12683,64 @@ Voulez-vous le remplacer ?</translation>
         <translation>saisissez la répétition dans Données de la tâche.</translation>
     </message>
     <message>
+        <source>entity</source>
+        <translation>entité</translation>
+    </message>
+    <message>
+        <source>entity %1</source>
+        <translation>entité %1</translation>
+    </message>
+    <message>
+        <source>entity '%1'</source>
+        <translation>entité '%1'</translation>
+    </message>
+    <message>
+        <source>entity '%1' is packed without its file, which could not be read</source>
+        <translation>l'entité '%1' est archivée sans son fichier, qui n'a pas pu être lu</translation>
+    </message>
+    <message>
+        <source>entity '%1', link '%2'</source>
+        <translation>entité '%1', segment '%2'</translation>
+    </message>
+    <message>
+        <source>entity '%1': its &quot;placement&quot; is not where it hangs on '%2'; it is placed where it hangs</source>
+        <translation>entité '%1' : son &quot;placement&quot; n'est pas là où elle est attachée à '%2' ; elle est placée là où elle est attachée</translation>
+    </message>
+    <message>
+        <source>entry '%1'</source>
+        <translation>entrée '%1'</translation>
+    </message>
+    <message>
+        <source>every position</source>
+        <translation>toutes les positions</translation>
+    </message>
+    <message>
+        <source>exact surfaces</source>
+        <translation>des surfaces exactes</translation>
+    </message>
+    <message>
         <source>excluded</source>
         <translation>exclu</translation>
+    </message>
+    <message>
+        <source>expected %1</source>
+        <translation>attendu : %1</translation>
+    </message>
+    <message>
+        <source>extensions that docs/user/formats.md lists</source>
+        <translation>des extensions listées dans docs/user/formats.md</translation>
+    </message>
+    <message>
+        <source>extensionsRequired</source>
+        <translation>extensionsRequired</translation>
+    </message>
+    <message>
+        <source>face %1 of %2</source>
+        <translation>face %1 sur %2</translation>
+    </message>
+    <message>
+        <source>face corner %1</source>
+        <translation>coin de face %1</translation>
     </message>
     <message>
         <source>far</source>
@@ -7975,8 +12751,56 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus loin</translation>
     </message>
     <message>
+        <source>fewer</source>
+        <translation>un nombre plus petit</translation>
+    </message>
+    <message>
+        <source>fewer bytes</source>
+        <translation>moins d'octets</translation>
+    </message>
+    <message>
+        <source>fewer levels</source>
+        <translation>moins de niveaux</translation>
+    </message>
+    <message>
+        <source>fewer than a million</source>
+        <translation>moins d'un million</translation>
+    </message>
+    <message>
+        <source>fewer than two different frames</source>
+        <translation>moins de deux images différentes</translation>
+    </message>
+    <message>
+        <source>ffmpeg</source>
+        <translation>ffmpeg</translation>
+    </message>
+    <message>
+        <source>ffmpeg, which writes videos</source>
+        <translation>ffmpeg, qui écrit les vidéos</translation>
+    </message>
+    <message>
+        <source>field '%1'</source>
+        <translation>champ '%1'</translation>
+    </message>
+    <message>
+        <source>figures from 0 up</source>
+        <translation>des valeurs à partir de 0</translation>
+    </message>
+    <message>
         <source>file missing</source>
         <translation>fichier manquant</translation>
+    </message>
+    <message>
+        <source>files in %1</source>
+        <translation>des fichiers dans %1</translation>
+    </message>
+    <message>
+        <source>files inside %1</source>
+        <translation>des fichiers à l'intérieur de %1</translation>
+    </message>
+    <message>
+        <source>files inside it</source>
+        <translation>des fichiers à l'intérieur</translation>
     </message>
     <message>
         <source>final %1. A value on a class boundary belongs to the lower class.</source>
@@ -7987,8 +12811,52 @@ Voulez-vous le remplacer ?</translation>
         <translation>fine</translation>
     </message>
     <message>
+        <source>finite figures and a true box</source>
+        <translation>des valeurs finies et un volume réel</translation>
+    </message>
+    <message>
+        <source>finite numbers</source>
+        <translation>des nombres finis</translation>
+    </message>
+    <message>
+        <source>finite numbers and a quaternion of length 1</source>
+        <translation>des nombres finis et un quaternion de norme 1</translation>
+    </message>
+    <message>
+        <source>finite numbers and a unit quaternion</source>
+        <translation>des nombres finis et un quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>finite numbers of a believable size</source>
+        <translation>des nombres finis d'une grandeur vraisemblable</translation>
+    </message>
+    <message>
+        <source>finite numbers separated by commas</source>
+        <translation>des nombres finis séparés par des virgules</translation>
+    </message>
+    <message>
+        <source>finite numbers within a million metres and a unit quaternion</source>
+        <translation>des nombres finis à moins d'un million de mètres et un quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a positive zone, no negative stiffness, damping or friction</source>
+        <translation>des nombres finis dans les limites de docs/library/protocol.md, un quaternion unitaire, une zone positive, ni raideur, ni amortissement, ni frottement négatifs</translation>
+    </message>
+    <message>
+        <source>finite numbers, within 1e12 m</source>
+        <translation>des nombres finis, à moins de 1e12 m</translation>
+    </message>
+    <message>
+        <source>first chunk</source>
+        <translation>premier bloc (chunk)</translation>
+    </message>
+    <message>
         <source>flip</source>
         <translation>ret.</translation>
+    </message>
+    <message>
+        <source>float(&quot;%1&quot;)</source>
+        <translation>float(&quot;%1&quot;)</translation>
     </message>
     <message>
         <source>foot</source>
@@ -7999,20 +12867,76 @@ Voulez-vous le remplacer ?</translation>
         <translation>effort</translation>
     </message>
     <message>
+        <source>force_x, force_y, force_z, contact or configuration</source>
+        <translation>force_x, force_y, force_z, contact ou configuration</translation>
+    </message>
+    <message>
         <source>forces off</source>
         <translation>coupe les efforts</translation>
+    </message>
+    <message>
+        <source>four digits: back, arms, legs, load</source>
+        <translation>quatre chiffres : dos, bras, jambes, charge</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>image %1</translation>
+    </message>
+    <message>
+        <source>frame %1 after frame %2</source>
+        <translation>l'image %1 après l'image %2</translation>
+    </message>
+    <message>
+        <source>frame %1 is called '%2'</source>
+        <translation>l'image %1 s'appelle '%2'</translation>
     </message>
     <message>
         <source>frame %1 ms</source>
         <translation>image %1 ms</translation>
     </message>
     <message>
+        <source>frame length</source>
+        <translation>longueur de trame</translation>
+    </message>
+    <message>
         <source>frame moved</source>
         <translation>image déplacée</translation>
     </message>
     <message>
+        <source>frame: alone</source>
+        <translation>frame: seul</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>images</translation>
+    </message>
+    <message>
+        <source>frames a second above 0</source>
+        <translation>un nombre d'images par seconde supérieur à 0</translation>
+    </message>
+    <message>
+        <source>frames that follow each other</source>
+        <translation>des images qui se suivent</translation>
+    </message>
+    <message>
+        <source>frames that move</source>
+        <translation>des images qui se déplacent</translation>
+    </message>
+    <message>
         <source>frames: %1</source>
         <translation>images : %1</translation>
+    </message>
+    <message>
+        <source>free space and permission to write</source>
+        <translation>de l'espace libre et le droit d'écrire</translation>
+    </message>
+    <message>
+        <source>free space and permission to write the file</source>
+        <translation>de l'espace libre et le droit d'écrire le fichier</translation>
+    </message>
+    <message>
+        <source>free space, and the name of a new or empty folder</source>
+        <translation>de l'espace libre et le nom d'un dossier nouveau ou vide</translation>
     </message>
     <message>
         <source>free to move</source>
@@ -8031,20 +12955,96 @@ Voulez-vous le remplacer ?</translation>
         <translation>regard vers la gauche</translation>
     </message>
     <message>
+        <source>given without --motion</source>
+        <translation>donné sans --motion</translation>
+    </message>
+    <message>
         <source>glTF (*.glb)</source>
         <translation>glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>good, fair or poor</source>
+        <translation>good, fair ou poor</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>grille</translation>
+    </message>
+    <message>
+        <source>ground from a picture</source>
+        <translation>un terrain tiré d'une image</translation>
+    </message>
+    <message>
+        <source>guide %1</source>
+        <translation>guide virtuel %1</translation>
+    </message>
+    <message>
+        <source>guide '%1'</source>
+        <translation>guide virtuel '%1'</translation>
+    </message>
+    <message>
+        <source>guides</source>
+        <translation>guides</translation>
     </message>
     <message>
         <source>h</source>
         <translation>h</translation>
     </message>
     <message>
+        <source>hand:left or hand:right, and :SEX:PERCENTILE</source>
+        <translation>hand:left ou hand:right, et :SEX:PERCENTILE</translation>
+    </message>
+    <message>
+        <source>hapticell-cli devices shows what is plugged in.</source>
+        <translation>Lancez hapticell-cli devices pour voir ce qui est branché.</translation>
+    </message>
+    <message>
+        <source>hapticell-cli library lists them.</source>
+        <translation>Affichez-en la liste par hapticell-cli library.</translation>
+    </message>
+    <message>
+        <source>hapticell-cli mannequin lists all 56.</source>
+        <translation>Exécutez hapticell-cli mannequin, qui les énumère toutes les 56.</translation>
+    </message>
+    <message>
+        <source>hapticell-haptic-server --help lists the options.</source>
+        <translation>Lancez hapticell-haptic-server --help pour la liste des options.</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>tête</translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation>en-tête</translation>
+    </message>
+    <message>
+        <source>header and parameters disagree on the kind of numbers; real ones fill the file</source>
+        <translation>l'en-tête et les paramètres indiquent des types de nombres différents ; les nombres réels remplissent le fichier</translation>
+    </message>
+    <message>
+        <source>header and parameters disagree on the kind of numbers; whole ones fill the file</source>
+        <translation>l'en-tête et les paramètres indiquent des types de nombres différents ; les nombres entiers remplissent le fichier</translation>
+    </message>
+    <message>
         <source>held</source>
         <translation>tenu</translation>
     </message>
     <message>
+        <source>hexapod '%1'</source>
+        <translation>hexapode '%1'</translation>
+    </message>
+    <message>
+        <source>hexapod '%1', %2</source>
+        <translation>hexapode '%1', %2</translation>
+    </message>
+    <message>
         <source>hidden</source>
         <translation>caché</translation>
+    </message>
+    <message>
+        <source>hinges that fall together</source>
+        <translation>des articulations confondues</translation>
     </message>
     <message>
         <source>hold</source>
@@ -8055,8 +13055,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>tenu : débrayer</translation>
     </message>
     <message>
+        <source>holes in the surface</source>
+        <translation>trous dans la surface</translation>
+    </message>
+    <message>
+        <source>how many elements '%1' follow</source>
+        <translation>le nombre d'éléments '%1' qui suivent</translation>
+    </message>
+    <message>
         <source>idle</source>
         <translation>au repos</translation>
+    </message>
+    <message>
+        <source>in %1 of %2 frames no marker of the person is seen; it is taken to stand still or to go straight on there, and these frames count like others</source>
+        <translation>dans %1 images sur %2, aucun marqueur de la personne n'est vu ; elle y est supposée immobile ou en ligne droite, et ces images comptent comme les autres</translation>
     </message>
     <message>
         <source>in balance</source>
@@ -8067,24 +13079,472 @@ Voulez-vous le remplacer ?</translation>
         <translation>pouce</translation>
     </message>
     <message>
+        <source>int(&quot;%1&quot;)</source>
+        <translation>int(&quot;%1&quot;)</translation>
+    </message>
+    <message>
+        <source>int(%1)</source>
+        <translation>int(%1)</translation>
+    </message>
+    <message>
         <source>inverse: %1</source>
         <translation>inverse : %1</translation>
+    </message>
+    <message>
+        <source>is left out: a shape &lt;%1&gt; without size</source>
+        <translation>omis : une forme &lt;%1&gt; sans taille</translation>
+    </message>
+    <message>
+        <source>isqrt() of a negative number</source>
+        <translation>isqrt() appliqué à un nombre négatif</translation>
+    </message>
+    <message>
+        <source>it belongs to %1</source>
+        <translation>il appartient à %1</translation>
+    </message>
+    <message>
+        <source>it belongs to user %1</source>
+        <translation>il appartient à l'utilisateur %1</translation>
+    </message>
+    <message>
+        <source>it beside the other programs of HaptiCell</source>
+        <translation>ce programme à côté des autres programmes de HaptiCell</translation>
+    </message>
+    <message>
+        <source>it cannot be loaded</source>
+        <translation>il ne peut pas être chargé</translation>
+    </message>
+    <message>
+        <source>it cannot be moved by that</source>
+        <translation>elle ne peut pas être déplacée ainsi</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>lecture impossible</translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation>il n'est pas lisible (%1)</translation>
+    </message>
+    <message>
+        <source>it cannot be read back</source>
+        <translation>relecture impossible</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>lecture impossible : %1</translation>
+    </message>
+    <message>
+        <source>it cannot be written</source>
+        <translation>écriture impossible</translation>
+    </message>
+    <message>
+        <source>it could not be started</source>
+        <translation>il n'a pas pu être lancé</translation>
+    </message>
+    <message>
+        <source>it could not be written</source>
+        <translation>impossible d'y écrire</translation>
+    </message>
+    <message>
+        <source>it does not end</source>
+        <translation>il ne se termine pas</translation>
+    </message>
+    <message>
+        <source>it does not speak TLS 1.3</source>
+        <translation>il ne parle pas TLS 1.3</translation>
+    </message>
+    <message>
+        <source>it ended without a pairing code</source>
+        <translation>fin sans code d'appairage</translation>
+    </message>
+    <message>
+        <source>it exports no function hapticell_driver</source>
+        <translation>il n'exporte pas de fonction hapticell_driver</translation>
+    </message>
+    <message>
+        <source>it hangs on more than %1 entities in a row</source>
+        <translation>elle est attachée à plus de %1 entités à la suite</translation>
+    </message>
+    <message>
+        <source>it has closed loops</source>
+        <translation>il a des boucles fermées</translation>
+    </message>
+    <message>
+        <source>it has ended early</source>
+        <translation>il s'est terminé trop tôt</translation>
+    </message>
+    <message>
+        <source>it has ended with a fault</source>
+        <translation>il s'est terminé par une erreur</translation>
+    </message>
+    <message>
+        <source>it has no joints</source>
+        <translation>elle n'a pas d'axes</translation>
+    </message>
+    <message>
+        <source>it has no trunk to lock</source>
+        <translation>elle n'a pas de tronc à verrouiller</translation>
+    </message>
+    <message>
+        <source>it holds itself: a circle</source>
+        <translation>il se contient lui-même : une boucle</translation>
+    </message>
+    <message>
+        <source>it holds tessellated shapes only (%1, triangles as of AP242), which are not read</source>
+        <translation>il ne contient que des formes tessellées (%1, triangles selon AP242), qui ne sont pas lues</translation>
+    </message>
+    <message>
+        <source>it is attached to '%1', link '%2', which is not there</source>
+        <translation>elle est attachée à '%1', segment '%2', qui n'existe pas</translation>
+    </message>
+    <message>
+        <source>it is attached to '%1', which is not there</source>
+        <translation>elle est attachée à '%1', qui n'existe pas</translation>
+    </message>
+    <message>
+        <source>it is attached to itself by way of '%1'</source>
+        <translation>elle est attachée à elle-même par l'intermédiaire de '%1'</translation>
+    </message>
+    <message>
+        <source>it is coupled to '%1', which is not there</source>
+        <translation>il est couplé à '%1', qui n'existe pas</translation>
+    </message>
+    <message>
+        <source>it is coupled to itself in a circle</source>
+        <translation>il est couplé à lui-même en boucle</translation>
+    </message>
+    <message>
+        <source>it is in none of the folders of shipped files</source>
+        <translation>absent de tous les dossiers de fichiers livrés</translation>
+    </message>
+    <message>
+        <source>it is locked</source>
+        <translation>elle est verrouillée</translation>
+    </message>
+    <message>
+        <source>it is no mechanism</source>
+        <translation>ce n'est pas un mécanisme</translation>
+    </message>
+    <message>
+        <source>it is no solid</source>
+        <translation>ce n'est pas un solide</translation>
+    </message>
+    <message>
+        <source>it is not JSON</source>
+        <translation>ce n'est pas du JSON</translation>
+    </message>
+    <message>
+        <source>it is not a robot</source>
+        <translation>ce n'est pas un robot</translation>
+    </message>
+    <message>
+        <source>it is not given</source>
+        <translation>valeur non donnée</translation>
+    </message>
+    <message>
+        <source>it is not in the pack</source>
+        <translation>il n'est pas dans l'archive</translation>
+    </message>
+    <message>
+        <source>it is not readable as %1</source>
+        <translation>illisible en tant que %1</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>introuvable</translation>
+    </message>
+    <message>
+        <source>it is not there, or its buffer is not</source>
+        <translation>elle n'existe pas, ou son tampon n'existe pas</translation>
+    </message>
+    <message>
+        <source>it is open in HaptiCell: %1</source>
+        <translation>il est ouvert dans HaptiCell : %1</translation>
+    </message>
+    <message>
+        <source>it is packed in a way that is not known</source>
+        <translation>il est compressé d'une façon inconnue</translation>
+    </message>
+    <message>
+        <source>it joins part '%1' to itself</source>
+        <translation>il relie la pièce '%1' à elle-même</translation>
+    </message>
+    <message>
+        <source>it lies outside of the pack</source>
+        <translation>il se trouve en dehors de l'archive</translation>
+    </message>
+    <message>
+        <source>it makes the pack larger than 2 GB</source>
+        <translation>avec lui, l'archive dépasse 2 Go</translation>
+    </message>
+    <message>
+        <source>it names the link '%1', which is not in the model</source>
+        <translation>il cite le segment '%1', qui n'est pas dans le modèle</translation>
     </message>
     <message>
         <source>it needs a good, fair or poor grip.</source>
         <translation>il lui faut une prise bonne, moyenne ou mauvaise.</translation>
     </message>
     <message>
+        <source>it needs a part that moves and one that it moves on</source>
+        <translation>il faut une pièce mobile et une pièce qui la porte</translation>
+    </message>
+    <message>
+        <source>it needs more memory than an import may use</source>
+        <translation>il demande plus de mémoire qu'une importation ne peut en utiliser</translation>
+    </message>
+    <message>
+        <source>it reaches %1 km from the origin</source>
+        <translation>elle s'étend jusqu'à %1 km de l'origine</translation>
+    </message>
+    <message>
+        <source>it reaches %1 m from the origin</source>
+        <translation>elle s'étend jusqu'à %1 m de l'origine</translation>
+    </message>
+    <message>
+        <source>it stands on nothing that moves</source>
+        <translation>elle ne repose sur rien de mobile</translation>
+    </message>
+    <message>
+        <source>it takes itself in</source>
+        <translation>il s'inclut lui-même</translation>
+    </message>
+    <message>
+        <source>it takes no more pictures</source>
+        <translation>il ne prend plus d'images</translation>
+    </message>
+    <message>
+        <source>it unfolds to more than %1 nodes</source>
+        <translation>une fois déplié, il compte plus de %1 nœuds</translation>
+    </message>
+    <message>
+        <source>it was built for another version of HaptiCell's driver interface</source>
+        <translation>il a été compilé pour une autre version de l'interface de pilote de HaptiCell</translation>
+    </message>
+    <message>
+        <source>it was connected to anew</source>
+        <translation>la connexion a été rétablie entre-temps</translation>
+    </message>
+    <message>
+        <source>its *.hexercise file beside the results</source>
+        <translation>son fichier *.hexercise à côté des résultats</translation>
+    </message>
+    <message>
+        <source>its JSON</source>
+        <translation>son JSON</translation>
+    </message>
+    <message>
+        <source>its beginning</source>
+        <translation>son début</translation>
+    </message>
+    <message>
+        <source>its colours are missing: the material file %1 is not beside it</source>
+        <translation>ses couleurs manquent : le fichier de matériaux %1 n'est pas à côté de lui</translation>
+    </message>
+    <message>
+        <source>its file %1: %2</source>
+        <translation>son fichier %1 : %2</translation>
+    </message>
+    <message>
+        <source>its file cannot be read</source>
+        <translation>son fichier ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>its folder cannot be entered</source>
+        <translation>son dossier est inaccessible</translation>
+    </message>
+    <message>
+        <source>its header</source>
+        <translation>son en-tête</translation>
+    </message>
+    <message>
+        <source>its home is singular</source>
+        <translation>sa position de repos est singulière</translation>
+    </message>
+    <message>
+        <source>its joints are left out; all is read as solid bodies</source>
+        <translation>ses articulations sont laissées de côté ; tout est lu comme corps solides</translation>
+    </message>
+    <message>
+        <source>its joints' names</source>
+        <translation>les noms de ses axes</translation>
+    </message>
+    <message>
+        <source>its key is another one</source>
+        <translation>sa clé est différente</translation>
+    </message>
+    <message>
+        <source>its lower limit %1 is over the upper %2</source>
+        <translation>sa butée inférieure %1 dépasse la butée supérieure %2</translation>
+    </message>
+    <message>
+        <source>its name is there twice</source>
+        <translation>son nom apparaît deux fois</translation>
+    </message>
+    <message>
+        <source>its number on the controller, %1 to %2</source>
+        <translation>son numéro sur le contrôleur, de %1 à %2</translation>
+    </message>
+    <message>
+        <source>its positions reach %1: taken as millimetres</source>
+        <translation>ses positions vont jusqu'à %1 : prises pour des millimètres</translation>
+    </message>
+    <message>
+        <source>its times are whole numbers up to %1: taken as milliseconds</source>
+        <translation>ses temps sont des nombres entiers jusqu'à %1 : pris pour des millisecondes</translation>
+    </message>
+    <message>
+        <source>its times begin at %1: counted from the first row</source>
+        <translation>ses temps commencent à %1 : comptés depuis la première ligne</translation>
+    </message>
+    <message>
+        <source>its times begin at %1: taken as a clock's microseconds and counted from the first row</source>
+        <translation>ses temps commencent à %1 : pris pour les microsecondes d'une horloge et comptés depuis la première ligne</translation>
+    </message>
+    <message>
+        <source>its times begin at %1: taken as a clock's milliseconds and counted from the first row</source>
+        <translation>ses temps commencent à %1 : pris pour les millisecondes d'une horloge et comptés depuis la première ligne</translation>
+    </message>
+    <message>
+        <source>its times begin at %1: taken as a clock's nanoseconds and counted from the first row</source>
+        <translation>ses temps commencent à %1 : pris pour les nanosecondes d'une horloge et comptés depuis la première ligne</translation>
+    </message>
+    <message>
+        <source>join() of %1</source>
+        <translation>join() appliqué à %1</translation>
+    </message>
+    <message>
         <source>joined</source>
         <translation>joint</translation>
+    </message>
+    <message>
+        <source>joint '%1'</source>
+        <translation>axe '%1'</translation>
+    </message>
+    <message>
+        <source>joint '%1' has its lower limit over the upper</source>
+        <translation>la butée inférieure de l'axe '%1' dépasse la butée supérieure</translation>
+    </message>
+    <message>
+        <source>joint '%1' has the axis &quot;%2&quot;</source>
+        <translation>l'axe '%1' a la direction &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>joint '%1' has the type '%2'</source>
+        <translation>l'axe '%1' est de type '%2'</translation>
+    </message>
+    <message>
+        <source>joint '%1' mimics itself in a circle</source>
+        <translation>l'axe '%1' se suit lui-même en boucle</translation>
+    </message>
+    <message>
+        <source>joint '%1' names no child link</source>
+        <translation>l'axe '%1' ne cite pas de segment enfant</translation>
+    </message>
+    <message>
+        <source>joint '%1' names no parent link</source>
+        <translation>l'axe '%1' ne cite pas de segment parent</translation>
+    </message>
+    <message>
+        <source>joint '%1' names the link '%2', which is not in the file</source>
+        <translation>l'axe '%1' cite le segment '%2', qui n'est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>joint '%1' twice</source>
+        <translation>axe '%1' deux fois</translation>
+    </message>
+    <message>
+        <source>joint names that are no list</source>
+        <translation>des noms d'axes qui ne sont pas une liste</translation>
+    </message>
+    <message>
+        <source>joint names with angles</source>
+        <translation>des noms d'articulations avec des angles</translation>
+    </message>
+    <message>
+        <source>joint positions near an assembled pose</source>
+        <translation>des positions d'axes proches d'une pose assemblée</translation>
+    </message>
+    <message>
+        <source>joint speed</source>
+        <translation>vitesse articulaire</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>axes</translation>
+    </message>
+    <message>
+        <source>joints alone</source>
+        <translation>des axes seulement</translation>
+    </message>
+    <message>
+        <source>joints alone, which give a program no targets</source>
+        <translation>des axes seuls, qui ne donnent pas de cibles à un programme</translation>
+    </message>
+    <message>
+        <source>joints alone, without poses</source>
+        <translation>des axes seuls, sans poses</translation>
+    </message>
+    <message>
+        <source>joints named as CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens or SMPL name them</source>
+        <translation>des articulations nommées comme par CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens ou SMPL</translation>
+    </message>
+    <message>
+        <source>joints relative to the target before</source>
+        <translation>des axes relatifs à la cible précédente</translation>
+    </message>
+    <message>
+        <source>joints that follow one another</source>
+        <translation>des axes qui se suivent</translation>
+    </message>
+    <message>
+        <source>joints that move while the tool stands</source>
+        <translation>des axes qui bougent alors que l'outil est immobile</translation>
+    </message>
+    <message>
+        <source>joints that move, for limits of theirs</source>
+        <translation>des axes qui bougent, pour que leurs limites s'appliquent</translation>
+    </message>
+    <message>
+        <source>joints that the robot does not have</source>
+        <translation>des axes que le robot n'a pas</translation>
     </message>
     <message>
         <source>joints: %1</source>
         <translation>articulations : %1</translation>
     </message>
     <message>
+        <source>joints; all is read as solid bodies</source>
+        <translation>des articulations ; tout est lu comme des corps solides</translation>
+    </message>
+    <message>
+        <source>jumps without end</source>
+        <translation>des sauts sans fin</translation>
+    </message>
+    <message>
+        <source>keep or merge</source>
+        <translation>keep ou merge</translation>
+    </message>
+    <message>
+        <source>key '%1'</source>
+        <translation>clé '%1'</translation>
+    </message>
+    <message>
+        <source>key file</source>
+        <translation>fichier de clé</translation>
+    </message>
+    <message>
         <source>kg</source>
         <translation>kg</translation>
+    </message>
+    <message>
+        <source>kilograms above 0</source>
+        <translation>des kilogrammes, plus de 0</translation>
+    </message>
+    <message>
+        <source>kind 0, 1 or 2 and a gradient</source>
+        <translation>un type 0, 1 ou 2 et un gradient</translation>
     </message>
     <message>
         <source>known</source>
@@ -8099,12 +13559,148 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 gauche</translation>
     </message>
     <message>
+        <source>left ankle</source>
+        <translation>cheville gauche</translation>
+    </message>
+    <message>
+        <source>left elbow</source>
+        <translation>coude gauche</translation>
+    </message>
+    <message>
+        <source>left hip</source>
+        <translation>hanche gauche</translation>
+    </message>
+    <message>
+        <source>left knee</source>
+        <translation>genou gauche</translation>
+    </message>
+    <message>
+        <source>left or right</source>
+        <translation>left ou right</translation>
+    </message>
+    <message>
+        <source>left out, because it is before the first known target: %1.</source>
+        <translation>omis, car avant la première cible connue : %1.</translation>
+    </message>
+    <message>
+        <source>left out, because it is after the last known target: %1.</source>
+        <translation>omis, car après la dernière cible connue : %1.</translation>
+    </message>
+    <message>
+        <source>left out, because they hold no shape: %1 nodes (%2)</source>
+        <translation>omis, faute de forme : %1 nœuds (%2)</translation>
+    </message>
+    <message>
+        <source>left shoulder</source>
+        <translation>épaule gauche</translation>
+    </message>
+    <message>
+        <source>left wrist</source>
+        <translation>poignet gauche</translation>
+    </message>
+    <message>
+        <source>left, right or both</source>
+        <translation>left, right ou both</translation>
+    </message>
+    <message>
+        <source>legs without length</source>
+        <translation>des jambes de longueur nulle</translation>
+    </message>
+    <message>
+        <source>len() of %1</source>
+        <translation>len() appliqué à %1</translation>
+    </message>
+    <message>
+        <source>lengths above 0</source>
+        <translation>des longueurs supérieures à 0</translation>
+    </message>
+    <message>
+        <source>lengths that can be assembled</source>
+        <translation>des longueurs qui peuvent être assemblées</translation>
+    </message>
+    <message>
+        <source>less</source>
+        <translation>moins</translation>
+    </message>
+    <message>
+        <source>less than the %1 vertices of the file</source>
+        <translation>moins que les %1 sommets du fichier</translation>
+    </message>
+    <message>
+        <source>less than the file's %1</source>
+        <translation>moins que les %1 du fichier</translation>
+    </message>
+    <message>
+        <source>letters, digits and _, no word of Python's, no __ in front</source>
+        <translation>des lettres, des chiffres et _, pas un mot de Python, pas de __ au début</translation>
+    </message>
+    <message>
         <source>limit</source>
         <translation>butée</translation>
     </message>
     <message>
+        <source>limited to %1 KiB</source>
+        <translation>limitée à %1 Kio</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>limites</translation>
+    </message>
+    <message>
         <source>limits exceeded: %1</source>
         <translation>limites dépassées : %1</translation>
+    </message>
+    <message>
+        <source>limits that are missing or not positive</source>
+        <translation>des limites absentes ou non positives</translation>
+    </message>
+    <message>
+        <source>limits that are no numbers</source>
+        <translation>des butées qui ne sont pas des nombres</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>line %1, %2</source>
+        <translation>ligne %1, %2</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>ligne %1, colonne %2</translation>
+    </message>
+    <message>
+        <source>line %1, column '%2'</source>
+        <translation>ligne %1, colonne '%2'</translation>
+    </message>
+    <message>
+        <source>line %1, columns qw,qx,qy,qz</source>
+        <translation>ligne %1, colonnes qw,qx,qy,qz</translation>
+    </message>
+    <message>
+        <source>line %1: text that is no UTF-8; %2 bytes were taken for Latin-1</source>
+        <translation>ligne %1 : du texte qui n'est pas en UTF-8 ; %2 octets ont été lus comme du Latin-1</translation>
+    </message>
+    <message>
+        <source>lines only, or a file that is missing</source>
+        <translation>des lignes seulement, ou un fichier manquant</translation>
+    </message>
+    <message>
+        <source>lines that run in their order</source>
+        <translation>des lignes exécutées dans leur ordre</translation>
+    </message>
+    <message>
+        <source>link '%1'</source>
+        <translation>segment '%1'</translation>
+    </message>
+    <message>
+        <source>link '%1' does not move</source>
+        <translation>le segment '%1' ne bouge pas</translation>
+    </message>
+    <message>
+        <source>link '%1' is the child of two joints, '%2' and '%3'</source>
+        <translation>le segment '%1' est l'enfant de deux axes, '%2' et '%3'</translation>
     </message>
     <message>
         <source>links of %1 that touch at rest are not checked against each other: %2</source>
@@ -8113,6 +13709,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>links of %1 that touch at rest are not checked against each other: %2 and %3 more pairs</source>
         <translation>les segments de %1 qui se touchent au repos ne sont pas vérifiés entre eux : %2 et %3 autres paires</translation>
+    </message>
+    <message>
+        <source>lists and objects nested deeper than %1</source>
+        <translation>des listes et des objets imbriqués sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>lists nested deeper than 60</source>
+        <translation>des listes imbriquées sur plus de 60 niveaux</translation>
+    </message>
+    <message>
+        <source>lists of unequal length</source>
+        <translation>des listes de longueurs différentes</translation>
     </message>
     <message>
         <source>loading…</source>
@@ -8127,16 +13735,156 @@ Voulez-vous le remplacer ?</translation>
         <translation>verrouillé sur place</translation>
     </message>
     <message>
+        <source>log() of %1</source>
+        <translation>log() appliqué à %1</translation>
+    </message>
+    <message>
+        <source>loops and branches</source>
+        <translation>des boucles et des branches</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>lower</translation>
+    </message>
+    <message>
+        <source>m, mm or in</source>
+        <translation>m, mm ou in</translation>
+    </message>
+    <message>
+        <source>macro '%1' called in %2 line %3</source>
+        <translation>macro '%1' appelée dans %2 ligne %3</translation>
+    </message>
+    <message>
+        <source>male or female</source>
+        <translation>male ou female</translation>
+    </message>
+    <message>
+        <source>mannequin</source>
+        <translation>mannequin</translation>
+    </message>
+    <message>
+        <source>mannequin:SEX:PERCENTILE or mannequin:SEX:STATUREmm, such as mannequin:female:5</source>
+        <translation>mannequin:SEXE:PERCENTILE ou mannequin:SEXE:STATUREmm, par exemple mannequin:female:5</translation>
+    </message>
+    <message>
+        <source>markers</source>
+        <translation>marqueurs</translation>
+    </message>
+    <message>
+        <source>markers that lie on each other</source>
+        <translation>des marqueurs confondus</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>masse</translation>
+    </message>
+    <message>
+        <source>max() of nothing</source>
+        <translation>max() sans valeurs</translation>
+    </message>
+    <message>
+        <source>measure '%1'</source>
+        <translation>mesure '%1'</translation>
+    </message>
+    <message>
+        <source>measures of one body</source>
+        <translation>les mesures d'un même corps</translation>
+    </message>
+    <message>
+        <source>mechanism '%1'</source>
+        <translation>mécanisme '%1'</translation>
+    </message>
+    <message>
         <source>medium</source>
         <translation>moyenne</translation>
+    </message>
+    <message>
+        <source>member of dialout</source>
+        <translation>membre de dialout</translation>
+    </message>
+    <message>
+        <source>mesh %1, which is not there</source>
+        <translation>le maillage %1, qui n'existe pas</translation>
+    </message>
+    <message>
+        <source>mesh '%1'</source>
+        <translation>maillage '%1'</translation>
+    </message>
+    <message>
+        <source>meshes that cannot be read: convert them to STL, OBJ or PLY</source>
+        <translation>maillages illisibles : convertissez-les en STL, OBJ ou PLY</translation>
+    </message>
+    <message>
+        <source>message type %1</source>
+        <translation>type de message %1</translation>
     </message>
     <message>
         <source>metre</source>
         <translation>mètre</translation>
     </message>
     <message>
+        <source>metres a turn, not 0</source>
+        <translation>des mètres par tour, différents de 0</translation>
+    </message>
+    <message>
+        <source>metres above 0</source>
+        <translation>des mètres, au-dessus de 0</translation>
+    </message>
+    <message>
+        <source>metres and radians</source>
+        <translation>des mètres et des radians</translation>
+    </message>
+    <message>
+        <source>metres from 0 to 1</source>
+        <translation>des mètres, de 0 à 1</translation>
+    </message>
+    <message>
+        <source>metres in the cell</source>
+        <translation>des mètres dans la cellule</translation>
+    </message>
+    <message>
+        <source>metres in the device frame, within %1 (or millimetres)</source>
+        <translation>des mètres dans le repère du périphérique, au plus %1 (ou des millimètres)</translation>
+    </message>
+    <message>
+        <source>metres or radians</source>
+        <translation>des mètres ou des radians</translation>
+    </message>
+    <message>
+        <source>metres per unit, 1e-9 to 1e9</source>
+        <translation>des mètres par unité, de 1e-9 à 1e9</translation>
+    </message>
+    <message>
+        <source>metres, 0 or more</source>
+        <translation>des mètres, 0 ou plus</translation>
+    </message>
+    <message>
+        <source>metres, 0 to 1</source>
+        <translation>des mètres, de 0 à 1</translation>
+    </message>
+    <message>
+        <source>metres, 0 to 1000</source>
+        <translation>des mètres, de 0 à 1000</translation>
+    </message>
+    <message>
+        <source>metres, 1e-9 to 1000</source>
+        <translation>des mètres, de 1e-9 à 1000</translation>
+    </message>
+    <message>
+        <source>metres, above 0</source>
+        <translation>des mètres, plus de 0</translation>
+    </message>
+    <message>
+        <source>metres, at most 1e12</source>
+        <translation>des mètres, au plus 1e12</translation>
+    </message>
+    <message>
         <source>millimetre</source>
         <translation>millimètre</translation>
+    </message>
+    <message>
+        <source>min() of nothing</source>
+        <translation>min() sans valeurs</translation>
     </message>
     <message>
         <source>minimum clearance %1 at %2 s</source>
@@ -8147,12 +13895,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>en miroir</translation>
     </message>
     <message>
+        <source>missing triangles</source>
+        <translation>des triangles manquants</translation>
+    </message>
+    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
     <message>
         <source>mm wide</source>
         <translation>mm de large</translation>
+    </message>
+    <message>
+        <source>mm, cm, m, in or ft</source>
+        <translation>mm, cm, m, in ou ft</translation>
     </message>
     <message>
         <source>mm/s</source>
@@ -8163,12 +13919,140 @@ Voulez-vous le remplacer ?</translation>
         <translation>mm/tour</translation>
     </message>
     <message>
+        <source>model '%1'</source>
+        <translation>modèle '%1'</translation>
+    </message>
+    <message>
+        <source>more bytes than its buffer holds</source>
+        <translation>plus d'octets que son tampon n'en contient</translation>
+    </message>
+    <message>
+        <source>more elements than its buffer views hold</source>
+        <translation>plus d'éléments que ses vues de tampon n'en contiennent</translation>
+    </message>
+    <message>
+        <source>more than %1 MB once unpacked</source>
+        <translation>plus de %1 Mo une fois décompressé</translation>
+    </message>
+    <message>
+        <source>more than %1 assemblies within each other</source>
+        <translation>plus de %1 assemblages les uns dans les autres</translation>
+    </message>
+    <message>
+        <source>more than %1 instances</source>
+        <translation>plus de %1 instances</translation>
+    </message>
+    <message>
+        <source>more than %1 levels below each other</source>
+        <translation>plus de %1 niveaux les uns sous les autres</translation>
+    </message>
+    <message>
+        <source>more than 100 blocks within each other</source>
+        <translation>plus de 100 blocs imbriqués</translation>
+    </message>
+    <message>
+        <source>more than 1000 bones</source>
+        <translation>plus de 1000 os</translation>
+    </message>
+    <message>
+        <source>more than 1000 joints</source>
+        <translation>plus de 1000 articulations</translation>
+    </message>
+    <message>
+        <source>more than 2 000 000 targets</source>
+        <translation>plus de 2 000 000 de cibles</translation>
+    </message>
+    <message>
+        <source>more than 200 000 elements with all that it includes</source>
+        <translation>plus de 200 000 éléments avec tout ce qu'il inclut</translation>
+    </message>
+    <message>
+        <source>more than 2000000 frames</source>
+        <translation>plus de 2000000 d'images</translation>
+    </message>
+    <message>
+        <source>more than 3 million steps of evaluation</source>
+        <translation>plus de 3 millions d'étapes d'évaluation</translation>
+    </message>
+    <message>
+        <source>more than 500 levels below each other</source>
+        <translation>plus de 500 niveaux imbriqués</translation>
+    </message>
+    <message>
+        <source>more than it may unpack to</source>
+        <translation>plus que la taille permise après décompression</translation>
+    </message>
+    <message>
+        <source>more than one robot ('%1', '%2')</source>
+        <translation>plus d'un robot ('%1', '%2')</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>mouvement</translation>
+    </message>
+    <message>
+        <source>motion '%1'</source>
+        <translation>mouvement '%1'</translation>
+    </message>
+    <message>
+        <source>motion.path point %1</source>
+        <translation>motion.path, point %1</translation>
+    </message>
+    <message>
+        <source>motion; all is shown at rest</source>
+        <translation>du mouvement ; tout est affiché au repos</translation>
+    </message>
+    <message>
+        <source>motions</source>
+        <translation>mouvements</translation>
+    </message>
+    <message>
+        <source>moved by %1 m, %2 rad</source>
+        <translation>déplacée de %1 m, %2 rad</translation>
+    </message>
+    <message>
+        <source>moves that depend on %1</source>
+        <translation>des mouvements qui dépendent de %1</translation>
+    </message>
+    <message>
+        <source>moves that depend on '%1'</source>
+        <translation>des mouvements qui dépendent de '%1'</translation>
+    </message>
+    <message>
         <source>ms</source>
         <translation>ms</translation>
     </message>
     <message>
         <source>name</source>
         <translation>nom</translation>
+    </message>
+    <message>
+        <source>name '%1' is not defined</source>
+        <translation>le nom '%1' n'est pas défini</translation>
+    </message>
+    <message>
+        <source>name '%1' is not defined in the name space</source>
+        <translation>le nom '%1' n'est pas défini dans l'espace de noms</translation>
+    </message>
+    <message>
+        <source>named arguments behind the others</source>
+        <translation>des arguments nommés après les autres</translation>
+    </message>
+    <message>
+        <source>names of entities of the cell</source>
+        <translation>des noms d'entités de la cellule</translation>
+    </message>
+    <message>
+        <source>names of its joints, or q1, q2, ...</source>
+        <translation>les noms de ses axes, ou q1, q2, ...</translation>
+    </message>
+    <message>
+        <source>names of joints</source>
+        <translation>des noms d'axes</translation>
+    </message>
+    <message>
+        <source>names that are all different</source>
+        <translation>des noms tous différents</translation>
     </message>
     <message>
         <source>near a singularity %1 would have to swing round</source>
@@ -8179,32 +14063,624 @@ Voulez-vous le remplacer ?</translation>
         <translation>quasi-collision</translation>
     </message>
     <message>
+        <source>neither is given</source>
+        <translation>aucun des deux n'est donné</translation>
+    </message>
+    <message>
         <source>no</source>
         <translation>non</translation>
+    </message>
+    <message>
+        <source>no &quot;%1&quot;</source>
+        <translation>pas de &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>no %1</source>
+        <translation>pas de %1</translation>
+    </message>
+    <message>
+        <source>no 'ply'</source>
+        <translation>pas de 'ply'</translation>
+    </message>
+    <message>
+        <source>no :hierarchy</source>
+        <translation>pas de :hierarchy</translation>
+    </message>
+    <message>
+        <source>no :root</source>
+        <translation>pas de :root</translation>
+    </message>
+    <message>
+        <source>no &lt;COLLADA&gt;</source>
+        <translation>pas de &lt;COLLADA&gt;</translation>
+    </message>
+    <message>
+        <source>no &lt;item&gt; in its &lt;build&gt;</source>
+        <translation>pas de &lt;item&gt; dans son &lt;build&gt;</translation>
+    </message>
+    <message>
+        <source>no &lt;model&gt;</source>
+        <translation>pas de &lt;model&gt;</translation>
+    </message>
+    <message>
+        <source>no &lt;robot&gt;</source>
+        <translation>pas de &lt;robot&gt;</translation>
+    </message>
+    <message>
+        <source>no &lt;sdf&gt;</source>
+        <translation>pas de &lt;sdf&gt;</translation>
+    </message>
+    <message>
+        <source>no C3D header</source>
+        <translation>pas d'en-tête C3D</translation>
+    </message>
+    <message>
+        <source>no CHANNELS</source>
+        <translation>pas de CHANNELS</translation>
+    </message>
+    <message>
+        <source>no DEF</source>
+        <translation>pas de DEF</translation>
+    </message>
+    <message>
+        <source>no Frame Time:</source>
+        <translation>pas de Frame Time:</translation>
+    </message>
+    <message>
+        <source>no HIERARCHY</source>
+        <translation>pas de HIERARCHY</translation>
+    </message>
+    <message>
+        <source>no HaptiCell trajectory</source>
+        <translation>pas une trajectoire HaptiCell</translation>
+    </message>
+    <message>
+        <source>no JSON object</source>
+        <translation>pas d'objet JSON</translation>
+    </message>
+    <message>
+        <source>no MOTION with Frames:</source>
+        <translation>pas de MOTION avec Frames:</translation>
+    </message>
+    <message>
+        <source>no OpenGL 3.3 on this display</source>
+        <translation>pas d'OpenGL 3.3 sur cet affichage</translation>
+    </message>
+    <message>
+        <source>no PROC</source>
+        <translation>pas de PROC</translation>
+    </message>
+    <message>
+        <source>no PROC with moves</source>
+        <translation>pas de PROC avec des mouvements</translation>
+    </message>
+    <message>
+        <source>no ROOT</source>
+        <translation>pas de ROOT</translation>
+    </message>
+    <message>
+        <source>no XML element</source>
+        <translation>pas d'élément XML</translation>
+    </message>
+    <message>
+        <source>no YAML</source>
+        <translation>pas du YAML</translation>
+    </message>
+    <message>
+        <source>no ZIP archive</source>
+        <translation>ce n'est pas une archive ZIP</translation>
+    </message>
+    <message>
+        <source>no [markers]</source>
+        <translation>pas de [markers]</translation>
+    </message>
+    <message>
+        <source>no absolute path</source>
+        <translation>pas un chemin absolu</translation>
+    </message>
+    <message>
+        <source>no angle</source>
+        <translation>pas un angle</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>pas de réponse</translation>
+    </message>
+    <message>
+        <source>no axis</source>
+        <translation>pas de direction d'axe</translation>
+    </message>
+    <message>
+        <source>no begin</source>
+        <translation>pas de begin</translation>
+    </message>
+    <message>
+        <source>no built-in part</source>
+        <translation>ce n'est pas une pièce paramétrique</translation>
+    </message>
+    <message>
+        <source>no capabilities</source>
+        <translation>pas de caractéristiques</translation>
     </message>
     <message>
         <source>no clearance</source>
         <translation>pas de distance</translation>
     </message>
     <message>
+        <source>no column '%1' in %2</source>
+        <translation>pas de colonne '%1' dans %2</translation>
+    </message>
+    <message>
+        <source>no command is named '%1'</source>
+        <translation>aucune commande ne s'appelle '%1'</translation>
+    </message>
+    <message>
         <source>no contact</source>
         <translation>sans contact</translation>
+    </message>
+    <message>
+        <source>no count of channels</source>
+        <translation>pas de nombre de canaux</translation>
+    </message>
+    <message>
+        <source>no count of frames</source>
+        <translation>pas de nombre d'images</translation>
+    </message>
+    <message>
+        <source>no counts</source>
+        <translation>pas de nombres d'éléments</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>pas de données</translation>
     </message>
     <message>
         <source>no device</source>
         <translation>pas de périphérique</translation>
     </message>
     <message>
+        <source>no end of lists within lists</source>
+        <translation>des listes imbriquées sans fin</translation>
+    </message>
+    <message>
+        <source>no ending</source>
+        <translation>pas d'extension</translation>
+    </message>
+    <message>
+        <source>no entity</source>
+        <translation>aucune entité</translation>
+    </message>
+    <message>
+        <source>no entity %1</source>
+        <translation>pas d'entité %1</translation>
+    </message>
+    <message>
+        <source>no entity '%1'</source>
+        <translation>pas d'entité '%1'</translation>
+    </message>
+    <message>
+        <source>no entity is named '%1'</source>
+        <translation>aucune entité ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>no exercise</source>
+        <translation>pas un exercice</translation>
+    </message>
+    <message>
+        <source>no field has this name</source>
+        <translation>aucun champ n'a ce nom</translation>
+    </message>
+    <message>
+        <source>no file can be locked there</source>
+        <translation>aucun fichier ne peut y être verrouillé</translation>
+    </message>
+    <message>
+        <source>no file is like %1</source>
+        <translation>aucun fichier ne correspond à %1</translation>
+    </message>
+    <message>
         <source>no flip</source>
         <translation>non ret.</translation>
+    </message>
+    <message>
+        <source>no folder can be made beside it</source>
+        <translation>aucun dossier ne peut être créé à côté</translation>
+    </message>
+    <message>
+        <source>no folder for temporary files can be made</source>
+        <translation>aucun dossier temporaire ne peut être créé</translation>
+    </message>
+    <message>
+        <source>no frame %1, where the file ends</source>
+        <translation>pas d'image %1, là où le fichier se termine</translation>
+    </message>
+    <message>
+        <source>no frame number: '%1'</source>
+        <translation>pas un numéro d'image : '%1'</translation>
+    </message>
+    <message>
+        <source>no frame rate</source>
+        <translation>pas de fréquence d'images</translation>
+    </message>
+    <message>
+        <source>no further arguments</source>
+        <translation>pas d'autres arguments</translation>
+    </message>
+    <message>
+        <source>no guide '%1'</source>
+        <translation>pas de guide virtuel '%1'</translation>
+    </message>
+    <message>
+        <source>no instructions</source>
+        <translation>pas d'instructions</translation>
+    </message>
+    <message>
+        <source>no joint connects it to the root link '%1'</source>
+        <translation>aucune liaison ne le relie au segment racine '%1'</translation>
+    </message>
+    <message>
+        <source>no joint names</source>
+        <translation>pas de noms d'axes</translation>
+    </message>
+    <message>
+        <source>no key %1 in the dictionary</source>
+        <translation>pas de clé %1 dans le dictionnaire</translation>
+    </message>
+    <message>
+        <source>no key '%1' in the dictionary</source>
+        <translation>pas de clé '%1' dans le dictionnaire</translation>
+    </message>
+    <message>
+        <source>no key is named '%1'</source>
+        <translation>aucune clé ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>no length</source>
+        <translation>pas de longueur</translation>
+    </message>
+    <message>
+        <source>no length unit</source>
+        <translation>pas d'unité de longueur</translation>
+    </message>
+    <message>
+        <source>no less than the line before</source>
+        <translation>au moins la valeur de la ligne précédente</translation>
+    </message>
+    <message>
+        <source>no limits for the joints</source>
+        <translation>pas de limites pour les axes</translation>
+    </message>
+    <message>
+        <source>no lines</source>
+        <translation>pas de lignes</translation>
+    </message>
+    <message>
+        <source>no link '%1'</source>
+        <translation>pas de segment '%1'</translation>
+    </message>
+    <message>
+        <source>no link is named '%1'</source>
+        <translation>aucun segment ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>no links</source>
+        <translation>aucun segment</translation>
+    </message>
+    <message>
+        <source>no list</source>
+        <translation>pas une liste</translation>
+    </message>
+    <message>
+        <source>no list of numbers</source>
+        <translation>pas une liste de nombres</translation>
     </message>
     <message>
         <source>no load is acceptable</source>
         <translation>aucune charge n'est acceptable</translation>
     </message>
     <message>
+        <source>no mannequin</source>
+        <translation>pas un mannequin</translation>
+    </message>
+    <message>
+        <source>no mannequin '%1'</source>
+        <translation>pas de mannequin '%1'</translation>
+    </message>
+    <message>
+        <source>no mannequin in the cell</source>
+        <translation>pas de mannequin dans la cellule</translation>
+    </message>
+    <message>
+        <source>no marker for %1</source>
+        <translation>aucun marqueur pour %1</translation>
+    </message>
+    <message>
+        <source>no marker on %1 by the names of %2 (the markers are %3)</source>
+        <translation>aucun marqueur sur %1 selon les noms de %2 (les marqueurs sont %3)</translation>
+    </message>
+    <message>
+        <source>no memory to import into: %1</source>
+        <translation>pas de mémoire pour l'importation : %1</translation>
+    </message>
+    <message>
+        <source>no mesh</source>
+        <translation>pas de maillage</translation>
+    </message>
+    <message>
+        <source>no model</source>
+        <translation>aucun modèle</translation>
+    </message>
+    <message>
+        <source>no model in it</source>
+        <translation>aucun modèle dans le fichier</translation>
+    </message>
+    <message>
+        <source>no more than peak_force, %1</source>
+        <translation>au plus peak_force, %1</translation>
+    </message>
+    <message>
+        <source>no more than the file's length can hold</source>
+        <translation>pas plus que la longueur du fichier ne permet</translation>
+    </message>
+    <message>
+        <source>no moves</source>
+        <translation>pas de mouvements</translation>
+    </message>
+    <message>
+        <source>no moving joint carries it</source>
+        <translation>aucun axe mobile ne le porte</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>aucun nom</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>pas un nombre</translation>
+    </message>
+    <message>
+        <source>no number for '%1': '%2'</source>
+        <translation>pas un nombre pour '%1' : '%2'</translation>
+    </message>
+    <message>
+        <source>no number in OFFSET: '%1'</source>
+        <translation>pas un nombre dans OFFSET : '%1'</translation>
+    </message>
+    <message>
+        <source>no number in frame %1: '%2'</source>
+        <translation>pas un nombre dans l'image %1 : '%2'</translation>
+    </message>
+    <message>
+        <source>no object</source>
+        <translation>pas un objet</translation>
+    </message>
+    <message>
+        <source>no option is named '%1'</source>
+        <translation>aucune option ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>no pair set '%1'</source>
+        <translation>pas de jeu de paires '%1'</translation>
+    </message>
+    <message>
+        <source>no pairing code</source>
+        <translation>pas un code d'appairage</translation>
+    </message>
+    <message>
+        <source>no part '%1'</source>
+        <translation>aucune pièce '%1'</translation>
+    </message>
+    <message>
+        <source>no part '%1' in %2</source>
+        <translation>pas de pièce '%1' dans %2</translation>
+    </message>
+    <message>
+        <source>no part '%1' in it</source>
+        <translation>aucune pièce '%1' dans le fichier</translation>
+    </message>
+    <message>
+        <source>no parts</source>
+        <translation>aucune pièce</translation>
+    </message>
+    <message>
         <source>no path</source>
         <translation>aucun chemin</translation>
+    </message>
+    <message>
+        <source>no points</source>
+        <translation>pas de points</translation>
+    </message>
+    <message>
+        <source>no pose</source>
+        <translation>pas de pose</translation>
+    </message>
+    <message>
+        <source>no pose or no status</source>
+        <translation>pas de pose ou pas d'état</translation>
+    </message>
+    <message>
+        <source>no position</source>
+        <translation>pas une position</translation>
+    </message>
+    <message>
+        <source>no positions in it</source>
+        <translation>pas de positions à l'intérieur</translation>
+    </message>
+    <message>
+        <source>no reference pose</source>
+        <translation>pas de pose de référence</translation>
+    </message>
+    <message>
+        <source>no regular file</source>
+        <translation>ce n'est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>no robot</source>
+        <translation>aucun robot</translation>
+    </message>
+    <message>
+        <source>no robot of that name is built in</source>
+        <translation>aucun robot de ce nom n'est fourni</translation>
+    </message>
+    <message>
+        <source>no room for a copy</source>
+        <translation>pas assez d'espace pour une copie</translation>
+    </message>
+    <message>
+        <source>no room for its text</source>
+        <translation>pas assez de place pour son texte</translation>
+    </message>
+    <message>
+        <source>no room to hand it over</source>
+        <translation>pas assez de place pour le transmettre</translation>
+    </message>
+    <message>
+        <source>no row after the header</source>
+        <translation>pas de ligne après l'en-tête</translation>
+    </message>
+    <message>
+        <source>no row behind the header</source>
+        <translation>pas de ligne après l'en-tête</translation>
+    </message>
+    <message>
+        <source>no shape</source>
+        <translation>aucune forme</translation>
+    </message>
+    <message>
+        <source>no shape could be made of it</source>
+        <translation>aucune forme n'a pu en être tirée</translation>
+    </message>
+    <message>
+        <source>no shape in it</source>
+        <translation>pas de forme à l'intérieur</translation>
+    </message>
+    <message>
+        <source>no shape with an area</source>
+        <translation>aucune forme ayant une surface</translation>
+    </message>
+    <message>
+        <source>no shell given</source>
+        <translation>pas de shell indiqué</translation>
+    </message>
+    <message>
+        <source>no simulated device is named '%1'</source>
+        <translation>aucun périphérique simulé ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>no size</source>
+        <translation>pas de taille</translation>
+    </message>
+    <message>
+        <source>no state of the stylus came any more</source>
+        <translation>l'état du stylet n'arrive plus</translation>
+    </message>
+    <message>
+        <source>no such column</source>
+        <translation>cette colonne n'existe pas</translation>
+    </message>
+    <message>
+        <source>no such message</source>
+        <translation>aucun message de ce type</translation>
+    </message>
+    <message>
+        <source>no such node</source>
+        <translation>ce nœud n'existe pas</translation>
+    </message>
+    <message>
+        <source>no such object</source>
+        <translation>cet objet n'existe pas</translation>
+    </message>
+    <message>
+        <source>no surface</source>
+        <translation>aucune surface</translation>
+    </message>
+    <message>
+        <source>no table</source>
+        <translation>pas une table</translation>
+    </message>
+    <message>
+        <source>no table that says how it moves</source>
+        <translation>aucune table qui décrit sa cinématique</translation>
+    </message>
+    <message>
+        <source>no target</source>
+        <translation>pas de cible</translation>
+    </message>
+    <message>
+        <source>no task '%1'</source>
+        <translation>pas de tâche '%1'</translation>
+    </message>
+    <message>
+        <source>no text</source>
+        <translation>aucun texte</translation>
+    </message>
+    <message>
+        <source>no tool '%1'</source>
+        <translation>pas d'outil '%1'</translation>
+    </message>
+    <message>
+        <source>no training session</source>
+        <translation>pas une session d'entraînement</translation>
+    </message>
+    <message>
+        <source>no trajectory '%1'</source>
+        <translation>pas de trajectoire '%1'</translation>
+    </message>
+    <message>
+        <source>no triangle with an area</source>
+        <translation>aucun triangle d'aire non nulle</translation>
+    </message>
+    <message>
+        <source>no triangles</source>
+        <translation>aucun triangle</translation>
+    </message>
+    <message>
+        <source>no two numbers</source>
+        <translation>pas deux nombres</translation>
+    </message>
+    <message>
+        <source>no unit quaternion</source>
+        <translation>pas un quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>no unit: robot files are in metres</source>
+        <translation>pas d'unité : les fichiers de robots sont en mètres</translation>
+    </message>
+    <message>
+        <source>no version number</source>
+        <translation>ce n'est pas un numéro de version</translation>
+    </message>
+    <message>
+        <source>no vertices</source>
+        <translation>aucun sommet</translation>
+    </message>
+    <message>
+        <source>no whole number</source>
+        <translation>pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>no workspace</source>
+        <translation>pas d'espace de travail</translation>
+    </message>
+    <message>
+        <source>no { after '%1'</source>
+        <translation>pas de { après '%1'</translation>
+    </message>
+    <message>
+        <source>node %1</source>
+        <translation>nœud %1</translation>
+    </message>
+    <message>
+        <source>node '%1'</source>
+        <translation>nœud '%1'</translation>
+    </message>
+    <message>
+        <source>nodes below the 500th level were left out</source>
+        <translation>les nœuds au-delà du 500e niveau ont été laissés de côté</translation>
+    </message>
+    <message>
+        <source>nodes with meshes</source>
+        <translation>des nœuds avec des maillages</translation>
     </message>
     <message>
         <source>none</source>
@@ -8219,16 +14695,72 @@ Voulez-vous le remplacer ?</translation>
         <translation>rien à proximité</translation>
     </message>
     <message>
+        <source>none, as no part of a mannequin is moved by %1</source>
+        <translation>none, car aucune partie d'un mannequin n'est déplacée par %1</translation>
+    </message>
+    <message>
+        <source>none, or not what it should be</source>
+        <translation>absent, ou pas ce qui est attendu</translation>
+    </message>
+    <message>
+        <source>none, or one of !degrees, !radians, !meters, !millimeters, !foot, !inches</source>
+        <translation>aucune, ou une parmi !degrees, !radians, !meters, !millimeters, !foot, !inches</translation>
+    </message>
+    <message>
+        <source>none: robot files are in metres</source>
+        <translation>aucune : les fichiers de robots sont en mètres</translation>
+    </message>
+    <message>
         <source>none; e.g. %1</source>
         <translation>aucun ; p. ex. %1</translation>
+    </message>
+    <message>
+        <source>not 22 numbers each of gain and offset</source>
+        <translation>pas 22 nombres de gain et 22 de décalage</translation>
+    </message>
+    <message>
+        <source>not a member of dialout</source>
+        <translation>pas membre de dialout</translation>
+    </message>
+    <message>
+        <source>not a regular file</source>
+        <translation>ce n'est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>not an IP address</source>
+        <translation>pas une adresse IP</translation>
+    </message>
+    <message>
+        <source>not an option</source>
+        <translation>pas une option</translation>
     </message>
     <message>
         <source>not checked</source>
         <translation>non vérifié</translation>
     </message>
     <message>
+        <source>not done after %1 s</source>
+        <translation>pas terminé après %1 s</translation>
+    </message>
+    <message>
+        <source>not enough memory</source>
+        <translation>pas assez de mémoire</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>valeur non donnée</translation>
+    </message>
+    <message>
+        <source>not known to this reader</source>
+        <translation>inconnu de ce lecteur</translation>
+    </message>
+    <message>
         <source>not needed</source>
         <translation>inutile</translation>
+    </message>
+    <message>
+        <source>not one tick</source>
+        <translation>aucun cycle</translation>
     </message>
     <message>
         <source>not picked</source>
@@ -8239,12 +14771,76 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas encore enregistrée</translation>
     </message>
     <message>
+        <source>not three numbers</source>
+        <translation>pas trois nombres</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>nothing for %1</source>
+        <translation>rien pour %1</translation>
+    </message>
+    <message>
+        <source>nothing in it</source>
+        <translation>rien dedans</translation>
+    </message>
+    <message>
+        <source>nothing is recorded</source>
+        <translation>rien n'est enregistré</translation>
+    </message>
+    <message>
+        <source>nothing tells how the hands are turned about the forearms (no fingers, no rest position); taken to be neither pronated nor supinated on the whole</source>
+        <translation>rien n'indique la rotation des mains autour des avant-bras (ni doigts, ni position de repos) ; supposées en moyenne ni en pronation ni en supination</translation>
+    </message>
+    <message>
+        <source>nothing tells where the top of the head is; the head's own frame is taken</source>
+        <translation>rien n'indique où est le sommet de la tête ; le repère propre de la tête est utilisé</translation>
+    </message>
+    <message>
+        <source>nothing that has a shape</source>
+        <translation>rien qui ait une forme</translation>
+    </message>
+    <message>
+        <source>nothing that is played</source>
+        <translation>rien qui soit joué</translation>
+    </message>
+    <message>
+        <source>nothing that may be moved</source>
+        <translation>rien qui puisse être déplacé</translation>
+    </message>
+    <message>
+        <source>nothing to check it by</source>
+        <translation>rien avec quoi le contrôler</translation>
+    </message>
+    <message>
         <source>now</source>
         <translation>maintenant</translation>
     </message>
     <message>
         <source>now %1</source>
         <translation>maintenant %1</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>des nombres</translation>
+    </message>
+    <message>
+        <source>numbers or registers that are set</source>
+        <translation>des nombres ou des registres définis</translation>
+    </message>
+    <message>
+        <source>numbers that make no shape</source>
+        <translation>des nombres qui ne donnent pas de forme</translation>
+    </message>
+    <message>
+        <source>object '%1'</source>
+        <translation>objet '%1'</translation>
+    </message>
+    <message>
+        <source>objects to be built</source>
+        <translation>des objets à construire</translation>
     </message>
     <message>
         <source>of %1</source>
@@ -8257,6 +14853,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>off</source>
         <translation>arrêt</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>on</translation>
     </message>
     <message>
         <source>on X = 0</source>
@@ -8275,20 +14875,264 @@ Voulez-vous le remplacer ?</translation>
         <translation>au contact</translation>
     </message>
     <message>
+        <source>on or off</source>
+        <translation>on ou off</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>une seule fois</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>un</translation>
+    </message>
+    <message>
+        <source>one a joint</source>
+        <translation>un par axe</translation>
+    </message>
+    <message>
+        <source>one between the first and the last frame</source>
+        <translation>un temps entre la première et la dernière image</translation>
+    </message>
+    <message>
+        <source>one document</source>
+        <translation>un seul document</translation>
+    </message>
+    <message>
+        <source>one frame, or frames whose places the file gives</source>
+        <translation>un seul repère, ou des repères dont le fichier donne la pose</translation>
+    </message>
+    <message>
+        <source>one link that is no joint's child</source>
+        <translation>un seul segment qui ne soit l'enfant d'aucun axe</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>une valeur parmi %1</translation>
+    </message>
+    <message>
+        <source>one of --percentile and --stature</source>
+        <translation>l'une des options --percentile et --stature</translation>
+    </message>
+    <message>
+        <source>one of [opw], [dh], [[chain]], [delta], [hexapod], [urdf]</source>
+        <translation>l'un de [opw], [dh], [[chain]], [delta], [hexapod], [urdf]</translation>
+    </message>
+    <message>
+        <source>one of an entity</source>
+        <translation>un repère d'une entité</translation>
+    </message>
+    <message>
+        <source>one of its keys</source>
+        <translation>une de ses clés</translation>
+    </message>
+    <message>
+        <source>one of its links</source>
+        <translation>l'un de ses segments</translation>
+    </message>
+    <message>
+        <source>one of its values</source>
+        <translation>une de ses valeurs</translation>
+    </message>
+    <message>
+        <source>one of the %1 vertices</source>
+        <translation>un des %1 sommets</translation>
+    </message>
+    <message>
+        <source>one of the cell</source>
+        <translation>un élément de la cellule</translation>
+    </message>
+    <message>
+        <source>one of the document</source>
+        <translation>une entité du document</translation>
+    </message>
+    <message>
+        <source>one of the functions in docs/user/formats.md</source>
+        <translation>une des fonctions de docs/user/formats.md</translation>
+    </message>
+    <message>
+        <source>one of the landmarks %1</source>
+        <translation>l'un des repères anatomiques %1</translation>
+    </message>
+    <message>
+        <source>one of the two</source>
+        <translation>l'un des deux</translation>
+    </message>
+    <message>
+        <source>one of the workcell</source>
+        <translation>un élément de la cellule</translation>
+    </message>
+    <message>
+        <source>one of them</source>
+        <translation>un seul d'entre eux</translation>
+    </message>
+    <message>
+        <source>one of those that --help lists</source>
+        <translation>l'une de celles que --help énumère</translation>
+    </message>
+    <message>
+        <source>one point</source>
+        <translation>un seul point</translation>
+    </message>
+    <message>
+        <source>one shape cut out of another</source>
+        <translation>une forme découpée dans une autre</translation>
+    </message>
+    <message>
+        <source>one sign</source>
+        <translation>un seul caractère</translation>
+    </message>
+    <message>
+        <source>one skeleton a file</source>
+        <translation>un squelette par fichier</translation>
+    </message>
+    <message>
+        <source>one that is</source>
+        <translation>un nom défini</translation>
+    </message>
+    <message>
+        <source>one that is in the document</source>
+        <translation>une entité du document</translation>
+    </message>
+    <message>
+        <source>one that may be written</source>
+        <translation>un fichier accessible en écriture</translation>
+    </message>
+    <message>
+        <source>one that moves</source>
+        <translation>une qui bouge</translation>
+    </message>
+    <message>
+        <source>one value</source>
+        <translation>une seule valeur</translation>
+    </message>
+    <message>
+        <source>one within 64 bits</source>
+        <translation>un nombre sur 64 bits</translation>
+    </message>
+    <message>
+        <source>one, for a URDF</source>
+        <translation>un robot, pour un URDF</translation>
+    </message>
+    <message>
+        <source>one, or %1</source>
+        <translation>un seul, ou %1</translation>
+    </message>
+    <message>
+        <source>one, which is all a URDF holds</source>
+        <translation>un seul, car un URDF n'en contient pas plus</translation>
+    </message>
+    <message>
         <source>only one hand carries the load; it covers lifts with both hands. Use RULA or REBA.</source>
         <translation>une seule main porte la charge ; elle vaut pour les levages à deux mains. Utilisez RULA ou REBA.</translation>
+    </message>
+    <message>
+        <source>only triangles without area</source>
+        <translation>seulement des triangles sans aire</translation>
     </message>
     <message>
         <source>origin</source>
         <translation>origine</translation>
     </message>
     <message>
+        <source>other bytes</source>
+        <translation>d'autres octets</translation>
+    </message>
+    <message>
+        <source>other bytes than in %1</source>
+        <translation>d'autres octets que dans %1</translation>
+    </message>
+    <message>
+        <source>other bytes than were written</source>
+        <translation>d'autres octets que ceux écrits</translation>
+    </message>
+    <message>
+        <source>other joints</source>
+        <translation>d'autres axes</translation>
+    </message>
+    <message>
+        <source>other users may write to it</source>
+        <translation>d'autres utilisateurs peuvent y écrire</translation>
+    </message>
+    <message>
+        <source>others than those that were packed</source>
+        <translation>d'autres que celles qui ont été archivées</translation>
+    </message>
+    <message>
         <source>out of balance</source>
         <translation>hors d'équilibre</translation>
     </message>
     <message>
+        <source>out of range</source>
+        <translation>hors limites</translation>
+    </message>
+    <message>
+        <source>outside: %1</source>
+        <translation>hors du dossier : %1</translation>
+    </message>
+    <message>
+        <source>over 0 and at most 100000</source>
+        <translation>plus de 0 et au plus 100000</translation>
+    </message>
+    <message>
+        <source>own measures</source>
+        <translation>mesures propres</translation>
+    </message>
+    <message>
+        <source>packages that are not found: put the package's folder beside the robot file or above it, or name its place in ROS_PACKAGE_PATH</source>
+        <translation>paquets introuvables : placez le dossier du paquet à côté ou au-dessus du fichier du robot, ou indiquez son emplacement dans ROS_PACKAGE_PATH</translation>
+    </message>
+    <message>
+        <source>pair rule %1</source>
+        <translation>règle de paire %1</translation>
+    </message>
+    <message>
+        <source>pair rules</source>
+        <translation>règles de paires</translation>
+    </message>
+    <message>
+        <source>pair set %1</source>
+        <translation>jeu de paires %1</translation>
+    </message>
+    <message>
+        <source>pair set '%1'</source>
+        <translation>jeu de paires '%1'</translation>
+    </message>
+    <message>
+        <source>pair set '%1' names '%2', which is not there</source>
+        <translation>le jeu de paires '%1' nomme '%2', qui n'existe pas</translation>
+    </message>
+    <message>
+        <source>pair sets</source>
+        <translation>jeux de paires</translation>
+    </message>
+    <message>
+        <source>pairing code</source>
+        <translation>code d'appairage</translation>
+    </message>
+    <message>
+        <source>pairing key</source>
+        <translation>clé d'appairage</translation>
+    </message>
+    <message>
+        <source>pairs of key and value</source>
+        <translation>des paires de clé et de valeur</translation>
+    </message>
+    <message>
+        <source>parameters that are not in the file</source>
+        <translation>des paramètres qui ne sont pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>parents first</source>
+        <translation>les parents d'abord</translation>
+    </message>
+    <message>
         <source>part</source>
         <translation>pièce</translation>
+    </message>
+    <message>
+        <source>part '%1'</source>
+        <translation>pièce '%1'</translation>
     </message>
     <message>
         <source>partial: none entered for this place</source>
@@ -8299,6 +15143,50 @@ Voulez-vous le remplacer ?</translation>
         <translation>pièces</translation>
     </message>
     <message>
+        <source>parts from 0 to 1</source>
+        <translation>des composantes de 0 à 1</translation>
+    </message>
+    <message>
+        <source>parts of the cell, not the mannequin itself</source>
+        <translation>des pièces de la cellule, pas le mannequin lui-même</translation>
+    </message>
+    <message>
+        <source>parts within 2 km of it, where a tenth of a millimetre can still be drawn</source>
+        <translation>des pièces à moins de 2 km, où un dixième de millimètre se dessine encore</translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation>trajectoire</translation>
+    </message>
+    <message>
+        <source>percentile</source>
+        <translation>percentile</translation>
+    </message>
+    <message>
+        <source>permission to write</source>
+        <translation>le droit d'écriture</translation>
+    </message>
+    <message>
+        <source>phantom_desktop, touch, touch_x, premium or premium_6dof</source>
+        <translation>phantom_desktop, touch, touch_x, premium ou premium_6dof</translation>
+    </message>
+    <message>
+        <source>places saved from a run; the models stand where they are described</source>
+        <translation>des positions enregistrées pendant une simulation ; les modèles sont placés là où ils sont décrits</translation>
+    </message>
+    <message>
+        <source>plain URDF</source>
+        <translation>de l'URDF simple</translation>
+    </message>
+    <message>
+        <source>plain text (UTF-8)</source>
+        <translation>du texte simple (UTF-8)</translation>
+    </message>
+    <message>
+        <source>png, jpg, bmp or tiff</source>
+        <translation>png, jpg, bmp ou tiff</translation>
+    </message>
+    <message>
         <source>points</source>
         <translation>points</translation>
     </message>
@@ -8307,20 +15195,136 @@ Voulez-vous le remplacer ?</translation>
         <translation>points réordonnés</translation>
     </message>
     <message>
+        <source>points that are no list</source>
+        <translation>des points qui ne sont pas une liste</translation>
+    </message>
+    <message>
+        <source>points without a program</source>
+        <translation>des points sans programme</translation>
+    </message>
+    <message>
+        <source>points without faces</source>
+        <translation>des points sans faces</translation>
+    </message>
+    <message>
+        <source>poses</source>
+        <translation>poses</translation>
+    </message>
+    <message>
+        <source>poses, for an edit of them</source>
+        <translation>des poses, pour les modifier</translation>
+    </message>
+    <message>
+        <source>positions and time_from_start</source>
+        <translation>positions et time_from_start</translation>
+    </message>
+    <message>
+        <source>positions of joints in the channels stay near zero; they are added to the offsets</source>
+        <translation>les positions d'articulations dans les canaux restent proches de zéro ; elles sont ajoutées aux décalages</translation>
+    </message>
+    <message>
+        <source>positions that are no list</source>
+        <translation>des positions qui ne sont pas une liste</translation>
+    </message>
+    <message>
+        <source>invalid positions</source>
+        <translation>des positions qui n'en sont pas</translation>
+    </message>
+    <message>
+        <source>positive ones</source>
+        <translation>des valeurs positives</translation>
+    </message>
+    <message>
+        <source>positive speeds, a joint speed up to 1, a blend from 0</source>
+        <translation>des vitesses positives, une vitesse articulaire de 1 au plus, un rayon de raccordement de 0 ou plus</translation>
+    </message>
+    <message>
+        <source>positive values</source>
+        <translation>des valeurs positives</translation>
+    </message>
+    <message>
+        <source>practice, retention or transfer</source>
+        <translation>practice, retention ou transfer</translation>
+    </message>
+    <message>
+        <source>printable, at most 200 letters</source>
+        <translation>des caractères imprimables, 200 au plus</translation>
+    </message>
+    <message>
+        <source>processor %1</source>
+        <translation>processeur %1</translation>
+    </message>
+    <message>
+        <source>properties without a circle</source>
+        <translation>des propriétés sans boucle</translation>
+    </message>
+    <message>
+        <source>rad or deg</source>
+        <translation>rad ou deg</translation>
+    </message>
+    <message>
+        <source>radians, 0.001 to 3</source>
+        <translation>des radians, de 0,001 à 3</translation>
+    </message>
+    <message>
+        <source>range() with a step of 0</source>
+        <translation>range() avec un pas de 0</translation>
+    </message>
+    <message>
+        <source>read back</source>
+        <translation>relecture</translation>
+    </message>
+    <message>
         <source>recording</source>
         <translation>enregistrement</translation>
+    </message>
+    <message>
+        <source>reference to '%1'</source>
+        <translation>renvoi à '%1'</translation>
+    </message>
+    <message>
+        <source>references to what is there</source>
+        <translation>des renvois à ce qui existe</translation>
+    </message>
+    <message>
+        <source>relative chord</source>
+        <translation>flèche relative</translation>
     </message>
     <message>
         <source>release</source>
         <translation>relâcher</translation>
     </message>
     <message>
+        <source>removed</source>
+        <translation>supprimée</translation>
+    </message>
+    <message>
+        <source>replace() of an empty text</source>
+        <translation>replace() appliqué à un texte vide</translation>
+    </message>
+    <message>
+        <source>requiredextensions</source>
+        <translation>requiredextensions</translation>
+    </message>
+    <message>
         <source>resampled</source>
         <translation>rééchantillonné</translation>
     </message>
     <message>
+        <source>resource not found: %1 (%2)</source>
+        <translation>ressource introuvable : %1 (%2)</translation>
+    </message>
+    <message>
+        <source>rest at both ends</source>
+        <translation>l'arrêt aux deux extrémités</translation>
+    </message>
+    <message>
         <source>results.pdf</source>
         <translation>resultats.pdf</translation>
+    </message>
+    <message>
+        <source>retention: this exercise was practised</source>
+        <translation>retention : cet exercice a été pratiqué</translation>
     </message>
     <message>
         <source>retimed</source>
@@ -8331,16 +15335,92 @@ Voulez-vous le remplacer ?</translation>
         <translation>inversé</translation>
     </message>
     <message>
+        <source>revolute or prismatic</source>
+        <translation>revolute ou prismatic</translation>
+    </message>
+    <message>
+        <source>revolute, continuous, prismatic, fixed, floating or planar</source>
+        <translation>revolute, continuous, prismatic, fixed, floating ou planar</translation>
+    </message>
+    <message>
+        <source>revolute, continuous, prismatic, fixed, screw, universal, revolute2 or ball</source>
+        <translation>revolute, continuous, prismatic, fixed, screw, universal, revolute2 ou ball</translation>
+    </message>
+    <message>
         <source>right %1</source>
         <translation>%1 droite</translation>
+    </message>
+    <message>
+        <source>right ankle</source>
+        <translation>cheville droite</translation>
+    </message>
+    <message>
+        <source>right elbow</source>
+        <translation>coude droit</translation>
+    </message>
+    <message>
+        <source>right hip</source>
+        <translation>hanche droite</translation>
+    </message>
+    <message>
+        <source>right knee</source>
+        <translation>genou droit</translation>
+    </message>
+    <message>
+        <source>right shoulder</source>
+        <translation>épaule droite</translation>
+    </message>
+    <message>
+        <source>right wrist</source>
+        <translation>poignet droit</translation>
+    </message>
+    <message>
+        <source>rising times, s</source>
+        <translation>des temps croissants, en s</translation>
+    </message>
+    <message>
+        <source>robot '%1', link '%2'</source>
+        <translation>robot '%1', segment '%2'</translation>
+    </message>
+    <message>
+        <source>room and permission</source>
+        <translation>de la place et le droit d'écrire</translation>
+    </message>
+    <message>
+        <source>room and permission to write</source>
+        <translation>de l'espace libre et le droit d'écriture</translation>
+    </message>
+    <message>
+        <source>room in the folder TMPDIR</source>
+        <translation>de l'espace libre dans le dossier TMPDIR</translation>
+    </message>
+    <message>
+        <source>root may</source>
+        <translation>root en a le droit</translation>
     </message>
     <message>
         <source>rough</source>
         <translation>grosse</translation>
     </message>
     <message>
+        <source>rough, medium, fine, screen or a number from 0.001 to 1000</source>
+        <translation>rough, medium, fine, screen ou un nombre de 0.001 à 1000</translation>
+    </message>
+    <message>
+        <source>round(%1)</source>
+        <translation>round(%1)</translation>
+    </message>
+    <message>
+        <source>routines that call each other without end</source>
+        <translation>des routines qui s'appellent sans fin</translation>
+    </message>
+    <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>pas de temps</translation>
     </message>
     <message>
         <source>saved</source>
@@ -8351,12 +15431,80 @@ Voulez-vous le remplacer ?</translation>
         <translation>échelle</translation>
     </message>
     <message>
+        <source>scenes beside the main one</source>
+        <translation>des scènes en plus de la principale</translation>
+    </message>
+    <message>
+        <source>scope=&quot;%1&quot; is not known; the property '%2' is set where it stands</source>
+        <translation>scope=&quot;%1&quot; n'est pas connu ; la propriété '%2' est définie là où elle se trouve</translation>
+    </message>
+    <message>
         <source>screen</source>
         <translation>écran</translation>
     </message>
     <message>
+        <source>screen, cell or frame:NAME</source>
+        <translation>screen, cell ou frame:NAME</translation>
+    </message>
+    <message>
+        <source>sdformat: %1 more complaints</source>
+        <translation>sdformat : %1 autres erreurs</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>des secondes</translation>
+    </message>
+    <message>
+        <source>seconds and nanoseconds: {sec, nanosec} or {secs, nsecs}</source>
+        <translation>des secondes et nanosecondes : {sec, nanosec} ou {secs, nsecs}</translation>
+    </message>
+    <message>
+        <source>seconds from 0 (for ever) up</source>
+        <translation>des secondes à partir de 0 (sans fin)</translation>
+    </message>
+    <message>
+        <source>seconds, above 0</source>
+        <translation>des secondes, plus de 0</translation>
+    </message>
+    <message>
+        <source>seconds, metres</source>
+        <translation>des secondes, des mètres</translation>
+    </message>
+    <message>
+        <source>self_origin, geometric_center or frame:NAME of an entity</source>
+        <translation>self_origin, geometric_center ou frame:NAME d'une entité</translation>
+    </message>
+    <message>
+        <source>seven numbers x,y,z,qw,qx,qy,qz with a quaternion of length 1</source>
+        <translation>sept nombres x,y,z,qw,qx,qy,qz avec un quaternion de norme 1</translation>
+    </message>
+    <message>
+        <source>shapes that cannot be had</source>
+        <translation>formes indisponibles</translation>
+    </message>
+    <message>
+        <source>shapes that cannot be had (%1)</source>
+        <translation>formes indisponibles (%1)</translation>
+    </message>
+    <message>
         <source>share of the limit</source>
         <translation>part de la limite</translation>
+    </message>
+    <message>
+        <source>shares</source>
+        <translation>parts du cycle</translation>
+    </message>
+    <message>
+        <source>shares of the cycle that add up to at most 1</source>
+        <translation>des parts du cycle dont la somme est au plus 1</translation>
+    </message>
+    <message>
+        <source>shipped or classic</source>
+        <translation>shipped ou classic</translation>
+    </message>
+    <message>
+        <source>invalid signs</source>
+        <translation>des signes qui ne sont pas valables</translation>
     </message>
     <message>
         <source>simplified</source>
@@ -8371,56 +15519,1292 @@ Voulez-vous le remplacer ?</translation>
         <translation>assis</translation>
     </message>
     <message>
+        <source>six joints of the robot</source>
+        <translation>six axes du robot</translation>
+    </message>
+    <message>
+        <source>six of true or false</source>
+        <translation>six fois true ou false</translation>
+    </message>
+    <message>
+        <source>six times 1 or -1</source>
+        <translation>six fois 1 ou -1</translation>
+    </message>
+    <message>
+        <source>six, or none</source>
+        <translation>six, ou aucun</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>dimension</translation>
+    </message>
+    <message>
+        <source>sizes that cannot be used: '%1'</source>
+        <translation>des dimensions inutilisables : '%1'</translation>
+    </message>
+    <message>
+        <source>slices beside the mesh</source>
+        <translation>des tranches en plus du maillage</translation>
+    </message>
+    <message>
+        <source>smaller numbers</source>
+        <translation>des nombres plus petits</translation>
+    </message>
+    <message>
         <source>smoothed</source>
         <translation>lissé</translation>
+    </message>
+    <message>
+        <source>solids as parts of a mechanism</source>
+        <translation>des solides comme pièces d'un mécanisme</translation>
+    </message>
+    <message>
+        <source>solids or surfaces with exact faces</source>
+        <translation>des solides ou des surfaces aux faces exactes</translation>
+    </message>
+    <message>
+        <source>some that leave one at least</source>
+        <translation>des images qui en laissent au moins une</translation>
+    </message>
+    <message>
+        <source>somebody</source>
+        <translation>quelqu'un</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>autre chose</translation>
+    </message>
+    <message>
+        <source>something else, or nothing</source>
+        <translation>autre chose, ou rien</translation>
+    </message>
+    <message>
+        <source>something stands there already</source>
+        <translation>l'emplacement est déjà occupé</translation>
+    </message>
+    <message>
+        <source>something that is drawn</source>
+        <translation>quelque chose de dessiné</translation>
+    </message>
+    <message>
+        <source>sparse accessor</source>
+        <translation>accesseur creux (sparse)</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>vitesse</translation>
+    </message>
+    <message>
+        <source>speed, acceleration</source>
+        <translation>vitesse, accélération</translation>
+    </message>
+    <message>
+        <source>speed, acceleration, blend</source>
+        <translation>vitesse, accélération, rayon de raccordement</translation>
     </message>
     <message>
         <source>split</source>
         <translation>coupé</translation>
     </message>
     <message>
+        <source>split() at an empty text</source>
+        <translation>split() avec un texte séparateur vide</translation>
+    </message>
+    <message>
+        <source>standard input</source>
+        <translation>entrée standard</translation>
+    </message>
+    <message>
         <source>standing</source>
         <translation>debout</translation>
+    </message>
+    <message>
+        <source>statements that are run without end</source>
+        <translation>des instructions exécutées sans fin</translation>
+    </message>
+    <message>
+        <source>station</source>
+        <translation>poste</translation>
+    </message>
+    <message>
+        <source>stature</source>
+        <translation>stature</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>pas</translation>
     </message>
     <message>
         <source>step %1 ms</source>
         <translation>pas %1 ms</translation>
     </message>
     <message>
+        <source>stop, slide or pass</source>
+        <translation>stop, slide ou pass</translation>
+    </message>
+    <message>
         <source>stylus button</source>
         <translation>bouton du stylet</translation>
+    </message>
+    <message>
+        <source>stylus, proxy, velocity and force</source>
+        <translation>stylet, proxy, vitesse et force</translation>
+    </message>
+    <message>
+        <source>sudo usermod -aG dialout %1, then log in again</source>
+        <translation>sudo usermod -aG dialout %1, puis reconnectez-vous</translation>
+    </message>
+    <message>
+        <source>tables [[%1]]</source>
+        <translation>des tables [[%1]]</translation>
+    </message>
+    <message>
+        <source>tables and lists nested deeper than %1</source>
+        <translation>des tables et des listes imbriquées sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>targets as they stand</source>
+        <translation>des cibles telles quelles</translation>
+    </message>
+    <message>
+        <source>targets in several frames: %1</source>
+        <translation>des cibles dans plusieurs repères : %1</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>tâche</translation>
+    </message>
+    <message>
+        <source>task %1</source>
+        <translation>tâche %1</translation>
+    </message>
+    <message>
+        <source>task %1, %2</source>
+        <translation>tâche %1, %2</translation>
+    </message>
+    <message>
+        <source>task '%1'</source>
+        <translation>tâche '%1'</translation>
+    </message>
+    <message>
+        <source>tasks</source>
+        <translation>tâches</translation>
+    </message>
+    <message>
+        <source>tcp, tcp_with_axes, base, base_keeping_tcp or frame:NAME of one of its links</source>
+        <translation>tcp, tcp_with_axes, base, base_keeping_tcp ou frame:NAME d'un de ses segments</translation>
+    </message>
+    <message>
+        <source>tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand, both_hands or head</source>
+        <translation>tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand, both_hands ou head</translation>
+    </message>
+    <message>
+        <source>text in quotes</source>
+        <translation>un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>text that is not JSON</source>
+        <translation>un texte qui n'est pas du JSON</translation>
+    </message>
+    <message>
+        <source>text that is not TOML (%1)</source>
+        <translation>un texte qui n'est pas du TOML (%1)</translation>
+    </message>
+    <message>
+        <source>texts</source>
+        <translation>des textes</translation>
+    </message>
+    <message>
+        <source>texts and lists of more than 64 MB</source>
+        <translation>des textes et des listes de plus de 64 Mo</translation>
+    </message>
+    <message>
+        <source>texts in quotes</source>
+        <translation>des textes entre guillemets</translation>
+    </message>
+    <message>
+        <source>that part is not in the package</source>
+        <translation>cet élément n'est pas dans le paquet</translation>
+    </message>
+    <message>
+        <source>the %1 elements %2 were not used</source>
+        <translation>les %1 éléments %2 n'ont pas été utilisés</translation>
+    </message>
+    <message>
+        <source>the %1 that were packed</source>
+        <translation>les %1 qui ont été archivés</translation>
+    </message>
+    <message>
+        <source>the 20 bytes of a binary glTF file's header and more</source>
+        <translation>les 20 octets de l'en-tête d'un fichier glTF binaire et davantage</translation>
+    </message>
+    <message>
+        <source>the angle CA</source>
+        <translation>l'angle CA</translation>
+    </message>
+    <message>
+        <source>the angle's unit '%1'</source>
+        <translation>l'unité d'angle '%1'</translation>
+    </message>
+    <message>
+        <source>the ankle</source>
+        <translation>la cheville</translation>
     </message>
     <message>
         <source>the arm is at the edge of its reach</source>
         <translation>le bras est au bord de son atteinte</translation>
     </message>
     <message>
+        <source>the axis '%1'</source>
+        <translation>l'axe '%1'</translation>
+    </message>
+    <message>
+        <source>the ball joint of rod %1</source>
+        <translation>la rotule de la barre %1</translation>
+    </message>
+    <message>
+        <source>the base $BASE, set from %1</source>
+        <translation>la base $BASE, définie par %1</translation>
+    </message>
+    <message>
+        <source>the base BASE_DATA[%1]</source>
+        <translation>la base BASE_DATA[%1]</translation>
+    </message>
+    <message>
+        <source>the base of the skull</source>
+        <translation>la base du crâne</translation>
+    </message>
+    <message>
+        <source>the block '%1' is not defined</source>
+        <translation>le bloc '%1' n'est pas défini</translation>
+    </message>
+    <message>
+        <source>the bone '%1'</source>
+        <translation>l'os '%1'</translation>
+    </message>
+    <message>
+        <source>the bone '%1' has no numbers in %2 of %3 frames; it is taken at rest there</source>
+        <translation>l'os '%1' n'a pas de nombres dans %2 images sur %3 ; il y est pris au repos</translation>
+    </message>
+    <message>
+        <source>the bone '%1' twice in a frame</source>
+        <translation>l'os '%1' deux fois dans une image</translation>
+    </message>
+    <message>
+        <source>the box of the workcell's shape within 1e-9 m</source>
+        <translation>la boîte englobante de la forme dans la cellule, à 1e-9 m près</translation>
+    </message>
+    <message>
+        <source>the bytes of the file that was packed</source>
+        <translation>les octets du fichier archivé</translation>
+    </message>
+    <message>
+        <source>the channel '%1'</source>
+        <translation>le canal '%1'</translation>
+    </message>
+    <message>
+        <source>the code in one line</source>
+        <translation>le code sur une ligne</translation>
+    </message>
+    <message>
+        <source>the column is missing</source>
+        <translation>la colonne manque</translation>
+    </message>
+    <message>
+        <source>the command line</source>
+        <translation>ligne de commande</translation>
+    </message>
+    <message>
+        <source>the command needs a subcommand</source>
+        <translation>la commande demande une sous-commande</translation>
+    </message>
+    <message>
+        <source>the condition &quot;%1&quot;, which gives &quot;%2&quot;</source>
+        <translation>la condition &quot;%1&quot;, qui donne &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>the connection ended before the keys were compared</source>
+        <translation>la connexion s'est terminée avant la comparaison des clés</translation>
+    </message>
+    <message>
+        <source>the content of %1</source>
+        <translation>un contenu valable pour %1</translation>
+    </message>
+    <message>
+        <source>the content of a Collada file</source>
+        <translation>le contenu d'un fichier Collada</translation>
+    </message>
+    <message>
+        <source>the content of a glTF file</source>
+        <translation>le contenu d'un fichier glTF</translation>
+    </message>
+    <message>
+        <source>the copied file</source>
+        <translation>le fichier copié</translation>
+    </message>
+    <message>
+        <source>the counts</source>
+        <translation>les nombres d'éléments</translation>
+    </message>
+    <message>
+        <source>the device '%1' is held by a real hand</source>
+        <translation>le périphérique '%1' est tenu par une vraie main</translation>
+    </message>
+    <message>
+        <source>the document</source>
+        <translation>le document</translation>
+    </message>
+    <message>
+        <source>the encoding is guessed</source>
+        <translation>l'encodage est deviné</translation>
+    </message>
+    <message>
+        <source>the end of the expression</source>
+        <translation>la fin de l'expression</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>la fin du fichier</translation>
+    </message>
+    <message>
+        <source>the end of the file in a bone</source>
+        <translation>la fin du fichier dans un os</translation>
+    </message>
+    <message>
+        <source>the ending '%1'</source>
+        <translation>l'extension '%1'</translation>
+    </message>
+    <message>
+        <source>the entity is locked</source>
+        <translation>l'entité est verrouillée</translation>
+    </message>
+    <message>
+        <source>the entity's name</source>
+        <translation>le nom de l'entité</translation>
+    </message>
+    <message>
+        <source>the environment variable %1 is not set</source>
+        <translation>la variable d'environnement %1 n'est pas définie</translation>
+    </message>
+    <message>
         <source>the equation covers shifts of up to 8 h.</source>
         <translation>l'équation vaut pour des postes de 8 h au plus.</translation>
+    </message>
+    <message>
+        <source>the exercise '%1' of these results was not found</source>
+        <translation>l'exercice '%1' de ces résultats est introuvable</translation>
+    </message>
+    <message>
+        <source>the expression ends</source>
+        <translation>l'expression s'arrête</translation>
+    </message>
+    <message>
+        <source>the extension %1, which is not read</source>
+        <translation>l'extension %1, qui n'est pas lue</translation>
+    </message>
+    <message>
+        <source>the extension '%1'</source>
+        <translation>l'extension '%1'</translation>
+    </message>
+    <message>
+        <source>the extension '%1' (%2), which is not read</source>
+        <translation>l'extension '%1' (%2), qui n'est pas lue</translation>
+    </message>
+    <message>
+        <source>the field '%1'</source>
+        <translation>le champ '%1'</translation>
+    </message>
+    <message>
+        <source>the field '%1' is not kept.</source>
+        <translation>le champ '%1' n'est pas conservé.</translation>
+    </message>
+    <message>
+        <source>the fields of docs/user/formats.md</source>
+        <translation>les champs de docs/user/formats.md</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>le fichier</translation>
+    </message>
+    <message>
+        <source>the file %1 is not there</source>
+        <translation>le fichier %1 n'existe pas</translation>
+    </message>
+    <message>
+        <source>the file cannot be written</source>
+        <translation>impossible d'écrire le fichier</translation>
+    </message>
+    <message>
+        <source>the file could not be read</source>
+        <translation>le fichier n'a pas pu être lu</translation>
+    </message>
+    <message>
+        <source>the file does not say which axis is up, nor do its markers; its z axis is taken; --up says another</source>
+        <translation>ni le fichier ni ses marqueurs n'indiquent quel axe est vers le haut ; son axe z est utilisé ; --up en indique un autre</translation>
+    </message>
+    <message>
+        <source>the file does not say which axis is up; the body stands along %1, which is taken</source>
+        <translation>le fichier n'indique pas quel axe est vers le haut ; le corps se tient selon %1, qui est utilisé</translation>
+    </message>
+    <message>
+        <source>the file does not say which axis is up; the markers stand highest along %1, which is taken; --up says another</source>
+        <translation>le fichier n'indique pas quel axe est vers le haut ; les marqueurs s'étendent le plus selon %1, qui est utilisé ; --up en indique un autre</translation>
+    </message>
+    <message>
+        <source>the file ends</source>
+        <translation>le fichier s'arrête</translation>
+    </message>
+    <message>
+        <source>the file ends after %1 bytes</source>
+        <translation>le fichier s'arrête après %1 octets</translation>
+    </message>
+    <message>
+        <source>the file ends within a vertex</source>
+        <translation>le fichier s'arrête au milieu d'un sommet</translation>
+    </message>
+    <message>
+        <source>the file has %1 solids; they were taken as one</source>
+        <translation>le fichier a %1 solides ; ils ont été pris comme un seul</translation>
+    </message>
+    <message>
+        <source>the file has %1 up; it was turned so that z is up</source>
+        <translation>le fichier a %1 vers le haut ; il a été tourné pour que z soit vers le haut</translation>
+    </message>
+    <message>
+        <source>the file has %1; what is made of it is missing or wrong. Export it again.</source>
+        <translation>le fichier a %1 ; ce qui en dépend manque ou est faux. Exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>the file has more than 64 colours; each solid is shown in their mean</source>
+        <translation>le fichier a plus de 64 couleurs ; chaque solide est affiché dans leur moyenne</translation>
+    </message>
+    <message>
+        <source>the file has no argument '%1'; its value %2 was not used</source>
+        <translation>le fichier n'a pas d'argument '%1' ; sa valeur %2 n'a pas été utilisée</translation>
+    </message>
+    <message>
+        <source>the file has no rest position of a standing person; how its joints' frames lie is found from where the joints are in the motion</source>
+        <translation>le fichier n'a pas de position de repos d'une personne debout ; l'orientation des repères de ses articulations est déduite de leurs positions dans le mouvement</translation>
+    </message>
+    <message>
+        <source>the file is UTF-16 text</source>
+        <translation>le fichier est un texte UTF-16</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+    <message>
+        <source>the file is no xacro; the value of '%1' was not used</source>
+        <translation>le fichier n'est pas un xacro ; la valeur de '%1' n'a pas été utilisée</translation>
+    </message>
+    <message>
+        <source>the file leaves the places of its models to chance; they are spread evenly</source>
+        <translation>le fichier laisse au hasard les positions de ses modèles ; ils sont répartis régulièrement</translation>
+    </message>
+    <message>
+        <source>the file names no unit; by its size it is taken as %1 (--unit says otherwise)</source>
+        <translation>le fichier n'indique pas d'unité ; d'après sa taille, l'unité supposée est %1 (--unit pour une autre)</translation>
+    </message>
+    <message>
+        <source>the file names no unit; it is taken as %1</source>
+        <translation>le fichier n'indique pas d'unité ; l'unité supposée est %1</translation>
+    </message>
+    <message>
+        <source>the file names no unit; it was read in metres and measures %1 m; if it measures %1 millimetres, say unit mm</source>
+        <translation>le fichier n'indique pas d'unité ; il a été lu en mètres et mesure %1 m ; s'il mesure %1 millimètres, indiquez l'unité mm</translation>
+    </message>
+    <message>
+        <source>the file names no unit; its numbers are taken as millimetres</source>
+        <translation>le fichier n'indique pas d'unité ; ses nombres sont pris en millimètres</translation>
+    </message>
+    <message>
+        <source>the file names no unit; read in metres it measures %1 m, so millimetres seem to be meant (unit mm)</source>
+        <translation>le fichier n'indique pas d'unité ; lu en mètres, il mesure %1 m : il s'agit sans doute de millimètres (unité mm)</translation>
+    </message>
+    <message>
+        <source>the file refuses itself: %1</source>
+        <translation>le fichier se refuse lui-même : %1</translation>
+    </message>
+    <message>
+        <source>the file reports an error: %1</source>
+        <translation>le fichier signale une erreur : %1</translation>
+    </message>
+    <message>
+        <source>the file says that %1 is up (Y_SCREEN), but the body stands along %2, which is taken; --up says another</source>
+        <translation>le fichier indique que %1 est vers le haut (Y_SCREEN), mais le corps se tient selon %2, qui est utilisé ; --up en indique un autre</translation>
+    </message>
+    <message>
+        <source>the file states %1 frames and has %2; all are read</source>
+        <translation>le fichier annonce %1 images et en a %2 ; toutes sont lues</translation>
+    </message>
+    <message>
+        <source>the file that it was imported from, unchanged</source>
+        <translation>le fichier dont elle a été importée, inchangé</translation>
+    </message>
+    <message>
+        <source>the file warns: %1</source>
+        <translation>le fichier avertit : %1</translation>
+    </message>
+    <message>
+        <source>the file's %1 axis</source>
+        <translation>l'axe %1 du fichier</translation>
+    </message>
+    <message>
+        <source>the file's end</source>
+        <translation>la fin du fichier</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created</source>
+        <translation>impossible de créer le dossier</translation>
+    </message>
+    <message>
+        <source>the folder of kept states</source>
+        <translation>le dossier des états conservés</translation>
+    </message>
+    <message>
+        <source>the folder of own plug-ins</source>
+        <translation>le dossier des modules personnels</translation>
+    </message>
+    <message>
+        <source>the folder of settings</source>
+        <translation>le dossier des réglages</translation>
+    </message>
+    <message>
+        <source>the format &quot;%1&quot;</source>
+        <translation>le format &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>the frame rate is %1 Hz in the parameters and %2 Hz in the header; the parameters' is taken</source>
+        <translation>la fréquence d'images est de %1 Hz dans les paramètres et de %2 Hz dans l'en-tête ; celle des paramètres est utilisée</translation>
+    </message>
+    <message>
+        <source>the frame that is chosen</source>
+        <translation>le repère choisi</translation>
+    </message>
+    <message>
+        <source>the frames of %1 do not lie as at the rest position; found from where the joints are</source>
+        <translation>les repères de %1 ne sont pas orientés comme à la position de repos ; ils sont déduits des positions des articulations</translation>
+    </message>
+    <message>
+        <source>the guide's name</source>
+        <translation>le nom du guide virtuel</translation>
+    </message>
+    <message>
+        <source>the hand '%1'</source>
+        <translation>la main '%1'</translation>
+    </message>
+    <message>
+        <source>the haptic server was lost after %1 s</source>
+        <translation>le serveur haptique a été perdu après %1 s</translation>
+    </message>
+    <message>
+        <source>the haptic server was lost after %1 s: %2</source>
+        <translation>le serveur haptique a été perdu après %1 s : %2</translation>
+    </message>
+    <message>
+        <source>the head's markers are taken to be level when the head is held straight</source>
+        <translation>les marqueurs de la tête sont supposés horizontaux quand la tête est droite</translation>
+    </message>
+    <message>
+        <source>the head's markers lean back by %1 deg on the whole; taken as their place, the head being level on the whole</source>
+        <translation>les marqueurs de la tête penchent en moyenne de %1 deg vers l'arrière ; cela est pris comme leur placement, la tête étant horizontale en moyenne</translation>
+    </message>
+    <message>
+        <source>the header states %1 analog samples a frame; %2 fill the file (channels by samples)</source>
+        <translation>l'en-tête annonce %1 échantillons analogiques par image ; %2 remplissent le fichier (canaux fois échantillons)</translation>
+    </message>
+    <message>
+        <source>the header states %1 frames; %2 stand in the file and are read</source>
+        <translation>l'en-tête annonce %1 images ; %2 sont dans le fichier et sont lues</translation>
+    </message>
+    <message>
+        <source>the hip</source>
+        <translation>la hanche</translation>
+    </message>
+    <message>
+        <source>the home folder of this user</source>
+        <translation>le dossier personnel de cet utilisateur</translation>
+    </message>
+    <message>
+        <source>the import was cancelled</source>
+        <translation>l'importation a été annulée</translation>
+    </message>
+    <message>
+        <source>the importer sent something that is not a scene</source>
+        <translation>l'importateur a envoyé autre chose qu'une scène</translation>
+    </message>
+    <message>
+        <source>the index %1 of %2 items</source>
+        <translation>l'indice %1 parmi %2 éléments</translation>
+    </message>
+    <message>
+        <source>the joint '%1' to be mimicked is not in the file</source>
+        <translation>l'axe '%1' à suivre n'est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>the joint C4</source>
+        <translation>l'articulation C4</translation>
+    </message>
+    <message>
+        <source>the joint C7</source>
+        <translation>l'articulation C7</translation>
+    </message>
+    <message>
+        <source>the joint L1</source>
+        <translation>l'articulation L1</translation>
+    </message>
+    <message>
+        <source>the joint L5</source>
+        <translation>l'articulation L5</translation>
+    </message>
+    <message>
+        <source>the joint T6</source>
+        <translation>l'articulation T6</translation>
+    </message>
+    <message>
+        <source>the joint type '%1'</source>
+        <translation>le type d'axe '%1'</translation>
+    </message>
+    <message>
+        <source>the joints form a cycle: every link is the child of another</source>
+        <translation>les axes forment un cycle : chaque segment est l'enfant d'un autre</translation>
+    </message>
+    <message>
+        <source>the joints form a cycle: link '%1' (joint '%2') hangs on itself</source>
+        <translation>les axes forment un cycle : le segment '%1' (axe '%2') est rattaché à lui-même</translation>
+    </message>
+    <message>
+        <source>the joints that are set hold each other</source>
+        <translation>les axes actionnés se bloquent mutuellement</translation>
+    </message>
+    <message>
+        <source>the key '%1', which is not known here</source>
+        <translation>la clé '%1', inconnue ici</translation>
+    </message>
+    <message>
+        <source>the key was not used</source>
+        <translation>la clé n'a pas été utilisée</translation>
+    </message>
+    <message>
+        <source>the knee</source>
+        <translation>le genou</translation>
+    </message>
+    <message>
+        <source>the left hand again in the same step</source>
+        <translation>de nouveau la main gauche dans la même étape</translation>
+    </message>
+    <message>
+        <source>the length %1</source>
+        <translation>la norme %1</translation>
     </message>
     <message>
         <source>the lift and the forces</source>
         <translation>le levage et les efforts</translation>
     </message>
     <message>
+        <source>the link of the workcell</source>
+        <translation>le segment de la cellule</translation>
+    </message>
+    <message>
+        <source>the loops of robot '%1'</source>
+        <translation>les boucles du robot '%1'</translation>
+    </message>
+    <message>
+        <source>the lower joint of leg %1</source>
+        <translation>l'articulation inférieure de la jambe %1</translation>
+    </message>
+    <message>
+        <source>the lower one first</source>
+        <translation>d'abord la butée inférieure</translation>
+    </message>
+    <message>
+        <source>the macro '%1' has no parameter '%2'</source>
+        <translation>la macro '%1' n'a pas de paramètre '%2'</translation>
+    </message>
+    <message>
+        <source>the macro '%1' without its block %2</source>
+        <translation>la macro '%1' sans son bloc %2</translation>
+    </message>
+    <message>
+        <source>the macro '%1' without its parameters %2</source>
+        <translation>la macro '%1' sans ses paramètres %2</translation>
+    </message>
+    <message>
         <source>the mannequin sits or kneels; it covers lifts while standing. Use RULA or REBA.</source>
         <translation>le mannequin est assis ou à genoux ; elle vaut pour les levages debout. Utilisez RULA ou REBA.</translation>
+    </message>
+    <message>
+        <source>the marker '%1', which is not in the recording</source>
+        <translation>le marqueur '%1', qui n'est pas dans l'enregistrement</translation>
+    </message>
+    <message>
+        <source>the marker on %1 is never seen</source>
+        <translation>le marqueur sur %1 n'est jamais vu</translation>
+    </message>
+    <message>
+        <source>the marker on %1 is never seen; it is left out</source>
+        <translation>le marqueur sur %1 n'est jamais vu ; il est omis</translation>
+    </message>
+    <message>
+        <source>the marker on %1 is not seen in %2 of %3 frames, %4 s at the longest; it is taken on the straight way between</source>
+        <translation>le marqueur sur %1 n'est pas vu dans %2 images sur %3, au plus %4 s de suite ; il est placé sur la droite entre les deux</translation>
+    </message>
+    <message>
+        <source>the markers are read as %1; joints are found from them with our own offsets</source>
+        <translation>les marqueurs sont lus comme %1 ; les articulations en sont déduites avec nos propres décalages</translation>
+    </message>
+    <message>
+        <source>the markers of Plug-in Gait (full body) or Helen Hayes with shoulders, elbows and wrists</source>
+        <translation>les marqueurs de Plug-in Gait (corps entier) ou Helen Hayes avec épaules, coudes et poignets</translation>
+    </message>
+    <message>
+        <source>the material file %1 is longer than 16 MB; not read</source>
+        <translation>le fichier de matériaux %1 dépasse 16 Mo ; il n'a pas été lu</translation>
+    </message>
+    <message>
+        <source>the mechanism has no joint</source>
+        <translation>le mécanisme n'a pas d'articulation</translation>
+    </message>
+    <message>
+        <source>the mechanism is no longer in the cell</source>
+        <translation>le mécanisme n'est plus dans la cellule</translation>
+    </message>
+    <message>
+        <source>the mesh %1 is left out: a scale of 0</source>
+        <translation>le maillage %1 est omis : une échelle de 0</translation>
+    </message>
+    <message>
+        <source>the mesh %1 is not there; the shape is left out</source>
+        <translation>le maillage %1 est introuvable ; la forme est omise</translation>
+    </message>
+    <message>
+        <source>the mesh %1 leads out of the package; the shape is left out</source>
+        <translation>le maillage %1 sort du paquet ; la forme est omise</translation>
+    </message>
+    <message>
+        <source>the mesh %1 with scale=&quot;%2&quot;, expected three numbers other than zero</source>
+        <translation>le maillage %1 avec scale=&quot;%2&quot; au lieu de trois nombres non nuls</translation>
+    </message>
+    <message>
+        <source>the motion of a hand alone</source>
+        <translation>le mouvement d'une main seule</translation>
+    </message>
+    <message>
+        <source>the name '%1' is taken</source>
+        <translation>le nom '%1' est déjà pris</translation>
+    </message>
+    <message>
+        <source>the name '%1' twice</source>
+        <translation>deux fois le nom '%1'</translation>
+    </message>
+    <message>
+        <source>the name is there twice or not allowed; this &lt;%1&gt; is called '%2'</source>
+        <translation>le nom est en double ou n'est pas permis ; ce &lt;%1&gt; s'appelle '%2'</translation>
+    </message>
+    <message>
+        <source>the name is there twice; it is called '%1'</source>
+        <translation>le nom est en double ; l'élément s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>the name of a file</source>
+        <translation>le nom d'un fichier</translation>
+    </message>
+    <message>
+        <source>the name of a joint</source>
+        <translation>le nom d'un axe</translation>
+    </message>
+    <message>
+        <source>the name of a link</source>
+        <translation>le nom d'un segment</translation>
+    </message>
+    <message>
+        <source>the name of a link of the URDF</source>
+        <translation>le nom d'un segment de l'URDF</translation>
+    </message>
+    <message>
+        <source>the name of a mannequin of the cell</source>
+        <translation>le nom d'un mannequin de la cellule</translation>
+    </message>
+    <message>
+        <source>the name of an entity</source>
+        <translation>le nom d'une entité</translation>
+    </message>
+    <message>
+        <source>the name of an entity or of a frame of one</source>
+        <translation>le nom d'une entité ou d'un repère d'entité</translation>
+    </message>
+    <message>
+        <source>the name of one</source>
+        <translation>un nom qui existe</translation>
+    </message>
+    <message>
+        <source>the name of one of its tools</source>
+        <translation>le nom d'un de ses outils</translation>
+    </message>
+    <message>
+        <source>the name of one on the controller</source>
+        <translation>un nom défini sur le contrôleur</translation>
+    </message>
+    <message>
+        <source>the name of the entity whose surface is followed</source>
+        <translation>le nom de l'entité dont la surface est suivie</translation>
+    </message>
+    <message>
+        <source>the name of what it guides</source>
+        <translation>le nom de l'entité guidée</translation>
+    </message>
+    <message>
+        <source>the number of a frame, from 0</source>
+        <translation>le numéro d'une image, à partir de 0</translation>
+    </message>
+    <message>
+        <source>the number of the face's corners</source>
+        <translation>le nombre de coins de la face</translation>
+    </message>
+    <message>
+        <source>the numbers of vertices, faces and edges</source>
+        <translation>les nombres de sommets, de faces et d'arêtes</translation>
+    </message>
+    <message>
+        <source>the opening was cancelled</source>
+        <translation>l'ouverture a été annulée</translation>
+    </message>
+    <message>
+        <source>the order of turns '%1'</source>
+        <translation>l'ordre de rotation '%1'</translation>
+    </message>
+    <message>
+        <source>the package of %1 is not found by its name; the folder %2, which holds the rest of the path, is taken for it</source>
+        <translation>le paquet de %1 est introuvable par son nom ; le dossier %2, qui contient le reste du chemin, est pris à sa place</translation>
+    </message>
+    <message>
+        <source>the package's folder</source>
+        <translation>le dossier du paquet</translation>
+    </message>
+    <message>
+        <source>the pair set's name</source>
+        <translation>le nom du jeu de paires</translation>
+    </message>
+    <message>
+        <source>the parameter '%1'</source>
+        <translation>le paramètre '%1'</translation>
+    </message>
+    <message>
+        <source>the parameters state %1 points and the header %2, which fills the file</source>
+        <translation>les paramètres annoncent %1 points et l'en-tête %2, ce qui remplit le fichier</translation>
+    </message>
+    <message>
+        <source>the part that &lt;submesh&gt; names</source>
+        <translation>la pièce que cite &lt;submesh&gt;</translation>
+    </message>
+    <message>
+        <source>the parts cannot be written as STEP</source>
+        <translation>les pièces ne peuvent pas être écrites en STEP</translation>
+    </message>
+    <message>
+        <source>the place and its four postures</source>
+        <translation>l'emplacement et ses quatre postures</translation>
+    </message>
+    <message>
+        <source>the place and the joints of the workcell</source>
+        <translation>la pose et les axes de la cellule</translation>
     </message>
     <message>
         <source>the placements of the imported files</source>
         <translation>les places des fichiers importés</translation>
     </message>
     <message>
+        <source>the platform</source>
+        <translation>la plateforme</translation>
+    </message>
+    <message>
+        <source>the population is left out: a grid of no or more than 5000 models</source>
+        <translation>la population est omise : une grille vide ou de plus de 5000 modèles</translation>
+    </message>
+    <message>
+        <source>the population is left out: it has no region, or no or more than 5000 models</source>
+        <translation>la population est omise : elle n'a pas de région, ou aucun modèle, ou plus de 5000</translation>
+    </message>
+    <message>
+        <source>the pose '%1' has %2 numbers instead of %3; the others are taken as 0</source>
+        <translation>la pose '%1' a %2 nombres au lieu de %3 ; les autres sont pris égaux à 0</translation>
+    </message>
+    <message>
+        <source>the pose '%1' has a quaternion of length 0; no rotation is assumed</source>
+        <translation>la pose '%1' a un quaternion de longueur nulle ; l'absence de rotation est supposée</translation>
+    </message>
+    <message>
+        <source>the posture does not tell which axis is up (the person lies, or turns over); the file's y axis is taken, as BVH and ASF have it; --up says another</source>
+        <translation>la posture n'indique pas quel axe est vers le haut (la personne est allongée, ou se retourne) ; l'axe y du fichier est utilisé, comme en BVH et ASF ; --up en indique un autre</translation>
+    </message>
+    <message>
+        <source>the program</source>
+        <translation>le programme</translation>
+    </message>
+    <message>
+        <source>the program %1 could not be started: %2</source>
+        <translation>le programme %1 n'a pas pu être lancé : %2</translation>
+    </message>
+    <message>
+        <source>the program ffmpeg is not installed</source>
+        <translation>le programme ffmpeg n'est pas installé</translation>
+    </message>
+    <message>
+        <source>the property '%1' needs itself (%2)</source>
+        <translation>la propriété '%1' dépend d'elle-même (%2)</translation>
+    </message>
+    <message>
+        <source>the property '%1' with more than one of value, default and remove</source>
+        <translation>la propriété '%1' avec plus d'un parmi value, default et remove</translation>
+    </message>
+    <message>
+        <source>the reader refused it (%1)</source>
+        <translation>le lecteur l'a refusé (%1)</translation>
+    </message>
+    <message>
+        <source>the reading was cancelled</source>
+        <translation>la lecture a été annulée</translation>
+    </message>
+    <message>
+        <source>the result of '%1'</source>
+        <translation>le résultat de '%1'</translation>
+    </message>
+    <message>
+        <source>the right hand again in the same step</source>
+        <translation>de nouveau la main droite dans la même étape</translation>
+    </message>
+    <message>
+        <source>the robot file gives no speed</source>
+        <translation>le fichier du robot ne donne pas de vitesse</translation>
+    </message>
+    <message>
+        <source>the robot has no such joint</source>
+        <translation>le robot n'a pas d'axe de ce nom</translation>
+    </message>
+    <message>
+        <source>the robot has no tip</source>
+        <translation>le robot n'a pas d'extrémité</translation>
+    </message>
+    <message>
+        <source>the robot whose joints they are</source>
+        <translation>le robot auquel appartiennent ces axes</translation>
+    </message>
+    <message>
+        <source>the robot's base</source>
+        <translation>la base du robot</translation>
+    </message>
+    <message>
+        <source>the robot's place</source>
+        <translation>la position du robot</translation>
+    </message>
+    <message>
+        <source>the rods do not meet at the home position</source>
+        <translation>les barres ne se rejoignent pas à la position de repos</translation>
+    </message>
+    <message>
+        <source>the root element &lt;%1&gt;</source>
+        <translation>l'élément racine &lt;%1&gt;</translation>
+    </message>
+    <message>
+        <source>the rotation format '%1' is not known; roll, pitch, yaw is assumed</source>
+        <translation>le format de rotation '%1' est inconnu ; roulis, tangage, lacet est supposé</translation>
+    </message>
+    <message>
+        <source>the rule for '%1' and '%2' is left out: %3</source>
+        <translation>la règle pour '%1' et '%2' est ignorée : %3</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>les mêmes</translation>
+    </message>
+    <message>
+        <source>the scale of the points is %1 in the header and %2 in the parameters; the header's is taken</source>
+        <translation>l'échelle des points est de %1 dans l'en-tête et de %2 dans les paramètres ; celle de l'en-tête est utilisée</translation>
+    </message>
+    <message>
+        <source>the sign '%1'</source>
+        <translation>le caractère '%1'</translation>
+    </message>
+    <message>
+        <source>the sign '%1' in the expression</source>
+        <translation>le caractère '%1' dans l'expression</translation>
+    </message>
+    <message>
+        <source>the start of joint '%1' is no number</source>
+        <translation>la valeur initiale de l'axe '%1' n'est pas un nombre</translation>
+    </message>
+    <message>
+        <source>the surface is not closed, so the volume means little</source>
+        <translation>la surface n'est pas fermée, donc le volume n'est qu'indicatif</translation>
+    </message>
+    <message>
+        <source>the system gives no random numbers</source>
+        <translation>le système ne fournit pas de nombres aléatoires</translation>
+    </message>
+    <message>
+        <source>the tag %1</source>
+        <translation>l'étiquette %1</translation>
+    </message>
+    <message>
+        <source>the task's name</source>
+        <translation>le nom de la tâche</translation>
+    </message>
+    <message>
+        <source>the tool of '%1'</source>
+        <translation>l'outil de '%1'</translation>
+    </message>
+    <message>
         <source>the top level</source>
         <translation>le premier niveau</translation>
+    </message>
+    <message>
+        <source>the top of the head</source>
+        <translation>le sommet de la tête</translation>
+    </message>
+    <message>
+        <source>the trajectory does not say what moves</source>
+        <translation>la trajectoire ne dit pas ce qui bouge</translation>
+    </message>
+    <message>
+        <source>the trajectory's name</source>
+        <translation>le nom de la trajectoire</translation>
+    </message>
+    <message>
+        <source>the tree and the placements of the parts are not kept in this format</source>
+        <translation>ce format ne conserve ni l'arbre ni les placements des pièces</translation>
+    </message>
+    <message>
+        <source>the triangles face inward, so the volume is negative</source>
+        <translation>les triangles sont tournés vers l'intérieur, donc le volume est négatif</translation>
+    </message>
+    <message>
+        <source>the triangles face inward; they are checked and felt as facing outward</source>
+        <translation>les triangles sont tournés vers l'intérieur ; ils sont contrôlés et ressentis comme tournés vers l'extérieur</translation>
+    </message>
+    <message>
+        <source>the triangles of %1 bodies face inward; they are checked and felt as facing outward</source>
+        <translation>les triangles de %1 corps sont tournés vers l'intérieur ; ils sont contrôlés et ressentis comme tournés vers l'extérieur</translation>
+    </message>
+    <message>
+        <source>the unit '%1'</source>
+        <translation>l'unité '%1'</translation>
+    </message>
+    <message>
+        <source>the unit '%1' is cut; taken as %2</source>
+        <translation>l'unité '%1' est tronquée ; lue comme %2</translation>
+    </message>
+    <message>
+        <source>the unit '%1' is not known; millimetres are assumed</source>
+        <translation>l'unité '%1' n'est pas connue ; le millimètre est supposé</translation>
+    </message>
+    <message>
+        <source>the upper joint of leg %1</source>
+        <translation>l'articulation supérieure de la jambe %1</translation>
+    </message>
+    <message>
+        <source>the user frame %1</source>
+        <translation>le repère utilisateur %1</translation>
+    </message>
+    <message>
+        <source>the whole number %1</source>
+        <translation>le nombre entier %1</translation>
+    </message>
+    <message>
+        <source>the work object '%1'</source>
+        <translation>l'objet de travail '%1'</translation>
+    </message>
+    <message>
+        <source>the work object of which the file has no value</source>
+        <translation>l'objet de travail dont le fichier n'a pas de valeur</translation>
+    </message>
+    <message>
+        <source>the wrists have one marker; the forearms are taken to be neither pronated nor supinated</source>
+        <translation>les poignets ont un seul marqueur ; les avant-bras sont supposés ni en pronation ni en supination</translation>
+    </message>
+    <message>
+        <source>there are no joints for the toes; feet follow their ankles</source>
+        <translation>il n'y a pas d'articulations pour les orteils ; les pieds suivent leurs chevilles</translation>
+    </message>
+    <message>
+        <source>there are no markers on the fingers; wrists are taken as straight</source>
+        <translation>il n'y a pas de marqueurs sur les doigts ; les poignets sont supposés droits</translation>
+    </message>
+    <message>
+        <source>there are no markers on the head; it follows the chest, and the neck's score with it</source>
+        <translation>il n'y a pas de marqueurs sur la tête ; elle suit le thorax, et le score du cou avec elle</translation>
+    </message>
+    <message>
+        <source>there are no markers on the heels; feet are taken as straight</source>
+        <translation>il n'y a pas de marqueurs sur les talons ; les pieds sont supposés droits</translation>
+    </message>
+    <message>
+        <source>there are no markers on the toes; feet are taken as straight</source>
+        <translation>il n'y a pas de marqueurs sur les orteils ; les pieds sont supposés droits</translation>
+    </message>
+    <message>
+        <source>there is a frame at %1 s</source>
+        <translation>il y a une image à %1 s</translation>
+    </message>
+    <message>
+        <source>there is no entity '%1'</source>
+        <translation>il n'y a pas d'entité '%1'</translation>
+    </message>
+    <message>
+        <source>there is no frame '%1'</source>
+        <translation>il n'y a pas de repère '%1'</translation>
+    </message>
+    <message>
+        <source>there is no frame '%1' to move it by</source>
+        <translation>il n'y a pas de repère '%1' pour la déplacer</translation>
+    </message>
+    <message>
+        <source>there is no joint '%1'</source>
+        <translation>il n'y a pas d'axe '%1'</translation>
+    </message>
+    <message>
+        <source>there is no joint for the neck; its base is taken midway between the collars</source>
+        <translation>il n'y a pas d'articulation pour le cou ; sa base est placée au milieu entre les clavicules</translation>
+    </message>
+    <message>
+        <source>there is no joint for the neck; its base is taken midway between the shoulders</source>
+        <translation>il n'y a pas d'articulation pour le cou ; sa base est placée au milieu entre les épaules</translation>
+    </message>
+    <message>
+        <source>there is no joint for the spine; the trunk is one piece</source>
+        <translation>il n'y a pas d'articulation pour la colonne ; le tronc est d'un seul tenant</translation>
+    </message>
+    <message>
+        <source>there is no link '%1'</source>
+        <translation>il n'y a pas de segment '%1'</translation>
+    </message>
+    <message>
+        <source>there is no moving joint '%1'</source>
+        <translation>il n'y a pas d'axe mobile '%1'</translation>
+    </message>
+    <message>
+        <source>there is no part '%1'</source>
+        <translation>il n'y a pas de pièce '%1'</translation>
+    </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>il n'y a pas d'image</translation>
+    </message>
+    <message>
+        <source>there is no row</source>
+        <translation>il n'y a aucune ligne</translation>
+    </message>
+    <message>
+        <source>there is no such entity</source>
+        <translation>cette entité n'existe pas</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n'existe pas</translation>
+    </message>
+    <message>
+        <source>there is no such key</source>
+        <translation>cette clé n'existe pas</translation>
+    </message>
+    <message>
+        <source>there is no such link</source>
+        <translation>ce segment n'existe pas</translation>
+    </message>
+    <message>
+        <source>there is no such mannequin</source>
+        <translation>ce mannequin n'existe pas</translation>
+    </message>
+    <message>
+        <source>there is no such part</source>
+        <translation>cette pièce n'existe pas</translation>
+    </message>
+    <message>
+        <source>there is none</source>
+        <translation>il n'y en a pas</translation>
+    </message>
+    <message>
+        <source>'%1' does not exist</source>
+        <translation>aucune ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for it</source>
+        <translation>la mémoire est insuffisante</translation>
+    </message>
+    <message>
+        <source>theta, d, a, alpha and types of one length, 1 to 16</source>
+        <translation>theta, d, a, alpha et types d'une même longueur, de 1 à 16</translation>
+    </message>
+    <message>
+        <source>they cannot be closed from the start; a gap of %1 is left</source>
+        <translation>elles ne peuvent pas être fermées depuis le départ ; il reste un écart de %1</translation>
+    </message>
+    <message>
+        <source>those of the first</source>
+        <translation>ceux du premier</translation>
+    </message>
+    <message>
+        <source>those of the first message</source>
+        <translation>ceux du premier message</translation>
+    </message>
+    <message>
+        <source>three coordinates</source>
+        <translation>trois coordonnées</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>trois nombres</translation>
+    </message>
+    <message>
+        <source>three numbers with '.' as decimal point</source>
+        <translation>trois nombres avec '.' comme séparateur décimal</translation>
+    </message>
+    <message>
+        <source>three numbers, metres</source>
+        <translation>trois nombres, en mètres</translation>
+    </message>
+    <message>
+        <source>three points of a circle</source>
+        <translation>trois points d'un cercle</translation>
+    </message>
+    <message>
+        <source>three, five, ... points of arcs</source>
+        <translation>trois, cinq, ... points d'arcs</translation>
+    </message>
+    <message>
+        <source>tick %1</source>
+        <translation>cycle %1</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>time %1</source>
+        <translation>temps %1</translation>
+    </message>
+    <message>
+        <source>time-optimal or constant-speed</source>
+        <translation>time-optimal ou constant-speed</translation>
     </message>
     <message>
         <source>times</source>
         <translation>fois</translation>
     </message>
     <message>
+        <source>times that increase</source>
+        <translation>des temps croissants</translation>
+    </message>
+    <message>
         <source>to device edge</source>
         <translation>jusqu'au bord</translation>
+    </message>
+    <message>
+        <source>too many brackets</source>
+        <translation>trop de parenthèses</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>outil</translation>
     </message>
     <message>
         <source>touches %1</source>
@@ -8431,8 +16815,60 @@ Voulez-vous le remplacer ?</translation>
         <translation>apprenant</translation>
     </message>
     <message>
+        <source>trajectories</source>
+        <translation>trajectoires</translation>
+    </message>
+    <message>
+        <source>trajectory %1</source>
+        <translation>trajectoire %1</translation>
+    </message>
+    <message>
+        <source>trajectory '%1'</source>
+        <translation>trajectoire '%1'</translation>
+    </message>
+    <message>
+        <source>trajectory '%1' is not read: %2</source>
+        <translation>la trajectoire '%1' n'est pas lue : %2</translation>
+    </message>
+    <message>
+        <source>transfer: this exercise was not practised</source>
+        <translation>transfer : cet exercice n'a pas été pratiqué</translation>
+    </message>
+    <message>
+        <source>triangle %1 of %2</source>
+        <translation>triangle %1 sur %2</translation>
+    </message>
+    <message>
+        <source>triangles as of AP242</source>
+        <translation>des triangles selon AP242</translation>
+    </message>
+    <message>
+        <source>triangles at an edge of more than two faces, or turned over</source>
+        <translation>triangles à une arête de plus de deux faces, ou retournés</translation>
+    </message>
+    <message>
+        <source>triangles that are there twice, left out once in a workcell</source>
+        <translation>triangles en double, laissés de côté une fois dans une cellule</translation>
+    </message>
+    <message>
+        <source>triangles without area, left out in a workcell</source>
+        <translation>triangles d'aire nulle, laissés de côté dans une cellule</translation>
+    </message>
+    <message>
         <source>trimmed</source>
         <translation>rogné</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>true, false, or a number</source>
+        <translation>true, false ou un nombre</translation>
+    </message>
+    <message>
+        <source>true, or false for a motion of joints</source>
+        <translation>true, ou false pour un mouvement d'axes</translation>
     </message>
     <message>
         <source>trunk free</source>
@@ -8443,8 +16879,68 @@ Voulez-vous le remplacer ?</translation>
         <translation>tronc bloqué</translation>
     </message>
     <message>
+        <source>trunk, feet or pelvis</source>
+        <translation>trunk, feet ou pelvis</translation>
+    </message>
+    <message>
+        <source>trunk, feet, pelvis, seat or none</source>
+        <translation>trunk, feet, pelvis, seat ou none</translation>
+    </message>
+    <message>
         <source>turn on</source>
         <translation>mettre en marche</translation>
+    </message>
+    <message>
+        <source>two columns '%1'</source>
+        <translation>deux colonnes '%1'</translation>
+    </message>
+    <message>
+        <source>two documents, or one with --since-import</source>
+        <translation>deux documents, ou un seul avec --since-import</translation>
+    </message>
+    <message>
+        <source>two entities</source>
+        <translation>deux entités</translation>
+    </message>
+    <message>
+        <source>two joints that turn in a fixed ratio</source>
+        <translation>deux articulations qui tournent dans un rapport fixe</translation>
+    </message>
+    <message>
+        <source>two numbers</source>
+        <translation>deux nombres</translation>
+    </message>
+    <message>
+        <source>two numbers or two texts</source>
+        <translation>deux nombres ou deux textes</translation>
+    </message>
+    <message>
+        <source>two numbers, or none at all</source>
+        <translation>deux nombres, ou aucun</translation>
+    </message>
+    <message>
+        <source>two or more</source>
+        <translation>deux ou plus</translation>
+    </message>
+    <message>
+        <source>two parts</source>
+        <translation>deux pièces</translation>
+    </message>
+    <message>
+        <source>two points</source>
+        <translation>deux points</translation>
+    </message>
+    <message>
+        <source>two positions</source>
+        <translation>deux positions</translation>
+    </message>
+    <message>
+        <source>two root links, '%1' (%2) and '%3'</source>
+        <translation>deux segments racines, '%1' (%2) et '%3'</translation>
+    </message>
+    <message>
+        <source>undefined substitution argument %1</source>
+        <translation>argument de substitution %1 non défini</translation>
     </message>
     <message>
         <source>under 1 s</source>
@@ -8455,16 +16951,124 @@ Voulez-vous le remplacer ?</translation>
         <translation>annulé</translation>
     </message>
     <message>
+        <source>unexpected error: %1</source>
+        <translation>erreur inattendue : %1</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unité</translation>
+    </message>
+    <message>
+        <source>unlimited</source>
+        <translation>illimitée</translation>
+    </message>
+    <message>
         <source>up</source>
         <translation>haut</translation>
+    </message>
+    <message>
+        <source>up is %1, as given</source>
+        <translation>le haut est %1, comme demandé</translation>
+    </message>
+    <message>
+        <source>up is %1, as given; the body stands along %2</source>
+        <translation>le haut est %1, comme demandé ; le corps se tient selon %2</translation>
+    </message>
+    <message>
+        <source>up is %1, as given; the file says %2</source>
+        <translation>le haut est %1, comme demandé ; le fichier indique %2</translation>
+    </message>
+    <message>
+        <source>up is %1, as given; the head is over the feet along %2</source>
+        <translation>le haut est %1, comme demandé ; la tête est au-dessus des pieds selon %2</translation>
+    </message>
+    <message>
+        <source>up is %1: the head is over the feet along it</source>
+        <translation>le haut est %1 : la tête est au-dessus des pieds selon cet axe</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>upper</translation>
+    </message>
+    <message>
+        <source>usb </source>
+        <translation>usb </translation>
+    </message>
+    <message>
+        <source>valid SDF</source>
+        <translation>du SDF valide</translation>
+    </message>
+    <message>
+        <source>valid poses, finite numbers</source>
+        <translation>des poses valides, des nombres finis</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>version %1</translation>
+    </message>
+    <message>
+        <source>vertex %1 of %2</source>
+        <translation>sommet %1 sur %2</translation>
+    </message>
+    <message>
+        <source>vertex index %1</source>
+        <translation>indice de sommet %1</translation>
+    </message>
+    <message>
+        <source>vertex number %1</source>
+        <translation>numéro de sommet %1</translation>
+    </message>
+    <message>
+        <source>vertex with %1</source>
+        <translation>sommet avec %1</translation>
+    </message>
+    <message>
+        <source>vertex with the coordinate %1</source>
+        <translation>sommet avec la coordonnée %1</translation>
+    </message>
+    <message>
+        <source>w, x, y, z of length 1</source>
+        <translation>w, x, y, z de norme 1</translation>
+    </message>
+    <message>
+        <source>well-formed XML</source>
+        <translation>du XML bien formé</translation>
+    </message>
+    <message>
+        <source>what has no triangles</source>
+        <translation>ce qui n'a pas de triangles</translation>
+    </message>
+    <message>
+        <source>what is no YAML (%1)</source>
+        <translation>un texte qui n'est pas du YAML (%1)</translation>
+    </message>
+    <message>
+        <source>what only you (and root) may write</source>
+        <translation>ce que vous seul (et root) pouvez écrire</translation>
     </message>
     <message>
         <source>what the motion moves</source>
         <translation>ce que le mouvement déplace</translation>
     </message>
     <message>
+        <source>what was packed</source>
+        <translation>ce qui a été archivé</translation>
+    </message>
+    <message>
         <source>where it is held</source>
         <translation>là où elle est tenue</translation>
+    </message>
+    <message>
+        <source>where the points begin is not said twice alike; they are read from byte %1 on</source>
+        <translation>le début des points n'est pas indiqué deux fois de la même façon ; ils sont lus à partir de l'octet %1</translation>
+    </message>
+    <message>
+        <source>whole seconds and nanoseconds</source>
+        <translation>des secondes et nanosecondes entières</translation>
+    </message>
+    <message>
+        <source>whole, left_hand, right_hand, both_hands, head or self_origin</source>
+        <translation>whole, left_hand, right_hand, both_hands, head ou self_origin</translation>
     </message>
     <message>
         <source>with a dwell</source>
@@ -8491,16 +17095,48 @@ Voulez-vous le remplacer ?</translation>
         <translation>sans une plage</translation>
     </message>
     <message>
+        <source>workspace_min and workspace_max</source>
+        <translation>workspace_min et workspace_max</translation>
+    </message>
+    <message>
         <source>worst RULA %1 (P5 woman %2, P50 woman %3, P50 man %4, P95 man %5).</source>
         <translation>pire RULA %1 (femme P5 %2, femme P50 %3, homme P50 %4, homme P95 %5).</translation>
+    </message>
+    <message>
+        <source>write the path in metres from the middle of the device's workspace</source>
+        <translation>Écrivez le trajet en mètres depuis le centre de l'espace de travail du périphérique.</translation>
+    </message>
+    <message>
+        <source>x, y and z</source>
+        <translation>x, y et z</translation>
+    </message>
+    <message>
+        <source>x, y or z</source>
+        <translation>x, y ou z</translation>
+    </message>
+    <message>
+        <source>x, y or z: the plane's normal</source>
+        <translation>x, y ou z : la normale du plan</translation>
     </message>
     <message>
         <source>x, y, z</source>
         <translation>x, y, z</translation>
     </message>
     <message>
+        <source>x, y, z, -x, -y or -z</source>
+        <translation>x, y, z, -x, -y ou -z</translation>
+    </message>
+    <message>
+        <source>x,y,z,qw,qx,qy,qz</source>
+        <translation>x,y,z,qw,qx,qy,qz</translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>oui</translation>
+    </message>
+    <message>
+        <source>zfill(%1)</source>
+        <translation>zfill(%1)</translation>
     </message>
     <message>
         <source>°</source>
@@ -8522,12 +17158,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 %2 à %3</translation>
     </message>
     <message>
+        <source>%1 fields</source>
+        <translation>%1 champs</translation>
+    </message>
+    <message>
         <source>%1 gives %2</source>
         <translation>%1 donne %2</translation>
     </message>
     <message>
         <source>%1 points</source>
         <translation>%1 points</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels</source>
+        <translation>%1 x %2 pixels</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -8542,8 +17190,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 ; montrée à %2 s</translation>
     </message>
     <message>
+        <source>.pdf, .html, .csv or .json</source>
+        <translation>.pdf, .html, .csv ou .json</translation>
+    </message>
+    <message>
+        <source>0 to 120 a minute</source>
+        <translation>0 à 120 par minute</translation>
+    </message>
+    <message>
+        <source>0 to 180 degrees</source>
+        <translation>0 à 180 degrés</translation>
+    </message>
+    <message>
+        <source>0 to 2 m</source>
+        <translation>0 à 2 m</translation>
+    </message>
+    <message>
+        <source>0 to 200 kg</source>
+        <translation>0 à 200 kg</translation>
+    </message>
+    <message>
+        <source>0 to 24 hours</source>
+        <translation>0 à 24 heures</translation>
+    </message>
+    <message>
         <source>1.3.6, posture outline only</source>
         <translation>1.3.6, esquisse de la posture</translation>
+    </message>
+    <message>
+        <source>15 a minute at most, fewer in longer shifts</source>
+        <translation>15 par minute au plus, moins pour un poste plus long</translation>
     </message>
     <message>
         <source>Acceptable</source>
@@ -8586,6 +17262,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>À changer bientôt</translation>
     </message>
     <message>
+        <source>Change that task first.</source>
+        <translation>Modifiez d'abord cette tâche.</translation>
+    </message>
+    <message>
         <source>Condition</source>
         <translation>Condition</translation>
     </message>
@@ -8624,6 +17304,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Joint angles</source>
         <translation>Angles des articulations</translation>
+    </message>
+    <message>
+        <source>Judge the task with another method, e.g. RULA, REBA or EN 1005-2.</source>
+        <translation>Évaluez la tâche avec une autre méthode, par exemple RULA, REBA ou EN 1005-2.</translation>
     </message>
     <message>
         <source>Level</source>
@@ -8734,6 +17418,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Origine de la posture : %1</translation>
     </message>
     <message>
+        <source>Spread the tasks over the day.</source>
+        <translation>Répartissez les tâches sur la journée.</translation>
+    </message>
+    <message>
         <source>Standards and editions: %1</source>
         <translation>Normes et éditions : %1</translation>
     </message>
@@ -8756,6 +17444,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The %1 scores %2: %3.</source>
         <translation>Cause : %1, note %2 (%3).</translation>
+    </message>
+    <message>
+        <source>The equation covers shifts of up to 8 h.</source>
+        <translation>L'équation couvre des postes de 8 h au plus.</translation>
     </message>
     <message>
         <source>The score is partial: not entered: %1.</source>
@@ -8784,6 +17476,42 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Zones by part</source>
         <translation>Zones par partie</translation>
+    </message>
+    <message>
+        <source>a PNG file</source>
+        <translation>un fichier PNG</translation>
+    </message>
+    <message>
+        <source>a column limit_n in newtons</source>
+        <translation>une colonne limit_n en newtons</translation>
+    </message>
+    <message>
+        <source>a force in newtons</source>
+        <translation>une force en newtons</translation>
+    </message>
+    <message>
+        <source>a force over 0 and up to 5000 N</source>
+        <translation>une force supérieure à 0 et d'au plus 5000 N</translation>
+    </message>
+    <message>
+        <source>a motion</source>
+        <translation>un mouvement</translation>
+    </message>
+    <message>
+        <source>a report that can be drawn</source>
+        <translation>un rapport qui peut être dessiné</translation>
+    </message>
+    <message>
+        <source>a smooth two-handed lift, standing</source>
+        <translation>un levage régulier à deux mains, debout</translation>
+    </message>
+    <message>
+        <source>a task whose recommended weight limit is 0</source>
+        <translation>une tâche dont le poids limite recommandé est 0</translation>
+    </message>
+    <message>
+        <source>a value of the task's data</source>
+        <translation>une valeur des données de la tâche</translation>
     </message>
     <message>
         <source>abducted</source>
@@ -8820,6 +17548,22 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>as early as possible</source>
         <translation>dès que possible</translation>
+    </message>
+    <message>
+        <source>at least one lifting task</source>
+        <translation>au moins une tâche de levage</translation>
+    </message>
+    <message>
+        <source>at least one limit below the names</source>
+        <translation>au moins une limite sous les noms</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>at most 8192 either way</source>
+        <translation>au plus 8192 dans chaque sens</translation>
     </message>
     <message>
         <source>at once</source>
@@ -8886,6 +17630,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>détermine</translation>
     </message>
     <message>
+        <source>each column once</source>
+        <translation>chaque colonne une seule fois</translation>
+    </message>
+    <message>
         <source>elbow</source>
         <translation>coude</translation>
     </message>
@@ -8914,6 +17662,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>effort, corps</translation>
     </message>
     <message>
+        <source>frames</source>
+        <translation>images</translation>
+    </message>
+    <message>
         <source>from being seated</source>
         <translation>pour être assis</translation>
     </message>
@@ -8924,6 +17676,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>good grip</source>
         <translation>bonne prise</translation>
+    </message>
+    <message>
+        <source>good, fair or poor: the equation knows no other</source>
+        <translation>bonne, moyenne ou mauvaise : l'équation n'en connaît pas d'autre</translation>
     </message>
     <message>
         <source>grip</source>
@@ -8956,6 +17712,26 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>high</source>
         <translation>élevé</translation>
+    </message>
+    <message>
+        <source>it cannot be read as a picture</source>
+        <translation>il ne peut pas être lu comme une image</translation>
+    </message>
+    <message>
+        <source>it ends before it begins</source>
+        <translation>la fin précède le début</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>valeur vide</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>colonne absente</translation>
+    </message>
+    <message>
+        <source>it stands there twice</source>
+        <translation>présent deux fois</translation>
     </message>
     <message>
         <source>kneeling</source>
@@ -9006,12 +17782,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>torsion du poignet gauche</translation>
     </message>
     <message>
+        <source>left, right or any</source>
+        <translation>left, right ou any</translation>
+    </message>
+    <message>
         <source>legs</source>
         <translation>jambes</translation>
     </message>
     <message>
         <source>lifts a minute</source>
         <translation>levages par minute</translation>
+    </message>
+    <message>
+        <source>limit_n, and as wanted hand, height_from_m ...</source>
+        <translation>limit_n et, au choix, hand, height_from_m ...</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>line %1, %2</source>
+        <translation>ligne %1, %2</translation>
     </message>
     <message>
         <source>line of sight</source>
@@ -9054,8 +17846,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>moyen</translation>
     </message>
     <message>
+        <source>metres, 0 or more</source>
+        <translation>des mètres, 0 ou plus</translation>
+    </message>
+    <message>
         <source>mid range</source>
         <translation>mi-course</translation>
+    </message>
+    <message>
+        <source>more than height_from_m</source>
+        <translation>plus que height_from_m</translation>
+    </message>
+    <message>
+        <source>more than reach_from_m</source>
+        <translation>plus que reach_from_m</translation>
     </message>
     <message>
         <source>muscle use, arm</source>
@@ -9084,6 +17888,22 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no</source>
         <translation>non</translation>
+    </message>
+    <message>
+        <source>no ending</source>
+        <translation>pas d'extension</translation>
+    </message>
+    <message>
+        <source>no line of names</source>
+        <translation>pas de ligne de noms</translation>
+    </message>
+    <message>
+        <source>no row</source>
+        <translation>aucune ligne de valeurs</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
     </message>
     <message>
         <source>normal</source>
@@ -9266,6 +18086,42 @@ Voulez-vous le remplacer ?</translation>
         <translation>soutenu</translation>
     </message>
     <message>
+        <source>task %1</source>
+        <translation>tâche %1</translation>
+    </message>
+    <message>
+        <source>task %1, %2</source>
+        <translation>tâche %1, %2</translation>
+    </message>
+    <message>
+        <source>tasks</source>
+        <translation>tâches</translation>
+    </message>
+    <message>
+        <source>tasks that may be done at all</source>
+        <translation>des tâches réalisables</translation>
+    </message>
+    <message>
+        <source>the ending %1</source>
+        <translation>l'extension %1</translation>
+    </message>
+    <message>
+        <source>the lifting equation is not valid for this</source>
+        <translation>l'équation de levage ne s'applique pas à ce cas</translation>
+    </message>
+    <message>
+        <source>there is no column of this name</source>
+        <translation>il n'y a pas de colonne de ce nom</translation>
+    </message>
+    <message>
+        <source>together more lifts a minute than the table covers</source>
+        <translation>en tout, plus de levages par minute que la table n'en couvre</translation>
+    </message>
+    <message>
+        <source>too many rows</source>
+        <translation>trop de lignes</translation>
+    </message>
+    <message>
         <source>trunk</source>
         <translation>tronc</translation>
     </message>
@@ -9312,6 +18168,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>twisted or bent sideways</source>
         <translation>tourné ou incliné de côté</translation>
+    </message>
+    <message>
+        <source>unacceptable</source>
+        <translation>inacceptable</translation>
     </message>
     <message>
         <source>up to 10 kg</source>

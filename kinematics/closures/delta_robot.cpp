@@ -199,7 +199,7 @@ Expected<RobotModel> buildDelta(const std::string& name, const DeltaGeometry& ge
   for (const double length : {geometry.base_radius, geometry.upper_arm, geometry.lower_arm, geometry.platform_radius}) {
     if (!(length > 0.0) || !std::isfinite(length))
       return makeError({.place = place,
-                        .found = "a length that is none",
+                        .found = "an invalid length",
                         .expected = "base_radius, upper_arm, lower_arm and platform_radius above 0"});
   }
   if (joints.size() != 3 && joints.size() != 4)

@@ -62,7 +62,7 @@ Expected<std::unique_ptr<NumericInverse>> NumericInverse::create(const RobotMode
                                                                  const Pose& X_LT, double lever_m) {
   HAPTICELL_DEMAND(lever_m > 0.0);
   if (!X_LT.isValid())
-    return makeError({.place = "tool", .found = "a pose that is none", .expected = "finite numbers, within 1e12 m"});
+    return makeError({.place = "tool", .found = "an invalid pose", .expected = "finite numbers, within 1e12 m"});
   auto chain = Chain::create(model, tip_link, X_LT);
   HAPTICELL_TRY(chain);
   return std::unique_ptr<NumericInverse>(new NumericInverse(std::move(*chain), model.dof(), lever_m));

@@ -159,7 +159,7 @@ Expected<MotionReplay> MotionReplay::create(const std::vector<std::shared_ptr<co
                                             const std::vector<double>& start) {
   const auto found = std::find_if(entities.begin(), entities.end(), [&](const auto& e) { return e->name == name; });
   if (found == entities.end())
-    return makeError(replayRefusal(Text("entity"), Text("there is none called '%1'", name), Text("one of the cell")));
+    return makeError(replayRefusal(Text("entity"), Text("'%1' does not exist", name), Text("one of the cell")));
   if (trajectory->empty()) return makeError(replayRefusal(Text("frames"), Text("none"), Text("a motion")));
   auto columns = jointColumns(**found, *trajectory);
   HAPTICELL_TRY(columns);

@@ -112,8 +112,8 @@ inline UpAxis chosenUp(MarkerClip& clip, std::optional<UpAxis> told, const std::
   const auto warn = [&](Text text) { clip.warnings.push_back(std::move(text)); };
   if (told) {
     if ((seen && *seen != *told) || (!seen && said && *said != *told))
-      warn(seen ? Text("up is %1, as told; the body stands along %2", axisWord(*told), axisWord(*seen))
-                : Text("up is %1, as told; the file says %2", axisWord(*told), axisWord(*said)));
+      warn(seen ? Text("up is %1, as given; the body stands along %2", axisWord(*told), axisWord(*seen))
+                : Text("up is %1, as given; the file says %2", axisWord(*told), axisWord(*said)));
     return *told;
   }
   if (seen && said && *seen != *said) {

@@ -33,9 +33,9 @@ UpAxis upOf(const MotionClip& clip, const ClipMap& map, const MotionReading& rea
   const std::optional<UpAxis> seen = upAxisOf(upwardsOf(clip, map));
   const auto axis = [](UpAxis up) { return Text("the file's %1 axis", nameOf(up)); };
   if (reading.up) {
-    assumptions.push_back(seen && *seen != *reading.up ? Text("up is %1, as told; the head is over the feet along %2",
+    assumptions.push_back(seen && *seen != *reading.up ? Text("up is %1, as given; the head is over the feet along %2",
                                                               axis(*reading.up), axis(*seen))
-                                                       : Text("up is %1, as told", axis(*reading.up)));
+                                                       : Text("up is %1, as given", axis(*reading.up)));
     return *reading.up;
   }
   if (seen) {

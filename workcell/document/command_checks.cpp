@@ -149,7 +149,7 @@ Expected<void> checkProperties(const Entity& entity) {
         {.place = quotedName(entity.name), .found = "a colour out of range", .expected = "parts from 0 to 1"});
   if (!(entity.mass > 0.0) || !std::isfinite(entity.mass)) {
     return makeError(
-        {.place = quotedName(entity.name), .found = "a mass that is none", .expected = "kilograms above 0"});
+        {.place = quotedName(entity.name), .found = "an invalid mass", .expected = "kilograms above 0"});
   }
   return {};
 }

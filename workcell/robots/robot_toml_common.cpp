@@ -49,7 +49,7 @@ void RobotTomlCommon::readLook() {
   look.readWord("style", {"arm", "cobot", "scara", "gantry", "none"}, style);
   style_ = static_cast<BodyStyle>(style + 1);
   for (const double r : look_.radius) {
-    if (!(r > 0.0)) look.failKey("radius", Text("a radius that is none"), Text("lengths above 0"));
+    if (!(r > 0.0)) look.failKey("radius", Text("an invalid radius"), Text("lengths above 0"));
   }
   look.refuseOthers();
 }

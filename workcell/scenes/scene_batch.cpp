@@ -18,7 +18,7 @@ constexpr std::size_t kHead = 1 + sizeof(std::uint64_t);
 
 Error errorOf(const BatchEntry& entry, const std::string& file) {
   Error error = unpackedError(entry.content)
-                    .value_or(Error{.found = "an answer of the importer that is none", .expected = "an error"});
+                    .value_or(Error{.found = "an invalid answer of the importer", .expected = "an error"});
   error.file = file;
   return error;
 }
@@ -50,7 +50,7 @@ std::string batchBytes(const std::vector<BatchEntry>& entries) {
 }
 
 Expected<std::vector<BatchEntry>> batchFromBytes(std::string_view bytes, std::size_t count) {
-  const Error fault{.found = "an answer of the importer that is none", .expected = "as many scenes as files"};
+  const Error fault{.found = "an invalid answer of the importer", .expected = "as many scenes as files"};
   std::vector<BatchEntry> entries;
   while (entries.size() < count && bytes.size() >= kHead) {
     std::uint64_t size = 0;

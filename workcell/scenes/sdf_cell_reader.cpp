@@ -120,7 +120,7 @@ class CellReader {
     }
     const Pose result = toPose(X);
     if (result.isValid()) return result;
-    scene_.warnings.push_back(Text("'%1': its pose is none; it stands at the body above", name));
+    scene_.warnings.push_back(Text("'%1': invalid pose; it is placed at the body above", name));
     return {};
   }
 

@@ -83,7 +83,7 @@ class SdfModelReader {
       const sdf::Model& inside = *model.ModelByIndex(k);
       ignition::math::Pose3d X;
       if (const auto errors = inside.SemanticPose().Resolve(X, "__model__"); !errors.empty())
-        return makeError(refusal(Text("model '%1'", inside.Name()), firstOf(errors), Text("a pose that can be told")));
+        return makeError(refusal(Text("model '%1'", inside.Name()), firstOf(errors), Text("a known pose")));
       if (auto added = addModel(inside, scope + inside.Name() + "::", X_MN * toPose(X)); !added) return added;
     }
     for (std::uint64_t k = 0; k < model.JointCount(); ++k) {
@@ -98,7 +98,7 @@ class SdfModelReader {
     if (!mesh) return;
     ignition::math::Pose3d pose;
     if (const auto errors = shape.SemanticPose().Resolve(pose, link.Name()); !errors.empty()) {
-      diagnostics_.warn(Text("%1: link '%2': a shape is left out, for its place cannot be told: %3", file_.string(),
+      diagnostics_.warn(Text("%1: link '%2': a shape is left out, because its placement is unknown: %3", file_.string(),
                              link.Name(), firstOf(errors)));
       return;
     }
@@ -114,7 +114,7 @@ class SdfModelReader {
     link.link.name = scope + source.Name();
     ignition::math::Pose3d pose;
     if (const auto errors = source.SemanticPose().Resolve(pose, "__model__"); !errors.empty())
-      return makeError(refusal(Text("link '%1'", source.Name()), firstOf(errors), Text("a pose that can be told")));
+      return makeError(refusal(Text("link '%1'", source.Name()), firstOf(errors), Text("a known pose")));
     link.X_ML = X_MN * toPose(pose);
     if (!link.X_ML.isValid())
       return makeError(
@@ -175,7 +175,7 @@ class SdfModelReader {
           Text("a link of it")));
     ignition::math::Pose3d pose;
     if (const auto errors = source.SemanticPose().Resolve(pose, "__model__"); !errors.empty())
-      return makeError(refusal(place, firstOf(errors), Text("a pose that can be told")));
+      return makeError(refusal(place, firstOf(errors), Text("a known pose")));
     joint.X_MJ = Pose::translation((X_MN * toPose(pose)).p);  // Axes are asked for in the model's frame.
     return addTyped(source, joint, scope, X_MN, place);
   }

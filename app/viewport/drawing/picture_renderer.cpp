@@ -47,7 +47,7 @@ Expected<PictureRenderer> PictureRenderer::make() {
     return makeError({.place = "drawing",
                       .found = "no OpenGL 3.3 on this display",
                       .expected = "a display with OpenGL 3.3 core",
-                      .fix = "Start it on a desktop, or under xvfb-run where there is none."});
+                      .fix = "Start it on a desktop, or under xvfb-run."});
   }
   context->context.doneCurrent();
   return PictureRenderer(std::move(context));

@@ -144,7 +144,7 @@ TEST(SimulatedHand, ItsIntentGoesFromWhereItIsToItsGoalNoFasterThanAHand) {
   invalid.p.x = std::nan("");
   hand.hold(invalid);
   hand.beginTick(Pose::translation({0.5, 0.0, 0.0}), 0.001);
-  EXPECT_NEAR(hand.intentAt(0.0005).X_DH.p.x, 0.5, 1e-9) << "a pose that is none is ignored";
+  EXPECT_NEAR(hand.intentAt(0.0005).X_DH.p.x, 0.5, 1e-9) << "an invalid pose is ignored";
   hand.release();
   EXPECT_FALSE(hand.holding());
   EXPECT_LT(HandOptions::loose().damping, HandOptions::firm().damping);

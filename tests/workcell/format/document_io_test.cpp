@@ -213,7 +213,7 @@ TEST(DocumentText, NamesEntityAndKeyOfABadValue) {
   EXPECT_THAT(refused(document(ball + R"("visible": 3})")),
               HasSubstr("entity 'ball', \"visible\": 3; expected true or false"));
   EXPECT_THAT(refused(document(ball + R"("mass": "x"})")), HasSubstr("\"mass\""));
-  EXPECT_THAT(refused(document(ball + R"("mass": -1})")), HasSubstr("a mass that is none"));
+  EXPECT_THAT(refused(document(ball + R"("mass": -1})")), HasSubstr("an invalid mass"));
   EXPECT_THAT(refused(document(ball + R"("placement": {"quaternion": [2, 0, 0, 0]}})")), HasSubstr("of length 1"));
   EXPECT_THAT(refused(document(ball + R"("placement": {"position": [2, 0]}})")), HasSubstr("3 numbers"));
   EXPECT_THAT(refused(document(ball + R"("placement": {"position": [0, -1e200, 0]}})")), HasSubstr("at most 1e12"));

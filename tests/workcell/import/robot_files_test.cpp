@@ -62,7 +62,7 @@ TEST(RobotToml, FaultsAreToldInOneSentenceWithFileAndLine) {
       {kHead + kOpw + "c9 = 4\n" + kSix, "'c9', which is not known"},
       {kHead + kOpw + six_short, "2 numbers in lower"},
       {kHead + kOpw + reversed, "'joint_2' has its lower limit over the upper"},
-      {kHead + kOpw + "signs = [1, 1, 1, 1, 1, 2]\n" + kSix, "signs that are none"},
+      {kHead + kOpw + "signs = [1, 1, 1, 1, 1, 2]\n" + kSix, "invalid signs"},
       {kHead + "[[chain]]\naxis = [0, 0, 0]\n" + one, "an axis of length zero"},
       {kHead + "[[chain]]\ntype = \"helical\"\n" + one, "type = \"helical\""},
       {kHead + "[dh]\nconvention = \"mine\"\nd = [1]\na = [1]\nalpha = [1]\n" + one, "one of standard, modified"},

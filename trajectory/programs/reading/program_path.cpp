@@ -180,8 +180,8 @@ void ProgramPath::missTarget(std::size_t line, const Text& why) {
 
 void ProgramPath::noteMissed() {
   for (const auto& [line, why] : missed_)
-    noteLine(line, targets_.empty() ? Text("left out, as it comes before the first known target: %1.", why)
-                                    : Text("left out, as it comes behind the last known target: %1.", why));
+    noteLine(line, targets_.empty() ? Text("left out, because it is before the first known target: %1.", why)
+                                    : Text("left out, because it is after the last known target: %1.", why));
   missed_.clear();
 }
 
