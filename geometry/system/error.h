@@ -22,7 +22,7 @@ struct Error {
   /// In English, in one line: "FILE, PLACE: FOUND; expected EXPECTED. FIX"; parts that are empty are left out. The
   /// window shows errors by shownText() (app/style/library_text.h).
   std::string message() const;
-  /// The same as a text, for a place of another text.
+  /// The same as a text, for a remark or as what another error found. Foreign words in it are as they came.
   Text text() const;
 };
 
