@@ -103,7 +103,7 @@ std::vector<JointData> RobotTomlCommon::jointData(const std::vector<bool>& slide
 void RobotTomlCommon::failWith(const Error& cause, const toml::node* at) {
   if (error_) return;
   Error plain = cause;
-  plain.fix.clear();
+  plain.fix = {};
   root_.fail(at, plain.text(), {}, cause.fix);
 }
 

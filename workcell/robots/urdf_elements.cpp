@@ -221,10 +221,11 @@ Expected<void> readLimits(const TiXmlElement& element, const UrdfLines& lines, U
   joint.joint.lower = *lower;
   joint.joint.upper = *upper;
   const bool crossed = *lower > *upper;
+  const std::string low = attributeOf(*limit, "lower"), high = attributeOf(*limit, "upper");
   if (crossed) {
     diagnostics.warn(Text(
         "%1: joint '%2' has its lower limit %3 over the upper %4; it is read as one without limits, as PyBullet does",
-        lines.words(limit->Row()), joint.joint.name, attributeOf(*limit, "lower"), attributeOf(*limit, "upper")));
+        lines.words(limit->Row()), joint.joint.name, low, high));
   }
   if (crossed || (std::isinf(*lower) && std::isinf(*upper))) makeEndless(joint.joint);
   return {};

@@ -211,7 +211,7 @@ Error tookTooLong(const ImporterCall& call, const Lines& lines, double seconds) 
   Error error =
       inFile(call, Text("not done after %1 s", text), Text("a file that is read in the time that its size allows"),
              Text("Export it again, or in another format; a file that is sound may be cut into parts."));
-  if (!lines.stage.empty()) error.place = Text::received(lines.stage, {});
+  if (!lines.stage.empty()) error.place = Text(lines.stage);
   return error;
 }
 
@@ -243,7 +243,7 @@ Error brokeDown(const ImporterCall& call, const Lines& lines, int status) {
   Error error =
       inFile(call, Text("content at which its reader breaks down"), Text("a sound file"),
              Text("Export it again, or in another format (STEP, glTF, STL), and without the part that is named."));
-  error.place = lines.stage.empty() ? Text("at its beginning") : Text::received(lines.stage, {});
+  error.place = lines.stage.empty() ? Text("at its beginning") : Text(lines.stage);
   return error;
 }
 

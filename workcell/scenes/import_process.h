@@ -31,11 +31,10 @@ struct ImporterCall {
 /// triangles than usual, and they have all the time of call.limits.
 void limitBySize(ImporterCall& call, std::uintmax_t bytes, bool finer);
 
-/// Runs the importer and gives what it left at kSceneDescriptor. Its lines are "progress SHARE STAGE", "error
-/// PLACE|FOUND|EXPECTED|FIX" (tab between the parts), "part NUMBER" before a part that may break it down, and at the
-/// end "done"; anything else ends it. Where it breaks down at a part it is run again without it ("--skip NUMBER"), a
-/// few times. It is killed when it is cancelled (within 0.1 s), when its time is up, and when the calling process dies.
-/// Blocks; any thread.
+/// Runs the importer and gives what it left at kSceneDescriptor. Its lines are "progress SHARE STAGE", "error ERROR"
+/// (an error as packed() makes it), "part NUMBER" before a part that may break it down, and at the end "done"; anything
+/// else ends it. Where it breaks down at a part it is run again without it ("--skip NUMBER"), a few times. It is killed
+/// when it is cancelled (within 0.1 s), when its time is up, and when the calling process dies. Blocks; any thread.
 Expected<std::string> callImporter(const ImporterCall& call);
 
 }  // namespace hapticell::workcell

@@ -34,8 +34,8 @@ class SceneBatch {
   std::map<std::string, Expected<ImportedScene>> known_;
 };
 
-/// What the importer's process leaves for several files: for each, in their order, a scene's bytes or the four parts of
-/// an error (place, found, expected, fix) with tabs between.
+/// What the importer's process leaves for several files: for each, in their order, a scene's bytes or an error
+/// as packed() makes it.
 struct BatchEntry {
   bool is_scene = false;
   std::string content;

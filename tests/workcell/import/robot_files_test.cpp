@@ -199,9 +199,7 @@ TEST(Sdf, AMeshFacesOutwardOrIsTold) {
     const auto& shapes = robot->model.links[0].collisions;
     ASSERT_EQ(shapes.size(), 1u);
     EXPECT_NEAR(geometry::massProperties(*shapes[0].mesh).volume, (inward ? -1.0 : 1.0) * 0.1 * 0.1 * 0.2 / 6.0, 1e-12);
-    const bool told = std::any_of(notes.warnings.begin(), notes.warnings.end(), [](const std::string& warning) {
-      return warning.find("part.stl: the triangles face inward") != std::string::npos;
-    });
+    const bool told = english(notes.warnings).find("part.stl: the triangles face inward") != std::string::npos;
     EXPECT_EQ(told, inward);
   }
 }
@@ -243,7 +241,7 @@ TEST(UrdfWithLoops, AnOpenDeltaIsSaidToBeOne) {
     Diagnostics notes;
     EXPECT_TRUE(readRobot(folder.write("d.urdf", head + legs + "</robot>"), notes));
     return std::count_if(notes.warnings.begin(), notes.warnings.end(),
-                         [](const std::string& note) { return note.find("loops are open") != std::string::npos; });
+                         [](const Text& note) { return english(note).find("loops are open") != std::string::npos; });
   };
   EXPECT_EQ(hints(leg(0, 3) + leg(1, 3) + leg(2, 3)), 1);
   EXPECT_EQ(hints(leg(0, 3) + leg(1, 3)), 0) << "two arms";
@@ -300,7 +298,7 @@ TEST(Srdf, GroupsPosesAndDisabledPairsComeFromTheFileBeside) {
   EXPECT_EQ(robot->model.disabled_pairs[0].reason, "Adjacent");
   EXPECT_EQ(kinematics::restPositions(robot->model), std::vector<double>{0.5});
   ASSERT_EQ(notes.warnings.size(), 1u);
-  EXPECT_NE(notes.warnings[0].find("ghost"), std::string::npos);
+  EXPECT_NE(english(notes.warnings[0]).find("ghost"), std::string::npos);
 }
 
 TEST(Srdf, AFaultNamesTheSrdf) {

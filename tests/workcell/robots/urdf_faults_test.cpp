@@ -115,7 +115,7 @@ TEST(UrdfFaults, TextThatIsNoUtf8IsReadAndTold) {
   const auto model = readUrdf(folder.write("latin.urdf", text), diagnostics);
   ASSERT_TRUE(model) << model.error().message();
   ASSERT_EQ(diagnostics.warnings.size(), 1u);
-  EXPECT_THAT(diagnostics.warnings[0], HasSubstr("line 2: text that is no UTF-8"));
+  EXPECT_THAT(english(diagnostics.warnings[0]), HasSubstr("line 2: text that is no UTF-8"));
 }
 
 TEST(UrdfFaults, NamesInLatin1KeepTheirAccents) {

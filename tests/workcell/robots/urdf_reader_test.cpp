@@ -136,8 +136,8 @@ TEST(UrdfReader, AMeshThatFacesInwardIsTold) {
         diagnostics);
     ASSERT_TRUE(model) << model.error().message();
     std::string told;
-    for (const std::string& warning : diagnostics.warnings) {
-      if (warning.find("face inward") != std::string::npos) told += warning;
+    for (const Text& warning : diagnostics.warnings) {
+      if (english(warning).find("face inward") != std::string::npos) told += english(warning);
     }
     EXPECT_EQ(told.find("inward.stl: the triangles face inward"), 0u) << told;
   }
@@ -160,7 +160,7 @@ TEST(UrdfReader, OneFileIsReadOnceAndUnreadableVisualsAreToldAndReplaced) {
   EXPECT_EQ(model->links[3].collisions.size(), 1u) << "without a collision shape the visual one is checked";
   EXPECT_TRUE(model->links[2].visuals.empty());
   std::string all;
-  for (const std::string& warning : diagnostics.warnings) all += warning + "\n";
+  for (const Text& warning : diagnostics.warnings) all += english(warning) + "\n";
   EXPECT_THAT(all, HasSubstr("the collision shape is shown instead for 'a', 'b'"));
   EXPECT_THAT(all, HasSubstr("not checked are 'c'"));
   EXPECT_THAT(all, HasSubstr("dae"));
@@ -174,7 +174,7 @@ TEST(UrdfReader, AMaterialDefinedNowhereIsGreyAndTold) {
   ASSERT_TRUE(model) << model.error().message();
   EXPECT_EQ(model->links[0].visuals.at(0).color, kinematics::LinkShape{}.color);
   ASSERT_EQ(diagnostics.warnings.size(), 1u);
-  EXPECT_THAT(diagnostics.warnings[0], HasSubstr("line 3: the material 'm'"));
+  EXPECT_THAT(english(diagnostics.warnings[0]), HasSubstr("line 3: the material 'm'"));
 }
 
 TEST(PackagePath, FindsPackagesByFolderByManifestAndByEnvironment) {

@@ -30,7 +30,7 @@ Read readFrom(const std::filesystem::path& file) {
   Diagnostics diagnostics;
   auto robot = readRobot(file, diagnostics);
   Read result;
-  for (const std::string& warning : diagnostics.warnings) result.said += warning + "\n";
+  for (const Text& warning : diagnostics.warnings) result.said += english(warning) + "\n";
   if (robot)
     result.model = std::move(robot->model);
   else

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "geometry/system/packed_text.h"
 #include "geometry/system/sanitizers.h"
 #include "tests/support/test_data.h"
 #include "workcell/scenes/import_process.h"
@@ -37,6 +38,9 @@ class FakeImporter : public ::testing::Test {
     return readScene(file, options, monitor);
   }
 
+  /// The shell command by which the importer says that error.
+  static std::string sayingError(const Error& error) { return "echo 'error " + packed(error) + "' >&4"; }
+
   test::TemporaryFolder folder_;
 };
 
@@ -60,7 +64,9 @@ TEST_F(FakeImporter, APartThatBreaksItDownIsLeftOut) {
     return all;
   };
   const auto scene = read(counted + R"(case "$*" in
-  *"--skip 2 --skip 5"*) echo 'error \tthe rest was read' >&4;;
+  *"--skip 2 --skip 5"*) )" +
+                          sayingError({.found = "the rest was read"}) +
+                          R"(;;
   *"--skip 2"*) echo part 5 >&4; kill -SEGV $$;;
   *) echo part 1 >&4; echo part 2 >&4; kill -SEGV $$;;
 esac)");
@@ -125,12 +131,14 @@ TEST_F(FakeImporter, CancellingKillsIt) {
 }
 
 TEST_F(FakeImporter, ItsOwnErrorIsPassedOn) {
-  const auto scene = read("printf 'error line 3\\ta thing\\tanother\\tMend it.\\n' >&4; exit 1");
+  const auto scene =
+      read(sayingError({.place = Text("line %1", 3), .found = "a thing", .expected = "another", .fix = "Repair it."}) +
+           "; exit 1");
   ASSERT_FALSE(scene);
-  EXPECT_EQ(scene.error().place, "line 3");
-  EXPECT_EQ(scene.error().found, "a thing");
-  EXPECT_EQ(scene.error().expected, "another");
-  EXPECT_EQ(scene.error().fix, "Mend it.");
+  EXPECT_EQ(scene.error().place, Text("line %1", 3));
+  EXPECT_EQ(english(scene.error().found), "a thing");
+  EXPECT_EQ(english(scene.error().expected), "another");
+  EXPECT_EQ(english(scene.error().fix), "Repair it.");
 }
 
 TEST_F(FakeImporter, RubbishInPlaceOfASceneIsRefused) {

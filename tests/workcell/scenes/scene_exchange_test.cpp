@@ -18,7 +18,7 @@ ImportedScene twoParts() {
   scene.metres_per_unit = 0.0254;
   scene.unit_is_stated = true;
   scene.up_axis = UpAxis::kY;
-  scene.warnings = {"one", ""};
+  scene.warnings = {"one", Text("two of %1", 3)};
   scene.meshes = {geometry::makeBox({1, 2, 3}), geometry::makeSphere(0.5, 8)};
   SceneNode root, part;
   root.name = "Gehäuse";

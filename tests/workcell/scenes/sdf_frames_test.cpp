@@ -175,7 +175,7 @@ TEST(SdfFrames, DrawnCellsStandWhereComposedPosesPutThem) {
     const auto file = folder.write("cell.sdf", cell.write());
     const auto scene = readSdfCell(file, nullptr);
     ASSERT_TRUE(scene) << scene.error().message();
-    EXPECT_TRUE(scene->warnings.empty()) << seed << ": " << scene->warnings.front();
+    EXPECT_TRUE(scene->warnings.empty()) << seed << ": " << english(scene->warnings);
     const std::vector<Pose> X_W = nodePoses(*scene);
     std::size_t found = 0;
     for (std::size_t k = 0; k < scene->nodes.size(); ++k) {
