@@ -36,7 +36,9 @@ bool Translator::loadLanguage(const QString& language) {
 }
 
 QString Translator::translate(const char*, const char* text, const char* meaning, int count) const {
-  const QString found = QTranslator::translate(kContext, text, meaning, count);
+  QString found = QTranslator::translate(kContext, text, meaning, count);
+  // What the folder mannequin/ergonomics reports has a context of its own, that of the reports.
+  if (found.isEmpty()) found = QTranslator::translate("Ergonomics", text, meaning, count);
   // A text is not said twice for each meaning that it happens to be marked with.
   return found.isEmpty() && meaning ? QTranslator::translate(kContext, text, nullptr, count) : found;
 }

@@ -104,8 +104,8 @@ bool ClientTable::add(std::unique_ptr<ByteStream> connection) {
           .message = [this, &client](const Message& message) { hear(client, message); },
           .garbage = [this, &client](const Error& error) { refuse(client, "Not understood: " + error.message()); },
           .stranger =
-              [this, &client](HandshakeFailure, const std::string& why) {
-                report(ReportBudget::Kind::kRefused, "Refused " + client.name + ": " + why + ".");
+              [this, &client](HandshakeFailure, const Text& why) {
+                report(ReportBudget::Kind::kRefused, "Refused " + client.name + ": " + english(why) + ".");
                 drop(client, {});
               },
           .opened = [this, &client] { opened(client); },
