@@ -83,7 +83,7 @@ ordered_json driverJson(const LoadedDriver& loaded) {
     entry["usable"] = false;
     entry["reason"] = "missing_library";
     entry["problem"] = loaded.problem.found;
-    entry["fix"] = textOrNull(loaded.problem.fix);
+    entry["fix"] = textOrNull(english(loaded.problem.fix));
     return entry;
   }
   const driver::Information& about = loaded.driver->information();

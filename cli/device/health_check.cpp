@@ -39,7 +39,7 @@ constexpr std::uintmax_t kNeeded = 500'000'000;
 // wait.
 constexpr std::chrono::milliseconds kLinkPatience(1500);
 
-std::string wordIn(const ordered_json& told, const char* name) {
+std::string wordIn(const ordered_json& answer, const char* name) {
   const auto found = answer.find(name);
   return found != answer.end() && found->is_string() ? plainText(found->get<std::string>()) : std::string();
 }

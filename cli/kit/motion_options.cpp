@@ -23,7 +23,7 @@ void addReading(const mannequin::RecordedMotion& motion, nlohmann::ordered_json&
   document["up"] = mannequin::nameOf(motion.up);
   if (!motion.marker_set.empty()) document["marker_set"] = motion.marker_set;
   nlohmann::ordered_json& assumptions = document["assumptions"];
-  for (const std::string& sentence : motion.assumptions) assumptions.push_back(sentence);
+  for (const Text& sentence : motion.assumptions) assumptions.push_back(sentence);
 }
 
 }  // namespace hapticell::cli
