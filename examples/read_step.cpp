@@ -24,7 +24,7 @@ int main(int count, char** words) {
     std::fprintf(stderr, "%s\n", scene.error().message().c_str());
     return 1;
   }
-  for (const std::string& sentence : scene->warnings) std::fprintf(stderr, "note: %s\n", sentence.c_str());
+  for (const hapticell::Text& sentence : scene->warnings) std::fprintf(stderr, "note: %s\n", english(sentence).c_str());
 
   std::printf("%s, %g m per unit, %zu nodes\n", scene->format.c_str(), scene->metres_per_unit, scene->nodes.size());
   const std::vector<Pose> X_FN = workcell::nodePoses(*scene);

@@ -127,7 +127,7 @@ QString MotionScoresModel::beyondLimits() const {
 QString MotionScoresModel::assumptions() const {
   QStringList said;
   if (motion_)
-    for (const std::string& each : motion_->assumptions) said << QString::fromStdString(each);
+    for (const Text& each : motion_->assumptions) said << shownText(each);
   return said.join("; ");
 }
 

@@ -68,7 +68,7 @@ class MotionScoresModel : public QObject {
     std::array<std::vector<int>, 4> bands;
     std::vector<int> own;
     std::map<std::string, int> beyond;  ///< Frames by limit.
-    std::vector<std::string> assumptions;
+    std::vector<Text> assumptions;
     double seconds = 0.0;
     ergonomics::ScorePhase phase;
     std::vector<ergonomics::BodyAtTask> bodies;
