@@ -109,7 +109,7 @@ TEST(WorkplaceSearch, WhatItPromisesIsMeasuredOnThePostures) {
   const WorkplaceCell& best = map->cells[static_cast<std::size_t>(map->best)];
   const auto worstOf = [&](const WorkplaceCell& place, const std::vector<workcell::Entity>& after) {
     const Promises promises = workplacePromises(question, place, after);
-    return promises.areKept() ? std::string() : promises.worst()->name + ' ' + promises.worst()->place;
+    return promises.areKept() ? std::string() : promises.worst()->name + ' ' + english(promises.worst()->place);
   };
   const auto after = movedCell(question, best);
   WorkplaceCell place = best;
