@@ -1651,6 +1651,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' dépend de ce que le fichier ne donne pas ; la condition est lue comme fausse.</translation>
     </message>
     <message>
+        <source>'%1' does not exist</source>
+        <translation>aucune ne s'appelle '%1'</translation>
+    </message>
+    <message>
         <source>'%1' has an invalid placement; it is placed at its parent</source>
         <translation>'%1' a un placement qui n'en est pas un ; il est mis au placement de son parent</translation>
     </message>
@@ -1799,12 +1803,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' : %2 polygones à trous n'ont pas pu être découpés en triangles et manquent</translation>
     </message>
     <message>
-        <source>'%1': its mesh %2 is left out: %3</source>
-        <translation>'%1' : son maillage %2 est omis : %3</translation>
-    </message>
-    <message>
         <source>'%1': invalid pose; it is placed at the body above</source>
         <translation>'%1' : sa pose n'est pas valable ; il est placé sur le corps parent</translation>
+    </message>
+    <message>
+        <source>'%1': its mesh %2 is left out: %3</source>
+        <translation>'%1' : son maillage %2 est omis : %3</translation>
     </message>
     <message>
         <source>'%1': the frame of its pose is not there; it is taken in the body above</source>
@@ -10599,6 +10603,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une clé que d'autres utilisateurs peuvent lire ou modifier</translation>
     </message>
     <message>
+        <source>a known pose</source>
+        <translation>une pose qui peut être déterminée</translation>
+    </message>
+    <message>
         <source>a known target</source>
         <translation>une cible connue</translation>
     </message>
@@ -10629,10 +10637,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a length of 1 within 1 %</source>
         <translation>une longueur de 1 à 1 % près</translation>
-    </message>
-    <message>
-        <source>an invalid length</source>
-        <translation>une longueur qui n'en est pas une</translation>
     </message>
     <message>
         <source>a length, a speed or a direction that is nought</source>
@@ -10803,10 +10807,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom d'un marqueur, ou une liste de noms</translation>
     </message>
     <message>
-        <source>an invalid mass</source>
-        <translation>une masse qui n'en est pas une</translation>
-    </message>
-    <message>
         <source>a mechanism</source>
         <translation>un mécanisme</translation>
     </message>
@@ -10923,10 +10923,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre de degrés</translation>
     </message>
     <message>
-        <source>an invalid number in the expression</source>
-        <translation>un nombre mal écrit dans l'expression</translation>
-    </message>
-    <message>
         <source>a number that is not finite</source>
         <translation>un nombre non fini</translation>
     </message>
@@ -11039,10 +11035,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>une position à portée</translation>
     </message>
     <message>
-        <source>an invalid placement</source>
-        <translation>un placement qui n'est pas valable</translation>
-    </message>
-    <message>
         <source>a plane without end</source>
         <translation>un plan infini</translation>
     </message>
@@ -11073,14 +11065,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a pose of '%1'</source>
         <translation>une pose de '%1'</translation>
-    </message>
-    <message>
-        <source>a known pose</source>
-        <translation>une pose qui peut être déterminée</translation>
-    </message>
-    <message>
-        <source>an invalid pose</source>
-        <translation>une pose qui n'en est pas une</translation>
     </message>
     <message>
         <source>a pose that is not one</source>
@@ -11163,16 +11147,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>un quaternion de norme %1</translation>
     </message>
     <message>
-        <source>an invalid quaternion</source>
-        <translation>un quaternion qui n'en est pas un</translation>
-    </message>
-    <message>
         <source>a quaternion w, x, y, z of length 1</source>
         <translation>un quaternion w, x, y, z de norme 1</translation>
-    </message>
-    <message>
-        <source>an invalid radius</source>
-        <translation>un rayon qui n'est pas valable</translation>
     </message>
     <message>
         <source>a ratio and an offset</source>
@@ -11591,10 +11567,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier de trajectoire</translation>
     </message>
     <message>
-        <source>an invalid transform</source>
-        <translation>une transformation qui n'en est pas une</translation>
-    </message>
-    <message>
         <source>a tree</source>
         <translation>un arbre</translation>
     </message>
@@ -11819,10 +11791,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un angle de 100 rad au plus</translation>
     </message>
     <message>
-        <source>an invalid answer of the importer</source>
-        <translation>une réponse de l'importateur qui n'est pas valable</translation>
-    </message>
-    <message>
         <source>an arc from a place that is not known</source>
         <translation>un arc depuis une position inconnue</translation>
     </message>
@@ -11983,8 +11951,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>un type entier pour la longueur de la liste</translation>
     </message>
     <message>
+        <source>an invalid answer of the importer</source>
+        <translation>une réponse de l'importateur qui n'est pas valable</translation>
+    </message>
+    <message>
+        <source>an invalid length</source>
+        <translation>une longueur qui n'en est pas une</translation>
+    </message>
+    <message>
+        <source>an invalid mass</source>
+        <translation>une masse qui n'en est pas une</translation>
+    </message>
+    <message>
+        <source>an invalid number in the expression</source>
+        <translation>un nombre mal écrit dans l'expression</translation>
+    </message>
+    <message>
+        <source>an invalid placement</source>
+        <translation>un placement qui n'est pas valable</translation>
+    </message>
+    <message>
         <source>an invalid pose</source>
         <translation>une pose non valide</translation>
+    </message>
+    <message>
+        <source>an invalid quaternion</source>
+        <translation>un quaternion qui n'en est pas un</translation>
+    </message>
+    <message>
+        <source>an invalid radius</source>
+        <translation>un rayon qui n'est pas valable</translation>
+    </message>
+    <message>
+        <source>an invalid transform</source>
+        <translation>une transformation qui n'en est pas une</translation>
     </message>
     <message>
         <source>an object</source>
@@ -13087,6 +13087,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>int(%1)</translation>
     </message>
     <message>
+        <source>invalid positions</source>
+        <translation>des positions qui n'en sont pas</translation>
+    </message>
+    <message>
+        <source>invalid signs</source>
+        <translation>des signes qui ne sont pas valables</translation>
+    </message>
+    <message>
         <source>inverse: %1</source>
         <translation>inverse : %1</translation>
     </message>
@@ -13579,12 +13587,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>left ou right</translation>
     </message>
     <message>
-        <source>left out, because it is before the first known target: %1.</source>
-        <translation>omis, car avant la première cible connue : %1.</translation>
-    </message>
-    <message>
         <source>left out, because it is after the last known target: %1.</source>
         <translation>omis, car après la dernière cible connue : %1.</translation>
+    </message>
+    <message>
+        <source>left out, because it is before the first known target: %1.</source>
+        <translation>omis, car avant la première cible connue : %1.</translation>
     </message>
     <message>
         <source>left out, because they hold no shape: %1 nodes (%2)</source>
@@ -15227,10 +15235,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des positions qui ne sont pas une liste</translation>
     </message>
     <message>
-        <source>invalid positions</source>
-        <translation>des positions qui n'en sont pas</translation>
-    </message>
-    <message>
         <source>positive ones</source>
         <translation>des valeurs positives</translation>
     </message>
@@ -15501,10 +15505,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>shipped or classic</source>
         <translation>shipped ou classic</translation>
-    </message>
-    <message>
-        <source>invalid signs</source>
-        <translation>des signes qui ne sont pas valables</translation>
     </message>
     <message>
         <source>simplified</source>
@@ -16721,10 +16721,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>there is none</source>
         <translation>il n'y en a pas</translation>
-    </message>
-    <message>
-        <source>'%1' does not exist</source>
-        <translation>aucune ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>there is not enough memory for it</source>
