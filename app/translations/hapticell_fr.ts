@@ -247,7 +247,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 octets</translation>
     </message>
     <message>
-        <source>%1 bytes behind the last frame are not read; they are no whole frames</source>
+        <source>%1 bytes after the last frame are not read; they are not complete frames</source>
         <translation>%1 octets après la dernière image ne sont pas lus ; ils ne forment pas d'images entières</translation>
     </message>
     <message>
@@ -273,6 +273,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 changed on disk</source>
         <translation>%1 a changé sur le disque</translation>
+    </message>
+    <message>
+        <source>%1 characters</source>
+        <translation>%1 caractères</translation>
     </message>
     <message>
         <source>%1 compared with %2</source>
@@ -315,7 +319,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 éléments sans données</translation>
     </message>
     <message>
-        <source>%1 elements, more than its buffer view holds</source>
+        <source>%1 elements, more than its buffer view has</source>
         <translation>%1 éléments, plus que sa vue de tampon (buffer view) n'en contient</translation>
     </message>
     <message>
@@ -435,10 +439,6 @@ Voulez-vous le remplacer ?</translation>
         <translation><numerusform>%1 sur %n image</numerusform><numerusform>%1 sur %n images</numerusform></translation>
     </message>
     <message>
-        <source>%1 in all</source>
-        <translation>%1 au total</translation>
-    </message>
-    <message>
         <source>%1 in line %2</source>
         <translation>%1 à la ligne %2</translation>
     </message>
@@ -555,6 +555,26 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est inchangé</translation>
     </message>
     <message>
+        <source>%1 is used as up, as set</source>
+        <translation>le haut est %1, comme demandé</translation>
+    </message>
+    <message>
+        <source>%1 is used as up, as set; the body stands along %2</source>
+        <translation>le haut est %1, comme demandé ; le corps se tient selon %2</translation>
+    </message>
+    <message>
+        <source>%1 is used as up, as set; the file states %2</source>
+        <translation>le haut est %1, comme demandé ; le fichier indique %2</translation>
+    </message>
+    <message>
+        <source>%1 is used as up, as set; the head is above the feet along %2</source>
+        <translation>le haut est %1, comme demandé ; la tête est au-dessus des pieds selon %2</translation>
+    </message>
+    <message>
+        <source>%1 is used as up: the head is above the feet along it</source>
+        <translation>le haut est %1 : la tête est au-dessus des pieds selon cet axe</translation>
+    </message>
+    <message>
         <source>%1 is used, but only until you quit.</source>
         <translation>%1 est utilisé, mais seulement jusqu'à la fermeture.</translation>
     </message>
@@ -571,7 +591,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 axes</translation>
     </message>
     <message>
-        <source>%1 joints move it</source>
+        <source>%1 joints are on the path to this link</source>
         <translation>%1 axes le déplacent</translation>
     </message>
     <message>
@@ -659,7 +679,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 suit</translation>
     </message>
     <message>
-        <source>%1 moving joints carry it</source>
+        <source>%1 moving joints move this link</source>
         <translation>%1 axes mobiles le portent</translation>
     </message>
     <message>
@@ -667,7 +687,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1 names '%2', which is left out: plug-ins come only from folders that are named by their whole path and that no other user may write to.</source>
+        <source>%1 names '%2', which is left out. Plug-ins are loaded only from absolute paths of folders that no other user can write to.</source>
         <translation>%1 nomme '%2', qui est ignoré : les modules ne viennent que de dossiers nommés par leur chemin complet, où aucun autre utilisateur ne peut écrire.</translation>
     </message>
     <message>
@@ -691,7 +711,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 nombres dans l'image %2</translation>
     </message>
     <message>
-        <source>%1 numbers, one a channel</source>
+        <source>%1 numbers, one per channel</source>
         <translation>%1 nombres, un par canal</translation>
     </message>
     <message>
@@ -743,10 +763,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 de la limite</translation>
     </message>
     <message>
-        <source>%1 of them</source>
-        <translation>%1</translation>
-    </message>
-    <message>
         <source>%1 offsets</source>
         <translation>%1 décalages</translation>
     </message>
@@ -771,11 +787,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 paires se touchent au repos : %2. Les exclure de la vérification ?</translation>
     </message>
     <message>
-        <source>%1 parameters are cut or of no known kind; they are passed over</source>
+        <source>%1 parameters are incomplete or of an unknown type; they are left out</source>
         <translation>%1 paramètres sont tronqués ou d'un type inconnu ; ils sont ignorés</translation>
     </message>
     <message>
-        <source>%1 parts have no shape (first '%2'): a file that they refer to is missing, or they hold lines only</source>
+        <source>%1 parts have no shape (the first is '%2'): a file that they refer to is missing, or they contain only lines</source>
         <translation>%1 pièces n'ont pas de forme (la première : '%2') : un fichier auquel elles renvoient manque, ou elles ne contiennent que des lignes</translation>
     </message>
     <message>
@@ -847,10 +863,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>manque %1</translation>
     </message>
     <message>
-        <source>%1 signs</source>
-        <translation>%1 caractères</translation>
-    </message>
-    <message>
         <source>%1 since %2</source>
         <translation>%1 depuis %2</translation>
     </message>
@@ -895,11 +907,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 cibles</translation>
     </message>
     <message>
-        <source>%1 tessellated shapes (triangles as of AP242) are left out; exact ones are read</source>
+        <source>%1 tessellated shapes (triangles as in AP242) are left out; exact shapes are read</source>
         <translation>%1 formes tessellées (triangles selon AP242) sont laissées de côté ; les formes exactes sont lues</translation>
     </message>
     <message>
-        <source>%1 texts, among them perhaps names of parts, are written in bytes of no stated encoding; %2 is assumed</source>
+        <source>%1 texts, which can include part names, have no stated encoding; %2 is assumed</source>
         <translation>%1 textes, dont peut-être des noms de pièces, sont écrits dans un codage non indiqué ; %2 est supposé</translation>
     </message>
     <message>
@@ -919,7 +931,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 à %2 %3, ce que %4 peut contenir</translation>
     </message>
     <message>
-        <source>%1 to %2 (40 % about its expectation)</source>
+        <source>%1 to %2 (the expected value ± 40 %)</source>
         <translation>%1 à %2 (40 % autour de la valeur attendue)</translation>
     </message>
     <message>
@@ -931,7 +943,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 à %2 kg pour cette stature</translation>
     </message>
     <message>
-        <source>%1 to %2 m, its limits</source>
+        <source>%1 to %2 m, the limits of the leg</source>
         <translation>%1 à %2 m, ses limites</translation>
     </message>
     <message>
@@ -979,7 +991,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 triangles en double ont été supprimés une fois</translation>
     </message>
     <message>
-        <source>%1 triangles with a corner that is no point were dropped</source>
+        <source>%1 triangles with an invalid corner were removed</source>
         <translation>%1 triangles dont un sommet n'est pas un point ont été écartés</translation>
     </message>
     <message>
@@ -1487,7 +1499,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : le matériau '%2' n'est défini nulle part ; ses segments sont affichés en gris</translation>
     </message>
     <message>
-        <source>%1: the path leaves the workspace of the %2 by %3 mm; its stops hold the stylus.</source>
+        <source>%1: the path leaves the workspace of the %2 by %3 mm; the stylus stops at its mechanical limits.</source>
         <translation>%1 : la trajectoire sort de l'espace de travail du périphérique %2 de %3 mm ; ses butées retiennent le stylet.</translation>
     </message>
     <message>
@@ -1639,12 +1651,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' après un fichier qui n'est pas xacro</translation>
     </message>
     <message>
-        <source>'%1' before its parent</source>
-        <translation>'%1' avant son parent</translation>
+        <source>'%1' after saving</source>
+        <translation>'%1' à la relecture</translation>
     </message>
     <message>
         <source>'%1' behind frame:</source>
         <translation>'%1' après frame:</translation>
+    </message>
+    <message>
+        <source>'%1' comes before its parent</source>
+        <translation>'%1' avant son parent</translation>
     </message>
     <message>
         <source>'%1' depends on what the file does not give; it is read as not so.</source>
@@ -1663,7 +1679,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' a des boucles fermées, que l'URDF ne peut pas décrire : seul son arbre a été écrit</translation>
     </message>
     <message>
-        <source>'%1' has faces of several colours; it is shown in that of most of its area</source>
+        <source>'%1' has faces of several colours; it is shown in the colour with the largest area</source>
         <translation>'%1' a des faces de plusieurs couleurs ; il est affiché dans celle de sa plus grande surface</translation>
     </message>
     <message>
@@ -1699,6 +1715,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' dans l'expression</translation>
     </message>
     <message>
+        <source>'%1' instead of a frame number</source>
+        <translation>pas un numéro d'image : '%1'</translation>
+    </message>
+    <message>
+        <source>'%1' instead of a number in OFFSET</source>
+        <translation>pas un nombre dans OFFSET : '%1'</translation>
+    </message>
+    <message>
         <source>'%1' is left out.</source>
         <translation>'%1' est omis.</translation>
     </message>
@@ -1715,7 +1739,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' est verrouillé en place</translation>
     </message>
     <message>
-        <source>'%1' is no solid of the cell</source>
+        <source>'%1' is not a solid of the cell</source>
         <translation>'%1' n'est pas un solide de la cellule</translation>
     </message>
     <message>
@@ -1731,12 +1755,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' n'est pas compris et est omis.</translation>
     </message>
     <message>
-        <source>'%1' is that entity or hangs on it</source>
-        <translation>'%1' est cette entité ou y est attaché</translation>
+        <source>'%1' is real hardware</source>
+        <translation>le périphérique '%1' est tenu par une vraie main</translation>
     </message>
     <message>
-        <source>'%1' read back</source>
-        <translation>'%1' à la relecture</translation>
+        <source>'%1' is that entity or hangs on it</source>
+        <translation>'%1' est cette entité ou y est attaché</translation>
     </message>
     <message>
         <source>'%1' that does not end</source>
@@ -1819,12 +1843,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1.%2'</translation>
     </message>
     <message>
+        <source>'%2' instead of a number in frame %1</source>
+        <translation>pas un nombre dans l'image %1 : '%2'</translation>
+    </message>
+    <message>
         <source>'OFF'</source>
         <translation>'OFF'</translation>
     </message>
     <message>
         <source>'OFF', 'COFF' or 'NOFF' in three dimensions</source>
         <translation>'OFF', 'COFF' ou 'NOFF' en trois dimensions</translation>
+    </message>
+    <message>
+        <source>'begin' is missing</source>
+        <translation>pas de begin</translation>
     </message>
     <message>
         <source>'element', 'property', 'comment' or 'end_header'</source>
@@ -1857,6 +1889,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>'vertex' (three of them a facet)</source>
         <translation>'vertex' (trois par facette)</translation>
+    </message>
+    <message>
+        <source>'{' is missing after '%1'</source>
+        <translation>pas de { après '%1'</translation>
     </message>
     <message>
         <source>(open elsewhere)</source>
@@ -1963,6 +1999,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>--mode</translation>
     </message>
     <message>
+        <source>--motion with a recorded motion</source>
+        <translation>un mouvement enregistré à lire avec ces options</translation>
+    </message>
+    <message>
         <source>--only</source>
         <translation>--only</translation>
     </message>
@@ -1979,7 +2019,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>--pose</translation>
     </message>
     <message>
-        <source>--record with it</source>
+        <source>--record is missing</source>
+        <translation>rien n'est enregistré</translation>
+    </message>
+    <message>
+        <source>--record together with this option</source>
         <translation>--record en plus</translation>
     </message>
     <message>
@@ -2087,7 +2131,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>. Pour y remédier (priorité temps réel) : ajoutez votre compte au groupe realtime</translation>
     </message>
     <message>
-        <source>.bvh, .amc beside its .asf, or .c3d</source>
+        <source>.bvh, .c3d, or .amc with its .asf in the same folder</source>
         <translation>.bvh, .amc à côté de son .asf, ou .c3d</translation>
     </message>
     <message>
@@ -2127,8 +2171,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>/s³</translation>
     </message>
     <message>
-        <source>0 (controller) or 1 (watcher)</source>
+        <source>0 (controller) or 1 (observer)</source>
         <translation>0 (client actif) ou 1 (observateur)</translation>
+    </message>
+    <message>
+        <source>0 (not pressed), 1 (first button), 2 (second button) or 3 (both)</source>
+        <translation>0, 1 bouton pressé, 2 pour un second, 3 pour les deux</translation>
     </message>
     <message>
         <source>0 N</source>
@@ -2171,10 +2219,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>de 0 à 62</translation>
     </message>
     <message>
-        <source>0, 1 while pressed, 2 for a second one, 3 for both</source>
-        <translation>0, 1 bouton pressé, 2 pour un second, 3 pour les deux</translation>
-    </message>
-    <message>
         <source>0.001 to 3.2 rad</source>
         <translation>de 0,001 à 3,2 rad</translation>
     </message>
@@ -2211,12 +2255,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>1 à %1</translation>
     </message>
     <message>
-        <source>1 to 10000 of them</source>
-        <translation>de 1 à 10000</translation>
-    </message>
-    <message>
         <source>1 to 10000 per second</source>
         <translation>1 à 10000 par seconde</translation>
+    </message>
+    <message>
+        <source>1 to 10000 placements</source>
+        <translation>de 1 à 10000</translation>
     </message>
     <message>
         <source>1, the newest that this program knows</source>
@@ -2243,7 +2287,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>3 (force) ou 6 (force et couple)</translation>
     </message>
     <message>
-        <source>3, or 4 with the turn of the tool</source>
+        <source>3 joints, or 4 if the tool turns</source>
         <translation>3, ou 4 avec la rotation de l'outil</translation>
     </message>
     <message>
@@ -2281,6 +2325,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>:RADIANS and :DEGREES</source>
         <translation>:RADIANS et :DEGREES</translation>
+    </message>
+    <message>
+        <source>:hierarchy is missing</source>
+        <translation>pas de :hierarchy</translation>
+    </message>
+    <message>
+        <source>:root is missing</source>
+        <translation>pas de :root</translation>
     </message>
     <message>
         <source>; of the limits: speed %1 %, acceleration %2 %</source>
@@ -2333,6 +2385,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>&lt;axis&gt; with &lt;xyz&gt;</source>
         <translation>&lt;axis&gt; avec &lt;xyz&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;build&gt; has no &lt;item&gt;</source>
+        <translation>pas de &lt;item&gt; dans son &lt;build&gt;</translation>
     </message>
     <message>
         <source>&lt;mimic&gt; without joint</source>
@@ -2407,10 +2463,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Donnez au repère, qui n'a pas de dimensions, un nom et une pose (name=N, pose=x,y,z,qw,qx,qy,qz).</translation>
     </message>
     <message>
-        <source>A frame is one line; the file is cut or was changed.</source>
-        <translation>Vérifiez le fichier : une image tient sur une ligne ; il est tronqué ou a été modifié.</translation>
-    </message>
-    <message>
         <source>A free hand with the fingers of the glove; the stylus moves it</source>
         <translation>Une main seule, aux doigts du gant ; le stylet la déplace</translation>
     </message>
@@ -2475,7 +2527,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une cellule reçue d'autrui peut nommer n'importe quel fichier de cet ordinateur. Vérifiez que tous ceux-ci lui appartiennent.</translation>
     </message>
     <message>
-        <source>A+B:C+D, names of entities on either side of one colon</source>
+        <source>A+B:C+D: names of entities, one colon between the two sides</source>
         <translation>A+B:C+D, des noms d'entités de part et d'autre d'un deux-points</translation>
     </message>
     <message>
@@ -2515,6 +2567,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ajouter une main libre</translation>
     </message>
     <message>
+        <source>Add a joint.</source>
+        <translation>Ajoutez-en une.</translation>
+    </message>
+    <message>
         <source>Add a mannequin of any size with Ctrl+Shift+M. It stands on the floor, and its hands follow the stylus or the mouse.</source>
         <translation>Ajoutez un mannequin de toute taille par Ctrl+Maj+M. Il se tient sur le sol, et ses mains suivent le stylet ou la souris.</translation>
     </message>
@@ -2533,10 +2589,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Add mannequin</source>
         <translation>Ajouter un mannequin</translation>
-    </message>
-    <message>
-        <source>Add one.</source>
-        <translation>Ajoutez-en une.</translation>
     </message>
     <message>
         <source>Add robot</source>
@@ -2611,10 +2663,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les quatre</translation>
     </message>
     <message>
-        <source>All keys stand in the shipped hapticell.toml.</source>
-        <translation>Toutes les clés figurent dans le hapticell.toml livré.</translation>
-    </message>
-    <message>
         <source>All manufacturers</source>
         <translation>Tous les constructeurs</translation>
     </message>
@@ -2629,10 +2677,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Allow rotation about %1 (%1 twice: only this axis)</source>
         <translation>Autoriser la rotation autour de %1 (%1 deux fois : cet axe seul)</translation>
-    </message>
-    <message>
-        <source>Allow writing to it, or choose another name.</source>
-        <translation>Autorisez l'écriture ou choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -2677,6 +2721,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Another colour…</source>
         <translation>Autre couleur…</translation>
+    </message>
+    <message>
+        <source>Another haptic server may be running. Stop it, or set another --port (0: any free port).</source>
+        <translation>Vérifiez si un autre serveur haptique tourne, ou donnez un autre --port (0 : n'importe lequel).</translation>
     </message>
     <message>
         <source>Another program (%1) controls the stylus.</source>
@@ -2995,10 +3043,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>En approchant le travail de %1</translation>
     </message>
     <message>
-        <source>Build it anew with version %1.</source>
-        <translation>Recompilez-le avec la version %1.</translation>
-    </message>
-    <message>
         <source>Built-in parts</source>
         <translation>Pièces paramétriques</translation>
     </message>
@@ -3019,8 +3063,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>C avec une seule position</translation>
     </message>
     <message>
-        <source>C7, T10, CLAV and STRN are not all there; the chest is as shoulders and hips lie</source>
-        <translation>C7, T10, CLAV et STRN ne sont pas tous présents ; l'orientation du thorax est déduite des épaules et des hanches</translation>
+        <source>CHANNELS is missing</source>
+        <translation>pas de CHANNELS</translation>
     </message>
     <message>
         <source>CIRC auxiliary point, end point</source>
@@ -3043,7 +3087,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Étalonner le gant…</translation>
     </message>
     <message>
-        <source>Calibrate the glove anew.</source>
+        <source>Calibrate the glove again.</source>
         <translation>Étalonnez de nouveau le gant.</translation>
     </message>
     <message>
@@ -3119,7 +3163,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Modifier le mécanisme</translation>
     </message>
     <message>
-        <source>Change the own measures together, or leave some to the regressions.</source>
+        <source>Change your own measures together, or leave some of them to the regressions.</source>
         <translation>Modifiez ensemble les mesures propres, ou laissez-en certaines aux régressions.</translation>
     </message>
     <message>
@@ -3167,6 +3211,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifiez-le avec un autre programme (gz sdf --check), ou exportez-le de nouveau.</translation>
     </message>
     <message>
+        <source>Check its content, then run: chmod go-w '%1'.</source>
+        <translation>Examinez son contenu, puis lancez : chmod go-w '%1'.</translation>
+    </message>
+    <message>
         <source>Check its permissions.</source>
         <translation>Vérifiez ses droits d'accès.</translation>
     </message>
@@ -3179,16 +3227,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier les collisions internes des robots</translation>
     </message>
     <message>
-        <source>Check that you may read it.</source>
+        <source>Check that the folder exists and that ffmpeg supports this extension.</source>
+        <translation>Vérifiez que le dossier existe et que ffmpeg connaît cette extension.</translation>
+    </message>
+    <message>
+        <source>Check that you have permission to read it.</source>
         <translation>Vérifiez que vous avez le droit de le lire.</translation>
+    </message>
+    <message>
+        <source>Check the disk or the receiving program.</source>
+        <translation>Vérifiez le tube ou le disque.</translation>
     </message>
     <message>
         <source>Check the motion</source>
         <translation>Vérifier le mouvement</translation>
-    </message>
-    <message>
-        <source>Check the pipe or the disk.</source>
-        <translation>Vérifiez le tube ou le disque.</translation>
     </message>
     <message>
         <source>Check the whole path</source>
@@ -3253,6 +3305,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Choose another %1. Nothing was written.</source>
         <translation>Choisissez une autre valeur (%1). Rien n'a été écrit.</translation>
+    </message>
+    <message>
+        <source>Choose another folder.</source>
+        <translation>Écrivez-le ailleurs.</translation>
     </message>
     <message>
         <source>Choose another tip link.</source>
@@ -3515,6 +3571,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Connecter</translation>
     </message>
     <message>
+        <source>Connect it with a joint, for example a fixed joint.</source>
+        <translation>Reliez-le, ne serait-ce que par une liaison fixe.</translation>
+    </message>
+    <message>
         <source>Connected</source>
         <translation>Connecté</translation>
     </message>
@@ -3635,16 +3695,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Copier</translation>
     </message>
     <message>
-        <source>Copy or export it again: it is not whole.</source>
-        <translation>Copiez-le ou exportez-le à nouveau : il n'est pas complet.</translation>
-    </message>
-    <message>
         <source>Copy the command for %1</source>
         <translation>Copier la commande pour %1</translation>
     </message>
     <message>
         <source>Copy the command that fixes it</source>
         <translation>Copier la commande qui y remédie</translation>
+    </message>
+    <message>
+        <source>Copy the file to this folder. A .gltf needs its .bin files.</source>
+        <translation>Placez-le là : un .gltf a besoin de ses fichiers .bin.</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -3677,6 +3737,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Coupling</source>
         <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Create a new key (hapticell-haptic-server --pair). If nobody has read this one, run chmod 600 on it.</source>
+        <translation>Créez-en une nouvelle (hapticell-haptic-server --pair), ou faites chmod 600 si personne ne l'a lue.</translation>
     </message>
     <message>
         <source>Create the mechanism</source>
@@ -3999,6 +4063,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>ENDFOR sans FOR</translation>
     </message>
     <message>
+        <source>Each frame is one line. The file is incomplete or was edited: export it again.</source>
+        <translation>Vérifiez le fichier : une image tient sur une ligne ; il est tronqué ou a été modifié.</translation>
+    </message>
+    <message>
         <source>Ear to top of head</source>
         <translation>Oreille au sommet du crâne</translation>
     </message>
@@ -4199,15 +4267,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exportez-le avec des formes exactes (B-rep), ou ses triangles en STL, OBJ ou 3MF.</translation>
     </message>
     <message>
-        <source>Export it with its poses first: trajectory export --to csv --robot.</source>
-        <translation>Exportez-le d'abord avec ses poses : trajectory export --to csv --robot.</translation>
-    </message>
-    <message>
-        <source>Export it without that extension, or convert it with a tool that can take it out.</source>
+        <source>Export it without this extension, or remove the extension with a conversion tool.</source>
         <translation>Exportez-le sans cette extension, ou convertissez-le avec un outil qui sait la retirer.</translation>
     </message>
     <message>
-        <source>Export it without that extension.</source>
+        <source>Export it without this extension.</source>
         <translation>Exportez-le sans cette extension.</translation>
     </message>
     <message>
@@ -4219,7 +4283,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exporter le mouvement</translation>
     </message>
     <message>
-        <source>Export one person a file.</source>
+        <source>Export one person per file.</source>
         <translation>Exportez une seule personne par fichier.</translation>
     </message>
     <message>
@@ -4237,6 +4301,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Export the file again.</source>
         <translation>Exportez le fichier à nouveau.</translation>
+    </message>
+    <message>
+        <source>Export the file with decimal points; it has decimal commas.</source>
+        <translation>Écrivez le fichier avec des points décimaux ; celui-ci a des virgules.</translation>
     </message>
     <message>
         <source>Exported program</source>
@@ -4299,7 +4367,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Au plus vite, à-coup limité</translation>
     </message>
     <message>
-        <source>Fault ({}) at tick {}: its ticks are in {}; {} others have no file</source>
+        <source>Fault ({}) at tick {}: the ticks around it are in {}; {} more faults have no file</source>
         <translation>Fault ({}) at tick {}: its ticks are in {}; {} others have no file</translation>
     </message>
     <message>
@@ -4381,6 +4449,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>First column</source>
         <translation>Première colonne</translation>
+    </message>
+    <message>
+        <source>First create a key: hapticell-haptic-server --pair.</source>
+        <translation>Créez d'abord une clé : hapticell-haptic-server --pair.</translation>
+    </message>
+    <message>
+        <source>First export it with poses: trajectory export --to csv --robot.</source>
+        <translation>Exportez-le d'abord avec ses poses : trajectory export --to csv --robot.</translation>
     </message>
     <message>
         <source>First pick a face, edge or corner of the moving part, then the target</source>
@@ -4631,7 +4707,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Point %1 · %2 s</translation>
     </message>
     <message>
-        <source>Frames are missing or doubled; write the file anew.</source>
+        <source>Frame Time: is missing</source>
+        <translation>pas de Frame Time:</translation>
+    </message>
+    <message>
+        <source>Frames are missing or repeated: export the file again.</source>
         <translation>Écrivez de nouveau le fichier : des images manquent ou sont en double.</translation>
     </message>
     <message>
@@ -4721,10 +4801,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Give one: %1:=VALUE.</source>
         <translation>Donnez-en une : %1:=VALUE.</translation>
-    </message>
-    <message>
-        <source>Give the file another ending.</source>
-        <translation>Donnez au fichier une autre extension.</translation>
     </message>
     <message>
         <source>Give the file the ending .xacro, and it is expanded.</source>
@@ -4823,7 +4899,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>HAPTICELL_CONFIG_DIR</translation>
     </message>
     <message>
-        <source>HOME is '%1', no absolute path</source>
+        <source>HIERARCHY is missing</source>
+        <translation>pas de HIERARCHY</translation>
+    </message>
+    <message>
+        <source>HOME is '%1', not an absolute path</source>
         <translation>HOME vaut '%1', qui n'est pas un chemin absolu</translation>
     </message>
     <message>
@@ -5111,7 +5191,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Importer comme</translation>
     </message>
     <message>
-        <source>Import it anew.</source>
+        <source>Import it again.</source>
         <translation>Importez-le à nouveau.</translation>
     </message>
     <message>
@@ -5199,20 +5279,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Réinstallez HaptiCell.</translation>
     </message>
     <message>
-        <source>Install ffmpeg, or write a picture (png).</source>
+        <source>Install ffmpeg, or save a picture (.png).</source>
         <translation>Installez ffmpeg, ou enregistrez une image (png).</translation>
     </message>
     <message>
-        <source>Install the library that it names, or remove the file.</source>
+        <source>Install the library that this message names, or remove the file.</source>
         <translation>Installez la bibliothèque qu'il nomme, ou supprimez le fichier.</translation>
     </message>
     <message>
         <source>Invert the wheel</source>
         <translation>Inverser la molette</translation>
-    </message>
-    <message>
-        <source>Is another haptic server running? Give another --port, or 0 for any.</source>
-        <translation>Vérifiez si un autre serveur haptique tourne, ou donnez un autre --port (0 : n'importe lequel).</translation>
     </message>
     <message>
         <source>Is its unit right? Otherwise move it to the origin in the program that made it.</source>
@@ -5267,7 +5343,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il reste où il est</translation>
     </message>
     <message>
-        <source>It works, with less detail while you turn the view. Install a graphics card driver for full speed.</source>
+        <source>It works, but the view shows less detail while it turns. For full speed, install the driver of the graphics card.</source>
         <translation>Cela fonctionne, avec moins de détails pendant que vous tournez la vue. Installez un pilote de carte graphique pour la pleine vitesse.</translation>
     </message>
     <message>
@@ -5275,8 +5351,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>JOINT, End Site, OFFSET, CHANNELS ou }</translation>
     </message>
     <message>
-        <source>JSON as a recording writes it</source>
-        <translation>du JSON tel qu'un enregistrement l'écrit</translation>
+        <source>JSON content</source>
+        <translation>contenu JSON</translation>
+    </message>
+    <message>
+        <source>JSON content, byte %1</source>
+        <translation>octet %1 de son JSON</translation>
     </message>
     <message>
         <source>Jerk</source>
@@ -5289,10 +5369,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Jog %1 of the TCP of %2</source>
         <translation>Déplacement manuel %1 du TCP de %2</translation>
-    </message>
-    <message>
-        <source>Join it, if only by a fixed joint.</source>
-        <translation>Reliez-le, ne serait-ce que par une liaison fixe.</translation>
     </message>
     <message>
         <source>Join parts into a mechanism…</source>
@@ -5611,10 +5687,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Regarder la pièce</translation>
     </message>
     <message>
-        <source>Look at what it holds, then: chmod go-w '%1'.</source>
-        <translation>Examinez son contenu, puis lancez : chmod go-w '%1'.</translation>
-    </message>
-    <message>
         <source>Look for a macro that calls itself.</source>
         <translation>Cherchez une macro qui s'appelle elle-même.</translation>
     </message>
@@ -5625,10 +5697,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Look for models that include each other several times, or cut the world into parts.</source>
         <translation>Cherchez des modèles qui s'incluent plusieurs fois l'un l'autre, ou divisez le monde en plusieurs parties.</translation>
-    </message>
-    <message>
-        <source>Look whether the folder exists, and whether ffmpeg knows this ending.</source>
-        <translation>Vérifiez que le dossier existe et que ffmpeg connaît cette extension.</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -5659,20 +5727,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ajoutez --timing pour mesurer M7 et M11.</translation>
     </message>
     <message>
+        <source>MOTION with Frames: is missing</source>
+        <translation>pas de MOTION avec Frames:</translation>
+    </message>
+    <message>
         <source>MOVC to %1 points</source>
         <translation>MOVC vers %1 points</translation>
     </message>
     <message>
         <source>Make a fist, every finger joint bent by a right angle.</source>
         <translation>Fermez le poing, chaque articulation des doigts pliée à angle droit.</translation>
-    </message>
-    <message>
-        <source>Make a key first: hapticell-haptic-server --pair.</source>
-        <translation>Créez d'abord une clé : hapticell-haptic-server --pair.</translation>
-    </message>
-    <message>
-        <source>Make a new one (hapticell-haptic-server --pair), or chmod 600 if nobody has read it.</source>
-        <translation>Créez-en une nouvelle (hapticell-haptic-server --pair), ou faites chmod 600 si personne ne l'a lue.</translation>
     </message>
     <message>
         <source>Make a surface of the point cloud first.</source>
@@ -5763,7 +5827,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Moyen</translation>
     </message>
     <message>
-        <source>Memory is not locked (mlockall: %1), so a tick may wait for a page. Write the line &quot;NAME - memlock unlimited&quot; with your user name into %2 and log in again.</source>
+        <source>Memory is not locked (mlockall: %1), so ticks can be late while memory is swapped in. Add the line &quot;NAME - memlock unlimited&quot; with your user name to %2 and log in again.</source>
         <translation>La mémoire n'est pas verrouillée (mlockall : %1) ; un cycle peut donc attendre une page. Ajoutez la ligne &quot;NAME - memlock unlimited&quot;, avec votre nom d'utilisateur, dans %2 et reconnectez-vous.</translation>
     </message>
     <message>
@@ -5907,7 +5971,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacer le TCP de %1</translation>
     </message>
     <message>
-        <source>Move the hinges apart, or turn the platform against the base.</source>
+        <source>Move the joints of the legs apart, or rotate the platform relative to the base.</source>
         <translation>Écartez les articulations, ou tournez la plateforme par rapport à la base.</translation>
     </message>
     <message>
@@ -6003,7 +6067,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>NAME ou NAME:LINK</translation>
     </message>
     <message>
-        <source>NAME or NAME:LINK of an entity that was added before</source>
+        <source>NAME or NAME:LINK of an entity that an earlier --add added</source>
         <translation>NAME ou NAME:LINK d'une entité ajoutée auparavant</translation>
     </message>
     <message>
@@ -6041,10 +6105,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Name fewer or other joints as actuated.</source>
         <translation>Nommez moins d'axes actionnés, ou d'autres.</translation>
-    </message>
-    <message>
-        <source>Name it by its whole path.</source>
-        <translation>Nommez-le par son chemin complet.</translation>
     </message>
     <message>
         <source>Name of the pose (home replaces home)</source>
@@ -6191,10 +6251,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Non</translation>
     </message>
     <message>
-        <source>No --robot: configuration data are the format's defaults; check them on the controller.</source>
-        <translation>Pas de --robot : les données de configuration sont celles par défaut du format ; vérifiez-les sur le contrôleur.</translation>
-    </message>
-    <message>
         <source>No action needed.</source>
         <translation>Rien à faire.</translation>
     </message>
@@ -6221,6 +6277,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No device</source>
         <translation>Pas de périphérique</translation>
+    </message>
+    <message>
+        <source>No entity was held and moved, so the recording has no frames.</source>
+        <translation>Rien n'a été tenu et déplacé, donc l'enregistrement n'a pas d'images.</translation>
     </message>
     <message>
         <source>No exercise</source>
@@ -6471,20 +6531,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
     </message>
     <message>
-        <source>Nothing is written without --allow-miss.</source>
-        <translation>Rien n'est écrit sans --allow-miss.</translation>
-    </message>
-    <message>
         <source>Nothing moved, so nothing was recorded.</source>
         <translation>Rien n'a bougé : rien n'a été enregistré.</translation>
     </message>
     <message>
         <source>Nothing moves until you confirm.</source>
         <translation>Rien ne bouge avant votre accord.</translation>
-    </message>
-    <message>
-        <source>Nothing was held and moved, so the recording has no frames.</source>
-        <translation>Rien n'a été tenu et déplacé, donc l'enregistrement n'a pas d'images.</translation>
     </message>
     <message>
         <source>Nothing was saved. Use --unchecked to save the code without a connection.</source>
@@ -6503,8 +6555,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien n'a été écrit. Rapprochez le mouvement de la base du robot.</translation>
     </message>
     <message>
-        <source>Nothing was written. Look at what the server says, and run the session again.</source>
+        <source>Nothing was written. Check the messages of the server, then run the session again.</source>
         <translation>Rien n'a été écrit. Consultez les messages du serveur, puis relancez la session.</translation>
+    </message>
+    <message>
+        <source>Nothing was written. To write the file anyway, use --allow-miss.</source>
+        <translation>Rien n'est écrit sans --allow-miss.</translation>
     </message>
     <message>
         <source>OBJ (*.obj)</source>
@@ -6559,7 +6615,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sur le segment</translation>
     </message>
     <message>
-        <source>On the controller the file must be named '%1', as its program.</source>
+        <source>On the controller, name the file '%1', like its program.</source>
         <translation>Sur le contrôleur, le fichier doit s'appeler '%1', comme son programme.</translation>
     </message>
     <message>
@@ -7015,16 +7071,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Désignez une pièce d'où mesurer</translation>
     </message>
     <message>
-        <source>Pick another.</source>
+        <source>Pick another part.</source>
         <translation>Choisissez-en une autre.</translation>
     </message>
     <message>
         <source>Pick axis</source>
         <translation>Désigner l'axe</translation>
-    </message>
-    <message>
-        <source>Pick both in the scene.</source>
-        <translation>Désignez les deux dans la scène.</translation>
     </message>
     <message>
         <source>Pick entities for the first column · Esc: end</source>
@@ -7053,6 +7105,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Pick the circle: a round edge or a round face</source>
         <translation>Désignez le cercle : une arête ronde ou une face ronde</translation>
+    </message>
+    <message>
+        <source>Pick the moving part and the part that carries it in the scene.</source>
+        <translation>Désignez les deux dans la scène.</translation>
     </message>
     <message>
         <source>Pick the other part</source>
@@ -7351,10 +7407,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Placez-le sous le dossier du fichier qui le cite.</translation>
     </message>
     <message>
-        <source>Put it there: a .gltf needs its .bin files.</source>
-        <translation>Placez-le là : un .gltf a besoin de ses fichiers .bin.</translation>
-    </message>
-    <message>
         <source>Put the package's folder beside the file or above it, or name its place in ROS_PACKAGE_PATH.</source>
         <translation>Placez le dossier du paquet à côté du fichier ou au-dessus, ou indiquez son emplacement dans ROS_PACKAGE_PATH.</translation>
     </message>
@@ -7385,6 +7437,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>ROOT and a name</source>
         <translation>ROOT et un nom</translation>
+    </message>
+    <message>
+        <source>ROOT is missing</source>
+        <translation>pas de ROOT</translation>
     </message>
     <message>
         <source>ROS 2 JointTrajectory (.yaml)</source>
@@ -7519,6 +7575,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prêt. Une étape d'annulation.</translation>
     </message>
     <message>
+        <source>Rebuild it for version %1.</source>
+        <translation>Recompilez-le avec la version %1.</translation>
+    </message>
+    <message>
         <source>Rec %1:%2</source>
         <translation>Enr. %1:%2</translation>
     </message>
@@ -7615,7 +7675,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ôter le tremblement de la main, garder le chemin</translation>
     </message>
     <message>
-        <source>Remove it, or take it over with chown.</source>
+        <source>Remove it, or make it yours with chown.</source>
         <translation>Supprimez-le, ou appropriez-le-vous avec chown.</translation>
     </message>
     <message>
@@ -7625,6 +7685,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Remove the section</source>
         <translation>Retirer la coupe</translation>
+    </message>
+    <message>
+        <source>Remove the write protection, or choose another name.</source>
+        <translation>Autorisez l'écriture ou choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Remove this frame</source>
@@ -7907,6 +7971,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrez-le en texte ou en PLY.</translation>
     </message>
     <message>
+        <source>Save it to another disk.</source>
+        <translation>Écrivez-le sur un autre disque.</translation>
+    </message>
+    <message>
         <source>Save log</source>
         <translation>Enregistrer le journal</translation>
     </message>
@@ -7991,10 +8059,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistré : %1 ; images : %2. Outil, base et sécurité sont ceux de la commande. Vérifiez-les là</translation>
     </message>
     <message>
-        <source>Say with --markers TABLE which marker sits where (docs/user/formats.md).</source>
-        <translation>Indiquez avec --markers TABLE où se trouve chaque marqueur (docs/user/formats.md).</translation>
-    </message>
-    <message>
         <source>Scale</source>
         <translation>Échelle</translation>
     </message>
@@ -8033,10 +8097,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Search again</source>
         <translation>Chercher de nouveau</translation>
-    </message>
-    <message>
-        <source>Search again with the cell as it stands.</source>
-        <translation>Relancez la recherche avec la cellule telle qu'elle est.</translation>
     </message>
     <message>
         <source>Search the library</source>
@@ -8143,11 +8203,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Donnez à HAPTICELL_CONFIG_DIR le dossier qui contient hapticell.toml.</translation>
     </message>
     <message>
-        <source>Set HOME or %1. Nothing is looked for in the current folder.</source>
+        <source>Set HOME or %1. The current folder is not searched.</source>
         <translation>Définissez HOME ou %1. Rien n'est cherché dans le dossier courant.</translation>
     </message>
     <message>
-        <source>Set HOME. Nothing is looked for in the current folder.</source>
+        <source>Set HOME. The current folder is not searched.</source>
         <translation>Définissez HOME. Rien n'est cherché dans le dossier courant.</translation>
     </message>
     <message>
@@ -8157,6 +8217,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Set it before the program is started.</source>
         <translation>Définissez-la avant de démarrer le programme.</translation>
+    </message>
+    <message>
+        <source>Set start values nearer to an assembled pose.</source>
+        <translation>Indiquez un départ plus proche.</translation>
     </message>
     <message>
         <source>Set the range first, with the brackets that are now in the time bar.</source>
@@ -8427,7 +8491,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Démarrez hapticell-haptic-server.</translation>
     </message>
     <message>
-        <source>Start it on a desktop, or under xvfb-run.</source>
+        <source>Start it on a desktop or with xvfb-run.</source>
         <translation>Lancez-le sur un bureau, ou sous xvfb-run s'il n'y en a pas.</translation>
     </message>
     <message>
@@ -8461,10 +8525,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>State</source>
         <translation>État</translation>
-    </message>
-    <message>
-        <source>State a start nearer to it.</source>
-        <translation>Indiquez un départ plus proche.</translation>
     </message>
     <message>
         <source>Stature</source>
@@ -8631,10 +8691,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prise %1</translation>
     </message>
     <message>
-        <source>Take a larger --simplify.</source>
-        <translation>Prenez une valeur de --simplify plus grande.</translation>
-    </message>
-    <message>
         <source>Take a larger tolerance, or move the motion to where the robot reaches.</source>
         <translation>Augmentez la tolérance, ou déplacez le mouvement à la portée du robot.</translation>
     </message>
@@ -8747,6 +8803,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>La base suit la main ; les axes gardent l'outil en place</translation>
     </message>
     <message>
+        <source>The body measures are of adults; outside this range, the regressions are not valid.</source>
+        <translation>Restez dans cette plage : les mesures sont celles d'adultes ; au-delà, les régressions n'ont pas de sens.</translation>
+    </message>
+    <message>
+        <source>The cell has changed: search again.</source>
+        <translation>Relancez la recherche avec la cellule telle qu'elle est.</translation>
+    </message>
+    <message>
         <source>The cell is empty</source>
         <translation>La cellule est vide</translation>
     </message>
@@ -8819,16 +8883,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le fichier contient des triangles.</translation>
     </message>
     <message>
+        <source>The file has %1; parts made from it can be missing or wrong. Export the file again.</source>
+        <translation>le fichier a %1 ; ce qui en dépend manque ou est faux. Exportez-le à nouveau.</translation>
+    </message>
+    <message>
         <source>The file is being read</source>
         <translation>Le fichier est en lecture</translation>
     </message>
     <message>
-        <source>The file is cut; write it anew, or correct the number behind Frames:.</source>
-        <translation>Écrivez de nouveau le fichier, car il est tronqué, ou corrigez le nombre après Frames:.</translation>
-    </message>
-    <message>
         <source>The file is damaged: export it again.</source>
         <translation>Le fichier est endommagé : exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>The file is incomplete: copy or export it again.</source>
+        <translation>Le fichier est incomplet : copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>The file is incomplete: export it again, or correct the number after Frames:.</source>
+        <translation>Écrivez de nouveau le fichier, car il est tronqué, ou corrigez le nombre après Frames:.</translation>
     </message>
     <message>
         <source>The file is truncated: export it again.</source>
@@ -8859,7 +8931,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>La boucle d'effort est parfois en retard</translation>
     </message>
     <message>
-        <source>The force loop runs without real-time priority (SCHED_FIFO %1: %2), so ticks come late when the machine is busy. Write the line &quot;NAME - rtprio %1&quot; with your user name into %3 and log in again.</source>
+        <source>The force loop runs without real-time priority (SCHED_FIFO %1: %2), so ticks are late when the computer is busy. Add the line &quot;NAME - rtprio %1&quot; with your user name to %3 and log in again.</source>
         <translation>La boucle d'effort tourne sans priorité temps réel (SCHED_FIFO %1 : %2) ; les cycles sont donc en retard quand la machine est chargée. Ajoutez la ligne &quot;NAME - rtprio %1&quot;, avec votre nom d'utilisateur, dans %3 et reconnectez-vous.</translation>
     </message>
     <message>
@@ -9011,10 +9083,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les marqueurs ne peuvent pas être montrés</translation>
     </message>
     <message>
-        <source>The measures are of grown persons; beyond that the regressions mean nothing.</source>
-        <translation>Restez dans cette plage : les mesures sont celles d'adultes ; au-delà, les régressions n'ont pas de sens.</translation>
-    </message>
-    <message>
         <source>The module %1 was not loaded. %2</source>
         <translation>Le module %1 n'a pas été chargé. %2</translation>
     </message>
@@ -9143,7 +9211,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le robot n’atteint pas l’image : il en reste jusqu’à %1 ou %2</translation>
     </message>
     <message>
-        <source>The robot has no six-axis configuration; configuration data are the format's defaults.</source>
+        <source>The robot has no six-axis configuration. The configuration data are the format's defaults.</source>
         <translation>Le robot n'a pas de configuration à six axes ; les données de configuration sont celles par défaut du format.</translation>
     </message>
     <message>
@@ -9181,6 +9249,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The server switched them off. Move the stylus to free space, or press Esc, then Ctrl+Space</source>
         <translation>Le serveur les a coupés. Menez le stylet en espace libre, ou pressez Échap, puis Ctrl+Espace</translation>
+    </message>
+    <message>
+        <source>The shipped hapticell.toml lists all keys.</source>
+        <translation>Toutes les clés figurent dans le hapticell.toml livré.</translation>
     </message>
     <message>
         <source>The simulated stylus needs no calibration.</source>
@@ -9431,6 +9503,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pour y revenir : Vue &gt; Vues enregistrées.</translation>
     </message>
     <message>
+        <source>To list all 56 joints, run hapticell-cli mannequin.</source>
+        <translation>Exécutez hapticell-cli mannequin, qui les énumère toutes les 56.</translation>
+    </message>
+    <message>
+        <source>To list the connected devices, run hapticell-cli devices.</source>
+        <translation>Lancez hapticell-cli devices pour voir ce qui est branché.</translation>
+    </message>
+    <message>
         <source>To lower it: %1.</source>
         <translation>Pour l'abaisser : %1.</translation>
     </message>
@@ -9591,7 +9671,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Retapez le code.</translation>
     </message>
     <message>
-        <source>Type what hapticell-haptic-server --pair shows.</source>
+        <source>Type the code that hapticell-haptic-server --pair shows.</source>
         <translation>Saisissez ce que montre hapticell-haptic-server --pair.</translation>
     </message>
     <message>
@@ -9699,12 +9779,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Butée haute</translation>
     </message>
     <message>
+        <source>Use --markers TABLE to assign the markers (docs/user/formats.md).</source>
+        <translation>Indiquez avec --markers TABLE où se trouve chaque marqueur (docs/user/formats.md).</translation>
+    </message>
+    <message>
+        <source>Use a larger --simplify.</source>
+        <translation>Prenez une valeur de --simplify plus grande.</translation>
+    </message>
+    <message>
         <source>Use a newer HaptiCell.</source>
         <translation>Utilisez un HaptiCell plus récent.</translation>
     </message>
     <message>
         <source>Use a smaller or coarser model.</source>
         <translation>Utilisez un modèle plus petit ou plus grossier.</translation>
+    </message>
+    <message>
+        <source>Use another file extension.</source>
+        <translation>Donnez au fichier une autre extension.</translation>
+    </message>
+    <message>
+        <source>Use its absolute path.</source>
+        <translation>Nommez-le par son chemin complet.</translation>
     </message>
     <message>
         <source>Use single keys without Ctrl</source>
@@ -9839,6 +9935,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fenêtre</translation>
     </message>
     <message>
+        <source>Without --robot, the configuration data are the format's defaults. Check them on the controller.</source>
+        <translation>Pas de --robot : les données de configuration sont celles par défaut du format ; vérifiez-les sur le contrôleur.</translation>
+    </message>
+    <message>
         <source>Without guidance, a day and a week after practice.</source>
         <translation>Sans assistance, un jour et une semaine après l'entraînement.</translation>
     </message>
@@ -9919,14 +10019,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Écrivez-le comme un nombre avec un point.</translation>
     </message>
     <message>
-        <source>Write it somewhere else.</source>
-        <translation>Écrivez-le ailleurs.</translation>
-    </message>
-    <message>
-        <source>Write it to another disk.</source>
-        <translation>Écrivez-le sur un autre disque.</translation>
-    </message>
-    <message>
         <source>Write its value into the program.</source>
         <translation>Écrivez sa valeur dans le programme.</translation>
     </message>
@@ -9935,16 +10027,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Écrivez en toutes lettres le texte qu'elles représentent.</translation>
     </message>
     <message>
-        <source>Write the file with decimal points; this one has commas.</source>
-        <translation>Écrivez le fichier avec des points décimaux ; celui-ci a des virgules.</translation>
-    </message>
-    <message>
         <source>Write the frames' values into the program, or read its parts one by one.</source>
         <translation>Écrivez les valeurs des repères dans le programme, ou lisez ses parties une à une.</translation>
     </message>
     <message>
         <source>Write the lines in the order in which they run.</source>
         <translation>Écrivez les lignes dans l'ordre de leur exécution.</translation>
+    </message>
+    <message>
+        <source>Write the path in metres from the centre of the device's workspace.</source>
+        <translation>Écrivez le trajet en mètres depuis le centre de l'espace de travail du périphérique.</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -10051,6 +10143,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>[début, fin, &quot;première&quot;, &quot;seconde&quot;, effort]</translation>
     </message>
     <message>
+        <source>[markers] is missing</source>
+        <translation>pas de [markers]</translation>
+    </message>
+    <message>
         <source>[markers] with landmarks and their markers</source>
         <translation>[markers] avec des repères anatomiques et leurs marqueurs</translation>
     </message>
@@ -10143,10 +10239,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un FOR dont le fichier ne donne pas les bornes</translation>
     </message>
     <message>
-        <source>a FlatBuffer that points outside itself</source>
-        <translation>un FlatBuffer qui pointe hors de lui-même</translation>
-    </message>
-    <message>
         <source>a FlatBuffer with the identifier HCEL</source>
         <translation>un FlatBuffer avec l'identifiant HCEL</translation>
     </message>
@@ -10155,8 +10247,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>une trajectoire HaptiCell</translation>
     </message>
     <message>
-        <source>a JSON file, or JSON in place</source>
+        <source>a JSON file or JSON text</source>
         <translation>un fichier JSON, ou du JSON à cet endroit</translation>
+    </message>
+    <message>
+        <source>a JSON object in braces</source>
+        <translation>un objet entre accolades</translation>
     </message>
     <message>
         <source>a JointTrajectory (joint_names and points), or JointState messages (name and position)</source>
@@ -10195,7 +10291,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier STEP avec des solides ou des surfaces</translation>
     </message>
     <message>
-        <source>a STEP file, or one packed by gzip or ZIP</source>
+        <source>a STEP file, plain or compressed with gzip or ZIP</source>
         <translation>un fichier STEP, éventuellement compressé par gzip ou ZIP</translation>
     </message>
     <message>
@@ -10227,10 +10323,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un bloc</translation>
     </message>
     <message>
-        <source>a block behind the header</source>
-        <translation>un bloc après l'en-tête</translation>
-    </message>
-    <message>
         <source>a block of the macro, or a property with elements</source>
         <translation>un bloc de la macro, ou une propriété avec des éléments</translation>
     </message>
@@ -10239,20 +10331,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un corps avec une épaisseur</translation>
     </message>
     <message>
-        <source>a bone of :bonedata, once</source>
-        <translation>un os de :bonedata, une seule fois</translation>
-    </message>
-    <message>
         <source>a bone of the skeleton</source>
         <translation>un os du squelette</translation>
     </message>
     <message>
         <source>a box whose size is not three numbers</source>
         <translation>un pavé dont la taille ne se compose pas de trois nombres</translation>
-    </message>
-    <message>
-        <source>a circle of symbolic links</source>
-        <translation>des liens symboliques qui tournent en rond</translation>
     </message>
     <message>
         <source>a colour out of range</source>
@@ -10279,20 +10363,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un contenu d'un type inconnu</translation>
     </message>
     <message>
-        <source>a content that is not of this format</source>
-        <translation>un contenu qui n'est pas de ce format</translation>
-    </message>
-    <message>
         <source>a copy of it</source>
         <translation>une copie de celui-ci</translation>
     </message>
     <message>
         <source>a copy that can be moved</source>
         <translation>une copie qui peut être déplacée</translation>
-    </message>
-    <message>
-        <source>a corner beyond the last of %1</source>
-        <translation>un sommet au-delà du dernier des %1</translation>
     </message>
     <message>
         <source>a corner that is no vertex number</source>
@@ -10303,12 +10379,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre annoncé de %1 triangles</translation>
     </message>
     <message>
-        <source>a count that is larger than what the file holds, or more than an import may use</source>
+        <source>a count that is too large for the file or for the memory limit of an import</source>
         <translation>un nombre d'éléments supérieur à ce que le fichier contient, ou à ce qu'une importation peut utiliser</translation>
     </message>
     <message>
         <source>a coupling without numbers</source>
         <translation>un couplage sans valeurs numériques</translation>
+    </message>
+    <message>
+        <source>a damaged FlatBuffer</source>
+        <translation>un FlatBuffer qui pointe hors de lui-même</translation>
     </message>
     <message>
         <source>a damaged archive</source>
@@ -10347,8 +10427,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>une direction</translation>
     </message>
     <message>
-        <source>a direction of no length, or axes that fall together</source>
-        <translation>une direction de longueur nulle, ou des axes confondus</translation>
+        <source>a direction of length zero, or parallel axes</source>
+        <translation>une direction de longueur nulle, ou des axes parallèles</translation>
     </message>
     <message>
         <source>a direction, such as &quot;0 0 1&quot;</source>
@@ -10387,16 +10467,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un type de document avec ses propres entités (&lt;!ENTITY ...&gt;)</translation>
     </message>
     <message>
+        <source>a drawn view</source>
+        <translation>quelque chose de dessiné</translation>
+    </message>
+    <message>
         <source>a driver of HaptiCell</source>
         <translation>un pilote de HaptiCell</translation>
     </message>
     <message>
         <source>a face with too few corners</source>
         <translation>une face avec trop peu de coins</translation>
-    </message>
-    <message>
-        <source>a figure out of its range</source>
-        <translation>une valeur hors de sa plage</translation>
     </message>
     <message>
         <source>a figure that moves by a script</source>
@@ -10407,8 +10487,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier</translation>
     </message>
     <message>
-        <source>a file beside it</source>
+        <source>a file in the same folder</source>
         <translation>un fichier à côté</translation>
+    </message>
+    <message>
+        <source>a file name</source>
+        <translation>le nom d'un fichier</translation>
+    </message>
+    <message>
+        <source>a file or folder that only you and root can change</source>
+        <translation>ce que vous seul (et root) pouvez écrire</translation>
+    </message>
+    <message>
+        <source>a file or program that accepts all data</source>
+        <translation>une cible qui accepte toutes les données</translation>
     </message>
     <message>
         <source>a file that can be copied to %1</source>
@@ -10427,10 +10519,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier complet</translation>
     </message>
     <message>
-        <source>a file that is write-protected</source>
-        <translation>un fichier protégé en écriture</translation>
-    </message>
-    <message>
         <source>a file that nobody else is at work on</source>
         <translation>un fichier sur lequel personne d'autre ne travaille</translation>
     </message>
@@ -10441,6 +10529,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a file that was not packed, or twice</source>
         <translation>un fichier qui n'a pas été archivé, ou qui y est deux fois</translation>
+    </message>
+    <message>
+        <source>a file that you can write</source>
+        <translation>un fichier accessible en écriture</translation>
     </message>
     <message>
         <source>a file without them</source>
@@ -10457,10 +10549,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a finite number with '.' as decimal point</source>
         <translation>un nombre fini avec '.' comme séparateur décimal</translation>
-    </message>
-    <message>
-        <source>a finite pose</source>
-        <translation>une pose finie</translation>
     </message>
     <message>
         <source>a finite result</source>
@@ -10483,7 +10571,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un dossier sur un disque local</translation>
     </message>
     <message>
-        <source>a folder that can be made</source>
+        <source>a folder that can be created</source>
         <translation>un dossier qui peut être créé</translation>
     </message>
     <message>
@@ -10495,12 +10583,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un dossier qui existe et qui est accessible en écriture</translation>
     </message>
     <message>
-        <source>a folder that is there</source>
-        <translation>un dossier qui existe</translation>
-    </message>
-    <message>
         <source>a frame of '%1'</source>
         <translation>un repère de '%1'</translation>
+    </message>
+    <message>
+        <source>a frame of an entity</source>
+        <translation>un repère d'une entité</translation>
     </message>
     <message>
         <source>a frame that is not understood</source>
@@ -10523,7 +10611,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un serveur haptique</translation>
     </message>
     <message>
-        <source>a header line and at least one row</source>
+        <source>a header line and at least one line of values</source>
         <translation>une ligne d'en-tête et au moins une ligne de données</translation>
     </message>
     <message>
@@ -10539,7 +10627,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un risque élevé</translation>
     </message>
     <message>
-        <source>a home where the six legs hold the platform</source>
+        <source>a home position in which the six legs fix the platform</source>
         <translation>une position de repos où les six jambes tiennent la plateforme</translation>
     </message>
     <message>
@@ -10559,7 +10647,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une articulation entre des modèles d'un monde</translation>
     </message>
     <message>
-        <source>a joint position that is no number</source>
+        <source>a joint position that is not a number</source>
         <translation>une position d'axe qui n'est pas un nombre</translation>
     </message>
     <message>
@@ -10569,10 +10657,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a joint that only Drake knows</source>
         <translation>une articulation que seul Drake connaît</translation>
-    </message>
-    <message>
-        <source>a joint that the mannequin has not</source>
-        <translation>une articulation que le mannequin n'a pas</translation>
     </message>
     <message>
         <source>a joint type that is not known</source>
@@ -10599,7 +10683,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une clé comme %1</translation>
     </message>
     <message>
-        <source>a key that other users may read or change</source>
+        <source>a key that other users can read or change</source>
         <translation>une clé que d'autres utilisateurs peuvent lire ou modifier</translation>
     </message>
     <message>
@@ -10619,7 +10703,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un lambda à %1 paramètres appelé avec %2</translation>
     </message>
     <message>
-        <source>a leg with a length</source>
+        <source>a leg length above 0</source>
         <translation>une jambe de longueur non nulle</translation>
     </message>
     <message>
@@ -10631,7 +10715,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une longueur de %1 octets</translation>
     </message>
     <message>
-        <source>a length of %1 m at home</source>
+        <source>a length of %1 m at the home position</source>
         <translation>une longueur de %1 m au repos</translation>
     </message>
     <message>
@@ -10667,10 +10751,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un segment '%1' avec d'autres formes</translation>
     </message>
     <message>
-        <source>a link behind a joint</source>
-        <translation>un segment après un axe</translation>
-    </message>
-    <message>
         <source>a link of '%1'</source>
         <translation>un segment de '%1'</translation>
     </message>
@@ -10685,6 +10765,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a link of the robot</source>
         <translation>un segment du robot</translation>
+    </message>
+    <message>
+        <source>a link that a joint moves</source>
+        <translation>un segment après un axe</translation>
     </message>
     <message>
         <source>a link without a name</source>
@@ -10799,10 +10883,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un marqueur pour chacun d'eux</translation>
     </message>
     <message>
-        <source>a marker that is seen</source>
-        <translation>un marqueur qui est vu</translation>
-    </message>
-    <message>
         <source>a marker's name, or a list of names</source>
         <translation>le nom d'un marqueur, ou une liste de noms</translation>
     </message>
@@ -10843,12 +10923,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>un maillage sans nom de fichier</translation>
     </message>
     <message>
-        <source>a message of the protocol</source>
+        <source>a message with content</source>
         <translation>un message du protocole</translation>
-    </message>
-    <message>
-        <source>a mistyped sign (the check sum does not fit)</source>
-        <translation>une faute de frappe (la somme de contrôle ne convient pas)</translation>
     </message>
     <message>
         <source>a motion</source>
@@ -10859,8 +10935,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>un mouvement en AMC</translation>
     </message>
     <message>
-        <source>a motion that is switched on</source>
-        <translation>un mouvement activé</translation>
+        <source>a motion of one hand only</source>
+        <translation>le mouvement d'une main seule</translation>
     </message>
     <message>
         <source>a move relative to a target that the file does not give</source>
@@ -10869,6 +10945,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a move without target</source>
         <translation>un mouvement sans cible</translation>
+    </message>
+    <message>
+        <source>a moving part or a carrying part is not set</source>
+        <translation>il faut une pièce mobile et une pièce qui la porte</translation>
     </message>
     <message>
         <source>a name</source>
@@ -10911,6 +10991,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nœud du fichier</translation>
     </message>
     <message>
+        <source>a node that does not exist</source>
+        <translation>ce nœud n'existe pas</translation>
+    </message>
+    <message>
+        <source>a non-empty text</source>
+        <translation>un texte non vide</translation>
+    </message>
+    <message>
         <source>a number</source>
         <translation>un nombre</translation>
     </message>
@@ -10923,24 +11011,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre de degrés</translation>
     </message>
     <message>
-        <source>a number that is not finite</source>
-        <translation>un nombre non fini</translation>
+        <source>a number that is negative or not finite</source>
+        <translation>un nombre non fini ou négatif</translation>
     </message>
     <message>
-        <source>a number that is not finite or negative</source>
-        <translation>un nombre non fini ou négatif</translation>
+        <source>a number that is not finite</source>
+        <translation>un nombre non fini</translation>
     </message>
     <message>
         <source>a number that is not finite or out of its range</source>
         <translation>un nombre non fini ou hors de sa plage</translation>
     </message>
     <message>
-        <source>a number that no computer can hold</source>
-        <translation>un nombre qu'aucun ordinateur ne peut représenter</translation>
-    </message>
-    <message>
-        <source>a number that no computer holds</source>
-        <translation>un nombre non représentable</translation>
+        <source>a number that is too large</source>
+        <translation>un nombre trop grand</translation>
     </message>
     <message>
         <source>a number within +-7 rad</source>
@@ -10959,7 +11043,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre de %1 à %2</translation>
     </message>
     <message>
-        <source>a number; the equation needs every field</source>
+        <source>a number; the equation needs all fields</source>
         <translation>un nombre ; l'équation a besoin de tous les champs</translation>
     </message>
     <message>
@@ -10969,6 +11053,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a pairing code</source>
         <translation>un code d'appairage</translation>
+    </message>
+    <message>
+        <source>a parameter block after the header</source>
+        <translation>un bloc après l'en-tête</translation>
     </message>
     <message>
         <source>a part</source>
@@ -11009,10 +11097,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a path of no length</source>
         <translation>une trajectoire de longueur nulle</translation>
-    </message>
-    <message>
-        <source>a picture format that cannot be written</source>
-        <translation>un format d'image qui ne peut pas être écrit</translation>
     </message>
     <message>
         <source>a picture of %1 x %2</source>
@@ -11071,15 +11155,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>une pose qui n'en est pas une</translation>
     </message>
     <message>
-        <source>a pose that is not valid</source>
-        <translation>une pose non valide</translation>
-    </message>
-    <message>
         <source>a pose that moves while the joints stand</source>
         <translation>une pose qui bouge alors que les axes sont immobiles</translation>
     </message>
     <message>
-        <source>a position %1 from the middle of the workspace</source>
+        <source>a position %1 from the centre of the workspace</source>
         <translation>une position à %1 du centre de l'espace de travail</translation>
     </message>
     <message>
@@ -11159,23 +11239,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier CSV lisible</translation>
     </message>
     <message>
-        <source>a real number</source>
-        <translation>un nombre réel</translation>
-    </message>
-    <message>
         <source>a recorded device session (*.hdev)</source>
         <translation>une session de périphérique enregistrée (*.hdev)</translation>
-    </message>
-    <message>
-        <source>a recorded motion to read by them</source>
-        <translation>un mouvement enregistré à lire avec ces options</translation>
     </message>
     <message>
         <source>a recording in C3D</source>
         <translation>un enregistrement en C3D</translation>
     </message>
     <message>
-        <source>a reference or a count that points beyond what the file holds</source>
+        <source>a recording with at least one tick</source>
+        <translation>une session enregistrée</translation>
+    </message>
+    <message>
+        <source>a reference or count beyond the end of the file's data</source>
         <translation>un renvoi ou un nombre d'éléments au-delà de ce que le fichier contient</translation>
     </message>
     <message>
@@ -11185,6 +11261,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a robot</source>
         <translation>un robot</translation>
+    </message>
+    <message>
+        <source>a robot attached to a moving link of a mechanism or robot that is not locked</source>
+        <translation>un robot porté par un segment mobile d'un mécanisme ou d'un robot non verrouillé</translation>
     </message>
     <message>
         <source>a robot file, or library:NAME</source>
@@ -11197,10 +11277,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a robot or a mechanism</source>
         <translation>un robot ou un mécanisme</translation>
-    </message>
-    <message>
-        <source>a robot that hangs on a moving link of a mechanism or robot that is not locked</source>
-        <translation>un robot porté par un segment mobile d'un mécanisme ou d'un robot non verrouillé</translation>
     </message>
     <message>
         <source>a robot with a moving link</source>
@@ -11225,10 +11301,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a robot.toml</source>
         <translation>un robot.toml</translation>
-    </message>
-    <message>
-        <source>a scale that is no number</source>
-        <translation>une échelle qui n'est pas un nombre</translation>
     </message>
     <message>
         <source>a scene without nodes</source>
@@ -11259,6 +11331,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un second axe '%1' (le premier : %2)</translation>
     </message>
     <message>
+        <source>a second left hand in the same step</source>
+        <translation>de nouveau la main gauche dans la même étape</translation>
+    </message>
+    <message>
         <source>a second link '%1' (the first is on %2)</source>
         <translation>un second segment '%1' (le premier : %2)</translation>
     </message>
@@ -11267,16 +11343,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un deuxième élément de ce nom</translation>
     </message>
     <message>
+        <source>a second right hand in the same step</source>
+        <translation>de nouveau la main droite dans la même étape</translation>
+    </message>
+    <message>
         <source>a second world is left out</source>
         <translation>un second monde est omis</translation>
     </message>
     <message>
         <source>a server that answers until the hand path ends</source>
         <translation>un serveur qui répond jusqu'à la fin du trajet de la main</translation>
-    </message>
-    <message>
-        <source>a session that was recorded</source>
-        <translation>une session enregistrée</translation>
     </message>
     <message>
         <source>a shape</source>
@@ -11323,7 +11399,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un squelette en ASF</translation>
     </message>
     <message>
-        <source>a skeleton with its root</source>
+        <source>a skeleton with a root</source>
         <translation>un squelette avec sa racine</translation>
     </message>
     <message>
@@ -11359,18 +11435,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un solide</translation>
     </message>
     <message>
-        <source>a sound %1 file</source>
-        <translation>un fichier %1 valide</translation>
-    </message>
-    <message>
-        <source>a sound file</source>
-        <translation>un fichier valide</translation>
-    </message>
-    <message>
-        <source>a sound mesh</source>
-        <translation>un maillage valide</translation>
-    </message>
-    <message>
         <source>a speed above 0, friction not below 0</source>
         <translation>une vitesse supérieure à 0, un frottement au moins égal à 0</translation>
     </message>
@@ -11387,7 +11451,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une vitesse de départ ou d'arrivée qu'aucun mouvement dans les limites n'atteint</translation>
     </message>
     <message>
-        <source>a stiffness, damping or load that is negative, not finite or too great</source>
+        <source>a stiffness, damping or load that is negative, not finite or too large</source>
         <translation>une raideur, un amortissement ou une charge négatifs, non finis ou trop grands</translation>
     </message>
     <message>
@@ -11419,10 +11483,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>une table de marqueurs pour un squelette</translation>
     </message>
     <message>
-        <source>a table, a fixture</source>
-        <translation>une table, un montage</translation>
-    </message>
-    <message>
         <source>a target before it</source>
         <translation>une cible avant lui</translation>
     </message>
@@ -11437,10 +11497,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a target in a position register, which the program does not set</source>
         <translation>une cible dans un registre de position que le programme ne définit pas</translation>
-    </message>
-    <message>
-        <source>a target that accepts all data</source>
-        <translation>une cible qui accepte toutes les données</translation>
     </message>
     <message>
         <source>a target that is neither p[...] nor six joints</source>
@@ -11483,16 +11539,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>un texte de plus de 1 Mo</translation>
     </message>
     <message>
-        <source>a text of two bytes a letter (UTF-16)</source>
-        <translation>un texte de deux octets par lettre (UTF-16)</translation>
-    </message>
-    <message>
         <source>a text or a number</source>
         <translation>un texte ou un nombre</translation>
-    </message>
-    <message>
-        <source>a text that is not empty</source>
-        <translation>un texte non vide</translation>
     </message>
     <message>
         <source>a text to be filled with more places than values</source>
@@ -11505,10 +11553,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a text to split at</source>
         <translation>un texte séparateur</translation>
-    </message>
-    <message>
-        <source>a text where a number belongs, or a number that no computer holds</source>
-        <translation>un texte à la place d'un nombre, ou un nombre non représentable</translation>
     </message>
     <message>
         <source>a text without its closing quote in the expression</source>
@@ -11547,6 +11591,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un time_from_start de %1 s</translation>
     </message>
     <message>
+        <source>a tip that moves</source>
+        <translation>une qui bouge</translation>
+    </message>
+    <message>
         <source>a tolerance that is no length</source>
         <translation>une tolérance qui n'est pas une longueur</translation>
     </message>
@@ -11567,24 +11615,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier de trajectoire</translation>
     </message>
     <message>
-        <source>a tree</source>
-        <translation>un arbre</translation>
-    </message>
-    <message>
         <source>a tree from the root link '%1'</source>
         <translation>un arbre issu du segment racine '%1'</translation>
-    </message>
-    <message>
-        <source>a tree of components</source>
-        <translation>un arbre de composants</translation>
     </message>
     <message>
         <source>a tree with one root link</source>
         <translation>un arbre avec un seul segment racine</translation>
     </message>
     <message>
-        <source>a triangle with a corner that is not there</source>
+        <source>a tree without cycles</source>
+        <translation>un arbre</translation>
+    </message>
+    <message>
+        <source>a triangle with a vertex that does not exist</source>
         <translation>un triangle dont un sommet n'existe pas</translation>
+    </message>
+    <message>
+        <source>a typing error (the checksum is wrong)</source>
+        <translation>une faute de frappe (la somme de contrôle ne convient pas)</translation>
     </message>
     <message>
         <source>a unique name</source>
@@ -11607,11 +11655,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>une Envelope valide</translation>
     </message>
     <message>
+        <source>a valid pose and status</source>
+        <translation>une pose finie</translation>
+    </message>
+    <message>
         <source>a value</source>
         <translation>une valeur</translation>
     </message>
     <message>
-        <source>a value after it</source>
+        <source>a value after the option</source>
         <translation>une valeur à la suite</translation>
     </message>
     <message>
@@ -11631,16 +11683,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>une valeur dans l'expression</translation>
     </message>
     <message>
+        <source>a value is out of range</source>
+        <translation>une valeur hors de sa plage</translation>
+    </message>
+    <message>
         <source>a value outside its range</source>
         <translation>une valeur hors de sa plage</translation>
     </message>
     <message>
-        <source>a value that is not in the list</source>
-        <translation>une valeur qui n'est pas dans la liste</translation>
+        <source>a value that is not above 0</source>
+        <translation>une valeur qui n'est pas positive</translation>
     </message>
     <message>
-        <source>a value that is not positive</source>
-        <translation>une valeur qui n'est pas positive</translation>
+        <source>a value that is not in the list</source>
+        <translation>une valeur qui n'est pas dans la liste</translation>
     </message>
     <message>
         <source>a value that the file does not give</source>
@@ -11655,16 +11711,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>un numéro de sommet inférieur à %1</translation>
     </message>
     <message>
-        <source>a vertex that is no point</source>
-        <translation>un sommet qui n'est pas un point</translation>
+        <source>a vertex number beyond the last of %1</source>
+        <translation>un sommet au-delà du dernier des %1</translation>
     </message>
     <message>
         <source>a vertex with fewer than three coordinates</source>
         <translation>un sommet de moins de trois coordonnées</translation>
     </message>
     <message>
-        <source>a video that can be written</source>
+        <source>a video file that can be written</source>
         <translation>une vidéo qui peut être écrite</translation>
+    </message>
+    <message>
+        <source>a visible marker</source>
+        <translation>un marqueur qui est vu</translation>
     </message>
     <message>
         <source>a whole number</source>
@@ -11703,6 +11763,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus de 0 avec driven_axes = 6, sinon 0</translation>
     </message>
     <message>
+        <source>above 0, at most 100000</source>
+        <translation>plus de 0 et au plus 100000</translation>
+    </message>
+    <message>
         <source>acceleration</source>
         <translation>accélération</translation>
     </message>
@@ -11735,11 +11799,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>tout ce qui a été archivé</translation>
     </message>
     <message>
+        <source>all triangles have zero area</source>
+        <translation>aucun triangle d'aire non nulle</translation>
+    </message>
+    <message>
         <source>all, translation, rotation, or some of x y z</source>
         <translation>all, translation, rotation, ou certains de x y z</translation>
     </message>
     <message>
-        <source>allowed up to %1, 80 is asked for</source>
+        <source>allowed for root</source>
+        <translation>root en a le droit</translation>
+    </message>
+    <message>
+        <source>allowed up to %1; 80 is needed</source>
         <translation>autorisée jusqu'à %1, 80 demandé</translation>
     </message>
     <message>
@@ -11783,7 +11855,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une adresse de cette machine, par exemple 127.0.0.1</translation>
     </message>
     <message>
-        <source>an address that other machines can reach, where anybody could take the stylus</source>
+        <source>an address that other machines can reach, so anybody could control the stylus</source>
         <translation>une adresse joignable par d'autres machines, où n'importe qui pourrait prendre le stylet</translation>
     </message>
     <message>
@@ -11839,10 +11911,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un élément 'vertex' avec x, y et z</translation>
     </message>
     <message>
-        <source>an element beyond the last</source>
-        <translation>un élément au-delà du dernier</translation>
-    </message>
-    <message>
         <source>an element inside of the call for each block</source>
         <translation>un élément dans l'appel pour chaque bloc</translation>
     </message>
@@ -11871,6 +11939,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier vide</translation>
     </message>
     <message>
+        <source>an empty message</source>
+        <translation>une enveloppe sans contenu</translation>
+    </message>
+    <message>
+        <source>an empty picture</source>
+        <translation>il n'y a pas d'image</translation>
+    </message>
+    <message>
         <source>an endless first line</source>
         <translation>une première ligne sans fin</translation>
     </message>
@@ -11887,12 +11963,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>une entité de la cellule</translation>
     </message>
     <message>
-        <source>an entity that may be moved</source>
-        <translation>une entité qui peut être déplacée</translation>
+        <source>an entity of the workcell</source>
+        <translation>un élément de la cellule</translation>
     </message>
     <message>
-        <source>an envelope without a body</source>
-        <translation>une enveloppe sans contenu</translation>
+        <source>an entity that can be moved</source>
+        <translation>une entité qui peut être déplacée</translation>
     </message>
     <message>
         <source>an error</source>
@@ -11903,8 +11979,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>une largeur et une hauteur paires</translation>
     </message>
     <message>
-        <source>an expert's motion</source>
-        <translation>le mouvement d'un expert</translation>
+        <source>an existing folder</source>
+        <translation>un dossier qui existe</translation>
+    </message>
+    <message>
+        <source>an existing name</source>
+        <translation>un nom qui existe</translation>
     </message>
     <message>
         <source>an expression</source>
@@ -11987,24 +12067,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>une transformation qui n'en est pas une</translation>
     </message>
     <message>
-        <source>an object</source>
-        <translation>un objet</translation>
+        <source>an invalid vertex</source>
+        <translation>un sommet qui n'est pas un point</translation>
     </message>
     <message>
-        <source>an object in braces</source>
-        <translation>un objet entre accolades</translation>
+        <source>an object</source>
+        <translation>un objet</translation>
     </message>
     <message>
         <source>an object of more than %1 members</source>
         <translation>un objet de plus de %1 membres</translation>
     </message>
     <message>
-        <source>an object of that part</source>
+        <source>an object of this part</source>
         <translation>un objet de cet élément</translation>
+    </message>
+    <message>
+        <source>an object that does not exist</source>
+        <translation>cet objet n'existe pas</translation>
     </message>
     <message>
         <source>an object with fields</source>
         <translation>un objet avec des champs</translation>
+    </message>
+    <message>
+        <source>an open chain of joints</source>
+        <translation>des axes qui se suivent</translation>
     </message>
     <message>
         <source>an operator '%1' between lists</source>
@@ -12019,6 +12107,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un opérateur '%1' qui n'est pas compris</translation>
     </message>
     <message>
+        <source>an option that --help lists</source>
+        <translation>l'une de celles que --help énumère</translation>
+    </message>
+    <message>
         <source>an origin that is not a pose (&quot;%1&quot;)</source>
         <translation>une origine qui n'est pas une pose (&quot;%1&quot;)</translation>
     </message>
@@ -12027,12 +12119,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>un contour extrudé</translation>
     </message>
     <message>
-        <source>an unforeseen fault: %1</source>
+        <source>an undamaged %1 file</source>
+        <translation>un fichier %1 intact</translation>
+    </message>
+    <message>
+        <source>an undamaged file</source>
+        <translation>un fichier intact</translation>
+    </message>
+    <message>
+        <source>an undamaged mesh</source>
+        <translation>un maillage valide</translation>
+    </message>
+    <message>
+        <source>an unexpected error: %1</source>
         <translation>une erreur imprévue : %1</translation>
     </message>
     <message>
-        <source>an unknown kind or no gradient</source>
+        <source>an unknown compression</source>
+        <translation>il est compressé d'une façon inconnue</translation>
+    </message>
+    <message>
+        <source>an unknown kind, or the gradient is missing</source>
         <translation>un type inconnu ou aucun gradient</translation>
+    </message>
+    <message>
+        <source>an unsupported picture format</source>
+        <translation>un format d'image qui ne peut pas être écrit</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -12043,11 +12155,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>angle</translation>
     </message>
     <message>
-        <source>angles of the motion are degrees, as the AMC says; those of the skeleton are not</source>
+        <source>angles of the motion are in degrees, as the AMC states; angles of the skeleton are in radians</source>
         <translation>les angles du mouvement sont en degrés, comme l'indique l'AMC ; ceux du squelette ne le sont pas</translation>
     </message>
     <message>
-        <source>angles of the motion are radians, as the AMC says; those of the skeleton are not</source>
+        <source>angles of the motion are in radians, as the AMC states; angles of the skeleton are in degrees</source>
         <translation>les angles du mouvement sont en radians, comme l'indique l'AMC ; ceux du squelette ne le sont pas</translation>
     </message>
     <message>
@@ -12075,6 +12187,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une autre entité à laquelle l'attacher</translation>
     </message>
     <message>
+        <source>another format</source>
+        <translation>autre chose</translation>
+    </message>
+    <message>
         <source>another joint</source>
         <translation>un autre axe</translation>
     </message>
@@ -12089,10 +12205,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>another time</source>
         <translation>un autre temps</translation>
-    </message>
-    <message>
-        <source>another type than is needed there, or none</source>
-        <translation>un autre type que celui qu'il faut là, ou aucun</translation>
     </message>
     <message>
         <source>another version</source>
@@ -12111,7 +12223,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>arguments</translation>
     </message>
     <message>
-        <source>arms, legs and a trunk that have lengths</source>
+        <source>arms, legs and a trunk with lengths above 0</source>
         <translation>des bras, des jambes et un tronc de longueur non nulle</translation>
     </message>
     <message>
@@ -12167,8 +12279,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>au moins un marqueur</translation>
     </message>
     <message>
+        <source>at least one motion that is switched on</source>
+        <translation>un mouvement activé</translation>
+    </message>
+    <message>
         <source>at least one part that can be read</source>
         <translation>au moins une pièce lisible</translation>
+    </message>
+    <message>
+        <source>at least one part, such as a table or a fixture</source>
+        <translation>une table, un montage</translation>
     </message>
     <message>
         <source>at least one solid</source>
@@ -12191,6 +12311,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>au moins les 84 octets de l'en-tête d'un STL binaire</translation>
     </message>
     <message>
+        <source>at least the time of the line before</source>
+        <translation>au moins la valeur de la ligne précédente</translation>
+    </message>
+    <message>
         <source>at least two</source>
         <translation>au moins deux</translation>
     </message>
@@ -12207,7 +12331,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus %1 octets</translation>
     </message>
     <message>
-        <source>at most %1 independent ones</source>
+        <source>at most %1 independent actuated joints</source>
         <translation>au plus %1 axes indépendants</translation>
     </message>
     <message>
@@ -12223,7 +12347,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus %1, ce qu'un job INFORM peut contenir</translation>
     </message>
     <message>
-        <source>at most 1 GB, and 200 times its own size</source>
+        <source>at most 1 GB and 200 times the packed size</source>
         <translation>au plus 1 Go, et 200 fois sa propre taille</translation>
     </message>
     <message>
@@ -12263,7 +12387,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus 24</translation>
     </message>
     <message>
-        <source>at most 4 GB, and 200 times its own size</source>
+        <source>at most 4 GB and 200 times the packed size</source>
         <translation>au plus 4 Go, et 200 fois sa propre taille</translation>
     </message>
     <message>
@@ -12277,6 +12401,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>at most 9e9 s</source>
         <translation>au plus 9e9 s</translation>
+    </message>
+    <message>
+        <source>at most peak_force, %1</source>
+        <translation>au plus peak_force, %1</translation>
     </message>
     <message>
         <source>at most the %1 that the file's length can hold</source>
@@ -12343,12 +12471,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>des os et des mélanges de formes ; le maillage est affiché tel que modélisé</translation>
     </message>
     <message>
-        <source>bones that slide or grow are taken as they are at rest</source>
-        <translation>les os qui glissent ou s'allongent sont pris comme au repos</translation>
+        <source>bones of length zero</source>
+        <translation>des os de longueur nulle</translation>
     </message>
     <message>
-        <source>bones without length</source>
-        <translation>des os de longueur nulle</translation>
+        <source>bones that slide or change length are kept as in the rest pose</source>
+        <translation>les os qui glissent ou s'allongent sont pris comme au repos</translation>
     </message>
     <message>
         <source>bones; the mesh is shown as modelled</source>
@@ -12365,6 +12493,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>both are given</source>
         <translation>les deux sont donnés</translation>
+    </message>
+    <message>
+        <source>both joints of the leg are at the same point</source>
+        <translation>des articulations confondues</translation>
     </message>
     <message>
         <source>box:, table:, fence: or another of them</source>
@@ -12391,11 +12523,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>octet %1</translation>
     </message>
     <message>
-        <source>byte %1 of its JSON</source>
-        <translation>octet %1 de son JSON</translation>
-    </message>
-    <message>
-        <source>bytes that are no text</source>
+        <source>bytes that are not text</source>
         <translation>des octets qui ne sont pas un texte</translation>
     </message>
     <message>
@@ -12403,7 +12531,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>annulé</translation>
     </message>
     <message>
-        <source>cannot listen there: %1</source>
+        <source>cannot listen at this address: %1</source>
         <translation>écoute impossible à cette adresse : %1</translation>
     </message>
     <message>
@@ -12483,8 +12611,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>completion</translation>
     </message>
     <message>
-        <source>components in a circle</source>
+        <source>components that contain each other</source>
         <translation>des composants en boucle</translation>
+    </message>
+    <message>
+        <source>components without cycles</source>
+        <translation>un arbre de composants</translation>
+    </message>
+    <message>
+        <source>consecutive frame numbers</source>
+        <translation>des images qui se suivent</translation>
     </message>
     <message>
         <source>constant, contact or dynamics</source>
@@ -12511,28 +12647,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>contacts : %1</translation>
     </message>
     <message>
-        <source>content at which its reader breaks down</source>
+        <source>content that is not of this format</source>
+        <translation>un contenu qui n'est pas de ce format</translation>
+    </message>
+    <message>
+        <source>content that makes the reader crash</source>
         <translation>un contenu qui bloque le lecteur</translation>
-    </message>
-    <message>
-        <source>content that contradicts itself</source>
-        <translation>un contenu contradictoire</translation>
-    </message>
-    <message>
-        <source>content that contradicts itself (%1)</source>
-        <translation>un contenu contradictoire (%1)</translation>
     </message>
     <message>
         <source>content that the SDF library does not get through</source>
         <translation>un contenu que la bibliothèque SDF ne parvient pas à lire</translation>
-    </message>
-    <message>
-        <source>corners from 0 to %1</source>
-        <translation>des sommets de 0 à %1</translation>
-    </message>
-    <message>
-        <source>corners of the mesh</source>
-        <translation>des sommets du maillage</translation>
     </message>
     <message>
         <source>counts that fit the file</source>
@@ -12551,10 +12675,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des courbes</translation>
     </message>
     <message>
-        <source>curves and surfaces that exist</source>
-        <translation>des courbes et des surfaces qui existent</translation>
-    </message>
-    <message>
         <source>d MMM yyyy, HH:mm</source>
         <translation>d MMM yyyy, HH:mm</translation>
     </message>
@@ -12567,11 +12687,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>d MMMM, HH:mm</translation>
     </message>
     <message>
-        <source>data of EXT_meshopt_compression that cannot be unpacked</source>
+        <source>data of EXT_meshopt_compression that cannot be decompressed</source>
         <translation>des données de EXT_meshopt_compression impossibles à décompresser</translation>
     </message>
     <message>
-        <source>data that cannot be unpacked (%1)</source>
+        <source>data that cannot be decompressed (%1)</source>
         <translation>des données impossibles à décompresser (%1)</translation>
     </message>
     <message>
@@ -12603,8 +12723,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>le chiffre %1 (%2) est '%3'</translation>
     </message>
     <message>
-        <source>directions that differ</source>
-        <translation>des directions différentes</translation>
+        <source>directions of non-zero length that are not parallel</source>
+        <translation>des directions de longueur non nulle et non parallèles</translation>
     </message>
     <message>
         <source>dist() of points of unequal dimension</source>
@@ -12619,8 +12739,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>dessin</translation>
     </message>
     <message>
+        <source>duplicate triangles, kept once in a workcell</source>
+        <translation>triangles en double, laissés de côté une fois dans une cellule</translation>
+    </message>
+    <message>
         <source>dwell</source>
         <translation>temporisation</translation>
+    </message>
+    <message>
+        <source>each bone of :bonedata once</source>
+        <translation>un os de :bonedata, une seule fois</translation>
     </message>
     <message>
         <source>each bone once</source>
@@ -12631,15 +12759,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>chaque élément une seule fois</translation>
     </message>
     <message>
-        <source>each entity once: nothing is checked against itself</source>
+        <source>each entity on one side only: an entity is not checked against itself</source>
         <translation>chaque entité une seule fois : rien n'est vérifié par rapport à soi-même</translation>
     </message>
     <message>
-        <source>each hand once a step</source>
+        <source>each hand once per step</source>
         <translation>chaque main une fois par étape</translation>
     </message>
     <message>
-        <source>each key once</source>
+        <source>each key at most once</source>
         <translation>chaque clé une fois</translation>
     </message>
     <message>
@@ -12647,16 +12775,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>chaque nom une seule fois</translation>
     </message>
     <message>
-        <source>each of them written once</source>
-        <translation>chacun écrit une seule fois</translation>
-    </message>
-    <message>
         <source>each once</source>
         <translation>chacun une seule fois</translation>
     </message>
     <message>
-        <source>each option once</source>
+        <source>each option at most once</source>
         <translation>chaque option une fois</translation>
+    </message>
+    <message>
+        <source>each wrist has one marker; neither pronation nor supination of the forearms is assumed</source>
+        <translation>les poignets ont un seul marqueur ; les avant-bras sont supposés ni en pronation ni en supination</translation>
     </message>
     <message>
         <source>elements nested deeper than %1</source>
@@ -12763,6 +12891,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>moins de niveaux</translation>
     </message>
     <message>
+        <source>fewer repeated nodes</source>
+        <translation>chacun écrit une seule fois</translation>
+    </message>
+    <message>
         <source>fewer than a million</source>
         <translation>moins d'un million</translation>
     </message>
@@ -12775,32 +12907,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>ffmpeg</translation>
     </message>
     <message>
-        <source>ffmpeg, which writes videos</source>
-        <translation>ffmpeg, qui écrit les vidéos</translation>
-    </message>
-    <message>
         <source>field '%1'</source>
         <translation>champ '%1'</translation>
     </message>
     <message>
-        <source>figures from 0 up</source>
-        <translation>des valeurs à partir de 0</translation>
+        <source>file %1: %2</source>
+        <translation>son fichier %1 : %2</translation>
     </message>
     <message>
         <source>file missing</source>
         <translation>fichier manquant</translation>
     </message>
     <message>
-        <source>files in %1</source>
-        <translation>des fichiers dans %1</translation>
-    </message>
-    <message>
         <source>files inside %1</source>
         <translation>des fichiers à l'intérieur de %1</translation>
-    </message>
-    <message>
-        <source>files inside it</source>
-        <translation>des fichiers à l'intérieur</translation>
     </message>
     <message>
         <source>final %1. A value on a class boundary belongs to the lower class.</source>
@@ -12809,10 +12929,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>fine</source>
         <translation>fine</translation>
-    </message>
-    <message>
-        <source>finite figures and a true box</source>
-        <translation>des valeurs finies et un volume réel</translation>
     </message>
     <message>
         <source>finite numbers</source>
@@ -12835,12 +12951,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>des nombres finis séparés par des virgules</translation>
     </message>
     <message>
-        <source>finite numbers within a million metres and a unit quaternion</source>
-        <translation>des nombres finis à moins d'un million de mètres et un quaternion unitaire</translation>
+        <source>finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a zone above 0, and no negative stiffness, damping or friction</source>
+        <translation>des nombres finis dans les limites de docs/library/protocol.md, un quaternion unitaire, une zone positive, ni raideur, ni amortissement, ni frottement négatifs</translation>
     </message>
     <message>
-        <source>finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a positive zone, no negative stiffness, damping or friction</source>
-        <translation>des nombres finis dans les limites de docs/library/protocol.md, un quaternion unitaire, une zone positive, ni raideur, ni amortissement, ni frottement négatifs</translation>
+        <source>finite numbers, 0 or more</source>
+        <translation>des valeurs à partir de 0</translation>
+    </message>
+    <message>
+        <source>finite numbers, and a minimum below the maximum</source>
+        <translation>des valeurs finies et un volume réel</translation>
+    </message>
+    <message>
+        <source>finite numbers, at most 1 000 000 m, and a unit quaternion</source>
+        <translation>des nombres finis à moins d'un million de mètres et un quaternion unitaire</translation>
     </message>
     <message>
         <source>finite numbers, within 1e12 m</source>
@@ -12911,12 +13035,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>images</translation>
     </message>
     <message>
-        <source>frames a second above 0</source>
+        <source>frames per second above 0</source>
         <translation>un nombre d'images par seconde supérieur à 0</translation>
-    </message>
-    <message>
-        <source>frames that follow each other</source>
-        <translation>des images qui se suivent</translation>
     </message>
     <message>
         <source>frames that move</source>
@@ -12995,16 +13115,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>hand:left ou hand:right, et :SEX:PERCENTILE</translation>
     </message>
     <message>
-        <source>hapticell-cli devices shows what is plugged in.</source>
-        <translation>Lancez hapticell-cli devices pour voir ce qui est branché.</translation>
-    </message>
-    <message>
         <source>hapticell-cli library lists them.</source>
         <translation>Affichez-en la liste par hapticell-cli library.</translation>
-    </message>
-    <message>
-        <source>hapticell-cli mannequin lists all 56.</source>
-        <translation>Exécutez hapticell-cli mannequin, qui les énumère toutes les 56.</translation>
     </message>
     <message>
         <source>hapticell-haptic-server --help lists the options.</source>
@@ -13019,12 +13131,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>en-tête</translation>
     </message>
     <message>
-        <source>header and parameters disagree on the kind of numbers; real ones fill the file</source>
+        <source>header and parameters disagree on the number format; integers match the file size and are read</source>
+        <translation>l'en-tête et les paramètres indiquent des types de nombres différents ; les nombres entiers remplissent le fichier</translation>
+    </message>
+    <message>
+        <source>header and parameters disagree on the number format; real numbers match the file size and are read</source>
         <translation>l'en-tête et les paramètres indiquent des types de nombres différents ; les nombres réels remplissent le fichier</translation>
     </message>
     <message>
-        <source>header and parameters disagree on the kind of numbers; whole ones fill the file</source>
-        <translation>l'en-tête et les paramètres indiquent des types de nombres différents ; les nombres entiers remplissent le fichier</translation>
+        <source>header and parameters disagree on where the points begin; they are read from byte %1</source>
+        <translation>le début des points n'est pas indiqué deux fois de la même façon ; ils sont lus à partir de l'octet %1</translation>
     </message>
     <message>
         <source>held</source>
@@ -13041,10 +13157,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>hidden</source>
         <translation>caché</translation>
-    </message>
-    <message>
-        <source>hinges that fall together</source>
-        <translation>des articulations confondues</translation>
     </message>
     <message>
         <source>hold</source>
@@ -13067,7 +13179,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>au repos</translation>
     </message>
     <message>
-        <source>in %1 of %2 frames no marker of the person is seen; it is taken to stand still or to go straight on there, and these frames count like others</source>
+        <source>in %1 of %2 frames, no marker is visible; the person is assumed to stand still or to move straight, and these frames count like others</source>
         <translation>dans %1 images sur %2, aucun marqueur de la personne n'est vu ; elle y est supposée immobile ou en ligne droite, et ces images comptent comme les autres</translation>
     </message>
     <message>
@@ -13075,8 +13187,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>en équilibre</translation>
     </message>
     <message>
+        <source>in the file, %1 points up; the model was rotated so that z points up</source>
+        <translation>le fichier a %1 vers le haut ; il a été tourné pour que z soit vers le haut</translation>
+    </message>
+    <message>
         <source>inch</source>
         <translation>pouce</translation>
+    </message>
+    <message>
+        <source>inconsistent content</source>
+        <translation>un contenu contradictoire</translation>
+    </message>
+    <message>
+        <source>inconsistent content (%1)</source>
+        <translation>un contenu contradictoire (%1)</translation>
     </message>
     <message>
         <source>int(&quot;%1&quot;)</source>
@@ -13085,6 +13209,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>int(%1)</source>
         <translation>int(%1)</translation>
+    </message>
+    <message>
+        <source>invalid JSON</source>
+        <translation>ce n'est pas du JSON</translation>
+    </message>
+    <message>
+        <source>invalid number for '%1': '%2'</source>
+        <translation>pas un nombre pour '%1' : '%2'</translation>
     </message>
     <message>
         <source>invalid positions</source>
@@ -13123,10 +13255,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>il ne peut pas être chargé</translation>
     </message>
     <message>
-        <source>it cannot be moved by that</source>
-        <translation>elle ne peut pas être déplacée ainsi</translation>
-    </message>
-    <message>
         <source>it cannot be read</source>
         <translation>lecture impossible</translation>
     </message>
@@ -13147,6 +13275,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>écriture impossible</translation>
     </message>
     <message>
+        <source>it contains itself</source>
+        <translation>il se contient lui-même : une boucle</translation>
+    </message>
+    <message>
+        <source>it contains no shape that can be built</source>
+        <translation>aucune forme n'a pu en être tirée</translation>
+    </message>
+    <message>
+        <source>it contains only tessellated shapes (%1, triangles as in AP242), which are not supported</source>
+        <translation>il ne contient que des formes tessellées (%1, triangles selon AP242), qui ne sont pas lues</translation>
+    </message>
+    <message>
         <source>it could not be started</source>
         <translation>il n'a pas pu être lancé</translation>
     </message>
@@ -13155,7 +13295,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>impossible d'y écrire</translation>
     </message>
     <message>
-        <source>it does not end</source>
+        <source>it did not finish</source>
         <translation>il ne se termine pas</translation>
     </message>
     <message>
@@ -13163,8 +13303,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>il ne parle pas TLS 1.3</translation>
     </message>
     <message>
-        <source>it ended without a pairing code</source>
-        <translation>fin sans code d'appairage</translation>
+        <source>it ended too early</source>
+        <translation>il s'est terminé trop tôt</translation>
+    </message>
+    <message>
+        <source>it ended with an error</source>
+        <translation>il s'est terminé par une erreur</translation>
+    </message>
+    <message>
+        <source>it expands to more than %1 nodes</source>
+        <translation>une fois déplié, il compte plus de %1 nœuds</translation>
     </message>
     <message>
         <source>it exports no function hapticell_driver</source>
@@ -13179,28 +13327,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>il a des boucles fermées</translation>
     </message>
     <message>
-        <source>it has ended early</source>
-        <translation>il s'est terminé trop tôt</translation>
-    </message>
-    <message>
-        <source>it has ended with a fault</source>
-        <translation>il s'est terminé par une erreur</translation>
-    </message>
-    <message>
         <source>it has no joints</source>
         <translation>elle n'a pas d'axes</translation>
     </message>
     <message>
         <source>it has no trunk to lock</source>
         <translation>elle n'a pas de tronc à verrouiller</translation>
-    </message>
-    <message>
-        <source>it holds itself: a circle</source>
-        <translation>il se contient lui-même : une boucle</translation>
-    </message>
-    <message>
-        <source>it holds tessellated shapes only (%1, triangles as of AP242), which are not read</source>
-        <translation>il ne contient que des formes tessellées (%1, triangles selon AP242), qui ne sont pas lues</translation>
     </message>
     <message>
         <source>it is attached to '%1', link '%2', which is not there</source>
@@ -13223,12 +13355,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>il est couplé à lui-même en boucle</translation>
     </message>
     <message>
-        <source>it is in none of the folders of shipped files</source>
-        <translation>absent de tous les dossiers de fichiers livrés</translation>
-    </message>
-    <message>
         <source>it is locked</source>
         <translation>elle est verrouillée</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>valeur non donnée</translation>
+    </message>
+    <message>
+        <source>it is missing or invalid</source>
+        <translation>autre chose, ou rien</translation>
     </message>
     <message>
         <source>it is no mechanism</source>
@@ -13239,40 +13375,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>ce n'est pas un solide</translation>
     </message>
     <message>
-        <source>it is not JSON</source>
-        <translation>ce n'est pas du JSON</translation>
-    </message>
-    <message>
         <source>it is not a robot</source>
         <translation>ce n'est pas un robot</translation>
     </message>
     <message>
-        <source>it is not given</source>
-        <translation>valeur non donnée</translation>
+        <source>it is not attached to anything that moves</source>
+        <translation>elle ne repose sur rien de mobile</translation>
     </message>
     <message>
         <source>it is not in the pack</source>
         <translation>il n'est pas dans l'archive</translation>
     </message>
     <message>
-        <source>it is not readable as %1</source>
-        <translation>illisible en tant que %1</translation>
-    </message>
-    <message>
         <source>it is not there</source>
         <translation>introuvable</translation>
     </message>
     <message>
-        <source>it is not there, or its buffer is not</source>
-        <translation>elle n'existe pas, ou son tampon n'existe pas</translation>
-    </message>
-    <message>
         <source>it is open in HaptiCell: %1</source>
         <translation>il est ouvert dans HaptiCell : %1</translation>
-    </message>
-    <message>
-        <source>it is packed in a way that is not known</source>
-        <translation>il est compressé d'une façon inconnue</translation>
     </message>
     <message>
         <source>it joins part '%1' to itself</source>
@@ -13295,12 +13415,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>il lui faut une prise bonne, moyenne ou mauvaise.</translation>
     </message>
     <message>
-        <source>it needs a part that moves and one that it moves on</source>
-        <translation>il faut une pièce mobile et une pièce qui la porte</translation>
-    </message>
-    <message>
-        <source>it needs more memory than an import may use</source>
-        <translation>il demande plus de mémoire qu'une importation ne peut en utiliser</translation>
+        <source>it or its buffer does not exist</source>
+        <translation>elle n'existe pas, ou son tampon n'existe pas</translation>
     </message>
     <message>
         <source>it reaches %1 km from the origin</source>
@@ -13311,76 +13427,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>elle s'étend jusqu'à %1 m de l'origine</translation>
     </message>
     <message>
-        <source>it stands on nothing that moves</source>
-        <translation>elle ne repose sur rien de mobile</translation>
+        <source>it stopped accepting pictures</source>
+        <translation>il ne prend plus d'images</translation>
     </message>
     <message>
         <source>it takes itself in</source>
         <translation>il s'inclut lui-même</translation>
     </message>
     <message>
-        <source>it takes no more pictures</source>
-        <translation>il ne prend plus d'images</translation>
-    </message>
-    <message>
-        <source>it unfolds to more than %1 nodes</source>
-        <translation>une fois déplié, il compte plus de %1 nœuds</translation>
-    </message>
-    <message>
         <source>it was built for another version of HaptiCell's driver interface</source>
         <translation>il a été compilé pour une autre version de l'interface de pilote de HaptiCell</translation>
     </message>
     <message>
-        <source>it was connected to anew</source>
-        <translation>la connexion a été rétablie entre-temps</translation>
-    </message>
-    <message>
-        <source>its *.hexercise file beside the results</source>
+        <source>its *.hexercise file in the same folder</source>
         <translation>son fichier *.hexercise à côté des résultats</translation>
-    </message>
-    <message>
-        <source>its JSON</source>
-        <translation>son JSON</translation>
-    </message>
-    <message>
-        <source>its beginning</source>
-        <translation>son début</translation>
     </message>
     <message>
         <source>its colours are missing: the material file %1 is not beside it</source>
         <translation>ses couleurs manquent : le fichier de matériaux %1 n'est pas à côté de lui</translation>
     </message>
     <message>
-        <source>its file %1: %2</source>
-        <translation>son fichier %1 : %2</translation>
-    </message>
-    <message>
         <source>its file cannot be read</source>
         <translation>son fichier ne peut pas être lu</translation>
-    </message>
-    <message>
-        <source>its folder cannot be entered</source>
-        <translation>son dossier est inaccessible</translation>
-    </message>
-    <message>
-        <source>its header</source>
-        <translation>son en-tête</translation>
-    </message>
-    <message>
-        <source>its home is singular</source>
-        <translation>sa position de repos est singulière</translation>
-    </message>
-    <message>
-        <source>its joints are left out; all is read as solid bodies</source>
-        <translation>ses articulations sont laissées de côté ; tout est lu comme corps solides</translation>
-    </message>
-    <message>
-        <source>its joints' names</source>
-        <translation>les noms de ses axes</translation>
-    </message>
-    <message>
-        <source>its key is another one</source>
-        <translation>sa clé est différente</translation>
     </message>
     <message>
         <source>its lower limit %1 is over the upper %2</source>
@@ -13393,30 +13461,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>its number on the controller, %1 to %2</source>
         <translation>son numéro sur le contrôleur, de %1 à %2</translation>
-    </message>
-    <message>
-        <source>its positions reach %1: taken as millimetres</source>
-        <translation>ses positions vont jusqu'à %1 : prises pour des millimètres</translation>
-    </message>
-    <message>
-        <source>its times are whole numbers up to %1: taken as milliseconds</source>
-        <translation>ses temps sont des nombres entiers jusqu'à %1 : pris pour des millisecondes</translation>
-    </message>
-    <message>
-        <source>its times begin at %1: counted from the first row</source>
-        <translation>ses temps commencent à %1 : comptés depuis la première ligne</translation>
-    </message>
-    <message>
-        <source>its times begin at %1: taken as a clock's microseconds and counted from the first row</source>
-        <translation>ses temps commencent à %1 : pris pour les microsecondes d'une horloge et comptés depuis la première ligne</translation>
-    </message>
-    <message>
-        <source>its times begin at %1: taken as a clock's milliseconds and counted from the first row</source>
-        <translation>ses temps commencent à %1 : pris pour les millisecondes d'une horloge et comptés depuis la première ligne</translation>
-    </message>
-    <message>
-        <source>its times begin at %1: taken as a clock's nanoseconds and counted from the first row</source>
-        <translation>ses temps commencent à %1 : pris pour les nanosecondes d'une horloge et comptés depuis la première ligne</translation>
     </message>
     <message>
         <source>join() of %1</source>
@@ -13463,12 +13507,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>axe '%1' deux fois</translation>
     </message>
     <message>
+        <source>joint names of CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens or SMPL</source>
+        <translation>des articulations nommées comme par CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens ou SMPL</translation>
+    </message>
+    <message>
         <source>joint names that are no list</source>
         <translation>des noms d'axes qui ne sont pas une liste</translation>
     </message>
     <message>
         <source>joint names with angles</source>
         <translation>des noms d'articulations avec des angles</translation>
+    </message>
+    <message>
+        <source>joint positions in the channels are near zero; they are added to the offsets</source>
+        <translation>les positions d'articulations dans les canaux restent proches de zéro ; elles sont ajoutées aux décalages</translation>
     </message>
     <message>
         <source>joint positions near an assembled pose</source>
@@ -13479,32 +13531,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>vitesse articulaire</translation>
     </message>
     <message>
-        <source>joints</source>
-        <translation>axes</translation>
+        <source>joint values without poses</source>
+        <translation>des axes seuls, sans poses</translation>
     </message>
     <message>
-        <source>joints alone</source>
-        <translation>des axes seulement</translation>
+        <source>joints</source>
+        <translation>axes</translation>
     </message>
     <message>
         <source>joints alone, which give a program no targets</source>
         <translation>des axes seuls, qui ne donnent pas de cibles à un programme</translation>
     </message>
     <message>
-        <source>joints alone, without poses</source>
-        <translation>des axes seuls, sans poses</translation>
-    </message>
-    <message>
-        <source>joints named as CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens or SMPL name them</source>
-        <translation>des articulations nommées comme par CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens ou SMPL</translation>
+        <source>joints are left out; all parts are read as rigid bodies</source>
+        <translation>les articulations sont ignorées ; toutes les pièces sont lues comme des corps rigides</translation>
     </message>
     <message>
         <source>joints relative to the target before</source>
         <translation>des axes relatifs à la cible précédente</translation>
-    </message>
-    <message>
-        <source>joints that follow one another</source>
-        <translation>des axes qui se suivent</translation>
     </message>
     <message>
         <source>joints that move while the tool stands</source>
@@ -13611,7 +13655,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>left, right ou both</translation>
     </message>
     <message>
-        <source>legs without length</source>
+        <source>legs of length zero</source>
         <translation>des jambes de longueur nulle</translation>
     </message>
     <message>
@@ -13779,7 +13823,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>marqueurs</translation>
     </message>
     <message>
-        <source>markers that lie on each other</source>
+        <source>markers at the same point</source>
         <translation>des marqueurs confondus</translation>
     </message>
     <message>
@@ -13795,7 +13839,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>mesure '%1'</translation>
     </message>
     <message>
-        <source>measures of one body</source>
+        <source>measures that fit one body</source>
         <translation>les mesures d'un même corps</translation>
     </message>
     <message>
@@ -13811,7 +13855,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>membre de dialout</translation>
     </message>
     <message>
-        <source>mesh %1, which is not there</source>
+        <source>mesh %1, which does not exist</source>
         <translation>le maillage %1, qui n'existe pas</translation>
     </message>
     <message>
@@ -13931,11 +13975,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>modèle '%1'</translation>
     </message>
     <message>
-        <source>more bytes than its buffer holds</source>
+        <source>more bytes than its buffer has</source>
         <translation>plus d'octets que son tampon n'en contient</translation>
     </message>
     <message>
-        <source>more elements than its buffer views hold</source>
+        <source>more elements than its buffer views have</source>
         <translation>plus d'éléments que ses vues de tampon n'en contiennent</translation>
     </message>
     <message>
@@ -13951,7 +13995,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus de %1 instances</translation>
     </message>
     <message>
-        <source>more than %1 levels below each other</source>
+        <source>more than %1 nested levels</source>
         <translation>plus de %1 niveaux les uns sous les autres</translation>
     </message>
     <message>
@@ -13983,12 +14027,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus de 3 millions d'étapes d'évaluation</translation>
     </message>
     <message>
-        <source>more than 500 levels below each other</source>
+        <source>more than 500 nested levels</source>
         <translation>plus de 500 niveaux imbriqués</translation>
-    </message>
-    <message>
-        <source>more than it may unpack to</source>
-        <translation>plus que la taille permise après décompression</translation>
     </message>
     <message>
         <source>more than one robot ('%1', '%2')</source>
@@ -14047,16 +14087,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>des arguments nommés après les autres</translation>
     </message>
     <message>
+        <source>names and links inside the archive</source>
+        <translation>des fichiers à l'intérieur</translation>
+    </message>
+    <message>
         <source>names of entities of the cell</source>
         <translation>des noms d'entités de la cellule</translation>
     </message>
     <message>
-        <source>names of its joints, or q1, q2, ...</source>
-        <translation>les noms de ses axes, ou q1, q2, ...</translation>
-    </message>
-    <message>
         <source>names of joints</source>
         <translation>des noms d'axes</translation>
+    </message>
+    <message>
+        <source>names of the robot's joints</source>
+        <translation>les noms de ses axes</translation>
+    </message>
+    <message>
+        <source>names of the robot's joints, or q1, q2, ...</source>
+        <translation>les noms de ses axes, ou q1, q2, ...</translation>
     </message>
     <message>
         <source>names that are all different</source>
@@ -14075,6 +14123,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun des deux n'est donné</translation>
     </message>
     <message>
+        <source>neither the file nor its markers show which axis is up; z is assumed; to change this, use --up</source>
+        <translation>ni le fichier ni ses marqueurs n'indiquent quel axe est vers le haut ; son axe z est utilisé ; --up en indique un autre</translation>
+    </message>
+    <message>
         <source>no</source>
         <translation>non</translation>
     </message>
@@ -14091,20 +14143,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de 'ply'</translation>
     </message>
     <message>
-        <source>no :hierarchy</source>
-        <translation>pas de :hierarchy</translation>
-    </message>
-    <message>
-        <source>no :root</source>
-        <translation>pas de :root</translation>
+        <source>no --unit: robot files are in metres</source>
+        <translation>pas d'unité : les fichiers de robots sont en mètres</translation>
     </message>
     <message>
         <source>no &lt;COLLADA&gt;</source>
         <translation>pas de &lt;COLLADA&gt;</translation>
-    </message>
-    <message>
-        <source>no &lt;item&gt; in its &lt;build&gt;</source>
-        <translation>pas de &lt;item&gt; dans son &lt;build&gt;</translation>
     </message>
     <message>
         <source>no &lt;model&gt;</source>
@@ -14119,40 +14163,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de &lt;sdf&gt;</translation>
     </message>
     <message>
-        <source>no C3D header</source>
-        <translation>pas d'en-tête C3D</translation>
-    </message>
-    <message>
-        <source>no CHANNELS</source>
-        <translation>pas de CHANNELS</translation>
-    </message>
-    <message>
         <source>no DEF</source>
         <translation>pas de DEF</translation>
     </message>
     <message>
-        <source>no Frame Time:</source>
-        <translation>pas de Frame Time:</translation>
-    </message>
-    <message>
-        <source>no HIERARCHY</source>
-        <translation>pas de HIERARCHY</translation>
-    </message>
-    <message>
         <source>no HaptiCell trajectory</source>
         <translation>pas une trajectoire HaptiCell</translation>
-    </message>
-    <message>
-        <source>no JSON object</source>
-        <translation>pas d'objet JSON</translation>
-    </message>
-    <message>
-        <source>no MOTION with Frames:</source>
-        <translation>pas de MOTION avec Frames:</translation>
-    </message>
-    <message>
-        <source>no OpenGL 3.3 on this display</source>
-        <translation>pas d'OpenGL 3.3 sur cet affichage</translation>
     </message>
     <message>
         <source>no PROC</source>
@@ -14163,32 +14179,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de PROC avec des mouvements</translation>
     </message>
     <message>
-        <source>no ROOT</source>
-        <translation>pas de ROOT</translation>
-    </message>
-    <message>
         <source>no XML element</source>
         <translation>pas d'élément XML</translation>
     </message>
     <message>
         <source>no YAML</source>
         <translation>pas du YAML</translation>
-    </message>
-    <message>
-        <source>no ZIP archive</source>
-        <translation>ce n'est pas une archive ZIP</translation>
-    </message>
-    <message>
-        <source>no [markers]</source>
-        <translation>pas de [markers]</translation>
-    </message>
-    <message>
-        <source>no absolute path</source>
-        <translation>pas un chemin absolu</translation>
-    </message>
-    <message>
-        <source>no angle</source>
-        <translation>pas un angle</translation>
     </message>
     <message>
         <source>no answer</source>
@@ -14199,16 +14195,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de direction d'axe</translation>
     </message>
     <message>
-        <source>no begin</source>
-        <translation>pas de begin</translation>
+        <source>no body size</source>
+        <translation>pas de taille</translation>
     </message>
     <message>
         <source>no built-in part</source>
         <translation>ce n'est pas une pièce paramétrique</translation>
-    </message>
-    <message>
-        <source>no capabilities</source>
-        <translation>pas de caractéristiques</translation>
     </message>
     <message>
         <source>no clearance</source>
@@ -14227,20 +14219,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>sans contact</translation>
     </message>
     <message>
-        <source>no count of channels</source>
-        <translation>pas de nombre de canaux</translation>
-    </message>
-    <message>
-        <source>no count of frames</source>
-        <translation>pas de nombre d'images</translation>
-    </message>
-    <message>
         <source>no counts</source>
         <translation>pas de nombres d'éléments</translation>
-    </message>
-    <message>
-        <source>no data</source>
-        <translation>pas de données</translation>
     </message>
     <message>
         <source>no device</source>
@@ -14249,10 +14229,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no end of lists within lists</source>
         <translation>des listes imbriquées sans fin</translation>
-    </message>
-    <message>
-        <source>no ending</source>
-        <translation>pas d'extension</translation>
     </message>
     <message>
         <source>no entity</source>
@@ -14271,8 +14247,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucune entité ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no exercise</source>
-        <translation>pas un exercice</translation>
+        <source>no extension</source>
+        <translation>pas d'extension</translation>
     </message>
     <message>
         <source>no field has this name</source>
@@ -14299,16 +14275,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun dossier temporaire ne peut être créé</translation>
     </message>
     <message>
-        <source>no frame %1, where the file ends</source>
-        <translation>pas d'image %1, là où le fichier se termine</translation>
+        <source>no frame is named '%1'</source>
+        <translation>il n'y a pas de repère '%1'</translation>
     </message>
     <message>
-        <source>no frame number: '%1'</source>
-        <translation>pas un numéro d'image : '%1'</translation>
-    </message>
-    <message>
-        <source>no frame rate</source>
-        <translation>pas de fréquence d'images</translation>
+        <source>no frame of the entity is named '%1'</source>
+        <translation>il n'y a pas de repère '%1' pour la déplacer</translation>
     </message>
     <message>
         <source>no further arguments</source>
@@ -14327,6 +14299,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucune liaison ne le relie au segment racine '%1'</translation>
     </message>
     <message>
+        <source>no joint limits</source>
+        <translation>pas de limites pour les axes</translation>
+    </message>
+    <message>
         <source>no joint names</source>
         <translation>pas de noms d'axes</translation>
     </message>
@@ -14343,20 +14319,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucune clé ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no length</source>
-        <translation>pas de longueur</translation>
-    </message>
-    <message>
-        <source>no length unit</source>
-        <translation>pas d'unité de longueur</translation>
-    </message>
-    <message>
-        <source>no less than the line before</source>
-        <translation>au moins la valeur de la ligne précédente</translation>
-    </message>
-    <message>
-        <source>no limits for the joints</source>
-        <translation>pas de limites pour les axes</translation>
+        <source>no line after the header</source>
+        <translation>pas de ligne après l'en-tête</translation>
     </message>
     <message>
         <source>no lines</source>
@@ -14387,6 +14351,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucune charge n'est acceptable</translation>
     </message>
     <message>
+        <source>no lock, because %1 moves no part of a mannequin</source>
+        <translation>none, car aucune partie d'un mannequin n'est déplacée par %1</translation>
+    </message>
+    <message>
         <source>no mannequin</source>
         <translation>pas un mannequin</translation>
     </message>
@@ -14403,7 +14371,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun marqueur pour %1</translation>
     </message>
     <message>
-        <source>no marker on %1 by the names of %2 (the markers are %3)</source>
+        <source>no marker on %1 by the names of %2 (the file has %3)</source>
         <translation>aucun marqueur sur %1 selon les noms de %2 (les marqueurs sont %3)</translation>
     </message>
     <message>
@@ -14423,44 +14391,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun modèle dans le fichier</translation>
     </message>
     <message>
-        <source>no more than peak_force, %1</source>
-        <translation>au plus peak_force, %1</translation>
-    </message>
-    <message>
         <source>no more than the file's length can hold</source>
         <translation>pas plus que la longueur du fichier ne permet</translation>
+    </message>
+    <message>
+        <source>no motion is switched on</source>
+        <translation>rien qui soit joué</translation>
     </message>
     <message>
         <source>no moves</source>
         <translation>pas de mouvements</translation>
     </message>
     <message>
-        <source>no moving joint carries it</source>
+        <source>no moving joint is named '%1'</source>
+        <translation>il n'y a pas d'axe mobile '%1'</translation>
+    </message>
+    <message>
+        <source>no moving joint moves this link</source>
         <translation>aucun axe mobile ne le porte</translation>
-    </message>
-    <message>
-        <source>no name</source>
-        <translation>aucun nom</translation>
-    </message>
-    <message>
-        <source>no number</source>
-        <translation>pas un nombre</translation>
-    </message>
-    <message>
-        <source>no number for '%1': '%2'</source>
-        <translation>pas un nombre pour '%1' : '%2'</translation>
-    </message>
-    <message>
-        <source>no number in OFFSET: '%1'</source>
-        <translation>pas un nombre dans OFFSET : '%1'</translation>
-    </message>
-    <message>
-        <source>no number in frame %1: '%2'</source>
-        <translation>pas un nombre dans l'image %1 : '%2'</translation>
-    </message>
-    <message>
-        <source>no object</source>
-        <translation>pas un objet</translation>
     </message>
     <message>
         <source>no option is named '%1'</source>
@@ -14491,32 +14439,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucune pièce</translation>
     </message>
     <message>
+        <source>no parts to move</source>
+        <translation>rien qui puisse être déplacé</translation>
+    </message>
+    <message>
         <source>no path</source>
         <translation>aucun chemin</translation>
     </message>
     <message>
         <source>no points</source>
         <translation>pas de points</translation>
-    </message>
-    <message>
-        <source>no pose</source>
-        <translation>pas de pose</translation>
-    </message>
-    <message>
-        <source>no pose or no status</source>
-        <translation>pas de pose ou pas d'état</translation>
-    </message>
-    <message>
-        <source>no position</source>
-        <translation>pas une position</translation>
-    </message>
-    <message>
-        <source>no positions in it</source>
-        <translation>pas de positions à l'intérieur</translation>
-    </message>
-    <message>
-        <source>no reference pose</source>
-        <translation>pas de pose de référence</translation>
     </message>
     <message>
         <source>no regular file</source>
@@ -14535,28 +14467,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas assez d'espace pour une copie</translation>
     </message>
     <message>
-        <source>no room for its text</source>
-        <translation>pas assez de place pour son texte</translation>
-    </message>
-    <message>
-        <source>no room to hand it over</source>
-        <translation>pas assez de place pour le transmettre</translation>
-    </message>
-    <message>
-        <source>no row after the header</source>
-        <translation>pas de ligne après l'en-tête</translation>
-    </message>
-    <message>
         <source>no row behind the header</source>
         <translation>pas de ligne après l'en-tête</translation>
     </message>
     <message>
         <source>no shape</source>
         <translation>aucune forme</translation>
-    </message>
-    <message>
-        <source>no shape could be made of it</source>
-        <translation>aucune forme n'a pu en être tirée</translation>
     </message>
     <message>
         <source>no shape in it</source>
@@ -14575,14 +14491,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun périphérique simulé ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no size</source>
-        <translation>pas de taille</translation>
-    </message>
-    <message>
-        <source>no state of the stylus came any more</source>
-        <translation>l'état du stylet n'arrive plus</translation>
-    </message>
-    <message>
         <source>no such column</source>
         <translation>cette colonne n'existe pas</translation>
     </message>
@@ -14591,20 +14499,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun message de ce type</translation>
     </message>
     <message>
-        <source>no such node</source>
-        <translation>ce nœud n'existe pas</translation>
-    </message>
-    <message>
-        <source>no such object</source>
-        <translation>cet objet n'existe pas</translation>
-    </message>
-    <message>
         <source>no surface</source>
         <translation>aucune surface</translation>
-    </message>
-    <message>
-        <source>no table</source>
-        <translation>pas une table</translation>
     </message>
     <message>
         <source>no table that says how it moves</source>
@@ -14623,6 +14519,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun texte</translation>
     </message>
     <message>
+        <source>no ticks</source>
+        <translation>aucun cycle</translation>
+    </message>
+    <message>
         <source>no tool '%1'</source>
         <translation>pas d'outil '%1'</translation>
     </message>
@@ -14635,24 +14535,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de trajectoire '%1'</translation>
     </message>
     <message>
-        <source>no triangle with an area</source>
-        <translation>aucun triangle d'aire non nulle</translation>
-    </message>
-    <message>
         <source>no triangles</source>
         <translation>aucun triangle</translation>
-    </message>
-    <message>
-        <source>no two numbers</source>
-        <translation>pas deux nombres</translation>
-    </message>
-    <message>
-        <source>no unit quaternion</source>
-        <translation>pas un quaternion unitaire</translation>
-    </message>
-    <message>
-        <source>no unit: robot files are in metres</source>
-        <translation>pas d'unité : les fichiers de robots sont en mètres</translation>
     </message>
     <message>
         <source>no version number</source>
@@ -14661,18 +14545,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no vertices</source>
         <translation>aucun sommet</translation>
-    </message>
-    <message>
-        <source>no whole number</source>
-        <translation>pas un nombre entier</translation>
-    </message>
-    <message>
-        <source>no workspace</source>
-        <translation>pas d'espace de travail</translation>
-    </message>
-    <message>
-        <source>no { after '%1'</source>
-        <translation>pas de { après '%1'</translation>
     </message>
     <message>
         <source>node %1</source>
@@ -14703,10 +14575,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>rien à proximité</translation>
     </message>
     <message>
-        <source>none, as no part of a mannequin is moved by %1</source>
-        <translation>none, car aucune partie d'un mannequin n'est déplacée par %1</translation>
-    </message>
-    <message>
         <source>none, or not what it should be</source>
         <translation>absent, ou pas ce qui est attendu</translation>
     </message>
@@ -14723,20 +14591,60 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun ; p. ex. %1</translation>
     </message>
     <message>
-        <source>not 22 numbers each of gain and offset</source>
+        <source>not 22 numbers each for gain and offset</source>
         <translation>pas 22 nombres de gain et 22 de décalage</translation>
+    </message>
+    <message>
+        <source>not a JSON object</source>
+        <translation>pas d'objet JSON</translation>
+    </message>
+    <message>
+        <source>not a ZIP archive</source>
+        <translation>ce n'est pas une archive ZIP</translation>
+    </message>
+    <message>
+        <source>not a list of three numbers</source>
+        <translation>pas trois nombres</translation>
     </message>
     <message>
         <source>not a member of dialout</source>
         <translation>pas membre de dialout</translation>
     </message>
     <message>
+        <source>not a number</source>
+        <translation>pas un nombre</translation>
+    </message>
+    <message>
         <source>not a regular file</source>
         <translation>ce n'est pas un fichier ordinaire</translation>
     </message>
     <message>
+        <source>not a table</source>
+        <translation>pas une table</translation>
+    </message>
+    <message>
+        <source>not a unit quaternion</source>
+        <translation>pas un quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>not a whole number</source>
+        <translation>pas un nombre entier</translation>
+    </message>
+    <message>
         <source>not an IP address</source>
         <translation>pas une adresse IP</translation>
+    </message>
+    <message>
+        <source>not an absolute path</source>
+        <translation>pas un chemin absolu</translation>
+    </message>
+    <message>
+        <source>not an angle</source>
+        <translation>pas un angle</translation>
+    </message>
+    <message>
+        <source>not an exercise</source>
+        <translation>pas un exercice</translation>
     </message>
     <message>
         <source>not an option</source>
@@ -14755,6 +14663,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas assez de mémoire</translation>
     </message>
     <message>
+        <source>not enough memory for the text of the file</source>
+        <translation>pas assez de place pour son texte</translation>
+    </message>
+    <message>
+        <source>not enough memory or disk space to transfer the result</source>
+        <translation>pas assez de place pour le transmettre</translation>
+    </message>
+    <message>
+        <source>not found in the folders of shipped files</source>
+        <translation>absent de tous les dossiers de fichiers livrés</translation>
+    </message>
+    <message>
         <source>not given</source>
         <translation>valeur non donnée</translation>
     </message>
@@ -14767,10 +14687,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>inutile</translation>
     </message>
     <message>
-        <source>not one tick</source>
-        <translation>aucun cycle</translation>
-    </message>
-    <message>
         <source>not picked</source>
         <translation>non désignée</translation>
     </message>
@@ -14779,44 +14695,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas encore enregistrée</translation>
     </message>
     <message>
-        <source>not three numbers</source>
-        <translation>pas trois nombres</translation>
+        <source>not two numbers</source>
+        <translation>pas deux nombres</translation>
     </message>
     <message>
         <source>nothing</source>
         <translation>rien</translation>
     </message>
     <message>
-        <source>nothing for %1</source>
-        <translation>rien pour %1</translation>
-    </message>
-    <message>
         <source>nothing in it</source>
         <translation>rien dedans</translation>
     </message>
     <message>
-        <source>nothing is recorded</source>
-        <translation>rien n'est enregistré</translation>
-    </message>
-    <message>
-        <source>nothing tells how the hands are turned about the forearms (no fingers, no rest position); taken to be neither pronated nor supinated on the whole</source>
-        <translation>rien n'indique la rotation des mains autour des avant-bras (ni doigts, ni position de repos) ; supposées en moyenne ni en pronation ni en supination</translation>
-    </message>
-    <message>
-        <source>nothing tells where the top of the head is; the head's own frame is taken</source>
-        <translation>rien n'indique où est le sommet de la tête ; le repère propre de la tête est utilisé</translation>
-    </message>
-    <message>
         <source>nothing that has a shape</source>
         <translation>rien qui ait une forme</translation>
-    </message>
-    <message>
-        <source>nothing that is played</source>
-        <translation>rien qui soit joué</translation>
-    </message>
-    <message>
-        <source>nothing that may be moved</source>
-        <translation>rien qui puisse être déplacé</translation>
     </message>
     <message>
         <source>nothing to check it by</source>
@@ -14835,11 +14727,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>des nombres</translation>
     </message>
     <message>
+        <source>numbers of vertices of the mesh</source>
+        <translation>des sommets du maillage</translation>
+    </message>
+    <message>
         <source>numbers or registers that are set</source>
         <translation>des nombres ou des registres définis</translation>
     </message>
     <message>
-        <source>numbers that make no shape</source>
+        <source>numbers that define no valid shape</source>
         <translation>des nombres qui ne donnent pas de forme</translation>
     </message>
     <message>
@@ -14927,16 +14823,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'un de [opw], [dh], [[chain]], [delta], [hexapod], [urdf]</translation>
     </message>
     <message>
-        <source>one of an entity</source>
-        <translation>un repère d'une entité</translation>
-    </message>
-    <message>
         <source>one of its keys</source>
         <translation>une de ses clés</translation>
-    </message>
-    <message>
-        <source>one of its links</source>
-        <translation>l'un de ses segments</translation>
     </message>
     <message>
         <source>one of its values</source>
@@ -14945,14 +14833,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>one of the %1 vertices</source>
         <translation>un des %1 sommets</translation>
-    </message>
-    <message>
-        <source>one of the cell</source>
-        <translation>un élément de la cellule</translation>
-    </message>
-    <message>
-        <source>one of the document</source>
-        <translation>une entité du document</translation>
     </message>
     <message>
         <source>one of the functions in docs/user/formats.md</source>
@@ -14967,16 +14847,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'un des deux</translation>
     </message>
     <message>
-        <source>one of the workcell</source>
-        <translation>un élément de la cellule</translation>
-    </message>
-    <message>
         <source>one of them</source>
         <translation>un seul d'entre eux</translation>
-    </message>
-    <message>
-        <source>one of those that --help lists</source>
-        <translation>l'une de celles que --help énumère</translation>
     </message>
     <message>
         <source>one point</source>
@@ -14991,8 +14863,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un seul caractère</translation>
     </message>
     <message>
-        <source>one skeleton a file</source>
+        <source>one skeleton per file</source>
         <translation>un squelette par fichier</translation>
+    </message>
+    <message>
+        <source>one that exists in the cell</source>
+        <translation>un élément de la cellule</translation>
+    </message>
+    <message>
+        <source>one that exists in the document</source>
+        <translation>une entité du document</translation>
     </message>
     <message>
         <source>one that is</source>
@@ -15003,16 +14883,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>une entité du document</translation>
     </message>
     <message>
-        <source>one that may be written</source>
-        <translation>un fichier accessible en écriture</translation>
-    </message>
-    <message>
-        <source>one that moves</source>
-        <translation>une qui bouge</translation>
-    </message>
-    <message>
         <source>one value</source>
         <translation>une seule valeur</translation>
+    </message>
+    <message>
+        <source>one value, or %1</source>
+        <translation>un seul, ou %1</translation>
     </message>
     <message>
         <source>one within 64 bits</source>
@@ -15023,12 +14899,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un robot, pour un URDF</translation>
     </message>
     <message>
-        <source>one, or %1</source>
-        <translation>un seul, ou %1</translation>
-    </message>
-    <message>
         <source>one, which is all a URDF holds</source>
         <translation>un seul, car un URDF n'en contient pas plus</translation>
+    </message>
+    <message>
+        <source>only files in %1</source>
+        <translation>des fichiers dans %1</translation>
     </message>
     <message>
         <source>only one hand carries the load; it covers lifts with both hands. Use RULA or REBA.</source>
@@ -15051,15 +14927,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>d'autres octets que dans %1</translation>
     </message>
     <message>
-        <source>other bytes than were written</source>
-        <translation>d'autres octets que ceux écrits</translation>
-    </message>
-    <message>
         <source>other joints</source>
         <translation>d'autres axes</translation>
     </message>
     <message>
-        <source>other users may write to it</source>
+        <source>other users can write to it</source>
         <translation>d'autres utilisateurs peuvent y écrire</translation>
     </message>
     <message>
@@ -15075,16 +14947,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>hors limites</translation>
     </message>
     <message>
-        <source>outside: %1</source>
+        <source>outside the folder: %1</source>
         <translation>hors du dossier : %1</translation>
-    </message>
-    <message>
-        <source>over 0 and at most 100000</source>
-        <translation>plus de 0 et au plus 100000</translation>
-    </message>
-    <message>
-        <source>own measures</source>
-        <translation>mesures propres</translation>
     </message>
     <message>
         <source>packages that are not found: put the package's folder beside the robot file or above it, or name its place in ROS_PACKAGE_PATH</source>
@@ -15127,11 +14991,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>des paires de clé et de valeur</translation>
     </message>
     <message>
-        <source>parameters that are not in the file</source>
-        <translation>des paramètres qui ne sont pas dans le fichier</translation>
-    </message>
-    <message>
-        <source>parents first</source>
+        <source>parents before their children</source>
         <translation>les parents d'abord</translation>
     </message>
     <message>
@@ -15219,7 +15079,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>poses</translation>
     </message>
     <message>
-        <source>poses, for an edit of them</source>
+        <source>poses, because this edit changes them</source>
         <translation>des poses, pour les modifier</translation>
     </message>
     <message>
@@ -15227,8 +15087,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>positions et time_from_start</translation>
     </message>
     <message>
-        <source>positions of joints in the channels stay near zero; they are added to the offsets</source>
-        <translation>les positions d'articulations dans les canaux restent proches de zéro ; elles sont ajoutées aux décalages</translation>
+        <source>positions reach %1: millimetres are assumed</source>
+        <translation>ses positions vont jusqu'à %1 : prises pour des millimètres</translation>
     </message>
     <message>
         <source>positions that are no list</source>
@@ -15287,7 +15147,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>renvoi à '%1'</translation>
     </message>
     <message>
-        <source>references to what is there</source>
+        <source>references to existing elements</source>
         <translation>des renvois à ce qui existe</translation>
     </message>
     <message>
@@ -15327,7 +15187,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>resultats.pdf</translation>
     </message>
     <message>
-        <source>retention: this exercise was practised</source>
+        <source>retention: an exercise that the trainee practised</source>
         <translation>retention : cet exercice a été pratiqué</translation>
     </message>
     <message>
@@ -15387,20 +15247,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>robot '%1', segment '%2'</translation>
     </message>
     <message>
-        <source>room and permission</source>
-        <translation>de la place et le droit d'écrire</translation>
-    </message>
-    <message>
         <source>room and permission to write</source>
         <translation>de l'espace libre et le droit d'écriture</translation>
     </message>
     <message>
         <source>room in the folder TMPDIR</source>
         <translation>de l'espace libre dans le dossier TMPDIR</translation>
-    </message>
-    <message>
-        <source>root may</source>
-        <translation>root en a le droit</translation>
     </message>
     <message>
         <source>rough</source>
@@ -15463,16 +15315,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>des secondes et nanosecondes : {sec, nanosec} ou {secs, nsecs}</translation>
     </message>
     <message>
-        <source>seconds from 0 (for ever) up</source>
+        <source>seconds or metres above 0</source>
+        <translation>des secondes, des mètres</translation>
+    </message>
+    <message>
+        <source>seconds, 0 or more (0: no limit)</source>
         <translation>des secondes à partir de 0 (sans fin)</translation>
     </message>
     <message>
         <source>seconds, above 0</source>
         <translation>des secondes, plus de 0</translation>
-    </message>
-    <message>
-        <source>seconds, metres</source>
-        <translation>des secondes, des mètres</translation>
     </message>
     <message>
         <source>self_origin, geometric_center or frame:NAME of an entity</source>
@@ -15499,7 +15351,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>parts du cycle</translation>
     </message>
     <message>
-        <source>shares of the cycle that add up to at most 1</source>
+        <source>shares of the cycle with a sum of at most 1</source>
         <translation>des parts du cycle dont la somme est au plus 1</translation>
     </message>
     <message>
@@ -15563,6 +15415,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des solides ou des surfaces aux faces exactes</translation>
     </message>
     <message>
+        <source>some of the markers C7, T10, CLAV and STRN are missing; the chest is derived from shoulders and hips</source>
+        <translation>C7, T10, CLAV et STRN ne sont pas tous présents ; l'orientation du thorax est déduite des épaules et des hanches</translation>
+    </message>
+    <message>
         <source>some that leave one at least</source>
         <translation>des images qui en laissent au moins une</translation>
     </message>
@@ -15571,20 +15427,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>quelqu'un</translation>
     </message>
     <message>
-        <source>something else</source>
-        <translation>autre chose</translation>
-    </message>
-    <message>
-        <source>something else, or nothing</source>
-        <translation>autre chose, ou rien</translation>
-    </message>
-    <message>
         <source>something stands there already</source>
         <translation>l'emplacement est déjà occupé</translation>
-    </message>
-    <message>
-        <source>something that is drawn</source>
-        <translation>quelque chose de dessiné</translation>
     </message>
     <message>
         <source>sparse accessor</source>
@@ -15617,6 +15461,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>standing</source>
         <translation>debout</translation>
+    </message>
+    <message>
+        <source>start of file</source>
+        <translation>son début</translation>
     </message>
     <message>
         <source>statements that are run without end</source>
@@ -15653,6 +15501,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>sudo usermod -aG dialout %1, then log in again</source>
         <translation>sudo usermod -aG dialout %1, puis reconnectez-vous</translation>
+    </message>
+    <message>
+        <source>symbolic links that refer to each other</source>
+        <translation>des liens symboliques qui tournent en rond</translation>
     </message>
     <message>
         <source>tables [[%1]]</source>
@@ -15703,6 +15555,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un texte entre guillemets</translation>
     </message>
     <message>
+        <source>text instead of a number, or a number that is too large</source>
+        <translation>un texte au lieu d'un nombre, ou un nombre trop grand</translation>
+    </message>
+    <message>
         <source>text that is not JSON</source>
         <translation>un texte qui n'est pas du JSON</translation>
     </message>
@@ -15723,10 +15579,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des textes entre guillemets</translation>
     </message>
     <message>
-        <source>that part is not in the package</source>
-        <translation>cet élément n'est pas dans le paquet</translation>
-    </message>
-    <message>
         <source>the %1 elements %2 were not used</source>
         <translation>les %1 éléments %2 n'ont pas été utilisés</translation>
     </message>
@@ -15739,11 +15591,23 @@ Voulez-vous le remplacer ?</translation>
         <translation>les 20 octets de l'en-tête d'un fichier glTF binaire et davantage</translation>
     </message>
     <message>
+        <source>the C3D header is missing</source>
+        <translation>pas d'en-tête C3D</translation>
+    </message>
+    <message>
+        <source>the JSON header of a recording</source>
+        <translation>du JSON tel qu'un enregistrement l'écrit</translation>
+    </message>
+    <message>
+        <source>the actuated joints block each other</source>
+        <translation>les axes actionnés se bloquent mutuellement</translation>
+    </message>
+    <message>
         <source>the angle CA</source>
         <translation>l'angle CA</translation>
     </message>
     <message>
-        <source>the angle's unit '%1'</source>
+        <source>the angle unit '%1'</source>
         <translation>l'unité d'angle '%1'</translation>
     </message>
     <message>
@@ -15775,6 +15639,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>la base du crâne</translation>
     </message>
     <message>
+        <source>the best place and its four postures</source>
+        <translation>l'emplacement et ses quatre postures</translation>
+    </message>
+    <message>
         <source>the block '%1' is not defined</source>
         <translation>le bloc '%1' n'est pas défini</translation>
     </message>
@@ -15783,7 +15651,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'os '%1'</translation>
     </message>
     <message>
-        <source>the bone '%1' has no numbers in %2 of %3 frames; it is taken at rest there</source>
+        <source>the bone '%1' has no values in %2 of %3 frames; its rest pose is used there</source>
         <translation>l'os '%1' n'a pas de nombres dans %2 images sur %3 ; il y est pris au repos</translation>
     </message>
     <message>
@@ -15799,12 +15667,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>les octets du fichier archivé</translation>
     </message>
     <message>
+        <source>the capabilities are missing</source>
+        <translation>pas de caractéristiques</translation>
+    </message>
+    <message>
         <source>the channel '%1'</source>
         <translation>le canal '%1'</translation>
     </message>
     <message>
-        <source>the code in one line</source>
-        <translation>le code sur une ligne</translation>
+        <source>the character '%1'</source>
+        <translation>le caractère '%1'</translation>
     </message>
     <message>
         <source>the column is missing</source>
@@ -15823,8 +15695,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>la condition &quot;%1&quot;, qui donne &quot;%2&quot;</translation>
     </message>
     <message>
-        <source>the connection ended before the keys were compared</source>
+        <source>the connection ended before the keys were checked</source>
         <translation>la connexion s'est terminée avant la comparaison des clés</translation>
+    </message>
+    <message>
+        <source>the connection was interrupted</source>
+        <translation>la connexion a été rétablie entre-temps</translation>
     </message>
     <message>
         <source>the content of %1</source>
@@ -15847,8 +15723,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>les nombres d'éléments</translation>
     </message>
     <message>
-        <source>the device '%1' is held by a real hand</source>
-        <translation>le périphérique '%1' est tenu par une vraie main</translation>
+        <source>the data is missing</source>
+        <translation>pas de données</translation>
     </message>
     <message>
         <source>the document</source>
@@ -15867,12 +15743,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>la fin du fichier</translation>
     </message>
     <message>
-        <source>the end of the file in a bone</source>
-        <translation>la fin du fichier dans un os</translation>
+        <source>the entity cannot be moved in this way</source>
+        <translation>elle ne peut pas être déplacée ainsi</translation>
     </message>
     <message>
-        <source>the ending '%1'</source>
-        <translation>l'extension '%1'</translation>
+        <source>the entity does not exist</source>
+        <translation>cette entité n'existe pas</translation>
     </message>
     <message>
         <source>the entity is locked</source>
@@ -15899,7 +15775,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'expression s'arrête</translation>
     </message>
     <message>
-        <source>the extension %1, which is not read</source>
+        <source>the extension %1, which is not supported</source>
         <translation>l'extension %1, qui n'est pas lue</translation>
     </message>
     <message>
@@ -15907,7 +15783,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'extension '%1'</translation>
     </message>
     <message>
-        <source>the extension '%1' (%2), which is not read</source>
+        <source>the extension '%1' (%2), which is not supported</source>
         <translation>l'extension '%1' (%2), qui n'est pas lue</translation>
     </message>
     <message>
@@ -15931,6 +15807,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier %1 n'existe pas</translation>
     </message>
     <message>
+        <source>the file cannot be read as %1</source>
+        <translation>illisible en tant que %1</translation>
+    </message>
+    <message>
         <source>the file cannot be written</source>
         <translation>impossible d'écrire le fichier</translation>
     </message>
@@ -15939,15 +15819,27 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier n'a pas pu être lu</translation>
     </message>
     <message>
-        <source>the file does not say which axis is up, nor do its markers; its z axis is taken; --up says another</source>
-        <translation>ni le fichier ni ses marqueurs n'indiquent quel axe est vers le haut ; son axe z est utilisé ; --up en indique un autre</translation>
+        <source>the file differs from what was written</source>
+        <translation>d'autres octets que ceux écrits</translation>
     </message>
     <message>
-        <source>the file does not say which axis is up; the body stands along %1, which is taken</source>
+        <source>the file does not exist</source>
+        <translation>ce fichier n'existe pas</translation>
+    </message>
+    <message>
+        <source>the file does not state how the hands are turned about the forearms (no fingers, no rest pose); on average, neither pronation nor supination is assumed</source>
+        <translation>rien n'indique la rotation des mains autour des avant-bras (ni doigts, ni position de repos) ; supposées en moyenne ni en pronation ni en supination</translation>
+    </message>
+    <message>
+        <source>the file does not state the top of the head; the frame of the head is used</source>
+        <translation>rien n'indique où est le sommet de la tête ; le repère propre de la tête est utilisé</translation>
+    </message>
+    <message>
+        <source>the file does not state which axis is up; the body stands along %1, which is used</source>
         <translation>le fichier n'indique pas quel axe est vers le haut ; le corps se tient selon %1, qui est utilisé</translation>
     </message>
     <message>
-        <source>the file does not say which axis is up; the markers stand highest along %1, which is taken; --up says another</source>
+        <source>the file does not state which axis is up; the markers extend furthest along %1, which is used; to change this, use --up</source>
         <translation>le fichier n'indique pas quel axe est vers le haut ; les marqueurs s'étendent le plus selon %1, qui est utilisé ; --up en indique un autre</translation>
     </message>
     <message>
@@ -15959,20 +15851,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier s'arrête après %1 octets</translation>
     </message>
     <message>
+        <source>the file ends before frame %1</source>
+        <translation>pas d'image %1, là où le fichier se termine</translation>
+    </message>
+    <message>
+        <source>the file ends inside a bone</source>
+        <translation>la fin du fichier dans un os</translation>
+    </message>
+    <message>
         <source>the file ends within a vertex</source>
         <translation>le fichier s'arrête au milieu d'un sommet</translation>
     </message>
     <message>
         <source>the file has %1 solids; they were taken as one</source>
         <translation>le fichier a %1 solides ; ils ont été pris comme un seul</translation>
-    </message>
-    <message>
-        <source>the file has %1 up; it was turned so that z is up</source>
-        <translation>le fichier a %1 vers le haut ; il a été tourné pour que z soit vers le haut</translation>
-    </message>
-    <message>
-        <source>the file has %1; what is made of it is missing or wrong. Export it again.</source>
-        <translation>le fichier a %1 ; ce qui en dépend manque ou est faux. Exportez-le à nouveau.</translation>
     </message>
     <message>
         <source>the file has more than 64 colours; each solid is shown in their mean</source>
@@ -15983,8 +15875,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier n'a pas d'argument '%1' ; sa valeur %2 n'a pas été utilisée</translation>
     </message>
     <message>
-        <source>the file has no rest position of a standing person; how its joints' frames lie is found from where the joints are in the motion</source>
+        <source>the file has no rest pose of a standing person; the joint frames are derived from the joint positions in the motion</source>
         <translation>le fichier n'a pas de position de repos d'une personne debout ; l'orientation des repères de ses articulations est déduite de leurs positions dans le mouvement</translation>
+    </message>
+    <message>
+        <source>the file has no unit; %1 is assumed</source>
+        <translation>le fichier n'indique pas d'unité ; l'unité supposée est %1</translation>
+    </message>
+    <message>
+        <source>the file has no unit; %1 is assumed from its size (to change this, use --unit)</source>
+        <translation>le fichier n'indique pas d'unité ; d'après sa taille, l'unité supposée est %1 (--unit pour une autre)</translation>
+    </message>
+    <message>
+        <source>the file has no unit; millimetres are assumed</source>
+        <translation>le fichier n'indique pas d'unité ; ses nombres sont pris en millimètres</translation>
     </message>
     <message>
         <source>the file is UTF-16 text</source>
@@ -15999,24 +15903,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier n'est pas un xacro ; la valeur de '%1' n'a pas été utilisée</translation>
     </message>
     <message>
+        <source>the file is write-protected</source>
+        <translation>un fichier protégé en écriture</translation>
+    </message>
+    <message>
         <source>the file leaves the places of its models to chance; they are spread evenly</source>
         <translation>le fichier laisse au hasard les positions de ses modèles ; ils sont répartis régulièrement</translation>
     </message>
     <message>
-        <source>the file names no unit; by its size it is taken as %1 (--unit says otherwise)</source>
-        <translation>le fichier n'indique pas d'unité ; d'après sa taille, l'unité supposée est %1 (--unit pour une autre)</translation>
-    </message>
-    <message>
-        <source>the file names no unit; it is taken as %1</source>
-        <translation>le fichier n'indique pas d'unité ; l'unité supposée est %1</translation>
-    </message>
-    <message>
         <source>the file names no unit; it was read in metres and measures %1 m; if it measures %1 millimetres, say unit mm</source>
         <translation>le fichier n'indique pas d'unité ; il a été lu en mètres et mesure %1 m ; s'il mesure %1 millimètres, indiquez l'unité mm</translation>
-    </message>
-    <message>
-        <source>the file names no unit; its numbers are taken as millimetres</source>
-        <translation>le fichier n'indique pas d'unité ; ses nombres sont pris en millimètres</translation>
     </message>
     <message>
         <source>the file names no unit; read in metres it measures %1 m, so millimetres seem to be meant (unit mm)</source>
@@ -16031,16 +15927,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier signale une erreur : %1</translation>
     </message>
     <message>
-        <source>the file says that %1 is up (Y_SCREEN), but the body stands along %2, which is taken; --up says another</source>
-        <translation>le fichier indique que %1 est vers le haut (Y_SCREEN), mais le corps se tient selon %2, qui est utilisé ; --up en indique un autre</translation>
-    </message>
-    <message>
-        <source>the file states %1 frames and has %2; all are read</source>
+        <source>the file states %1 frames but has %2; all %2 are read</source>
         <translation>le fichier annonce %1 images et en a %2 ; toutes sont lues</translation>
     </message>
     <message>
-        <source>the file that it was imported from, unchanged</source>
-        <translation>le fichier dont elle a été importée, inchangé</translation>
+        <source>the file states that %1 is up (Y_SCREEN), but the body stands along %2, which is used; to change this, use --up</source>
+        <translation>le fichier indique que %1 est vers le haut (Y_SCREEN), mais le corps se tient selon %2, qui est utilisé ; --up en indique un autre</translation>
     </message>
     <message>
         <source>the file warns: %1</source>
@@ -16059,31 +15951,39 @@ Voulez-vous le remplacer ?</translation>
         <translation>impossible de créer le dossier</translation>
     </message>
     <message>
-        <source>the folder of kept states</source>
+        <source>the folder of saved states</source>
         <translation>le dossier des états conservés</translation>
-    </message>
-    <message>
-        <source>the folder of own plug-ins</source>
-        <translation>le dossier des modules personnels</translation>
     </message>
     <message>
         <source>the folder of settings</source>
         <translation>le dossier des réglages</translation>
     </message>
     <message>
+        <source>the folder of the file cannot be opened</source>
+        <translation>son dossier est inaccessible</translation>
+    </message>
+    <message>
+        <source>the folder of your plug-ins</source>
+        <translation>le dossier des modules personnels</translation>
+    </message>
+    <message>
         <source>the format &quot;%1&quot;</source>
         <translation>le format &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>the frame rate is %1 Hz in the parameters and %2 Hz in the header; the parameters' is taken</source>
+        <source>the frame rate is %1 Hz in the parameters and %2 Hz in the header; %1 Hz is used</source>
         <translation>la fréquence d'images est de %1 Hz dans les paramètres et de %2 Hz dans l'en-tête ; celle des paramètres est utilisée</translation>
+    </message>
+    <message>
+        <source>the frame rate is missing</source>
+        <translation>pas de fréquence d'images</translation>
     </message>
     <message>
         <source>the frame that is chosen</source>
         <translation>le repère choisi</translation>
     </message>
     <message>
-        <source>the frames of %1 do not lie as at the rest position; found from where the joints are</source>
+        <source>the frames of %1 do not match the rest pose; they are derived from the joint positions</source>
         <translation>les repères de %1 ne sont pas orientés comme à la position de repos ; ils sont déduits des positions des articulations</translation>
     </message>
     <message>
@@ -16103,19 +16003,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>le serveur haptique a été perdu après %1 s : %2</translation>
     </message>
     <message>
-        <source>the head's markers are taken to be level when the head is held straight</source>
+        <source>the head markers are assumed to be level when the head is upright</source>
         <translation>les marqueurs de la tête sont supposés horizontaux quand la tête est droite</translation>
     </message>
     <message>
-        <source>the head's markers lean back by %1 deg on the whole; taken as their place, the head being level on the whole</source>
+        <source>the head markers lean back by %1 deg on average; this is assumed to be how they were attached, with the head level on average</source>
         <translation>les marqueurs de la tête penchent en moyenne de %1 deg vers l'arrière ; cela est pris comme leur placement, la tête étant horizontale en moyenne</translation>
     </message>
     <message>
-        <source>the header states %1 analog samples a frame; %2 fill the file (channels by samples)</source>
+        <source>the header states %1 analog samples per frame; %2 (channels × samples) match the file size and are read</source>
         <translation>l'en-tête annonce %1 échantillons analogiques par image ; %2 remplissent le fichier (canaux fois échantillons)</translation>
     </message>
     <message>
-        <source>the header states %1 frames; %2 stand in the file and are read</source>
+        <source>the header states %1 frames; the file has %2, which are read</source>
         <translation>l'en-tête annonce %1 images ; %2 sont dans le fichier et sont lues</translation>
     </message>
     <message>
@@ -16127,8 +16027,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>le dossier personnel de cet utilisateur</translation>
     </message>
     <message>
+        <source>the home position is singular</source>
+        <translation>sa position de repos est singulière</translation>
+    </message>
+    <message>
+        <source>the import needs more memory than its limit allows</source>
+        <translation>il demande plus de mémoire qu'une importation ne peut en utiliser</translation>
+    </message>
+    <message>
         <source>the import was cancelled</source>
         <translation>l'importation a été annulée</translation>
+    </message>
+    <message>
+        <source>the imported file, unchanged</source>
+        <translation>le fichier dont elle a été importée, inchangé</translation>
     </message>
     <message>
         <source>the importer sent something that is not a scene</source>
@@ -16137,6 +16049,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the index %1 of %2 items</source>
         <translation>l'indice %1 parmi %2 éléments</translation>
+    </message>
+    <message>
+        <source>the input ended without a pairing code</source>
+        <translation>fin sans code d'appairage</translation>
     </message>
     <message>
         <source>the joint '%1' to be mimicked is not in the file</source>
@@ -16175,32 +16091,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>les axes forment un cycle : le segment '%1' (axe '%2') est rattaché à lui-même</translation>
     </message>
     <message>
-        <source>the joints that are set hold each other</source>
-        <translation>les axes actionnés se bloquent mutuellement</translation>
-    </message>
-    <message>
         <source>the key '%1', which is not known here</source>
         <translation>la clé '%1', inconnue ici</translation>
-    </message>
-    <message>
-        <source>the key was not used</source>
-        <translation>la clé n'a pas été utilisée</translation>
     </message>
     <message>
         <source>the knee</source>
         <translation>le genou</translation>
     </message>
     <message>
-        <source>the left hand again in the same step</source>
-        <translation>de nouveau la main gauche dans la même étape</translation>
-    </message>
-    <message>
         <source>the length %1</source>
         <translation>la norme %1</translation>
     </message>
     <message>
+        <source>the length is missing</source>
+        <translation>pas de longueur</translation>
+    </message>
+    <message>
         <source>the lift and the forces</source>
         <translation>le levage et les efforts</translation>
+    </message>
+    <message>
+        <source>the link does not exist</source>
+        <translation>ce segment n'existe pas</translation>
     </message>
     <message>
         <source>the link of the workcell</source>
@@ -16231,6 +16143,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>la macro '%1' sans ses paramètres %2</translation>
     </message>
     <message>
+        <source>the mannequin does not exist</source>
+        <translation>ce mannequin n'existe pas</translation>
+    </message>
+    <message>
+        <source>the mannequin has no such joint</source>
+        <translation>une articulation que le mannequin n'a pas</translation>
+    </message>
+    <message>
         <source>the mannequin sits or kneels; it covers lifts while standing. Use RULA or REBA.</source>
         <translation>le mannequin est assis ou à genoux ; elle vaut pour les levages debout. Utilisez RULA ou REBA.</translation>
     </message>
@@ -16239,19 +16159,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>le marqueur '%1', qui n'est pas dans l'enregistrement</translation>
     </message>
     <message>
-        <source>the marker on %1 is never seen</source>
+        <source>the marker on %1 is never visible</source>
         <translation>le marqueur sur %1 n'est jamais vu</translation>
     </message>
     <message>
-        <source>the marker on %1 is never seen; it is left out</source>
+        <source>the marker on %1 is never visible; it is left out</source>
         <translation>le marqueur sur %1 n'est jamais vu ; il est omis</translation>
     </message>
     <message>
-        <source>the marker on %1 is not seen in %2 of %3 frames, %4 s at the longest; it is taken on the straight way between</source>
+        <source>the marker on %1 is not visible in %2 of %3 frames, for at most %4 s; its position is interpolated</source>
         <translation>le marqueur sur %1 n'est pas vu dans %2 images sur %3, au plus %4 s de suite ; il est placé sur la droite entre les deux</translation>
     </message>
     <message>
-        <source>the markers are read as %1; joints are found from them with our own offsets</source>
+        <source>the markers are read as %1; joints are computed from them with HaptiCell's own offsets</source>
         <translation>les marqueurs sont lus comme %1 ; les articulations en sont déduites avec nos propres décalages</translation>
     </message>
     <message>
@@ -16287,8 +16207,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>le maillage %1 avec scale=&quot;%2&quot; au lieu de trois nombres non nuls</translation>
     </message>
     <message>
-        <source>the motion of a hand alone</source>
-        <translation>le mouvement d'une main seule</translation>
+        <source>the motion of an expert</source>
+        <translation>le mouvement d'un expert</translation>
     </message>
     <message>
         <source>the name '%1' is taken</source>
@@ -16299,16 +16219,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>deux fois le nom '%1'</translation>
     </message>
     <message>
+        <source>the name is missing</source>
+        <translation>aucun nom</translation>
+    </message>
+    <message>
         <source>the name is there twice or not allowed; this &lt;%1&gt; is called '%2'</source>
         <translation>le nom est en double ou n'est pas permis ; ce &lt;%1&gt; s'appelle '%2'</translation>
     </message>
     <message>
         <source>the name is there twice; it is called '%1'</source>
         <translation>le nom est en double ; l'élément s'appelle '%1'</translation>
-    </message>
-    <message>
-        <source>the name of a file</source>
-        <translation>le nom d'un fichier</translation>
     </message>
     <message>
         <source>the name of a joint</source>
@@ -16323,6 +16243,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom d'un segment de l'URDF</translation>
     </message>
     <message>
+        <source>the name of a link of the robot</source>
+        <translation>l'un de ses segments</translation>
+    </message>
+    <message>
         <source>the name of a mannequin of the cell</source>
         <translation>le nom d'un mannequin de la cellule</translation>
     </message>
@@ -16333,10 +16257,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the name of an entity or of a frame of one</source>
         <translation>le nom d'une entité ou d'un repère d'entité</translation>
-    </message>
-    <message>
-        <source>the name of one</source>
-        <translation>un nom qui existe</translation>
     </message>
     <message>
         <source>the name of one of its tools</source>
@@ -16359,6 +16279,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>le numéro d'une image, à partir de 0</translation>
     </message>
     <message>
+        <source>the number of an element that does not exist</source>
+        <translation>un élément au-delà du dernier</translation>
+    </message>
+    <message>
+        <source>the number of channels is missing</source>
+        <translation>pas de nombre de canaux</translation>
+    </message>
+    <message>
+        <source>the number of frames is missing</source>
+        <translation>pas de nombre d'images</translation>
+    </message>
+    <message>
         <source>the number of the face's corners</source>
         <translation>le nombre de coins de la face</translation>
     </message>
@@ -16371,8 +16303,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'ouverture a été annulée</translation>
     </message>
     <message>
-        <source>the order of turns '%1'</source>
-        <translation>l'ordre de rotation '%1'</translation>
+        <source>the other side did not use the pairing key</source>
+        <translation>la clé n'a pas été utilisée</translation>
+    </message>
+    <message>
+        <source>the other side has a different pairing key</source>
+        <translation>sa clé est différente</translation>
     </message>
     <message>
         <source>the package of %1 is not found by its name; the folder %2, which holds the rest of the path, is taken for it</source>
@@ -16387,12 +16323,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom du jeu de paires</translation>
     </message>
     <message>
+        <source>the pairing code on one line</source>
+        <translation>le code sur une ligne</translation>
+    </message>
+    <message>
         <source>the parameter '%1'</source>
         <translation>le paramètre '%1'</translation>
     </message>
     <message>
-        <source>the parameters state %1 points and the header %2, which fills the file</source>
+        <source>the parameters are missing</source>
+        <translation>des paramètres qui ne sont pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>the parameters state %1 points and the header %2; the header matches the file size and is used</source>
         <translation>les paramètres annoncent %1 points et l'en-tête %2, ce qui remplit le fichier</translation>
+    </message>
+    <message>
+        <source>the part does not exist</source>
+        <translation>cette pièce n'existe pas</translation>
     </message>
     <message>
         <source>the part that &lt;submesh&gt; names</source>
@@ -16401,10 +16349,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the parts cannot be written as STEP</source>
         <translation>les pièces ne peuvent pas être écrites en STEP</translation>
-    </message>
-    <message>
-        <source>the place and its four postures</source>
-        <translation>l'emplacement et ses quatre postures</translation>
     </message>
     <message>
         <source>the place and the joints of the workcell</source>
@@ -16435,20 +16379,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>la pose '%1' a un quaternion de longueur nulle ; l'absence de rotation est supposée</translation>
     </message>
     <message>
-        <source>the posture does not tell which axis is up (the person lies, or turns over); the file's y axis is taken, as BVH and ASF have it; --up says another</source>
-        <translation>la posture n'indique pas quel axe est vers le haut (la personne est allongée, ou se retourne) ; l'axe y du fichier est utilisé, comme en BVH et ASF ; --up en indique un autre</translation>
+        <source>the pose is missing</source>
+        <translation>pas de pose</translation>
     </message>
     <message>
-        <source>the program</source>
-        <translation>le programme</translation>
+        <source>the pose or the status is missing or invalid</source>
+        <translation>pas de pose ou pas d'état</translation>
+    </message>
+    <message>
+        <source>the position is missing or invalid</source>
+        <translation>pas une position</translation>
+    </message>
+    <message>
+        <source>the positions are missing</source>
+        <translation>pas de positions à l'intérieur</translation>
+    </message>
+    <message>
+        <source>the posture does not show which axis is up (the person lies or turns over); y is assumed, as usual in BVH and ASF; to change this, use --up</source>
+        <translation>la posture n'indique pas quel axe est vers le haut (la personne est allongée, ou se retourne) ; l'axe y du fichier est utilisé, comme en BVH et ASF ; --up en indique un autre</translation>
     </message>
     <message>
         <source>the program %1 could not be started: %2</source>
         <translation>le programme %1 n'a pas pu être lancé : %2</translation>
     </message>
     <message>
+        <source>the program as written</source>
+        <translation>le programme</translation>
+    </message>
+    <message>
         <source>the program ffmpeg is not installed</source>
         <translation>le programme ffmpeg n'est pas installé</translation>
+    </message>
+    <message>
+        <source>the program ffmpeg, to write videos</source>
+        <translation>ffmpeg, qui écrit les vidéos</translation>
     </message>
     <message>
         <source>the property '%1' needs itself (%2)</source>
@@ -16459,7 +16423,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>la propriété '%1' avec plus d'un parmi value, default et remove</translation>
     </message>
     <message>
-        <source>the reader refused it (%1)</source>
+        <source>the reader rejected the file (%1)</source>
         <translation>le lecteur l'a refusé (%1)</translation>
     </message>
     <message>
@@ -16467,19 +16431,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>la lecture a été annulée</translation>
     </message>
     <message>
+        <source>the reference pose is missing</source>
+        <translation>pas de pose de référence</translation>
+    </message>
+    <message>
         <source>the result of '%1'</source>
         <translation>le résultat de '%1'</translation>
     </message>
     <message>
-        <source>the right hand again in the same step</source>
-        <translation>de nouveau la main droite dans la même étape</translation>
-    </message>
-    <message>
-        <source>the robot file gives no speed</source>
+        <source>the robot file has no speed limits</source>
         <translation>le fichier du robot ne donne pas de vitesse</translation>
     </message>
     <message>
-        <source>the robot has no such joint</source>
+        <source>the robot has no joint of this name</source>
         <translation>le robot n'a pas d'axe de ce nom</translation>
     </message>
     <message>
@@ -16487,7 +16451,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>le robot n'a pas d'extrémité</translation>
     </message>
     <message>
-        <source>the robot whose joints they are</source>
+        <source>the robot of these joints</source>
         <translation>le robot auquel appartiennent ces axes</translation>
     </message>
     <message>
@@ -16499,7 +16463,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>la position du robot</translation>
     </message>
     <message>
-        <source>the rods do not meet at the home position</source>
+        <source>the rods do not reach the platform at the home position</source>
         <translation>les barres ne se rejoignent pas à la position de repos</translation>
     </message>
     <message>
@@ -16511,6 +16475,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le format de rotation '%1' est inconnu ; roulis, tangage, lacet est supposé</translation>
     </message>
     <message>
+        <source>the rotation order '%1'</source>
+        <translation>l'ordre de rotation '%1'</translation>
+    </message>
+    <message>
         <source>the rule for '%1' and '%2' is left out: %3</source>
         <translation>la règle pour '%1' et '%2' est ignorée : %3</translation>
     </message>
@@ -16519,12 +16487,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>les mêmes</translation>
     </message>
     <message>
-        <source>the scale of the points is %1 in the header and %2 in the parameters; the header's is taken</source>
+        <source>the scale factor is not a number</source>
+        <translation>une échelle qui n'est pas un nombre</translation>
+    </message>
+    <message>
+        <source>the scale of the points is %1 in the header and %2 in the parameters; %1 is used</source>
         <translation>l'échelle des points est de %1 dans l'en-tête et de %2 dans les paramètres ; celle de l'en-tête est utilisée</translation>
     </message>
     <message>
-        <source>the sign '%1'</source>
-        <translation>le caractère '%1'</translation>
+        <source>the server stopped sending the state of the stylus</source>
+        <translation>l'état du stylet n'arrive plus</translation>
     </message>
     <message>
         <source>the sign '%1' in the expression</source>
@@ -16535,11 +16507,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>la valeur initiale de l'axe '%1' n'est pas un nombre</translation>
     </message>
     <message>
-        <source>the surface is not closed, so the volume means little</source>
+        <source>the surface is not closed, so the volume is not reliable</source>
         <translation>la surface n'est pas fermée, donc le volume n'est qu'indicatif</translation>
     </message>
     <message>
-        <source>the system gives no random numbers</source>
+        <source>the system did not provide random numbers</source>
         <translation>le système ne fournit pas de nombres aléatoires</translation>
     </message>
     <message>
@@ -16563,7 +16535,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>le sommet de la tête</translation>
     </message>
     <message>
-        <source>the trajectory does not say what moves</source>
+        <source>the trajectory does not name the entity that moves</source>
         <translation>la trajectoire ne dit pas ce qui bouge</translation>
     </message>
     <message>
@@ -16587,16 +16559,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>les triangles de %1 corps sont tournés vers l'intérieur ; ils sont contrôlés et ressentis comme tournés vers l'extérieur</translation>
     </message>
     <message>
+        <source>the type is wrong or missing</source>
+        <translation>un autre type que celui qu'il faut là, ou aucun</translation>
+    </message>
+    <message>
         <source>the unit '%1'</source>
         <translation>l'unité '%1'</translation>
     </message>
     <message>
-        <source>the unit '%1' is cut; taken as %2</source>
+        <source>the unit '%1' is incomplete; %2 is assumed</source>
         <translation>l'unité '%1' est tronquée ; lue comme %2</translation>
     </message>
     <message>
         <source>the unit '%1' is not known; millimetres are assumed</source>
         <translation>l'unité '%1' n'est pas connue ; le millimètre est supposé</translation>
+    </message>
+    <message>
+        <source>the unit of length is missing</source>
+        <translation>pas d'unité de longueur</translation>
+    </message>
+    <message>
+        <source>the unpacked size exceeds the limit</source>
+        <translation>plus que la taille permise après décompression</translation>
     </message>
     <message>
         <source>the upper joint of leg %1</source>
@@ -16619,27 +16603,27 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'objet de travail dont le fichier n'a pas de valeur</translation>
     </message>
     <message>
-        <source>the wrists have one marker; the forearms are taken to be neither pronated nor supinated</source>
-        <translation>les poignets ont un seul marqueur ; les avant-bras sont supposés ni en pronation ni en supination</translation>
+        <source>the workspace is missing</source>
+        <translation>pas d'espace de travail</translation>
     </message>
     <message>
-        <source>there are no joints for the toes; feet follow their ankles</source>
+        <source>there are no joints for the toes; the feet follow the ankles</source>
         <translation>il n'y a pas d'articulations pour les orteils ; les pieds suivent leurs chevilles</translation>
     </message>
     <message>
-        <source>there are no markers on the fingers; wrists are taken as straight</source>
+        <source>there are no markers on the fingers; straight wrists are assumed</source>
         <translation>il n'y a pas de marqueurs sur les doigts ; les poignets sont supposés droits</translation>
     </message>
     <message>
-        <source>there are no markers on the head; it follows the chest, and the neck's score with it</source>
+        <source>there are no markers on the head; it follows the chest, which also affects the neck score</source>
         <translation>il n'y a pas de marqueurs sur la tête ; elle suit le thorax, et le score du cou avec elle</translation>
     </message>
     <message>
-        <source>there are no markers on the heels; feet are taken as straight</source>
+        <source>there are no markers on the heels; straight feet are assumed</source>
         <translation>il n'y a pas de marqueurs sur les talons ; les pieds sont supposés droits</translation>
     </message>
     <message>
-        <source>there are no markers on the toes; feet are taken as straight</source>
+        <source>there are no markers on the toes; straight feet are assumed</source>
         <translation>il n'y a pas de marqueurs sur les orteils ; les pieds sont supposés droits</translation>
     </message>
     <message>
@@ -16647,31 +16631,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>il y a une image à %1 s</translation>
     </message>
     <message>
-        <source>there is no entity '%1'</source>
-        <translation>il n'y a pas d'entité '%1'</translation>
-    </message>
-    <message>
-        <source>there is no frame '%1'</source>
-        <translation>il n'y a pas de repère '%1'</translation>
-    </message>
-    <message>
-        <source>there is no frame '%1' to move it by</source>
-        <translation>il n'y a pas de repère '%1' pour la déplacer</translation>
-    </message>
-    <message>
         <source>there is no joint '%1'</source>
         <translation>il n'y a pas d'axe '%1'</translation>
     </message>
     <message>
-        <source>there is no joint for the neck; its base is taken midway between the collars</source>
+        <source>there is no joint for the neck; its base is assumed midway between the collars</source>
         <translation>il n'y a pas d'articulation pour le cou ; sa base est placée au milieu entre les clavicules</translation>
     </message>
     <message>
-        <source>there is no joint for the neck; its base is taken midway between the shoulders</source>
+        <source>there is no joint for the neck; its base is assumed midway between the shoulders</source>
         <translation>il n'y a pas d'articulation pour le cou ; sa base est placée au milieu entre les épaules</translation>
     </message>
     <message>
-        <source>there is no joint for the spine; the trunk is one piece</source>
+        <source>there is no joint for the spine; the trunk moves as one piece</source>
         <translation>il n'y a pas d'articulation pour la colonne ; le tronc est d'un seul tenant</translation>
     </message>
     <message>
@@ -16679,44 +16651,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>il n'y a pas de segment '%1'</translation>
     </message>
     <message>
-        <source>there is no moving joint '%1'</source>
-        <translation>il n'y a pas d'axe mobile '%1'</translation>
-    </message>
-    <message>
         <source>there is no part '%1'</source>
         <translation>il n'y a pas de pièce '%1'</translation>
-    </message>
-    <message>
-        <source>there is no picture</source>
-        <translation>il n'y a pas d'image</translation>
-    </message>
-    <message>
-        <source>there is no row</source>
-        <translation>il n'y a aucune ligne</translation>
-    </message>
-    <message>
-        <source>there is no such entity</source>
-        <translation>cette entité n'existe pas</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>ce fichier n'existe pas</translation>
-    </message>
-    <message>
-        <source>there is no such key</source>
-        <translation>cette clé n'existe pas</translation>
-    </message>
-    <message>
-        <source>there is no such link</source>
-        <translation>ce segment n'existe pas</translation>
-    </message>
-    <message>
-        <source>there is no such mannequin</source>
-        <translation>ce mannequin n'existe pas</translation>
-    </message>
-    <message>
-        <source>there is no such part</source>
-        <translation>cette pièce n'existe pas</translation>
     </message>
     <message>
         <source>there is none</source>
@@ -16731,8 +16667,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>theta, d, a, alpha et types d'une même longueur, de 1 à 16</translation>
     </message>
     <message>
-        <source>they cannot be closed from the start; a gap of %1 is left</source>
+        <source>they cannot be closed from the start values; a gap of %1 remains</source>
         <translation>elles ne peuvent pas être fermées depuis le départ ; il reste un écart de %1</translation>
+    </message>
+    <message>
+        <source>this display has no OpenGL 3.3</source>
+        <translation>pas d'OpenGL 3.3 sur cet affichage</translation>
+    </message>
+    <message>
+        <source>this key does not exist</source>
+        <translation>cette clé n'existe pas</translation>
+    </message>
+    <message>
+        <source>this part is not in the package</source>
+        <translation>cet élément n'est pas dans le paquet</translation>
     </message>
     <message>
         <source>those of the first</source>
@@ -16751,12 +16699,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>trois nombres</translation>
     </message>
     <message>
-        <source>three numbers with '.' as decimal point</source>
-        <translation>trois nombres avec '.' comme séparateur décimal</translation>
+        <source>three numbers in metres</source>
+        <translation>trois nombres, en mètres</translation>
     </message>
     <message>
-        <source>three numbers, metres</source>
-        <translation>trois nombres, en mètres</translation>
+        <source>three numbers with '.' as decimal point</source>
+        <translation>trois nombres avec '.' comme séparateur décimal</translation>
     </message>
     <message>
         <source>three points of a circle</source>
@@ -16785,6 +16733,26 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>times</source>
         <translation>fois</translation>
+    </message>
+    <message>
+        <source>times are whole numbers up to %1: milliseconds are assumed</source>
+        <translation>ses temps sont des nombres entiers jusqu'à %1 : pris pour des millisecondes</translation>
+    </message>
+    <message>
+        <source>times start at %1: clock times in microseconds are assumed; the first line is time 0</source>
+        <translation>ses temps commencent à %1 : pris pour les microsecondes d'une horloge et comptés depuis la première ligne</translation>
+    </message>
+    <message>
+        <source>times start at %1: clock times in milliseconds are assumed; the first line is time 0</source>
+        <translation>ses temps commencent à %1 : pris pour les millisecondes d'une horloge et comptés depuis la première ligne</translation>
+    </message>
+    <message>
+        <source>times start at %1: clock times in nanoseconds are assumed; the first line is time 0</source>
+        <translation>ses temps commencent à %1 : pris pour les nanosecondes d'une horloge et comptés depuis la première ligne</translation>
+    </message>
+    <message>
+        <source>times start at %1: the first line is time 0</source>
+        <translation>ses temps commencent à %1 : comptés depuis la première ligne</translation>
     </message>
     <message>
         <source>times that increase</source>
@@ -16827,7 +16795,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>la trajectoire '%1' n'est pas lue : %2</translation>
     </message>
     <message>
-        <source>transfer: this exercise was not practised</source>
+        <source>transfer: an exercise that the trainee did not practise</source>
         <translation>transfer : cet exercice n'a pas été pratiqué</translation>
     </message>
     <message>
@@ -16839,16 +16807,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>des triangles selon AP242</translation>
     </message>
     <message>
-        <source>triangles at an edge of more than two faces, or turned over</source>
+        <source>triangles that share an edge with more than two faces, or are flipped</source>
         <translation>triangles à une arête de plus de deux faces, ou retournés</translation>
-    </message>
-    <message>
-        <source>triangles that are there twice, left out once in a workcell</source>
-        <translation>triangles en double, laissés de côté une fois dans une cellule</translation>
-    </message>
-    <message>
-        <source>triangles without area, left out in a workcell</source>
-        <translation>triangles d'aire nulle, laissés de côté dans une cellule</translation>
     </message>
     <message>
         <source>trimmed</source>
@@ -16963,26 +16923,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>haut</translation>
     </message>
     <message>
-        <source>up is %1, as given</source>
-        <translation>le haut est %1, comme demandé</translation>
-    </message>
-    <message>
-        <source>up is %1, as given; the body stands along %2</source>
-        <translation>le haut est %1, comme demandé ; le corps se tient selon %2</translation>
-    </message>
-    <message>
-        <source>up is %1, as given; the file says %2</source>
-        <translation>le haut est %1, comme demandé ; le fichier indique %2</translation>
-    </message>
-    <message>
-        <source>up is %1, as given; the head is over the feet along %2</source>
-        <translation>le haut est %1, comme demandé ; la tête est au-dessus des pieds selon %2</translation>
-    </message>
-    <message>
-        <source>up is %1: the head is over the feet along it</source>
-        <translation>le haut est %1 : la tête est au-dessus des pieds selon cet axe</translation>
-    </message>
-    <message>
         <source>upper</source>
         <translation>upper</translation>
     </message>
@@ -16993,6 +16933,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>valid SDF</source>
         <translation>du SDF valide</translation>
+    </message>
+    <message>
+        <source>valid curves and surfaces</source>
+        <translation>des courbes et des surfaces qui existent</translation>
     </message>
     <message>
         <source>valid poses, finite numbers</source>
@@ -17015,6 +16959,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>numéro de sommet %1</translation>
     </message>
     <message>
+        <source>vertex numbers from 0 to %1</source>
+        <translation>des sommets de 0 à %1</translation>
+    </message>
+    <message>
         <source>vertex with %1</source>
         <translation>sommet avec %1</translation>
     </message>
@@ -17023,7 +16971,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>sommet avec la coordonnée %1</translation>
     </message>
     <message>
-        <source>w, x, y, z of length 1</source>
+        <source>w, x, y, z with length 1</source>
         <translation>w, x, y, z de norme 1</translation>
     </message>
     <message>
@@ -17039,10 +16987,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un texte qui n'est pas du YAML (%1)</translation>
     </message>
     <message>
-        <source>what only you (and root) may write</source>
-        <translation>ce que vous seul (et root) pouvez écrire</translation>
-    </message>
-    <message>
         <source>what the motion moves</source>
         <translation>ce que le mouvement déplace</translation>
     </message>
@@ -17053,10 +16997,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>where it is held</source>
         <translation>là où elle est tenue</translation>
-    </message>
-    <message>
-        <source>where the points begin is not said twice alike; they are read from byte %1 on</source>
-        <translation>le début des points n'est pas indiqué deux fois de la même façon ; ils sont lus à partir de l'octet %1</translation>
     </message>
     <message>
         <source>whole seconds and nanoseconds</source>
@@ -17099,10 +17039,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>pire RULA %1 (femme P5 %2, femme P50 %3, homme P50 %4, homme P95 %5).</translation>
     </message>
     <message>
-        <source>write the path in metres from the middle of the device's workspace</source>
-        <translation>Écrivez le trajet en mètres depuis le centre de l'espace de travail du périphérique.</translation>
-    </message>
-    <message>
         <source>x, y and z</source>
         <translation>x, y et z</translation>
     </message>
@@ -17129,6 +17065,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>yes</source>
         <translation>oui</translation>
+    </message>
+    <message>
+        <source>your own measures</source>
+        <translation>mesures propres</translation>
+    </message>
+    <message>
+        <source>zero-area triangles, left out in a workcell</source>
+        <translation>triangles d'aire nulle, laissés de côté dans une cellule</translation>
     </message>
     <message>
         <source>zfill(%1)</source>
@@ -17190,7 +17134,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>.pdf, .html, .csv ou .json</translation>
     </message>
     <message>
-        <source>0 to 120 a minute</source>
+        <source>0 to 120 per minute</source>
         <translation>0 à 120 par minute</translation>
     </message>
     <message>
@@ -17214,10 +17158,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>1.3.6, esquisse de la posture</translation>
     </message>
     <message>
-        <source>15 a minute at most, fewer in longer shifts</source>
-        <translation>15 par minute au plus, moins pour un poste plus long</translation>
-    </message>
-    <message>
         <source>Acceptable</source>
         <translation>Acceptable</translation>
     </message>
@@ -17228,6 +17168,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>As it stands in the cell.</source>
         <translation>Comme elle se tient dans la cellule.</translation>
+    </message>
+    <message>
+        <source>Assess the task with another method, such as RULA, REBA or EN 1005-2.</source>
+        <translation>Évaluez la tâche avec une autre méthode, par exemple RULA, REBA ou EN 1005-2.</translation>
     </message>
     <message>
         <source>Assessed by</source>
@@ -17300,10 +17244,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Joint angles</source>
         <translation>Angles des articulations</translation>
-    </message>
-    <message>
-        <source>Judge the task with another method, e.g. RULA, REBA or EN 1005-2.</source>
-        <translation>Évaluez la tâche avec une autre méthode, par exemple RULA, REBA ou EN 1005-2.</translation>
     </message>
     <message>
         <source>Level</source>
@@ -17482,19 +17422,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>une colonne limit_n en newtons</translation>
     </message>
     <message>
-        <source>a force in newtons</source>
-        <translation>une force en newtons</translation>
+        <source>a force above 0, at most 5000 N</source>
+        <translation>une force supérieure à 0 et d'au plus 5000 N</translation>
     </message>
     <message>
-        <source>a force over 0 and up to 5000 N</source>
-        <translation>une force supérieure à 0 et d'au plus 5000 N</translation>
+        <source>a force in newtons</source>
+        <translation>une force en newtons</translation>
     </message>
     <message>
         <source>a motion</source>
         <translation>un mouvement</translation>
     </message>
     <message>
-        <source>a report that can be drawn</source>
+        <source>a report that can be rendered</source>
         <translation>un rapport qui peut être dessiné</translation>
     </message>
     <message>
@@ -17506,7 +17446,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une tâche dont le poids limite recommandé est 0</translation>
     </message>
     <message>
-        <source>a value of the task's data</source>
+        <source>a value for this field of the task data</source>
         <translation>une valeur des données de la tâche</translation>
     </message>
     <message>
@@ -17524,6 +17464,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>activity</source>
         <translation>activité</translation>
+    </message>
+    <message>
+        <source>all tasks together have more lifts per minute than the table covers</source>
+        <translation>en tout, plus de levages par minute que la table n'en couvre</translation>
     </message>
     <message>
         <source>arm supported</source>
@@ -17550,7 +17494,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>au moins une tâche de levage</translation>
     </message>
     <message>
-        <source>at least one limit below the names</source>
+        <source>at least one limit after the header line</source>
         <translation>au moins une limite sous les noms</translation>
     </message>
     <message>
@@ -17558,7 +17502,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus %1</translation>
     </message>
     <message>
-        <source>at most 8192 either way</source>
+        <source>at most 15 per minute, fewer in longer shifts</source>
+        <translation>15 par minute au plus, moins pour un poste plus long</translation>
+    </message>
+    <message>
+        <source>at most 8192 pixels in width and height</source>
         <translation>au plus 8192 dans chaque sens</translation>
     </message>
     <message>
@@ -17674,7 +17622,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>bonne prise</translation>
     </message>
     <message>
-        <source>good, fair or poor: the equation knows no other</source>
+        <source>good, fair or poor: the equation has no other classes</source>
         <translation>bonne, moyenne ou mauvaise : l'équation n'en connaît pas d'autre</translation>
     </message>
     <message>
@@ -17714,10 +17662,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>il ne peut pas être lu comme une image</translation>
     </message>
     <message>
-        <source>it ends before it begins</source>
-        <translation>la fin précède le début</translation>
-    </message>
-    <message>
         <source>it is empty</source>
         <translation>valeur vide</translation>
     </message>
@@ -17726,7 +17670,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>colonne absente</translation>
     </message>
     <message>
-        <source>it stands there twice</source>
+        <source>it is there twice</source>
         <translation>présent deux fois</translation>
     </message>
     <message>
@@ -17790,7 +17734,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>levages par minute</translation>
     </message>
     <message>
-        <source>limit_n, and as wanted hand, height_from_m ...</source>
+        <source>limit_n, and optionally hand, height_from_m ...</source>
         <translation>limit_n et, au choix, hand, height_from_m ...</translation>
     </message>
     <message>
@@ -17886,15 +17830,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>non</translation>
     </message>
     <message>
-        <source>no ending</source>
+        <source>no column has this name</source>
+        <translation>il n'y a pas de colonne de ce nom</translation>
+    </message>
+    <message>
+        <source>no extension</source>
         <translation>pas d'extension</translation>
     </message>
     <message>
-        <source>no line of names</source>
+        <source>no header line</source>
         <translation>pas de ligne de noms</translation>
     </message>
     <message>
-        <source>no row</source>
+        <source>no line of values</source>
         <translation>aucune ligne de valeurs</translation>
     </message>
     <message>
@@ -18094,24 +18042,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>tâches</translation>
     </message>
     <message>
-        <source>tasks that may be done at all</source>
+        <source>tasks with a limit above 0</source>
         <translation>des tâches réalisables</translation>
     </message>
     <message>
-        <source>the ending %1</source>
+        <source>the end of the range is below its start</source>
+        <translation>la fin précède le début</translation>
+    </message>
+    <message>
+        <source>the extension %1</source>
         <translation>l'extension %1</translation>
     </message>
     <message>
         <source>the lifting equation is not valid for this</source>
         <translation>l'équation de levage ne s'applique pas à ce cas</translation>
-    </message>
-    <message>
-        <source>there is no column of this name</source>
-        <translation>il n'y a pas de colonne de ce nom</translation>
-    </message>
-    <message>
-        <source>together more lifts a minute than the table covers</source>
-        <translation>en tout, plus de levages par minute que la table n'en couvre</translation>
     </message>
     <message>
         <source>too many rows</source>

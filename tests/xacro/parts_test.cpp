@@ -313,7 +313,7 @@ class XacroCalls : public XacroParts {
     files_.read = [](const std::filesystem::path& path) -> Expected<std::string> {
       if (path == "/robots/a.xacro") return "<robot name=\"a\"/>";
       if (path == "/robots/sizes.txt") return "12";
-      return makeError({.file = path.string(), .found = "there is no such file"});
+      return makeError({.file = path.string(), .found = "the file does not exist"});
     };
     files_.find = [](const std::string& reference,
                      const std::filesystem::path& folder) -> std::optional<std::filesystem::path> {

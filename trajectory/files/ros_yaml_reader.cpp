@@ -213,7 +213,7 @@ class RosYamlReader {
         if (echoedShort(item)) return fault(item, Text("a list cut short"), Text("every position"), fullLength());
         const auto number = item.IsScalar() ? parseNumber(item.Scalar()) : std::nullopt;
         if (!number)
-          return fault(item, item.IsScalar() ? Text("'%1'", item.Scalar()) : Text("no number"), Text("a number"));
+          return fault(item, item.IsScalar() ? Text("'%1'", item.Scalar()) : Text("not a number"), Text("a number"));
         numbers.push_back(*number);
       }
     }

@@ -288,7 +288,7 @@ Expected<Trajectory> readJson(const fs::path& file) {
   HAPTICELL_TRY(flat);
   const json document = json::parse(*text, nullptr, false);
   if (document.is_discarded())
-    return makeError({.file = file.string(), .found = "it is not JSON", .expected = "a HaptiCell trajectory"});
+    return makeError({.file = file.string(), .found = "invalid JSON", .expected = "a HaptiCell trajectory"});
   HAPTICELL_TRY(checkHeader(document, file));
   auto trajectory = fromJson(document);
   if (!trajectory) trajectory.error().file = file.string();
@@ -320,7 +320,7 @@ Expected<Trajectory> readTrajectory(const fs::path& file, std::vector<Text>* not
   if (fs::is_directory(file, ignored))
     return makeError({.file = file.string(), .found = "a folder", .expected = "a trajectory file"});
   if (!fs::exists(file, ignored))
-    return makeError({.file = file.string(), .found = "there is no such file", .expected = "a trajectory"});
+    return makeError({.file = file.string(), .found = "the file does not exist", .expected = "a trajectory"});
   const std::string extension = lowerExtension(file);
   if (extension == ".csv") return readCsv(file);
   if (extension == ".yaml" || extension == ".yml") return readRosYaml(file);

@@ -197,7 +197,7 @@ class Retimer {
     }
     if (!(options_.speed > 0.0) || !(options_.acceleration > 0.0))
       return makeError(
-          {.place = "speed, acceleration", .found = "a value that is not positive", .expected = "positive values"});
+          {.place = "speed, acceleration", .found = "a value that is not above 0", .expected = "positive values"});
     if (!moving_.has_poses)
       return makeError(
           {"", "poses", "none, so no speed of the tool", "a robot whose forward kinematics gives them", ""});

@@ -109,7 +109,7 @@ Expected<TrainingAttempt> attemptOf(const json& entry, std::size_t index) {
                       .found = "none, or not what it should be",
                       .expected = "a value"});
   };
-  if (!entry.is_object()) return makeError({.place = place, .found = "no object", .expected = "an attempt"});
+  if (!entry.is_object()) return makeError({.place = place, .found = "not a JSON object", .expected = "an attempt"});
   TrainingAttempt attempt;
   if (!entry.contains("date") || !entry["date"].is_string()) return wrong("date");
   if (!entry.contains("help") || !entry["help"].is_number()) return wrong("help");

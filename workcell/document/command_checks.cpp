@@ -148,8 +148,7 @@ Expected<void> checkProperties(const Entity& entity) {
     return makeError(
         {.place = quotedName(entity.name), .found = "a colour out of range", .expected = "parts from 0 to 1"});
   if (!(entity.mass > 0.0) || !std::isfinite(entity.mass)) {
-    return makeError(
-        {.place = quotedName(entity.name), .found = "an invalid mass", .expected = "kilograms above 0"});
+    return makeError({.place = quotedName(entity.name), .found = "an invalid mass", .expected = "kilograms above 0"});
   }
   return {};
 }
@@ -181,7 +180,7 @@ Expected<void> checkPairRule(const PairRule& rule, const DocumentState& state) {
     const Entity* entity = state.findByName(*name);
     if (!entity)
       return makeError(
-          {.place = "a pair's rule", .found = Text("no entity '%1'", *name), .expected = "the name of one"});
+          {.place = "a pair's rule", .found = Text("no entity '%1'", *name), .expected = "an existing name"});
     if (part->empty() || (entity->robot && entity->robot->findLink(*part) >= 0)) continue;
     return makeError(
         {.place = "a pair's rule", .found = Text("no link '%1'", *part), .expected = Text("a link of '%1'", *name)});

@@ -33,8 +33,9 @@ Expected<void> checkAttachment(const Entity& entity, const DocumentState& state)
   const Entity* carrier = state.findByName(entity.attachment.to);
   const Text place("'%1', attached", entity.name);
   if (!carrier)
-    return makeError(
-        {.place = place, .found = Text("no entity '%1'", entity.attachment.to), .expected = "one of the document"});
+    return makeError({.place = place,
+                      .found = Text("no entity '%1'", entity.attachment.to),
+                      .expected = "one that exists in the document"});
   if (!entity.attachment.link.empty() && (!carrier->robot || carrier->robot->findLink(entity.attachment.link) < 0)) {
     return makeError({.place = place,
                       .found = Text("no link '%1'", entity.attachment.link),

@@ -52,7 +52,8 @@ Expected<void> checkStops(const Guide& guide) {
 }  // namespace
 
 Expected<void> checkGuide(const Guide& guide) {
-  if (!guide.X_WG.isValid()) return makeError(refusal(guide, Text("an invalid placement"), Text("a finite pose")));
+  if (!guide.X_WG.isValid())
+    return makeError(refusal(guide, Text("an invalid placement"), Text("a valid pose and status")));
   if (guide.entity.empty()) return makeError(refusal(guide, Text("no entity"), Text("the name of what it guides")));
   struct Range {
     const char* what;

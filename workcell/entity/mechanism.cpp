@@ -38,14 +38,16 @@ const MechanismJoint* jointNamed(const MechanismDefinition& definition, const st
 Expected<void> checkNames(const MechanismDefinition& definition) {
   std::map<std::string, int> parts, joints;
   for (const MechanismPart& part : definition.parts) {
-    if (part.name.empty()) return makeError(refusal(Text("a part"), Text("no name"), Text("a name of its own")));
+    if (part.name.empty())
+      return makeError(refusal(Text("a part"), Text("the name is missing"), Text("a name of its own")));
     if (++parts[part.name] > 1)
       return makeError(refusal(Text("part '%1'", part.name), Text("its name is there twice"), Text("once")));
     if (!part.X_MP.isValid())
       return makeError(refusal(Text("part '%1'", part.name), Text("a pose that is not one"), {}));
   }
   for (const MechanismJoint& joint : definition.joints) {
-    if (joint.name.empty()) return makeError(refusal(Text("a joint"), Text("no name"), Text("a name of its own")));
+    if (joint.name.empty())
+      return makeError(refusal(Text("a joint"), Text("the name is missing"), Text("a name of its own")));
     if (++joints[joint.name] > 1)
       return makeError(refusal(Text("joint '%1'", joint.name), Text("its name is there twice"), Text("once")));
   }

@@ -136,7 +136,7 @@ Expected<PackReport> packDocument(const DocumentState& state, const fs::path& fo
   if (!place.has_filename()) place = place.parent_path();
   fs::create_directories(place.parent_path(), fault);
   if (fault)
-    return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be made"});
+    return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be created"});
   auto aside = folderBeside(place);
   HAPTICELL_TRY(aside);
   auto report = packAside(state, *plan, aside->path(), name, monitor);

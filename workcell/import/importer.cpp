@@ -36,7 +36,7 @@ Expected<ImportResult> importNow(const ImportRequest& request, ImportMonitor& mo
     return makeError(
         {.file = request.what, .found = "there is not enough memory for it", .fix = "Use a smaller or coarser model."});
   } catch (const std::exception& exception) {
-    return makeError({.file = request.what, .found = Text("an unforeseen fault: %1", exception.what())});
+    return makeError({.file = request.what, .found = Text("an unexpected error: %1", exception.what())});
   }
 }
 

@@ -116,7 +116,7 @@ void ParallelKindReader::readUrdfWithLoops() {
 
 void ParallelKindReader::lock(kinematics::RobotModel& model, const std::string& name, TomlFields& fields) {
   const int index = model.findJoint(name);
-  if (index < 0) return fields.failKey("locked", Text("there is no joint '%1'", name), Text("the name of one"));
+  if (index < 0) return fields.failKey("locked", Text("there is no joint '%1'", name), Text("an existing name"));
   model.joints[static_cast<std::size_t>(index)].type = kinematics::JointType::kFixed;
   std::vector<int> moving;
   for (const int joint : model.moving) {

@@ -209,7 +209,7 @@ Expected<void> StructureReader::checkEnds() const {
       return lines_.refuse(
           joint.line,
           Text("link '%1' is the child of two joints, '%2' and '%3'", joint.child, first->second, joint.joint.name),
-          Text("a tree"),
+          Text("a tree without cycles"),
           Text("URDF cannot say closed loops: leave one of the joints out, and close it with a robot.toml "
                "(docs/user/formats.md)."));
     }

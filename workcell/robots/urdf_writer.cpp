@@ -148,7 +148,7 @@ Expected<void> writeUrdf(const Entity& robot, const fs::path& file, Diagnostics&
   std::error_code fault;
   const bool made = !urdf.files().empty() && fs::create_directories(folder, fault);
   if (fault)
-    return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be made"});
+    return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be created"});
   std::vector<FileToWrite> files;
   for (const auto& [name, mesh] : urdf.files()) {
     const NamedMesh part{name, *mesh};

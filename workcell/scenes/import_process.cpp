@@ -241,7 +241,7 @@ Expected<void> listen(const ImporterCall& call, const Child& child, int lines_en
 Error brokeDown(const ImporterCall& call, const Lines& lines, int status) {
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return tookTooLong(call, lines, 2.0 * call.limits.seconds);
   Error error =
-      inFile(call, Text("content at which its reader breaks down"), Text("a sound file"),
+      inFile(call, Text("content that makes the reader crash"), Text("an undamaged file"),
              Text("Export it again, or in another format (STEP, glTF, STL), and without the part that is named."));
   error.place = lines.stage.empty() ? Text("at its beginning") : Text::received(lines.stage, {});
   return error;

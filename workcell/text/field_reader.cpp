@@ -49,7 +49,7 @@ void print(const Json& value, int depth, std::string& text) {
 FieldReader::FieldReader(const Json& object, Text place, std::optional<Error>& error)
     : object_(object), place_(std::move(place)), error_(error) {
   if (!object_.is_object() && !error_)
-    error_ = Error{.place = place_, .found = excerpt(object_), .expected = "an object in braces"};
+    error_ = Error{.place = place_, .found = excerpt(object_), .expected = "a JSON object in braces"};
 }
 
 void FieldReader::fail(const std::string& key, Text found, Text expected) {
@@ -92,7 +92,7 @@ void FieldReader::read(const char* key, std::map<std::string, std::string>& targ
   const Json* value = member(key);
   if (!value) return;
   target.clear();
-  if (!value->is_object()) return fail(key, excerpt(*value), Text("an object in braces"));
+  if (!value->is_object()) return fail(key, excerpt(*value), Text("a JSON object in braces"));
   for (const auto& [name, item] : value->items()) {
     if (!item.is_string()) return fail(key, excerpt(item), Text("texts in quotes"));
     target[name] = item.get<std::string>();
@@ -167,7 +167,7 @@ const Json* FieldReader::array(const char* key) {
 
 const Json* FieldReader::object(const char* key) {
   const Json* value = member(key);
-  if (value && !value->is_object()) fail(key, excerpt(*value), Text("an object in braces"));
+  if (value && !value->is_object()) fail(key, excerpt(*value), Text("a JSON object in braces"));
   return value && value->is_object() ? value : nullptr;
 }
 

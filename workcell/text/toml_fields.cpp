@@ -15,7 +15,7 @@ Text kindOf(const toml::node& node) {
   if (node.is_number()) return Text("a number");
   if (node.is_boolean()) return Text("true or false");
   if (node.is_array()) return Text("a list");
-  return node.is_table() ? Text("a table") : Text("something else");
+  return node.is_table() ? Text("a table") : Text("another format");
 }
 
 std::string fewDigits(double value) {
@@ -142,7 +142,7 @@ void TomlFields::readPose(Pose& target, double unit) {
     const dquat q =
         quaternion.size() == 4 ? dquat(quaternion[0], quaternion[1], quaternion[2], quaternion[3]) : dquat(0, 0, 0, 0);
     if (!(std::abs(glm::length(q) - 1.0) < 1e-3))
-      return failKey("quaternion", Text("an invalid quaternion"), Text("w, x, y, z of length 1"));
+      return failKey("quaternion", Text("an invalid quaternion"), Text("w, x, y, z with length 1"));
     target.q = glm::normalize(q);
   } else if (has("rpy")) {
     if (rpy.size() != 3) return failKey("rpy", Text("%1 has %2 numbers", "rpy", rpy.size()), "3");

@@ -84,7 +84,7 @@ TEST(PairingKey, AFileIsForItsOwnerOnly) {
   ASSERT_TRUE(saveKey(next, file).has_value());
   EXPECT_EQ(loadKey(file), next) << "a new pairing makes the old key worthless";
   chmod(file.c_str(), 0640);
-  EXPECT_THAT(loadKey(file).error().message(), HasSubstr("other users may read"));
+  EXPECT_THAT(loadKey(file).error().message(), HasSubstr("other users can read"));
   EXPECT_FALSE(loadKey(folder.path() / "none.key").has_value());
 }
 

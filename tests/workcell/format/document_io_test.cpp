@@ -170,7 +170,7 @@ TEST_F(DocumentFile, AMissingMeshNamesFileAndEntity) {
   const auto second = loadDocument(path, notes);
   ASSERT_FALSE(second.has_value());
   EXPECT_THAT(second.error().message(), HasSubstr("cell.hcell, entity 'part': "));
-  EXPECT_THAT(second.error().message(), HasSubstr("part.stl: there is no such file"));
+  EXPECT_THAT(second.error().message(), HasSubstr("part.stl: the file does not exist"));
 }
 
 TEST_F(DocumentFile, AFailedSaveLeavesTheOldFile) {
@@ -200,7 +200,7 @@ TEST(DocumentText, AHandWrittenMinimumIsEnough) {
 
 TEST(DocumentText, RefusesWhatItDoesNotUnderstand) {
   EXPECT_THAT(refused("{"), HasSubstr("cell.hcell, line 1"));
-  EXPECT_THAT(refused("[1]"), HasSubstr("an object in braces"));
+  EXPECT_THAT(refused("[1]"), HasSubstr("a JSON object in braces"));
   EXPECT_THAT(refused("{\"a\":\n1e999}"), HasSubstr("cell.hcell"));
   EXPECT_THAT(refused("{}"), HasSubstr("no \"format\""));
   EXPECT_THAT(refused(R"({"format": "other", "version": 1})"), HasSubstr("the format \"other\""));

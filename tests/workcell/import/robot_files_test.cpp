@@ -69,7 +69,7 @@ TEST(RobotToml, FaultsAreToldInOneSentenceWithFileAndLine) {
       {kHead + "[dh]\nconvention = \"standard\"\nd = [1]\na = [1, 2]\nalpha = [1]\n" + one, "unequal length"},
       {kHead + "[delta]\nbase_radius = 100\nupper_arm = 1\nlower_arm = 5\nplatform_radius = 50\n[joints]\nlower = "
                "[0,0,0]\nupper = [9,9,9]\n",
-       "do not meet"},
+       "do not reach the platform"},
       {kHead + "[hexapod]\nbase = [[0,0,0]]\nplatform = [[0,0,0]]\nhome = {}\n" + kSix, "1 and 1 hinges"},
       {kHead + "[urdf]\nfile = \"nowhere.urdf\"\n", "nowhere.urdf"},
       {kHead + kOpw + kSix + "[[tool]]\nname = \"gun\"\nposition = [1e200, 0, 0]\n", "a place too far away"},

@@ -280,7 +280,7 @@ TEST(MeshReader, RefusesWhatIsNoFile) {
   Diagnostics notes;
   const auto missing = readMesh(folder.path() / "none.stl", {}, notes);
   ASSERT_FALSE(missing.has_value());
-  EXPECT_THAT(missing.error().message(), HasSubstr("none.stl: there is no such file"));
+  EXPECT_THAT(missing.error().message(), HasSubstr("none.stl: the file does not exist"));
   const auto directory = readMesh(folder.path(), {}, notes);
   ASSERT_FALSE(directory.has_value());
   EXPECT_THAT(directory.error().message(), HasSubstr("a folder"));

@@ -45,8 +45,8 @@ TEST_F(FakeImporter, ACrashIsOneSentenceOfWhatWasFoundAndWhatHelps) {
     const auto scene = read(std::string("echo progress 0.7 meshing part 2 of 3, Flange >&4; ") + end);
     ASSERT_FALSE(scene);
     EXPECT_THAT(scene.error().message(),
-                HasSubstr("part.step, meshing part 2 of 3, Flange: content at which its reader breaks down; expected a "
-                          "sound file. Export it again, or in another format"));
+                HasSubstr("part.step, meshing part 2 of 3, Flange: content that makes the reader crash; expected an "
+                          "undamaged file. Export it again, or in another format"));
   }
   EXPECT_THAT(read("exit 3").error().message(), HasSubstr("part.step, at its beginning: "));
 }
