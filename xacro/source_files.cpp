@@ -27,7 +27,7 @@ Fault notFound(const std::string& reference) {
                  .fix = "Correct the path or put the file there."};
   return Fault{.found = Text("resource not found: %1 (%2)", packageOf(reference), reference),
                .expected = "the package's folder",
-               .fix = "Put the package's folder beside the file or above it, or name its place in ROS_PACKAGE_PATH."};
+               .fix = "Put the package folder next to the file or above it, or add its path to ROS_PACKAGE_PATH."};
 }
 
 XmlPointer SourceFiles::parsed(const fs::path& file, int& index) {

@@ -37,7 +37,7 @@ Expected<void> parseXml(const std::string& content, const std::string& file, TiX
   document.Parse(content.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (!document.Error()) return {};
   return refuse(document.ErrorRow() > 0 ? document.ErrorRow() : lineAt(content, content.size()),
-                Text("XML that does not parse (%1)", document.ErrorDesc()), Text("well-formed XML"));
+                Text("invalid XML (%1)", document.ErrorDesc()), Text("well-formed XML"));
 }
 
 }  // namespace hapticell::xacro

@@ -69,6 +69,10 @@
         <translation> · efforts en marche</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>pas de &quot;%1&quot;</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; that is not in the text</source>
         <translation>&quot;%1&quot;, qui n'est pas dans le texte</translation>
     </message>
@@ -201,6 +205,10 @@
         <translation>%1 La forme est omise.</translation>
     </message>
     <message>
+        <source>%1 after packing, or different ones</source>
+        <translation>%1 relus, ou d'autres</translation>
+    </message>
+    <message>
         <source>%1 against %2: the meshes are too dense there to tell all contacts, so only the nearest point of each pair is felt</source>
         <translation>%1 contre %2 : les maillages y sont trop denses pour tous les contacts ; seul le point le plus proche de chaque paire est senti</translation>
     </message>
@@ -215,12 +223,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 et %2</translation>
     </message>
     <message>
-        <source>%1 and %2 hinges</source>
-        <translation>%1 et %2 articulations</translation>
-    </message>
-    <message>
         <source>%1 and %2 in total</source>
         <translation>%1 et %2 au total</translation>
+    </message>
+    <message>
+        <source>%1 and %2 joints</source>
+        <translation>%1 et %2 articulations</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
@@ -251,7 +259,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 octets après la dernière image ne sont pas lus ; ils ne forment pas d'images entières</translation>
     </message>
     <message>
-        <source>%1 bytes behind the last triangle were not read</source>
+        <source>%1 bytes after the last triangle were not read</source>
         <translation>%1 octets après le dernier triangle n'ont pas été lus</translation>
     </message>
     <message>
@@ -283,6 +291,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 face à %2 dans une comparaison</translation>
     </message>
     <message>
+        <source>%1 contains %2</source>
+        <translation>%1 contient %2</translation>
+    </message>
+    <message>
+        <source>%1 contains itself through '%2'; it is moved to the top of the tree</source>
+        <translation>%1 se trouve sous elle-même par l'intermédiaire de '%2' ; elle est placée en haut de l'arbre</translation>
+    </message>
+    <message>
         <source>%1 continuous</source>
         <translation>%1 en continu</translation>
     </message>
@@ -303,6 +319,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 n'accompagne pas %2 : %3</translation>
     </message>
     <message>
+        <source>%1 duplicate triangles were removed</source>
+        <translation>%1 triangles en double ont été supprimés une fois</translation>
+    </message>
+    <message>
         <source>%1 edges between faces of opposite orientation</source>
         <translation>%1 arêtes entre faces d'orientations opposées</translation>
     </message>
@@ -313,6 +333,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 elements %2</source>
         <translation>%1 éléments %2</translation>
+    </message>
+    <message>
+        <source>%1 elements %2 were not used</source>
+        <translation>les %1 éléments %2 n'ont pas été utilisés</translation>
     </message>
     <message>
         <source>%1 elements without data</source>
@@ -327,19 +351,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 éléments</translation>
     </message>
     <message>
-        <source>%1 equal legs of %2 joints end free: if this is a parallel robot, its loops are open, for the file does not state them; close them with a robot.toml (docs/user/formats.md)</source>
+        <source>%1 equal legs of %2 joints have free ends: for a parallel robot, the file does not define the closed loops; define them in a robot.toml (docs/user/formats.md)</source>
         <translation>%1 jambes identiques de %2 axes ont une extrémité libre : si c'est un robot parallèle, ses boucles sont ouvertes, car le fichier ne les indique pas ; fermez-les par un robot.toml (docs/user/formats.md)</translation>
     </message>
     <message>
-        <source>%1 faces cross themselves or are not plane; they were cut as fans</source>
+        <source>%1 faces are self-intersecting or not planar; they were split into triangle fans</source>
         <translation>%1 faces se croisent elles-mêmes ou ne sont pas planes ; elles ont été découpées en éventail</translation>
     </message>
     <message>
-        <source>%1 faces have a colour by its number in a map; it was left out</source>
+        <source>%1 faces have a colour by index in a colour map; it was left out</source>
         <translation>%1 faces ont une couleur donnée par son numéro dans une table ; elle a été ignorée</translation>
     </message>
     <message>
-        <source>%1 faces have a colour that is no numbers of at least 0; it was left out</source>
+        <source>%1 faces have an invalid colour (expected numbers, 0 or more); it was left out</source>
         <translation>%1 faces ont une couleur dont les valeurs ne sont pas des nombres positifs ou nuls ; elle a été ignorée</translation>
     </message>
     <message>
@@ -347,7 +371,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 faces ont été retournées vers l'extérieur.</translation>
     </message>
     <message>
-        <source>%1 faces with fewer than three corners were dropped</source>
+        <source>%1 faces with fewer than three corners were removed</source>
         <translation>%1 faces de moins de trois coins ont été supprimées</translation>
     </message>
     <message>
@@ -423,10 +447,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 plus haut</translation>
     </message>
     <message>
-        <source>%1 holds %2</source>
-        <translation>%1 contient %2</translation>
-    </message>
-    <message>
         <source>%1 in ${%2}</source>
         <translation>%1, dans ${%2}</translation>
     </message>
@@ -441,6 +461,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 in line %2</source>
         <translation>%1 à la ligne %2</translation>
+    </message>
+    <message>
+        <source>%1 in the pack</source>
+        <translation>%1 relue dans l'archive</translation>
     </message>
     <message>
         <source>%1 in total</source>
@@ -479,6 +503,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est à %2, limite %3</translation>
     </message>
     <message>
+        <source>%1 is a list</source>
+        <translation>un %1 qui est une liste</translation>
+    </message>
+    <message>
         <source>%1 is added to the cell</source>
         <translation>%1 est ajouté à la cellule</translation>
     </message>
@@ -489,6 +517,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 is at its upper limit</source>
         <translation>%1 est à sa butée supérieure</translation>
+    </message>
+    <message>
+        <source>%1 is empty</source>
+        <translation>un %1 vide</translation>
     </message>
     <message>
         <source>%1 is free</source>
@@ -511,6 +543,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est ignoré : %2</translation>
     </message>
     <message>
+        <source>%1 is missing</source>
+        <translation>pas de %1</translation>
+    </message>
+    <message>
         <source>%1 is near %2 of %3</source>
         <translation>%1 est près de %2 de %3</translation>
     </message>
@@ -519,7 +555,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est près d'une position où rien ne le retient</translation>
     </message>
     <message>
-        <source>%1 is no list</source>
+        <source>%1 is not a list</source>
         <translation>%1 n'est pas une liste</translation>
     </message>
     <message>
@@ -607,7 +643,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>reste %1</translation>
     </message>
     <message>
-        <source>%1 lines beginning with %2 were not understood</source>
+        <source>%1 lines that begin with %2 are not supported</source>
         <translation>%1 lignes qui commencent par %2 n'ont pas été comprises</translation>
     </message>
     <message>
@@ -631,23 +667,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>%1 m, %2 rad off</source>
-        <translation>un écart de %1 m, %2 rad</translation>
-    </message>
-    <message>
-        <source>%1 materials have a colour that is not three numbers of at least 0</source>
-        <translation>%1 matériaux ont une couleur qui n'est pas faite de trois nombres positifs ou nuls</translation>
-    </message>
-    <message>
-        <source>%1 materials have a picture, which is not shown</source>
+        <source>%1 materials have a texture, which is not shown</source>
         <translation>%1 matériaux ont une image, qui n'est pas affichée</translation>
+    </message>
+    <message>
+        <source>%1 materials have an invalid colour (expected three numbers, 0 or more)</source>
+        <translation>%1 matériaux ont une couleur qui n'est pas faite de trois nombres positifs ou nuls</translation>
     </message>
     <message>
         <source>%1 may contain the work of others.</source>
         <translation>%1 contient peut-être le travail d’autrui.</translation>
     </message>
     <message>
-        <source>%1 meshes that it names are not there and were left out: %2</source>
+        <source>%1 meshes were not found and are left out: %2</source>
         <translation>%1 maillages cités sont introuvables et ont été omis : %2</translation>
     </message>
     <message>
@@ -663,8 +695,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 mm&lt;br&gt;%2°</translation>
     </message>
     <message>
-        <source>%1 models that it names are not there and were left out: %2</source>
+        <source>%1 models were not found and are left out: %2</source>
         <translation>%1 modèles cités sont introuvables et ont été omis : %2</translation>
+    </message>
+    <message>
+        <source>%1 more lines have similar messages.</source>
+        <translation>Et %1 autres lignes de ce genre.</translation>
     </message>
     <message>
         <source>%1 moved, %2 added, %3 removed. Placements: X Y Z in mm, A B C in degrees about z, y, x.</source>
@@ -723,11 +759,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 nombres : t,x,y,z,qw,qx,qy,qz, les axes et les canaux</translation>
     </message>
     <message>
-        <source>%1 objects or groups that hang together at their open borders are %2 solids</source>
+        <source>%1 objects or groups with common open edges were joined to %2 solids</source>
         <translation>%1 objets ou groupes qui se touchent par leurs bords ouverts forment %2 solides</translation>
     </message>
     <message>
-        <source>%1 objects or groups that hang together at their open borders are 1 solid</source>
+        <source>%1 objects or groups with common open edges were joined to 1 solid</source>
         <translation>%1 objets ou groupes qui se touchent par leurs bords ouverts forment 1 solide</translation>
     </message>
     <message>
@@ -815,14 +851,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 positions</translation>
     </message>
     <message>
-        <source>%1 read back from the pack</source>
-        <translation>%1 relue dans l'archive</translation>
-    </message>
-    <message>
-        <source>%1 read back, or others</source>
-        <translation>%1 relus, ou d'autres</translation>
-    </message>
-    <message>
         <source>%1 responds at %2.</source>
         <translation>%1 répond à %2.</translation>
     </message>
@@ -833,10 +861,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 s  %2</source>
         <translation>%1 s  %2</translation>
-    </message>
-    <message>
-        <source>%1 s for %2 s</source>
-        <translation>%1 s pour %2 s</translation>
     </message>
     <message>
         <source>%1 s to %2 s</source>
@@ -871,16 +895,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 s'assied sur %2</translation>
     </message>
     <message>
-        <source>%1 solids have faces of several colours; shown in that of most of the area</source>
+        <source>%1 solids have faces of several colours; each is shown in the colour with the largest area</source>
         <translation>%1 solides ont des faces de plusieurs couleurs ; ils sont affichés dans celle de la plus grande surface</translation>
     </message>
     <message>
-        <source>%1 solids of triangles without area were left out</source>
+        <source>%1 solids with only zero-area triangles were left out</source>
         <translation>%1 solides faits de triangles sans aire ont été ignorés</translation>
-    </message>
-    <message>
-        <source>%1 stands below itself by way of '%2'; it is put at the top</source>
-        <translation>%1 se trouve sous elle-même par l'intermédiaire de '%2' ; elle est placée en haut de l'arbre</translation>
     </message>
     <message>
         <source>%1 starts inside %2 and no straight way out was found; it is not held back by it until they are apart</source>
@@ -927,7 +947,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 à %2</translation>
     </message>
     <message>
-        <source>%1 to %2 %3, as %4 can hold</source>
+        <source>%1 to %2 %3, the range of %4</source>
         <translation>%1 à %2 %3, ce que %4 peut contenir</translation>
     </message>
     <message>
@@ -987,16 +1007,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 triangles</translation>
     </message>
     <message>
-        <source>%1 triangles were there twice and dropped once</source>
-        <translation>%1 triangles en double ont été supprimés une fois</translation>
-    </message>
-    <message>
         <source>%1 triangles with an invalid corner were removed</source>
         <translation>%1 triangles dont un sommet n'est pas un point ont été écartés</translation>
-    </message>
-    <message>
-        <source>%1 triangles without area were dropped</source>
-        <translation>%1 triangles sans aire ont été supprimés</translation>
     </message>
     <message>
         <source>%1 triangles, at most %2 from the mesh</source>
@@ -1011,7 +1023,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 sommets et %2 faces</translation>
     </message>
     <message>
-        <source>%1 vertices have a colour that is no numbers of at least 0; it was left out</source>
+        <source>%1 vertices have an invalid colour (expected numbers, 0 or more); it was left out</source>
         <translation>%1 sommets ont une couleur dont les valeurs ne sont pas des nombres positifs ou nuls ; elle a été ignorée</translation>
     </message>
     <message>
@@ -1093,6 +1105,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 would touch its own %2 after %3 % of the way</source>
         <translation>%1 toucherait son propre %2 après %3 % du chemin</translation>
+    </message>
+    <message>
+        <source>%1 zero-area triangles were removed</source>
+        <translation>%1 triangles sans aire ont été supprimés</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -1191,16 +1207,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, %2 : %3</translation>
     </message>
     <message>
+        <source>%1, according to the file size</source>
+        <translation>%1, ce qui correspond à la longueur du fichier</translation>
+    </message>
+    <message>
         <source>%1, and %2 more</source>
         <translation>%1, et %2 autres</translation>
     </message>
     <message>
         <source>%1, as in the header</source>
         <translation>%1, comme dans l'en-tête</translation>
-    </message>
-    <message>
-        <source>%1, as its file is</source>
-        <translation>%1, comme son fichier</translation>
     </message>
     <message>
         <source>%1, byte %2</source>
@@ -1235,6 +1251,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, gauche</translation>
     </message>
     <message>
+        <source>%1, like its file</source>
+        <translation>%1, comme son fichier</translation>
+    </message>
+    <message>
         <source>%1, line %2</source>
         <translation>%1, ligne %2</translation>
     </message>
@@ -1259,16 +1279,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, objet %2</translation>
     </message>
     <message>
-        <source>%1, one a joint</source>
+        <source>%1, one for each joint that moves the tip, base first</source>
+        <translation>%1, un pour chaque axe qui déplace l'extrémité, à partir de la base</translation>
+    </message>
+    <message>
+        <source>%1, one per joint</source>
         <translation>%1, un par axe</translation>
     </message>
     <message>
-        <source>%1, one a moving joint</source>
+        <source>%1, one per moving joint</source>
         <translation>%1, une par axe mobile</translation>
-    </message>
-    <message>
-        <source>%1, one for each joint that moves the tip, base first</source>
-        <translation>%1, un pour chaque axe qui déplace l'extrémité, à partir de la base</translation>
     </message>
     <message>
         <source>%1, part %2</source>
@@ -1299,10 +1319,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, cible manquée</translation>
     </message>
     <message>
-        <source>%1, the inner radius smaller than the outer</source>
-        <translation>%1, le rayon intérieur plus petit que le rayon extérieur</translation>
-    </message>
-    <message>
         <source>%1, tool %2</source>
         <translation>%1, outil %2</translation>
     </message>
@@ -1311,12 +1327,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, annulé</translation>
     </message>
     <message>
-        <source>%1, which is what the file's length holds</source>
-        <translation>%1, ce qui correspond à la longueur du fichier</translation>
-    </message>
-    <message>
         <source>%1, which the other stylus holds, goes with %2</source>
         <translation>%1, que tient l'autre stylet, va avec %2</translation>
+    </message>
+    <message>
+        <source>%1, with an inner radius below the outer one</source>
+        <translation>%1, le rayon intérieur plus petit que le rayon extérieur</translation>
     </message>
     <message>
         <source>%1, µ %2</source>
@@ -1327,7 +1343,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>%1.src beside it</source>
+        <source>%1.dat is missing in the same folder.</source>
+        <translation>Il n'y a pas de %1.dat à côté.</translation>
+    </message>
+    <message>
+        <source>%1.dat, in which KRL stores the points, is missing in the same folder.</source>
+        <translation>Placez à côté le fichier %1.dat, où KRL garde ses points.</translation>
+    </message>
+    <message>
+        <source>%1.src in the same folder</source>
         <translation>%1.src à côté</translation>
     </message>
     <message>
@@ -1375,11 +1399,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : %2° à %3°, confortable %4° à %5°</translation>
     </message>
     <message>
-        <source>%1: &lt;%2&gt; was never expanded (%3 times), and its macro is not in the file: what it stands for is left out</source>
+        <source>%1: &lt;%2&gt; is left out (%3 times), because its macro is not in the file</source>
         <translation>%1 : &lt;%2&gt; n'a jamais été développé (%3 fois) et sa macro n'est pas dans le fichier : son contenu est omis</translation>
     </message>
     <message>
-        <source>%1: &lt;%2&gt; was never expanded (1 time), and its macro is not in the file: what it stands for is left out</source>
+        <source>%1: &lt;%2&gt; is left out (1 time), because its macro is not in the file</source>
         <translation>%1 : &lt;%2&gt; n'a jamais été développé (1 fois) et sa macro n'est pas dans le fichier : son contenu est omis</translation>
     </message>
     <message>
@@ -1399,19 +1423,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : frottement</translation>
     </message>
     <message>
-        <source>%1: it names links or joints that the robot does not have: %2</source>
-        <translation>%1 : des segments ou axes cités n'existent pas dans le robot : %2</translation>
-    </message>
-    <message>
-        <source>%1: joint '%2' hangs on 'world', which is no link of the file; it is taken as the root</source>
-        <translation>%1 : l'axe '%2' est rattaché à 'world', qui n'est pas un segment du fichier ; ce dernier est pris comme racine</translation>
-    </message>
-    <message>
-        <source>%1: joint '%2' has its lower limit %3 over the upper %4; it is read as one without limits, as PyBullet does</source>
+        <source>%1: joint '%2' has its lower limit %3 above its upper limit %4; no limits are assumed, as in PyBullet</source>
         <translation>%1 : la butée inférieure %3 de l'axe '%2' dépasse la butée supérieure %4 ; l'axe est lu sans butées, comme le fait PyBullet</translation>
     </message>
     <message>
-        <source>%1: joint '%2' is %3 without &lt;limit&gt;; it is read as one without limits</source>
+        <source>%1: joint '%2' is %3 without &lt;limit&gt;; no limits are assumed</source>
         <translation>%1 : l'axe '%2' est de type %3 sans &lt;limit&gt; ; il est lu sans butées</translation>
     </message>
     <message>
@@ -1419,23 +1435,27 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : l'axe '%2' est de type %3 ; il est lu comme fixe</translation>
     </message>
     <message>
-        <source>%1: joint '%2' is read as one that moves by itself: it follows '%3', which follows another itself</source>
-        <translation>%1 : l'axe '%2' est lu comme indépendant : il suit '%3', qui suit lui-même un autre axe</translation>
+        <source>%1: joint '%2' is attached to 'world', which is not a link of the file; 'world' is used as the root</source>
+        <translation>%1 : l'axe '%2' est rattaché à 'world', qui n'est pas un segment du fichier ; ce dernier est pris comme racine</translation>
     </message>
     <message>
-        <source>%1: joint '%2' is read as one that moves by itself: it follows '%3', which is not there</source>
+        <source>%1: joint '%2' is read as an independent joint, because it follows '%3', which does not exist</source>
         <translation>%1 : l'axe '%2' est lu comme indépendant : il suit '%3', qui n'existe pas</translation>
+    </message>
+    <message>
+        <source>%1: joint '%2' is read as an independent joint, because it follows '%3', which follows another joint</source>
+        <translation>%1 : l'axe '%2' est lu comme indépendant : il suit '%3', qui suit lui-même un autre axe</translation>
     </message>
     <message>
         <source>%1: link '%2': a shape is left out, because its placement is unknown: %3</source>
         <translation>%1 : segment '%2' : une forme est omise, car sa pose ne peut pas être déterminée : %3</translation>
     </message>
     <message>
-        <source>%1: no finite velocity is stated for %2; 180 deg/s or 1 m/s is assumed where one is needed</source>
+        <source>%1: no finite velocity is stated for %2; if a velocity is needed, 180 deg/s or 1 m/s is assumed</source>
         <translation>%1 : aucune vitesse finie n'est indiquée pour %2 ; 180 deg/s ou 1 m/s est supposé là où il en faut une</translation>
     </message>
     <message>
-        <source>%1: no joint connects the link '%2' to the root; it is fixed where it stands</source>
+        <source>%1: no joint connects the link '%2' to the root; it is fixed at its position</source>
         <translation>%1 : aucun axe ne relie le segment '%2' à la racine ; il est fixé là où il se trouve</translation>
     </message>
     <message>
@@ -1443,15 +1463,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : aucun axe ne cite le segment '%2', et il n'a pas de forme ; il est omis</translation>
     </message>
     <message>
-        <source>%1: not drawn and not checked are %2</source>
+        <source>%1: not shown and not checked: %2</source>
         <translation>%1 : ni affichés ni vérifiés : %2</translation>
     </message>
     <message>
-        <source>%1: not wholly drawn and checked are %2</source>
-        <translation>%1 : affichés et vérifiés en partie seulement : %2</translation>
-    </message>
-    <message>
-        <source>%1: of %2 models only '%3' is read, for it has joints that move</source>
+        <source>%1: of %2 models, only '%3' is read, because it has moving joints</source>
         <translation>%1 : sur %2 modèles, seul '%3' est lu, car il a des axes mobiles</translation>
     </message>
     <message>
@@ -1461,6 +1477,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1: one part has no shape to measure.</source>
         <translation>%1 : l'une des pièces n'a pas de forme à mesurer.</translation>
+    </message>
+    <message>
+        <source>%1: only partly shown and checked: %2</source>
+        <translation>%1 : affichés et vérifiés en partie seulement : %2</translation>
     </message>
     <message>
         <source>%1: stiffness</source>
@@ -1475,27 +1495,27 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : %2 s'en approche au plus à %3.</translation>
     </message>
     <message>
-        <source>%1: the collision shape is shown instead for %2</source>
+        <source>%1: the collision shape is shown for %2</source>
         <translation>%1 : la forme de collision est affichée à la place pour %2</translation>
     </message>
     <message>
-        <source>%1: the color rgba=&quot;%2&quot; is not four numbers; its shapes are grey</source>
+        <source>%1: the color rgba=&quot;%2&quot; is not four numbers; the shapes are shown grey</source>
         <translation>%1 : la couleur rgba=&quot;%2&quot; ne se compose pas de quatre nombres ; ses formes sont grises</translation>
     </message>
     <message>
-        <source>%1: the key &quot;%2&quot; is not known and was left out</source>
+        <source>%1: the key &quot;%2&quot; is unknown and was left out</source>
         <translation>%1 : la clé &quot;%2&quot; est inconnue et a été ignorée</translation>
     </message>
     <message>
-        <source>%1: the material '%2' has a picture and no color; pictures are not shown, its links are grey</source>
+        <source>%1: the material '%2' has a texture and no color; textures are not shown, so its links are grey</source>
         <translation>%1 : le matériau '%2' a une image et pas de couleur ; les images ne sont pas affichées, ses segments sont gris</translation>
     </message>
     <message>
-        <source>%1: the material '%2' is defined a second time with another color; the first, on %3, counts</source>
+        <source>%1: the material '%2' is defined twice with different colors; the first one, on %3, is used</source>
         <translation>%1 : le matériau '%2' est défini une seconde fois avec une autre couleur ; la première définition (%3) est retenue</translation>
     </message>
     <message>
-        <source>%1: the material '%2' is defined nowhere; its links are shown grey</source>
+        <source>%1: the material '%2' is not defined; its links are shown grey</source>
         <translation>%1 : le matériau '%2' n'est défini nulle part ; ses segments sont affichés en gris</translation>
     </message>
     <message>
@@ -1503,7 +1523,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : la trajectoire sort de l'espace de travail du périphérique %2 de %3 mm ; ses butées retiennent le stylet.</translation>
     </message>
     <message>
-        <source>%1: the visual shape is checked instead for %2</source>
+        <source>%1: the robot does not have these links or joints: %2</source>
+        <translation>%1 : des segments ou axes cités n'existent pas dans le robot : %2</translation>
+    </message>
+    <message>
+        <source>%1: the visual shape is used for collision checks of %2</source>
         <translation>%1 : la forme visuelle est vérifiée à la place pour %2</translation>
     </message>
     <message>
@@ -1539,12 +1563,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 ; attendu : %2</translation>
     </message>
     <message>
-        <source>%1; its moves are read once.</source>
-        <translation>%1 ; ses mouvements sont lus une fois.</translation>
-    </message>
-    <message>
         <source>%1; no limit is assumed</source>
         <translation>%1 ; l'absence de butée est supposée</translation>
+    </message>
+    <message>
+        <source>%1; the moves in it are read once.</source>
+        <translation>%1 ; ses mouvements sont lus une fois.</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -1643,27 +1667,23 @@ Voulez-vous le remplacer ?</translation>
         <translation>&amp;Oui</translation>
     </message>
     <message>
-        <source>'%1' a second time</source>
-        <translation>'%1' une seconde fois</translation>
-    </message>
-    <message>
         <source>'%1' after a file that is not xacro</source>
         <translation>'%1' après un fichier qui n'est pas xacro</translation>
+    </message>
+    <message>
+        <source>'%1' after frame:</source>
+        <translation>'%1' après frame:</translation>
     </message>
     <message>
         <source>'%1' after saving</source>
         <translation>'%1' à la relecture</translation>
     </message>
     <message>
-        <source>'%1' behind frame:</source>
-        <translation>'%1' après frame:</translation>
-    </message>
-    <message>
         <source>'%1' comes before its parent</source>
         <translation>'%1' avant son parent</translation>
     </message>
     <message>
-        <source>'%1' depends on what the file does not give; it is read as not so.</source>
+        <source>'%1' depends on values that the file does not define; the condition is read as false.</source>
         <translation>'%1' dépend de ce que le fichier ne donne pas ; la condition est lue comme fausse.</translation>
     </message>
     <message>
@@ -1675,7 +1695,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' a un placement qui n'en est pas un ; il est mis au placement de son parent</translation>
     </message>
     <message>
-        <source>'%1' has closed loops, which URDF cannot say: only its tree was written</source>
+        <source>'%1' has closed loops, which URDF cannot describe: only its tree was written</source>
         <translation>'%1' a des boucles fermées, que l'URDF ne peut pas décrire : seul son arbre a été écrit</translation>
     </message>
     <message>
@@ -1683,11 +1703,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' a des faces de plusieurs couleurs ; il est affiché dans celle de sa plus grande surface</translation>
     </message>
     <message>
-        <source>'%1' has joints that move; it is read as a solid body</source>
+        <source>'%1' has moving joints; it is read as a rigid body</source>
         <translation>'%1' a des axes mobiles ; il est lu comme un corps rigide</translation>
     </message>
     <message>
-        <source>'%1' has joints that move; it is read as a solid body: %2</source>
+        <source>'%1' has moving joints; it is read as a rigid body: %2</source>
         <translation>'%1' a des axes mobiles ; il est lu comme un corps rigide : %2</translation>
     </message>
     <message>
@@ -1703,7 +1723,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' dans un temps</translation>
     </message>
     <message>
-        <source>'%1' in pulses, which only the controller can read</source>
+        <source>'%1' in pulses, which only the controller can convert</source>
         <translation>'%1' en impulsions, que seul le contrôleur peut lire</translation>
     </message>
     <message>
@@ -1743,15 +1763,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' n'est pas un solide de la cellule</translation>
     </message>
     <message>
-        <source>'%1' is not in the file or not understood; if it moves, that is missing.</source>
+        <source>'%1' is not in the file or not supported; if it moves the robot, these moves are missing.</source>
         <translation>'%1' n'est pas dans le fichier ou n'est pas compris ; si cela déplace le robot, ce mouvement manque.</translation>
     </message>
     <message>
-        <source>'%1' is not in the file; if it moves, that is missing.</source>
+        <source>'%1' is not in the file; if it moves the robot, these moves are missing.</source>
         <translation>'%1' n'est pas dans le fichier ; si cela déplace le robot, ce mouvement manque.</translation>
     </message>
     <message>
-        <source>'%1' is not understood and left out.</source>
+        <source>'%1' is not supported and is left out.</source>
         <translation>'%1' n'est pas compris et est omis.</translation>
     </message>
     <message>
@@ -1759,7 +1779,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>le périphérique '%1' est tenu par une vraie main</translation>
     </message>
     <message>
-        <source>'%1' is that entity or hangs on it</source>
+        <source>'%1' is this entity or is attached to it</source>
         <translation>'%1' est cette entité ou y est attaché</translation>
     </message>
     <message>
@@ -1771,7 +1791,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' deux fois</translation>
     </message>
     <message>
-        <source>'%1', a jump to elsewhere</source>
+        <source>'%1', a jump out of the job</source>
         <translation>'%1', un saut hors du programme</translation>
     </message>
     <message>
@@ -1791,27 +1811,27 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1', qui n'a pas de valeur</translation>
     </message>
     <message>
-        <source>'%1', which is no robot</source>
+        <source>'%1', which is not a robot</source>
         <translation>'%1', qui n'est pas un robot</translation>
     </message>
     <message>
-        <source>'%1', which is not understood</source>
+        <source>'%1', which is not supported</source>
         <translation>'%1', qui n'est pas compris</translation>
     </message>
     <message>
-        <source>'%1', which moves all targets that follow</source>
-        <translation>'%1', qui déplace toutes les cibles suivantes</translation>
-    </message>
-    <message>
-        <source>'%1', which moves by a variable of the controller</source>
+        <source>'%1', which moves by a variable on the controller</source>
         <translation>'%1', qui se déplace selon une variable du contrôleur</translation>
     </message>
     <message>
-        <source>'%1', which moves the targets that follow</source>
+        <source>'%1', which shifts all targets that follow</source>
+        <translation>'%1', qui déplace toutes les cibles suivantes</translation>
+    </message>
+    <message>
+        <source>'%1', which shifts the targets that follow</source>
         <translation>'%1', qui déplace les cibles suivantes</translation>
     </message>
     <message>
-        <source>'%1', which the file does not give</source>
+        <source>'%1', which the file does not define</source>
         <translation>'%1', que le fichier ne donne pas</translation>
     </message>
     <message>
@@ -1827,7 +1847,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' : %2 polygones à trous n'ont pas pu être découpés en triangles et manquent</translation>
     </message>
     <message>
-        <source>'%1': invalid pose; it is placed at the body above</source>
+        <source>'%1': invalid pose; it is placed at its parent</source>
         <translation>'%1' : sa pose n'est pas valable ; il est placé sur le corps parent</translation>
     </message>
     <message>
@@ -1835,7 +1855,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' : son maillage %2 est omis : %3</translation>
     </message>
     <message>
-        <source>'%1': the frame of its pose is not there; it is taken in the body above</source>
+        <source>'%1': the frame of its pose does not exist; the pose is read in the frame of its parent</source>
         <translation>'%1' : le repère de sa pose n'existe pas ; elle est prise dans le corps parent</translation>
     </message>
     <message>
@@ -1875,7 +1895,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>'format' ascii, binary_little_endian ou binary_big_endian</translation>
     </message>
     <message>
-        <source>'not' of what is no truth</source>
+        <source>'not' of a value that is not true or false</source>
         <translation>'not' de ce qui n'est pas une valeur logique</translation>
     </message>
     <message>
@@ -1883,11 +1903,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>'ply'</translation>
     </message>
     <message>
+        <source>'ply' is missing</source>
+        <translation>pas de 'ply'</translation>
+    </message>
+    <message>
         <source>'solid'</source>
         <translation>'solid'</translation>
     </message>
     <message>
-        <source>'vertex' (three of them a facet)</source>
+        <source>'vertex' (three per facet)</source>
         <translation>'vertex' (trois par facette)</translation>
     </message>
     <message>
@@ -2199,10 +2223,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>0 ou plus, dans les limites de docs/library/protocol.md</translation>
     </message>
     <message>
-        <source>0 to %1 less one</source>
-        <translation>de 0 à %1 moins un</translation>
-    </message>
-    <message>
         <source>0 to 1</source>
         <translation>de 0 à 1</translation>
     </message>
@@ -2247,7 +2267,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>1 paire se touche au repos : %1. L'exclure de la vérification ?</translation>
     </message>
     <message>
-        <source>1 solid has faces of several colours; shown in that of most of the area</source>
+        <source>1 solid has faces of several colours; it is shown in the colour with the largest area</source>
         <translation>1 solide a des faces de plusieurs couleurs ; il est affiché dans celle de la plus grande surface</translation>
     </message>
     <message>
@@ -2263,7 +2283,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>de 1 à 10000</translation>
     </message>
     <message>
-        <source>1, the newest that this program knows</source>
+        <source>1, the newest version that this program can read</source>
         <translation>1, la plus récente que ce programme connaît</translation>
     </message>
     <message>
@@ -2289,6 +2309,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>3 joints, or 4 if the tool turns</source>
         <translation>3, ou 4 avec la rotation de l'outil</translation>
+    </message>
+    <message>
+        <source>3, 5, ... points for arcs</source>
+        <translation>trois, cinq, ... points d'arcs</translation>
     </message>
     <message>
         <source>3D mouse</source>
@@ -2375,7 +2399,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>&lt;%1&gt; sans %2</translation>
     </message>
     <message>
-        <source>&lt;%1&gt;, which is not known</source>
+        <source>&lt;%1&gt;, which is not supported</source>
         <translation>&lt;%1&gt;, qui est inconnu</translation>
     </message>
     <message>
@@ -2415,6 +2439,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>&lt;robot&gt; n'a pas de segments</translation>
     </message>
     <message>
+        <source>&lt;robot&gt; is missing</source>
+        <translation>pas de &lt;robot&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;sdf&gt; is missing</source>
+        <translation>pas de &lt;sdf&gt;</translation>
+    </message>
+    <message>
         <source>&lt;xacro:%1&gt;: there is no macro of this name</source>
         <translation>&lt;xacro:%1&gt; : il n'y a pas de macro de ce nom</translation>
     </message>
@@ -2451,15 +2483,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un fichier a peut-être été modifié depuis l'ouverture de la cellule : enregistrez la cellule, rouvrez-la et archivez-la.</translation>
     </message>
     <message>
-        <source>A file of macros is opened through the file that includes it.</source>
-        <translation>Ouvrez un fichier de macros par le fichier qui l'inclut.</translation>
-    </message>
-    <message>
         <source>A file of this cell is missing</source>
         <translation>Un fichier de cette cellule manque</translation>
     </message>
     <message>
-        <source>A frame has no sizes: give it a name and a place (name=N, pose=x,y,z,qw,qx,qy,qz).</source>
+        <source>A frame has no dimensions. Set its name and pose (name=N, pose=x,y,z,qw,qx,qy,qz).</source>
         <translation>Donnez au repère, qui n'a pas de dimensions, un nom et une pose (name=N, pose=x,y,z,qw,qx,qy,qz).</translation>
     </message>
     <message>
@@ -2503,7 +2531,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une image en tête de chaque rapport ; aucune n'est choisie</translation>
     </message>
     <message>
-        <source>A program has no times: lines take their length by their speed, joint moves are taken at 1 m/s and 180 deg/s by their share.</source>
+        <source>A program has no times. Linear moves use their programmed speed; joint moves use their share of 1 m/s and 180 deg/s.</source>
         <translation>Un programme n'a pas de temps : la durée des lignes est leur longueur divisée par leur vitesse ; les mouvements articulaires sont pris à 1 m/s et 180 deg/s fois leur pourcentage.</translation>
     </message>
     <message>
@@ -2695,10 +2723,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'enregistrement d'un expert guide le stylet sur son chemin et attend l'apprenant.</translation>
     </message>
     <message>
-        <source>And %1 more lines of these kinds.</source>
-        <translation>Et %1 autres lignes de ce genre.</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Angle</translation>
     </message>
@@ -2783,7 +2807,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Archives (*.zip *.tar.gz)</translation>
     </message>
     <message>
-        <source>Arcs are given by frames within 0.1 mm of them, turning evenly from their begin to their end.</source>
+        <source>Arcs become frames within 0.1 mm of the arc; the orientation changes evenly from start to end.</source>
         <translation>Les arcs sont remplacés par des images à moins de 0.1 mm d'eux, avec une rotation régulière du début à la fin.</translation>
     </message>
     <message>
@@ -3035,10 +3059,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Largeur du bassin</translation>
     </message>
     <message>
-        <source>Bring the motion nearer to the robot's base.</source>
-        <translation>Rapprochez le mouvement de la base du robot.</translation>
-    </message>
-    <message>
         <source>Bringing the work %1 nearer</source>
         <translation>En approchant le travail de %1</translation>
     </message>
@@ -3059,7 +3079,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Par valeurs</translation>
     </message>
     <message>
-        <source>C with one position</source>
+        <source>C with only one position</source>
         <translation>C avec une seule position</translation>
     </message>
     <message>
@@ -3071,7 +3091,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>CIRC point auxiliaire, point final</translation>
     </message>
     <message>
-        <source>COORD: poses are relative to what the other motion group carries; its motion is not read.</source>
+        <source>COORD: poses are relative to the part on the other motion group; the motion of that group is not read.</source>
         <translation>COORD : les poses sont relatives à ce que porte l'autre groupe de mouvement ; son mouvement n'est pas lu.</translation>
     </message>
     <message>
@@ -3203,6 +3223,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier le périphérique…</translation>
     </message>
     <message>
+        <source>Check for models that include each other several times, or split the world into several files.</source>
+        <translation>Cherchez des modèles qui s'incluent plusieurs fois l'un l'autre, ou divisez le monde en plusieurs parties.</translation>
+    </message>
+    <message>
         <source>Check it</source>
         <translation>Le vérifier</translation>
     </message>
@@ -3241,6 +3265,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Check the motion</source>
         <translation>Vérifier le mouvement</translation>
+    </message>
+    <message>
+        <source>Check the unit. If it is right, move the part to the origin in the CAD program.</source>
+        <translation>Vérifiez son unité. Sinon, déplacez-la à l'origine dans le programme qui l'a créée.</translation>
     </message>
     <message>
         <source>Check the whole path</source>
@@ -3321,10 +3349,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Choose it in the panel Virtual Desktop.</source>
         <translation>Choisissez-le dans le panneau Virtual Desktop.</translation>
-    </message>
-    <message>
-        <source>Choose one of them.</source>
-        <translation>Choisissez l'un d'eux.</translation>
     </message>
     <message>
         <source>Choose the report logo</source>
@@ -3575,6 +3599,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Reliez-le, ne serait-ce que par une liaison fixe.</translation>
     </message>
     <message>
+        <source>Connect them with a fixed joint.</source>
+        <translation>Reliez-les par un axe fixe.</translation>
+    </message>
+    <message>
         <source>Connected</source>
         <translation>Connecté</translation>
     </message>
@@ -3723,7 +3751,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Corrigez-la, ou évaluez-la là où elle est écrite avec lazy_eval=&quot;false&quot;.</translation>
     </message>
     <message>
-        <source>Correct the file or take it away from beside the robot.</source>
+        <source>Correct the file, or move it out of the folder of the robot.</source>
         <translation>Corrigez le fichier ou retirez-le du dossier du robot.</translation>
     </message>
     <message>
@@ -3823,6 +3851,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cylindre</translation>
     </message>
     <message>
+        <source>DEF is missing</source>
+        <translation>pas de DEF</translation>
+    </message>
+    <message>
         <source>Damping (0: as the device)</source>
         <translation>Amortissement (0 : celui du périphérique)</translation>
     </message>
@@ -3853,6 +3885,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Delete</source>
         <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Delete it in a copy of the program.</source>
+        <translation>Retirez-le d'une copie du programme.</translation>
     </message>
     <message>
         <source>Delete the frame, or all frames between the brackets</source>
@@ -4071,10 +4107,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Oreille au sommet du crâne</translation>
     </message>
     <message>
-        <source>Echo it again with --full-length (-f).</source>
-        <translation>Refaites l'écho avec --full-length (-f).</translation>
-    </message>
-    <message>
         <source>Edge</source>
         <translation>Arête</translation>
     </message>
@@ -4235,16 +4267,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exporter la cellule…</translation>
     </message>
     <message>
-        <source>Export it again, or in another format (STEP, glTF, STL), and without the part that is named.</source>
+        <source>Export it again or in another format (STEP, glTF, STL), without the part that this message names.</source>
         <translation>Exportez-le de nouveau, ou dans un autre format (STEP, glTF, STL), et sans la pièce citée.</translation>
+    </message>
+    <message>
+        <source>Export it again or in another format, or split it into several files.</source>
+        <translation>Exportez-le de nouveau, ou dans un autre format ; si le fichier est correct, divisez-le en plusieurs.</translation>
     </message>
     <message>
         <source>Export it again, or in another format (STEP, glTF, STL).</source>
         <translation>Exportez-le à nouveau, ou dans un autre format (STEP, glTF, STL).</translation>
-    </message>
-    <message>
-        <source>Export it again, or in another format; a file that is sound may be cut into parts.</source>
-        <translation>Exportez-le de nouveau, ou dans un autre format ; si le fichier est correct, divisez-le en plusieurs.</translation>
     </message>
     <message>
         <source>Export it again.</source>
@@ -4259,7 +4291,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exportez-le en glTF ou STL, ou rendez d'abord le maillage plus grossier.</translation>
     </message>
     <message>
-        <source>Export it in one of these.</source>
+        <source>Export it in one of these formats.</source>
         <translation>Exportez-le dans un de ces formats.</translation>
     </message>
     <message>
@@ -4273,10 +4305,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Export it without this extension.</source>
         <translation>Exportez-le sans cette extension.</translation>
-    </message>
-    <message>
-        <source>Export its poses as csv or json instead.</source>
-        <translation>Exportez plutôt ses poses en csv ou json.</translation>
     </message>
     <message>
         <source>Export motion</source>
@@ -4305,6 +4333,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Export the file with decimal points; it has decimal commas.</source>
         <translation>Écrivez le fichier avec des points décimaux ; celui-ci a des virgules.</translation>
+    </message>
+    <message>
+        <source>Export the poses as csv or json instead.</source>
+        <translation>Exportez plutôt ses poses en csv ou json.</translation>
     </message>
     <message>
         <source>Exported program</source>
@@ -4343,7 +4375,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>FANUC (.ls)</translation>
     </message>
     <message>
-        <source>FANUC's J3 is counted from the horizontal: J2 is added to it.</source>
+        <source>FANUC measures J3 from the horizontal: J2 is added to J3.</source>
         <translation>Le J3 de FANUC est compté depuis l'horizontale : J2 lui est ajouté.</translation>
     </message>
     <message>
@@ -4453,6 +4485,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>First create a key: hapticell-haptic-server --pair.</source>
         <translation>Créez d'abord une clé : hapticell-haptic-server --pair.</translation>
+    </message>
+    <message>
+        <source>First create a surface from the point cloud.</source>
+        <translation>Faites d'abord une surface à partir du nuage de points.</translation>
     </message>
     <message>
         <source>First export it with poses: trajectory export --to csv --robot.</source>
@@ -4803,18 +4839,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Donnez-en une : %1:=VALUE.</translation>
     </message>
     <message>
-        <source>Give the file the ending .xacro, and it is expanded.</source>
-        <translation>Donnez au fichier l'extension .xacro pour qu'il soit développé.</translation>
-    </message>
-    <message>
-        <source>Give the robot (--robot) where it is given by joints, else write its value into the program.</source>
-        <translation>Indiquez le robot (--robot) si la cible est donnée par ses axes ; sinon, écrivez sa valeur dans le programme.</translation>
-    </message>
-    <message>
-        <source>Give the robot (--robot) where targets are given by joints.</source>
-        <translation>Indiquez le robot (--robot) si des cibles sont données par leurs axes.</translation>
-    </message>
-    <message>
         <source>Glove</source>
         <translation>Gant</translation>
     </message>
@@ -5159,6 +5183,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>Je le tiens : démarrer</translation>
     </message>
     <message>
+        <source>If targets are given by joints, set the robot (--robot).</source>
+        <translation>Indiquez le robot (--robot) si des cibles sont données par leurs axes.</translation>
+    </message>
+    <message>
+        <source>If the target is given by joints, set the robot (--robot). Otherwise, write its value into the program.</source>
+        <translation>Indiquez le robot (--robot) si la cible est donnée par ses axes ; sinon, écrivez sa valeur dans le programme.</translation>
+    </message>
+    <message>
+        <source>If this is a file of macros, open the file that includes it.</source>
+        <translation>Ouvrez un fichier de macros par le fichier qui l'inclut.</translation>
+    </message>
+    <message>
         <source>If you discard the copy, the unsaved changes of %1 are lost for good.</source>
         <translation>Si vous supprimez la copie, les modifications non enregistrées de %1 sont perdues pour de bon.</translation>
     </message>
@@ -5203,7 +5239,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Importer des mouvements…</translation>
     </message>
     <message>
-        <source>Import the file anew.</source>
+        <source>Import the file again.</source>
         <translation>Importez le fichier de nouveau.</translation>
     </message>
     <message>
@@ -5221,6 +5257,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Improve the posture of %1</source>
         <translation>Améliorer la posture de %1</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, delete the branch that you do not need.</source>
+        <translation>Retirez d'une copie du programme la branche qui n'est pas voulue.</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, delete the branches that you do not need.</source>
+        <translation>Retirez d'une copie les branches qui ne sont pas voulues.</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, delete the offset, or add it to the targets.</source>
+        <translation>Retirez le décalage d'une copie, ou écrivez les cibles avec lui.</translation>
     </message>
     <message>
         <source>In contact from the start: %1 and %2</source>
@@ -5291,10 +5339,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Inverser la molette</translation>
     </message>
     <message>
-        <source>Is its unit right? Otherwise move it to the origin in the program that made it.</source>
-        <translation>Vérifiez son unité. Sinon, déplacez-la à l'origine dans le programme qui l'a créée.</translation>
-    </message>
-    <message>
         <source>Iso</source>
         <translation>Iso</translation>
     </message>
@@ -5327,10 +5371,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il est ici en lecture seule. Enregistrez-le sous un autre nom, ou fermez-le d'abord là-bas.</translation>
     </message>
     <message>
-        <source>It may have been changed while it was packed: pack again.</source>
-        <translation>Archivez de nouveau : le fichier a peut-être été modifié pendant l'archivage.</translation>
-    </message>
-    <message>
         <source>It moves with the hand and is checked with it</source>
         <translation>Elle suit la main et est vérifiée avec elle</translation>
     </message>
@@ -5341,10 +5381,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>It stays where it is</source>
         <translation>Il reste où il est</translation>
-    </message>
-    <message>
-        <source>It works, but the view shows less detail while it turns. For full speed, install the driver of the graphics card.</source>
-        <translation>Cela fonctionne, avec moins de détails pendant que vous tournez la vue. Installez un pilote de carte graphique pour la pleine vitesse.</translation>
     </message>
     <message>
         <source>JOINT, End Site, OFFSET, CHANNELS or }</source>
@@ -5375,10 +5411,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Relier des pièces en mécanisme…</translation>
     </message>
     <message>
-        <source>Join them by a fixed joint.</source>
-        <translation>Reliez-les par un axe fixe.</translation>
-    </message>
-    <message>
         <source>Join with the next</source>
         <translation>Joindre au suivant</translation>
     </message>
@@ -5395,12 +5427,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Butées, depuis la position actuelle</translation>
     </message>
     <message>
-        <source>Joints</source>
-        <translation>Articulations</translation>
+        <source>Joint values are not kept, because not all targets have them. Poses are kept.</source>
+        <translation>Les axes ne sont pas conservés, car toutes les cibles n'en ont pas ; leurs poses le sont.</translation>
     </message>
     <message>
-        <source>Joints are not kept, as not all targets have them; their poses are.</source>
-        <translation>Les axes ne sont pas conservés, car toutes les cibles n'en ont pas ; leurs poses le sont.</translation>
+        <source>Joints</source>
+        <translation>Articulations</translation>
     </message>
     <message>
         <source>Joints, with their limits</source>
@@ -5427,6 +5459,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Garder l'axe 4</translation>
     </message>
     <message>
+        <source>Keep only one trajectory in the file.</source>
+        <translation>Ne gardez dans le fichier que celle qui est voulue.</translation>
+    </message>
+    <message>
         <source>Keep only the frames needed</source>
         <translation>Garder seulement les images nécessaires</translation>
     </message>
@@ -5445,10 +5481,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Keep position, wrist joint fixed</source>
         <translation>Garder la position, axe du poignet fixe</translation>
-    </message>
-    <message>
-        <source>Keep the one that is wanted in the file.</source>
-        <translation>Ne gardez dans le fichier que celle qui est voulue.</translation>
     </message>
     <message>
         <source>Keep the range between the brackets</source>
@@ -5513,10 +5545,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Layout</source>
         <translation>Disposition</translation>
-    </message>
-    <message>
-        <source>Leave out the joint that closes the cycle.</source>
-        <translation>Retirez l'axe qui ferme le cycle.</translation>
     </message>
     <message>
         <source>Leave the unit out.</source>
@@ -5623,6 +5651,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ligne : fréquence. Barres : retard (99 %), au plus %1 ms</translation>
     </message>
     <message>
+        <source>Lines without motion are not kept (outputs, waiting for inputs, settings): %1 and %2 more.</source>
+        <translation>Sans mouvement et non conservées (sorties, attentes d'entrées, réglages) : lignes %1 et %2 autres.</translation>
+    </message>
+    <message>
+        <source>Lines without motion are not kept (outputs, waiting for inputs, settings): %1.</source>
+        <translation>Sans mouvement et non conservées (sorties, attentes d'entrées, réglages) : lignes %1.</translation>
+    </message>
+    <message>
         <source>Load</source>
         <translation>Charge</translation>
     </message>
@@ -5695,10 +5731,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cherchez une macro, un fichier ou une propriété qui se contient soi-même.</translation>
     </message>
     <message>
-        <source>Look for models that include each other several times, or cut the world into parts.</source>
-        <translation>Cherchez des modèles qui s'incluent plusieurs fois l'un l'autre, ou divisez le monde en plusieurs parties.</translation>
-    </message>
-    <message>
         <source>Loop</source>
         <translation>En boucle</translation>
     </message>
@@ -5737,10 +5769,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Make a fist, every finger joint bent by a right angle.</source>
         <translation>Fermez le poing, chaque articulation des doigts pliée à angle droit.</translation>
-    </message>
-    <message>
-        <source>Make a surface of the point cloud first.</source>
-        <translation>Faites d'abord une surface à partir du nuage de points.</translation>
     </message>
     <message>
         <source>Make an exercise from this cell and an expert's motion</source>
@@ -5955,6 +5983,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Bouger aussi les axes externes</translation>
     </message>
     <message>
+        <source>Move it into the folder of the file that refers to it.</source>
+        <translation>Placez-le sous le dossier du fichier qui le cite.</translation>
+    </message>
+    <message>
         <source>Move it there</source>
         <translation>Le mettre là</translation>
     </message>
@@ -5977,6 +6009,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Move the mannequin or the part nearer, or unlock the feet so that it can step.</source>
         <translation>Rapprochez le mannequin ou la pièce, ou débloquez les pieds pour qu'il puisse faire un pas.</translation>
+    </message>
+    <message>
+        <source>Move the motion nearer to the robot's base.</source>
+        <translation>Rapprochez le mouvement de la base du robot.</translation>
     </message>
     <message>
         <source>Move the stylus in all directions and press each button once.</source>
@@ -6109,10 +6145,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Name of the pose (home replaces home)</source>
         <translation>Nom de la pose (home remplace home)</translation>
-    </message>
-    <message>
-        <source>Name the robot whose joints they are (--robot): its forward kinematics give the poses.</source>
-        <translation>Nommez le robot auquel appartiennent ces axes (--robot) : sa cinématique directe donne les poses.</translation>
     </message>
     <message>
         <source>Name, manufacturer, type or payload</source>
@@ -6551,12 +6583,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien n'a été écrit. Une cellule venue d'ailleurs peut nommer n'importe quel fichier de cette machine. Vérifiez la liste, puis archivez avec --allow-outside, ou déplacez les fichiers dans le dossier.</translation>
     </message>
     <message>
-        <source>Nothing was written. Bring the motion nearer to the robot's base.</source>
-        <translation>Rien n'a été écrit. Rapprochez le mouvement de la base du robot.</translation>
-    </message>
-    <message>
         <source>Nothing was written. Check the messages of the server, then run the session again.</source>
         <translation>Rien n'a été écrit. Consultez les messages du serveur, puis relancez la session.</translation>
+    </message>
+    <message>
+        <source>Nothing was written. Move the motion nearer to the robot's base.</source>
+        <translation>Rien n'a été écrit. Rapprochez le mouvement de la base du robot.</translation>
     </message>
     <message>
         <source>Nothing was written. To write the file anyway, use --allow-miss.</source>
@@ -6635,20 +6667,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une étape d'annulation</translation>
     </message>
     <message>
+        <source>Only files that can be read as recordings are packed. Remove it from the workcell.</source>
+        <translation>Retirez-le de la cellule : seul ce qui est lisible comme enregistrement entre dans une archive.</translation>
+    </message>
+    <message>
+        <source>Only files that can be read as what they are used for are packed. Remove it from the workcell.</source>
+        <translation>Retirez-le de la cellule : seul ce qui est lisible selon le type déclaré entre dans une archive.</translation>
+    </message>
+    <message>
         <source>Only motion group 1 is read.</source>
         <translation>Seul le groupe de mouvement 1 est lu.</translation>
     </message>
     <message>
         <source>Only the simulated stylus. No problems found.</source>
         <translation>Seulement le stylet simulé. Aucun problème trouvé.</translation>
-    </message>
-    <message>
-        <source>Only what is read as a recording goes into a pack: take it out of the workcell.</source>
-        <translation>Retirez-le de la cellule : seul ce qui est lisible comme enregistrement entre dans une archive.</translation>
-    </message>
-    <message>
-        <source>Only what is read as what it is said to be goes into a pack: take it out of the workcell.</source>
-        <translation>Retirez-le de la cellule : seul ce qui est lisible selon le type déclaré entre dans une archive.</translation>
     </message>
     <message>
         <source>Only while the robot is held by its tool</source>
@@ -6859,16 +6891,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>PLY (*.ply)</translation>
     </message>
     <message>
+        <source>PROC is missing</source>
+        <translation>pas de PROC</translation>
+    </message>
+    <message>
         <source>P[%1], which has no value</source>
         <translation>P[%1], qui n'a pas de valeur</translation>
     </message>
     <message>
         <source>P[%1], which is not in /POS</source>
         <translation>P[%1], qui n'est pas dans /POS</translation>
-    </message>
-    <message>
-        <source>Pack again, or elsewhere: what was written to the disk is not what was read back from it.</source>
-        <translation>Archivez de nouveau, ou ailleurs : ce qui a été relu sur le disque n'est pas ce qui y a été écrit.</translation>
     </message>
     <message>
         <source>Pack the workcell with its files</source>
@@ -7247,6 +7279,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Lecture ralentie : la vue est sous 10 Hz</translation>
     </message>
     <message>
+        <source>Please report this bug, with the file that caused it.</source>
+        <translation>Signalez le fichier en cause.</translation>
+    </message>
+    <message>
         <source>Plugged in at</source>
         <translation>Branché sur</translation>
     </message>
@@ -7295,7 +7331,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Posez le mannequin, vérifiez son atteinte et sa posture.</translation>
     </message>
     <message>
-        <source>Poses are in %1, whose place the file does not give.</source>
+        <source>Poses are relative to %1, which the file does not define.</source>
         <translation>Les poses sont exprimées dans %1, dont le fichier ne donne pas la pose.</translation>
     </message>
     <message>
@@ -7403,11 +7439,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Poussée vers le bas, %1 %</translation>
     </message>
     <message>
-        <source>Put it below the folder of the file that names it.</source>
-        <translation>Placez-le sous le dossier du fichier qui le cite.</translation>
-    </message>
-    <message>
-        <source>Put the package's folder beside the file or above it, or name its place in ROS_PACKAGE_PATH.</source>
+        <source>Put the package folder next to the file or above it, or add its path to ROS_PACKAGE_PATH.</source>
         <translation>Placez le dossier du paquet à côté du fichier ou au-dessus, ou indiquez son emplacement dans ROS_PACKAGE_PATH.</translation>
     </message>
     <message>
@@ -7679,6 +7711,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Supprimez-le, ou appropriez-le-vous avec chown.</translation>
     </message>
     <message>
+        <source>Remove the joint that closes the cycle.</source>
+        <translation>Retirez l'axe qui ferme le cycle.</translation>
+    </message>
+    <message>
         <source>Remove the pair set</source>
         <translation>Retirer le jeu de paires</translation>
     </message>
@@ -7737,10 +7773,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Report changes</source>
         <translation>Rapport des changements</translation>
-    </message>
-    <message>
-        <source>Report the file that caused it.</source>
-        <translation>Signalez le fichier en cause.</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -7901,6 +7933,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Run %1</source>
         <translation>Essai %1</translation>
+    </message>
+    <message>
+        <source>Run ros2 topic echo again with --full-length (-f).</source>
+        <translation>Refaites l'écho avec --full-length (-f).</translation>
     </message>
     <message>
         <source>Runs: %1, the last with %2 points</source>
@@ -8179,6 +8215,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tout choisir</translation>
     </message>
     <message>
+        <source>Select one of them.</source>
+        <translation>Choisissez l'un d'eux.</translation>
+    </message>
+    <message>
         <source>Select or hold an entity to see what it is checked against.</source>
         <translation>Choisissez ou tenez une entité pour voir contre quoi elle est vérifiée.</translation>
     </message>
@@ -8225,6 +8265,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Set the range first, with the brackets that are now in the time bar.</source>
         <translation>Réglez d'abord la plage, par les crochets affichés dans la barre de temps.</translation>
+    </message>
+    <message>
+        <source>Set the robot of these joints (--robot), so that the poses can be computed.</source>
+        <translation>Nommez le robot auquel appartiennent ces axes (--robot) : sa cinématique directe donne les poses.</translation>
     </message>
     <message>
         <source>Set: %1</source>
@@ -8355,7 +8399,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Simplifier d'abord</translation>
     </message>
     <message>
-        <source>Simplify the motion first, or split it.</source>
+        <source>Simplify or split the motion.</source>
         <translation>Simplifiez d'abord le mouvement, ou coupez-le.</translation>
     </message>
     <message>
@@ -8643,7 +8687,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Échanger les mains de %1</translation>
     </message>
     <message>
-        <source>Swap the two.</source>
+        <source>Swap the two limits.</source>
         <translation>Échangez les deux.</translation>
     </message>
     <message>
@@ -8691,40 +8735,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prise %1</translation>
     </message>
     <message>
-        <source>Take a larger tolerance, or move the motion to where the robot reaches.</source>
-        <translation>Augmentez la tolérance, ou déplacez le mouvement à la portée du robot.</translation>
-    </message>
-    <message>
-        <source>Take a larger tolerance.</source>
-        <translation>Augmentez la tolérance.</translation>
-    </message>
-    <message>
-        <source>Take a longer one, or a higher speed.</source>
-        <translation>Prenez un pas plus long, ou une vitesse plus élevée.</translation>
-    </message>
-    <message>
-        <source>Take a shorter --sample, a larger --tolerance or other limits.</source>
-        <translation>Réduisez --sample, augmentez --tolerance ou changez les limites.</translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation>Prendre le contrôle</translation>
-    </message>
-    <message>
-        <source>Take it out of a copy of the program.</source>
-        <translation>Retirez-le d'une copie du programme.</translation>
-    </message>
-    <message>
-        <source>Take the branch that is not wanted out of a copy of the program.</source>
-        <translation>Retirez d'une copie du programme la branche qui n'est pas voulue.</translation>
-    </message>
-    <message>
-        <source>Take the branches that are not wanted out of a copy.</source>
-        <translation>Retirez d'une copie les branches qui ne sont pas voulues.</translation>
-    </message>
-    <message>
-        <source>Take the offset out of a copy, or write the targets with it.</source>
-        <translation>Retirez le décalage d'une copie, ou écrivez les cibles avec lui.</translation>
     </message>
     <message>
         <source>Taking the stylus.</source>
@@ -8767,11 +8779,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>C'est la même pièce. Désignez-en une autre jusqu'où mesurer.</translation>
     </message>
     <message>
-        <source>The %1 of %6, %2 %3, is rounded to %4 %3: %5 has no more digits.</source>
+        <source>The %1 of %6, %2 %3, is rounded to %4 %3, because %5 allows no more digits.</source>
         <translation>%1, %6 : %2 %3 est arrondi à %4 %3, car %5 n'a pas plus de chiffres.</translation>
     </message>
     <message>
-        <source>The %1, %2 %3, is rounded to %4 %3: %5 has no more digits.</source>
+        <source>The %1, %2 %3, is rounded to %4 %3, because %5 allows no more digits.</source>
         <translation>%1 : %2 %3 est arrondi à %4 %3, car %5 n'a pas plus de chiffres.</translation>
     </message>
     <message>
@@ -8851,6 +8863,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les périphériques n'ont pas pu être listés : %1</translation>
     </message>
     <message>
+        <source>The disk returned other data than was written. Pack again, or pack to another disk.</source>
+        <translation>Archivez de nouveau, ou ailleurs : ce qui a été relu sur le disque n'est pas ce qui y a été écrit.</translation>
+    </message>
+    <message>
         <source>The displayed mesh.</source>
         <translation>Le maillage affiché.</translation>
     </message>
@@ -8905,6 +8921,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The file is truncated: export it again.</source>
         <translation>Le fichier est tronqué : exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>The file may have changed during packing. Pack again.</source>
+        <translation>Archivez de nouveau : le fichier a peut-être été modifié pendant l'archivage.</translation>
     </message>
     <message>
         <source>The file of %1 has no home pose, and its zero pose is singular, so it could hardly be dragged. It starts with %2 bent. To set a home pose, use the Robot panel.</source>
@@ -9159,11 +9179,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'aperçu est créé quand le fichier est enregistré ou fermé ici.</translation>
     </message>
     <message>
-        <source>The program is called '%1': '%2' is a word of %3 itself.</source>
+        <source>The program is named '%1', because '%2' is a reserved word of %3.</source>
         <translation>Le programme s'appelle '%1' : '%2' est un mot réservé de %3.</translation>
     </message>
     <message>
-        <source>The program is called '%1': '%2' is no name in %3 (letters, digits and _, a letter first, at most %4 characters).</source>
+        <source>The program is named '%1', because '%2' is not a valid name in %3 (letters, digits and _, a letter first, at most %4 characters).</source>
         <translation>Le programme s'appelle '%1' : '%2' n'est pas un nom de %3 (lettres, chiffres et _, une lettre d'abord, %4 caractères au plus).</translation>
     </message>
     <message>
@@ -9319,19 +9339,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Thème</translation>
     </message>
     <message>
-        <source>There is no %1.dat beside it, where KRL keeps its points.</source>
-        <translation>Placez à côté le fichier %1.dat, où KRL garde ses points.</translation>
-    </message>
-    <message>
-        <source>There is no %1.dat beside it.</source>
-        <translation>Il n'y a pas de %1.dat à côté.</translation>
-    </message>
-    <message>
         <source>There is no PROC main() with moves: '%1', the first with moves, is read.</source>
         <translation>Il n'y a pas de PROC main() avec des mouvements : '%1', la première qui en a, est lue.</translation>
     </message>
     <message>
-        <source>There is no PROC main() with moves: '%1', the first with moves, is read; not read unless it calls them: %2.</source>
+        <source>There is no PROC main() with moves: '%1', the first with moves, is read. Procedures that it does not call are not read: %2.</source>
         <translation>Il n'y a pas de PROC main() avec des mouvements : '%1', la première qui en a, est lue ; ne sont lues que si elle les appelle : %2.</translation>
     </message>
     <message>
@@ -9471,14 +9483,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Instant de l'enregistrement</translation>
     </message>
     <message>
-        <source>Time it at a constant speed.</source>
-        <translation>Calculez ses temps à vitesse constante.</translation>
-    </message>
-    <message>
-        <source>Time it by the joints' limits.</source>
-        <translation>Calculez ses temps d'après les limites des axes.</translation>
-    </message>
-    <message>
         <source>Time s</source>
         <translation>Temps s</translation>
     </message>
@@ -9503,12 +9507,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Pour y revenir : Vue &gt; Vues enregistrées.</translation>
     </message>
     <message>
+        <source>To have the file expanded, rename it to *.xacro.</source>
+        <translation>Donnez au fichier l'extension .xacro pour qu'il soit développé.</translation>
+    </message>
+    <message>
         <source>To list all 56 joints, run hapticell-cli mannequin.</source>
         <translation>Exécutez hapticell-cli mannequin, qui les énumère toutes les 56.</translation>
     </message>
     <message>
         <source>To list the connected devices, run hapticell-cli devices.</source>
         <translation>Lancez hapticell-cli devices pour voir ce qui est branché.</translation>
+    </message>
+    <message>
+        <source>To list the library robots, run hapticell-cli library.</source>
+        <translation>Affichez-en la liste par hapticell-cli library.</translation>
     </message>
     <message>
         <source>To lower it: %1.</source>
@@ -9683,7 +9695,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>URDF (*.urdf)</translation>
     </message>
     <message>
-        <source>URDF cannot say closed loops: leave one of the joints out, and close it with a robot.toml (docs/user/formats.md).</source>
+        <source>URDF cannot describe closed loops: remove one of the joints, and close the loop in a robot.toml (docs/user/formats.md).</source>
         <translation>Retirez l'un des axes et fermez la boucle par un robot.toml (docs/user/formats.md) : l'URDF ne peut pas décrire de boucles fermées.</translation>
     </message>
     <message>
@@ -9787,8 +9799,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prenez une valeur de --simplify plus grande.</translation>
     </message>
     <message>
+        <source>Use a larger tolerance, or move the motion into the reach of the robot.</source>
+        <translation>Augmentez la tolérance, ou déplacez le mouvement à la portée du robot.</translation>
+    </message>
+    <message>
+        <source>Use a larger tolerance.</source>
+        <translation>Augmentez la tolérance.</translation>
+    </message>
+    <message>
+        <source>Use a longer step or a higher speed.</source>
+        <translation>Prenez un pas plus long, ou une vitesse plus élevée.</translation>
+    </message>
+    <message>
         <source>Use a newer HaptiCell.</source>
         <translation>Utilisez un HaptiCell plus récent.</translation>
+    </message>
+    <message>
+        <source>Use a shorter --sample, a larger --tolerance or other limits.</source>
+        <translation>Réduisez --sample, augmentez --tolerance ou changez les limites.</translation>
     </message>
     <message>
         <source>Use a smaller or coarser model.</source>
@@ -9797,6 +9825,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Use another file extension.</source>
         <translation>Donnez au fichier une autre extension.</translation>
+    </message>
+    <message>
+        <source>Use constant-speed timing.</source>
+        <translation>Calculez ses temps à vitesse constante.</translation>
     </message>
     <message>
         <source>Use its absolute path.</source>
@@ -9813,6 +9845,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Use this one</source>
         <translation>Utiliser celui-ci</translation>
+    </message>
+    <message>
+        <source>Use time-optimal timing (joint limits).</source>
+        <translation>Calculez ses temps d'après les limites des axes.</translation>
     </message>
     <message>
         <source>Use trajectory export for other formats.</source>
@@ -9951,14 +9987,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sans assistance, sur un exercice qui n'a pas été pratiqué.</translation>
     </message>
     <message>
-        <source>Without motion and not kept (outputs, waiting for inputs, settings): lines %1 and %2 more.</source>
-        <translation>Sans mouvement et non conservées (sorties, attentes d'entrées, réglages) : lignes %1 et %2 autres.</translation>
-    </message>
-    <message>
-        <source>Without motion and not kept (outputs, waiting for inputs, settings): lines %1.</source>
-        <translation>Sans mouvement et non conservées (sorties, attentes d'entrées, réglages) : lignes %1.</translation>
-    </message>
-    <message>
         <source>Woman</source>
         <translation>Femme</translation>
     </message>
@@ -10027,16 +10055,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Écrivez en toutes lettres le texte qu'elles représentent.</translation>
     </message>
     <message>
-        <source>Write the frames' values into the program, or read its parts one by one.</source>
-        <translation>Écrivez les valeurs des repères dans le programme, ou lisez ses parties une à une.</translation>
-    </message>
-    <message>
         <source>Write the lines in the order in which they run.</source>
         <translation>Écrivez les lignes dans l'ordre de leur exécution.</translation>
     </message>
     <message>
         <source>Write the path in metres from the centre of the device's workspace.</source>
         <translation>Écrivez le trajet en mètres depuis le centre de l'espace de travail du périphérique.</translation>
+    </message>
+    <message>
+        <source>Write the values of the frames into the program, or split the program by frame.</source>
+        <translation>Écrivez les valeurs des repères dans le programme, ou lisez ses parties une à une.</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -10065,10 +10093,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>XML text</source>
         <translation>un texte XML</translation>
-    </message>
-    <message>
-        <source>XML that does not parse (%1)</source>
-        <translation>du XML qui n'est pas lisible (%1)</translation>
     </message>
     <message>
         <source>Xposition ... Zrotation</source>
@@ -10171,11 +10195,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une forme '%1' de taille nulle</translation>
     </message>
     <message>
-        <source>a %1 that is a list</source>
-        <translation>un %1 qui est une liste</translation>
-    </message>
-    <message>
-        <source>a %1 whose size is no positive number</source>
+        <source>a %1 with a size that is not a number above 0</source>
         <translation>une forme '%1' dont la taille n'est pas un nombre positif</translation>
     </message>
     <message>
@@ -10185,6 +10205,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a '%' with more than two digits</source>
         <translation>un '%' avec plus de deux chiffres</translation>
+    </message>
+    <message>
+        <source>a 3D grid of boxes from an image</source>
+        <translation>des pavés tirés d'une image</translation>
     </message>
     <message>
         <source>a 3MF file</source>
@@ -10197,10 +10221,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a &lt;%1&gt; without &lt;geometry&gt;</source>
         <translation>un &lt;%1&gt; sans &lt;geometry&gt;</translation>
-    </message>
-    <message>
-        <source>a &lt;geometry&gt; with nothing in it</source>
-        <translation>un &lt;geometry&gt; vide</translation>
     </message>
     <message>
         <source>a BVH file</source>
@@ -10227,15 +10247,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un programme FANUC au format LS : /PROG, /MN, /POS</translation>
     </message>
     <message>
-        <source>a FOR that is not understood</source>
-        <translation>un FOR qui n'est pas compris</translation>
-    </message>
-    <message>
-        <source>a FOR whose limits are no numbers</source>
+        <source>a FOR with limits that are not numbers</source>
         <translation>un FOR dont les bornes ne sont pas des nombres</translation>
     </message>
     <message>
-        <source>a FOR whose limits the file does not give</source>
+        <source>a FOR with limits that the file does not define</source>
         <translation>un FOR dont le fichier ne donne pas les bornes</translation>
     </message>
     <message>
@@ -10263,7 +10279,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un programme KRL : DEF NOM( )</translation>
     </message>
     <message>
-        <source>a LBL of the program</source>
+        <source>a LBL in the program</source>
         <translation>un LBL du programme</translation>
     </message>
     <message>
@@ -10307,7 +10323,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier YAML de plus de 8 Mo</translation>
     </message>
     <message>
-        <source>a base by %1</source>
+        <source>a base from %1</source>
         <translation>une base donnée par %1</translation>
     </message>
     <message>
@@ -10327,7 +10343,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un bloc de la macro, ou une propriété avec des éléments</translation>
     </message>
     <message>
-        <source>a body with a thickness</source>
+        <source>a body with thickness</source>
         <translation>un corps avec une épaisseur</translation>
     </message>
     <message>
@@ -10335,8 +10351,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un os du squelette</translation>
     </message>
     <message>
-        <source>a box whose size is not three numbers</source>
+        <source>a box with a size that is not three numbers</source>
         <translation>un pavé dont la taille ne se compose pas de trois nombres</translation>
+    </message>
+    <message>
+        <source>a built-in part, such as a box, a table or a bench</source>
+        <translation>une pièce faite à partir de ses dimensions : un pavé, une table, un établi</translation>
+    </message>
+    <message>
+        <source>a chain that ends at an independent joint</source>
+        <translation>un axe indépendant au bout de la chaîne</translation>
     </message>
     <message>
         <source>a colour out of range</source>
@@ -10347,7 +10371,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>une couleur comme &quot;#ff6600&quot;</translation>
     </message>
     <message>
-        <source>a condition that the file decides</source>
+        <source>a complete archive</source>
+        <translation>une archive complète</translation>
+    </message>
+    <message>
+        <source>a complete file</source>
+        <translation>un fichier complet</translation>
+    </message>
+    <message>
+        <source>a condition with values that the file defines</source>
         <translation>une condition que le fichier détermine</translation>
     </message>
     <message>
@@ -10359,19 +10391,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une configuration</translation>
     </message>
     <message>
-        <source>a content of an unknown kind</source>
-        <translation>un contenu d'un type inconnu</translation>
-    </message>
-    <message>
-        <source>a copy of it</source>
-        <translation>une copie de celui-ci</translation>
-    </message>
-    <message>
-        <source>a copy that can be moved</source>
-        <translation>une copie qui peut être déplacée</translation>
-    </message>
-    <message>
-        <source>a corner that is no vertex number</source>
+        <source>a corner that is not a vertex number</source>
         <translation>un coin qui n'est pas un numéro de sommet</translation>
     </message>
     <message>
@@ -10383,7 +10403,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre d'éléments supérieur à ce que le fichier contient, ou à ce qu'une importation peut utiliser</translation>
     </message>
     <message>
-        <source>a coupling without numbers</source>
+        <source>a coupling without finite numbers</source>
         <translation>un couplage sans valeurs numériques</translation>
     </message>
     <message>
@@ -10405,6 +10425,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a detent out of range</source>
         <translation>un cran hors limites</translation>
+    </message>
+    <message>
+        <source>a deviation of %1 m and %2 rad</source>
+        <translation>un écart de %1 m, %2 rad</translation>
     </message>
     <message>
         <source>a device</source>
@@ -10475,12 +10499,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>un pilote de HaptiCell</translation>
     </message>
     <message>
-        <source>a face with too few corners</source>
+        <source>a face with fewer than three vertices</source>
         <translation>une face avec trop peu de coins</translation>
-    </message>
-    <message>
-        <source>a figure that moves by a script</source>
-        <translation>un personnage animé par un script</translation>
     </message>
     <message>
         <source>a file</source>
@@ -10493,6 +10513,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a file name</source>
         <translation>le nom d'un fichier</translation>
+    </message>
+    <message>
+        <source>a file of points without a program</source>
+        <translation>des points sans programme</translation>
     </message>
     <message>
         <source>a file or folder that only you and root can change</source>
@@ -10511,24 +10535,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier lisible</translation>
     </message>
     <message>
-        <source>a file that is read in the time that its size allows</source>
+        <source>a file that can be read in the time for its size</source>
         <translation>un fichier lu dans le temps que sa taille autorise</translation>
     </message>
     <message>
-        <source>a file that is whole</source>
-        <translation>un fichier complet</translation>
-    </message>
-    <message>
-        <source>a file that nobody else is at work on</source>
+        <source>a file that nobody else has open</source>
         <translation>un fichier sur lequel personne d'autre ne travaille</translation>
-    </message>
-    <message>
-        <source>a file that was not packed</source>
-        <translation>un fichier qui n'a pas été archivé</translation>
-    </message>
-    <message>
-        <source>a file that was not packed, or twice</source>
-        <translation>un fichier qui n'a pas été archivé, ou qui y est deux fois</translation>
     </message>
     <message>
         <source>a file that you can write</source>
@@ -10551,8 +10563,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre fini avec '.' comme séparateur décimal</translation>
     </message>
     <message>
+        <source>a finite pose within 1e12 m</source>
+        <translation>une position à portée</translation>
+    </message>
+    <message>
         <source>a finite result</source>
         <translation>un résultat fini</translation>
+    </message>
+    <message>
+        <source>a first line that is too long</source>
+        <translation>une première ligne sans fin</translation>
     </message>
     <message>
         <source>a flatter list</source>
@@ -10583,16 +10603,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>un dossier qui existe et qui est accessible en écriture</translation>
     </message>
     <message>
+        <source>a frame number from 0 to less than %1</source>
+        <translation>de 0 à %1 moins un</translation>
+    </message>
+    <message>
+        <source>a frame number, 0 or more</source>
+        <translation>le numéro d'une image, à partir de 0</translation>
+    </message>
+    <message>
         <source>a frame of '%1'</source>
         <translation>un repère de '%1'</translation>
     </message>
     <message>
         <source>a frame of an entity</source>
         <translation>un repère d'une entité</translation>
-    </message>
-    <message>
-        <source>a frame that is not understood</source>
-        <translation>un repère qui n'est pas compris</translation>
     </message>
     <message>
         <source>a function</source>
@@ -10631,7 +10655,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une position de repos où les six jambes tiennent la plateforme</translation>
     </message>
     <message>
-        <source>a job that comes to an end</source>
+        <source>a job that ends</source>
         <translation>un job qui se termine</translation>
     </message>
     <message>
@@ -10651,16 +10675,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>une position d'axe qui n'est pas un nombre</translation>
     </message>
     <message>
-        <source>a joint that moves by itself at the end</source>
-        <translation>un axe indépendant au bout de la chaîne</translation>
-    </message>
-    <message>
-        <source>a joint that only Drake knows</source>
+        <source>a joint type of Drake only</source>
         <translation>une articulation que seul Drake connaît</translation>
-    </message>
-    <message>
-        <source>a joint type that is not known</source>
-        <translation>un type d'axe inconnu</translation>
     </message>
     <message>
         <source>a joint value that is not finite</source>
@@ -10671,11 +10687,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un axe sans nom</translation>
     </message>
     <message>
-        <source>a jump back; what it repeats is read once.</source>
+        <source>a jump back; the repeated lines are read once.</source>
         <translation>un saut en arrière ; ce qu'il répète est lu une fois.</translation>
     </message>
     <message>
-        <source>a jump to a label that is not there</source>
+        <source>a jump to a label that does not exist</source>
         <translation>un saut vers une étiquette absente</translation>
     </message>
     <message>
@@ -10687,20 +10703,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>une clé que d'autres utilisateurs peuvent lire ou modifier</translation>
     </message>
     <message>
-        <source>a known pose</source>
-        <translation>une pose qui peut être déterminée</translation>
-    </message>
-    <message>
         <source>a known target</source>
         <translation>une cible connue</translation>
     </message>
     <message>
-        <source>a label of the job</source>
+        <source>a label in the job</source>
         <translation>une étiquette du job</translation>
     </message>
     <message>
         <source>a lambda of %1 parameters called with %2</source>
         <translation>un lambda à %1 paramètres appelé avec %2</translation>
+    </message>
+    <message>
+        <source>a lattice of beams and balls</source>
+        <translation>des poutres et des billes</translation>
     </message>
     <message>
         <source>a leg length above 0</source>
@@ -10723,8 +10739,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>une longueur de 1 à 1 % près</translation>
     </message>
     <message>
-        <source>a length, a speed or a direction that is nought</source>
+        <source>a length, speed or direction that is zero</source>
         <translation>une longueur, une vitesse ou une direction nulle</translation>
+    </message>
+    <message>
+        <source>a library robot, such as hc6 or ur5e</source>
+        <translation>un nom du dossier robots/ fourni, tel que hc6 ou ur5e</translation>
     </message>
     <message>
         <source>a line 'format'</source>
@@ -10747,20 +10767,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>une ligne de plus de 200 caractères</translation>
     </message>
     <message>
-        <source>a link '%1' of other shapes</source>
-        <translation>un segment '%1' avec d'autres formes</translation>
-    </message>
-    <message>
         <source>a link of '%1'</source>
         <translation>un segment de '%1'</translation>
     </message>
     <message>
-        <source>a link of it</source>
-        <translation>un segment du modèle</translation>
-    </message>
-    <message>
         <source>a link of robot '%1'</source>
         <translation>un segment du robot '%1'</translation>
+    </message>
+    <message>
+        <source>a link of the model</source>
+        <translation>un segment du modèle</translation>
     </message>
     <message>
         <source>a link of the robot</source>
@@ -10777,10 +10793,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a list</source>
         <translation>une liste</translation>
-    </message>
-    <message>
-        <source>a list cut short</source>
-        <translation>une liste tronquée</translation>
     </message>
     <message>
         <source>a list in brackets</source>
@@ -10815,6 +10827,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une liste de textes</translation>
     </message>
     <message>
+        <source>a list of texts in quotes</source>
+        <translation>des textes entre guillemets</translation>
+    </message>
+    <message>
         <source>a list or a date</source>
         <translation>une liste ou une date</translation>
     </message>
@@ -10823,12 +10839,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>une liste ou un texte</translation>
     </message>
     <message>
-        <source>a list too long</source>
-        <translation>une liste trop longue</translation>
+        <source>a list that is longer than the file</source>
+        <translation>une liste plus longue que le fichier ne le permet</translation>
     </message>
     <message>
-        <source>a list whose length the file cannot hold</source>
-        <translation>une liste plus longue que le fichier ne le permet</translation>
+        <source>a list that is too long</source>
+        <translation>une liste trop longue</translation>
     </message>
     <message>
         <source>a list, a dictionary or a text</source>
@@ -10839,27 +10855,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>une liste, un dictionnaire ou un texte après 'in'</translation>
     </message>
     <message>
-        <source>a loop that does not end</source>
-        <translation>une boucle qui ne se termine pas</translation>
-    </message>
-    <message>
-        <source>a loop that ends by %1; its moves are read so far.</source>
-        <translation>une boucle qui se termine selon %1 ; ses mouvements sont lus jusque-là.</translation>
-    </message>
-    <message>
-        <source>a loop while %1</source>
+        <source>a loop that depends on %1</source>
         <translation>une boucle qui dépend de %1</translation>
-    </message>
-    <message>
-        <source>a loop without end</source>
-        <translation>une boucle sans fin</translation>
     </message>
     <message>
         <source>a lower and an upper limit</source>
         <translation>une butée inférieure et une butée supérieure</translation>
     </message>
     <message>
-        <source>a lower stop above the upper one</source>
+        <source>a lower stop above the upper stop</source>
         <translation>une butée inférieure au-dessus de la butée supérieure</translation>
     </message>
     <message>
@@ -10899,16 +10903,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un maillage STL, OBJ, PLY ou OFF</translation>
     </message>
     <message>
-        <source>a mesh of the file</source>
-        <translation>un maillage du fichier</translation>
-    </message>
-    <message>
-        <source>a mesh that a picture raises</source>
+        <source>a mesh displaced by an image</source>
         <translation>un maillage mis en relief par une image</translation>
     </message>
     <message>
-        <source>a mesh that spans no volume</source>
-        <translation>un maillage sans volume</translation>
+        <source>a mesh of the file</source>
+        <translation>un maillage du fichier</translation>
     </message>
     <message>
         <source>a mesh with at least one triangle</source>
@@ -10923,8 +10923,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un maillage sans nom de fichier</translation>
     </message>
     <message>
+        <source>a mesh without volume</source>
+        <translation>un maillage sans volume</translation>
+    </message>
+    <message>
         <source>a message with content</source>
         <translation>un message du protocole</translation>
+    </message>
+    <message>
+        <source>a missing argument</source>
+        <translation>un argument omis</translation>
     </message>
     <message>
         <source>a motion</source>
@@ -10939,7 +10947,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>le mouvement d'une main seule</translation>
     </message>
     <message>
-        <source>a move relative to a target that the file does not give</source>
+        <source>a move relative to a target that the file does not define</source>
         <translation>un mouvement relatif à une cible que le fichier ne donne pas</translation>
     </message>
     <message>
@@ -10955,14 +10963,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nom</translation>
     </message>
     <message>
-        <source>a name of its own</source>
-        <translation>un nom propre à cet élément</translation>
-    </message>
-    <message>
-        <source>a name of the shipped robots/, such as hc6 or ur5e</source>
-        <translation>un nom du dossier robots/ fourni, tel que hc6 ou ur5e</translation>
-    </message>
-    <message>
         <source>a name or link that leads out of the archive</source>
         <translation>un nom ou un lien qui mène hors de l'archive</translation>
     </message>
@@ -10975,7 +10975,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nom tel que l_elbow_flexion</translation>
     </message>
     <message>
-        <source>a name that is no text</source>
+        <source>a name that exists on the controller</source>
+        <translation>un nom défini sur le contrôleur</translation>
+    </message>
+    <message>
+        <source>a name that is not text</source>
         <translation>un nom qui n'est pas un texte</translation>
     </message>
     <message>
@@ -11007,8 +11011,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre supérieur à 0</translation>
     </message>
     <message>
+        <source>a number below %1, the number of vertices</source>
+        <translation>moins que les %1 sommets du fichier</translation>
+    </message>
+    <message>
         <source>a number of degrees</source>
         <translation>un nombre de degrés</translation>
+    </message>
+    <message>
+        <source>a number of joints that differs from the robot's</source>
+        <translation>des axes que le robot n'a pas</translation>
     </message>
     <message>
         <source>a number that is negative or not finite</source>
@@ -11047,10 +11059,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre ; l'équation a besoin de tous les champs</translation>
     </message>
     <message>
-        <source>a pair's rule</source>
-        <translation>une règle de paire</translation>
-    </message>
-    <message>
         <source>a pairing code</source>
         <translation>un code d'appairage</translation>
     </message>
@@ -11067,10 +11075,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>il manque une partie</translation>
     </message>
     <message>
-        <source>a part of %1 s to %2 s</source>
-        <translation>une partie de %1 s à %2 s</translation>
-    </message>
-    <message>
         <source>a part of it</source>
         <translation>une partie de ce texte</translation>
     </message>
@@ -11083,11 +11087,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un élément du paquet</translation>
     </message>
     <message>
-        <source>a part that is made from its sizes: a box, a table, a bench</source>
-        <translation>une pièce faite à partir de ses dimensions : un pavé, une table, un établi</translation>
-    </message>
-    <message>
-        <source>a part that the file still holds</source>
+        <source>a part that the file still has</source>
         <translation>une pièce encore présente dans le fichier</translation>
     </message>
     <message>
@@ -11095,7 +11095,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une trajectoire de moins de deux points</translation>
     </message>
     <message>
-        <source>a path of no length</source>
+        <source>a path of length zero</source>
         <translation>une trajectoire de longueur nulle</translation>
     </message>
     <message>
@@ -11107,27 +11107,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un tube, et non un fichier ordinaire</translation>
     </message>
     <message>
-        <source>a place below itself</source>
-        <translation>une place sous lui-même</translation>
-    </message>
-    <message>
-        <source>a place too far away</source>
-        <translation>une position trop éloignée</translation>
-    </message>
-    <message>
-        <source>a place within reach</source>
-        <translation>une position à portée</translation>
-    </message>
-    <message>
-        <source>a plane without end</source>
-        <translation>un plan infini</translation>
-    </message>
-    <message>
         <source>a point of the path that is not finite</source>
         <translation>un point non fini de la trajectoire</translation>
     </message>
     <message>
-        <source>a point that is no map</source>
+        <source>a point that is not a map</source>
         <translation>un point qui n'est pas une table</translation>
     </message>
     <message>
@@ -11151,11 +11135,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>une pose de '%1'</translation>
     </message>
     <message>
-        <source>a pose that is not one</source>
-        <translation>une pose qui n'en est pas une</translation>
+        <source>a pose that can be resolved</source>
+        <translation>une pose qui peut être déterminée</translation>
     </message>
     <message>
-        <source>a pose that moves while the joints stand</source>
+        <source>a pose that changes while the joints do not</source>
         <translation>une pose qui bouge alors que les axes sont immobiles</translation>
     </message>
     <message>
@@ -11163,24 +11147,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>une position à %1 du centre de l'espace de travail</translation>
     </message>
     <message>
-        <source>a position by a register</source>
+        <source>a position from a register</source>
         <translation>une position donnée par un registre</translation>
+    </message>
+    <message>
+        <source>a position that is too far away</source>
+        <translation>une position trop éloignée</translation>
     </message>
     <message>
         <source>a position within the joint's limits</source>
         <translation>une position dans les limites de l'axe</translation>
-    </message>
-    <message>
-        <source>a positive one</source>
-        <translation>une valeur positive</translation>
-    </message>
-    <message>
-        <source>a positive one, at most ten million frames</source>
-        <translation>une valeur positive, dix millions d'images au plus</translation>
-    </message>
-    <message>
-        <source>a positive velocity and acceleration for each of %1 axes</source>
-        <translation>une vitesse et une accélération positives pour chacun des %1 axes</translation>
     </message>
     <message>
         <source>a posture</source>
@@ -11195,15 +11171,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>une puissance trop grande</translation>
     </message>
     <message>
-        <source>a printable name of 1 to 200 letters</source>
+        <source>a printable name of 1 to 200 characters</source>
         <translation>un nom imprimable de 1 à 200 lettres</translation>
     </message>
     <message>
-        <source>a program as text</source>
+        <source>a prismatic joint without limits</source>
+        <translation>une glissière sans butées</translation>
+    </message>
+    <message>
+        <source>a program in text format</source>
         <translation>un programme en texte</translation>
     </message>
     <message>
-        <source>a program that comes to an end</source>
+        <source>a program that ends</source>
         <translation>un programme qui se termine</translation>
     </message>
     <message>
@@ -11231,6 +11211,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>un quaternion w, x, y, z de norme 1</translation>
     </message>
     <message>
+        <source>a range that leaves at least one frame</source>
+        <translation>des images qui en laissent au moins une</translation>
+    </message>
+    <message>
+        <source>a range within %1 s to %2 s</source>
+        <translation>une partie de %1 s à %2 s</translation>
+    </message>
+    <message>
         <source>a ratio and an offset</source>
         <translation>un rapport et un décalage</translation>
     </message>
@@ -11251,12 +11239,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>une session enregistrée</translation>
     </message>
     <message>
+        <source>a recovery copy that can be moved</source>
+        <translation>une copie qui peut être déplacée</translation>
+    </message>
+    <message>
         <source>a reference or count beyond the end of the file's data</source>
         <translation>un renvoi ou un nombre d'éléments au-delà de ce que le fichier contient</translation>
     </message>
     <message>
         <source>a reference to something that is not in the file</source>
         <translation>un renvoi à quelque chose qui n'est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>a road</source>
+        <translation>une bande le long de points</translation>
     </message>
     <message>
         <source>a robot</source>
@@ -11283,10 +11279,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un robot avec un segment mobile</translation>
     </message>
     <message>
-        <source>a robot's trajectory</source>
-        <translation>la trajectoire d'un robot</translation>
-    </message>
-    <message>
         <source>a robot, which can have a tool</source>
         <translation>un robot, qui peut avoir un outil</translation>
     </message>
@@ -11303,15 +11295,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>un robot.toml</translation>
     </message>
     <message>
+        <source>a saved simulation state; the models are placed as described</source>
+        <translation>des positions enregistrées pendant une simulation ; les modèles sont placés là où ils sont décrits</translation>
+    </message>
+    <message>
         <source>a scene without nodes</source>
         <translation>une scène sans nœuds</translation>
     </message>
     <message>
-        <source>a screw without pitch</source>
+        <source>a screw joint without pitch</source>
         <translation>une vis sans pas</translation>
     </message>
     <message>
-        <source>a search, which ends where a signal comes; it is read to its end point.</source>
+        <source>a search, which stops at a signal; it is read up to its end point.</source>
         <translation>une recherche, qui s'arrête à un signal ; elle est lue jusqu'à son point final.</translation>
     </message>
     <message>
@@ -11321,10 +11317,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a second document</source>
         <translation>un second document</translation>
-    </message>
-    <message>
-        <source>a second element %1</source>
-        <translation>un deuxième élément %1</translation>
     </message>
     <message>
         <source>a second joint '%1' (the first is on %2)</source>
@@ -11337,10 +11329,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a second link '%1' (the first is on %2)</source>
         <translation>un second segment '%1' (le premier : %2)</translation>
-    </message>
-    <message>
-        <source>a second one of that name</source>
-        <translation>un deuxième élément de ce nom</translation>
     </message>
     <message>
         <source>a second right hand in the same step</source>
@@ -11359,20 +11347,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>une forme</translation>
     </message>
     <message>
-        <source>a shape given by a function</source>
-        <translation>une forme donnée par une fonction</translation>
-    </message>
-    <message>
-        <source>a shape of the kind it has</source>
-        <translation>une forme du même type</translation>
-    </message>
-    <message>
-        <source>a shape whose box is off by %1 m</source>
+        <source>a shape with a bounding box that differs by %1 m</source>
         <translation>une forme dont la boîte englobante s'écarte de %1 m</translation>
     </message>
     <message>
         <source>a shift by %1</source>
         <translation>un décalage de %1</translation>
+    </message>
+    <message>
+        <source>a shortened list</source>
+        <translation>une liste tronquée</translation>
     </message>
     <message>
         <source>a shorter list</source>
@@ -11389,6 +11373,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a simulated device</source>
         <translation>un périphérique simulé</translation>
+    </message>
+    <message>
+        <source>a single frame, or frames that the file defines</source>
+        <translation>un seul repère, ou des repères dont le fichier donne la pose</translation>
     </message>
     <message>
         <source>a skeleton</source>
@@ -11415,10 +11403,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>une tranche de pas 0</translation>
     </message>
     <message>
-        <source>a slide without limits</source>
-        <translation>une glissière sans butées</translation>
-    </message>
-    <message>
         <source>a smaller one</source>
         <translation>un plus petit</translation>
     </message>
@@ -11435,7 +11419,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un solide</translation>
     </message>
     <message>
-        <source>a speed above 0, friction not below 0</source>
+        <source>a speed above 0 and a friction of 0 or more</source>
         <translation>une vitesse supérieure à 0, un frottement au moins égal à 0</translation>
     </message>
     <message>
@@ -11447,8 +11431,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>une spline ; elle est lue comme des droites entre ses points.</translation>
     </message>
     <message>
-        <source>a start or end speed that no motion within the limits has</source>
+        <source>a start or end speed that the limits do not allow</source>
         <translation>une vitesse de départ ou d'arrivée qu'aucun mouvement dans les limites n'atteint</translation>
+    </message>
+    <message>
+        <source>a step above 0 that gives at most 10 million frames</source>
+        <translation>une valeur positive, dix millions d'images au plus</translation>
+    </message>
+    <message>
+        <source>a step of %1 s for a motion of %2 s</source>
+        <translation>%1 s pour %2 s</translation>
     </message>
     <message>
         <source>a stiffness, damping or load that is negative, not finite or too large</source>
@@ -11457,10 +11449,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a stop out of range</source>
         <translation>une butée hors limites</translation>
-    </message>
-    <message>
-        <source>a strip along points</source>
-        <translation>une bande le long de points</translation>
     </message>
     <message>
         <source>a table</source>
@@ -11483,11 +11471,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>une table de marqueurs pour un squelette</translation>
     </message>
     <message>
-        <source>a target before it</source>
+        <source>a target before the arc</source>
         <translation>une cible avant lui</translation>
     </message>
     <message>
-        <source>a target by %1</source>
+        <source>a target from %1</source>
         <translation>une cible donnée par %1</translation>
     </message>
     <message>
@@ -11503,7 +11491,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une cible qui n'est ni p[...] ni six axes</translation>
     </message>
     <message>
-        <source>a target that is no robtarget or jointtarget</source>
+        <source>a target that is not a robtarget or jointtarget</source>
         <translation>une cible qui n'est ni robtarget ni jointtarget</translation>
     </message>
     <message>
@@ -11511,11 +11499,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>une cible qui n'est pas finie</translation>
     </message>
     <message>
-        <source>a target that the file gives</source>
+        <source>a target that the file defines</source>
         <translation>une cible que le fichier donne</translation>
     </message>
     <message>
-        <source>a target that the file gives, as moves follow it</source>
+        <source>a target that the file defines, because moves follow</source>
         <translation>une cible que le fichier donne, car des mouvements la suivent</translation>
     </message>
     <message>
@@ -11563,12 +11551,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un texte, un nombre ou une liste</translation>
     </message>
     <message>
-        <source>a time after that of the row before, %1 s</source>
+        <source>a time after that of the line before, %1 s</source>
         <translation>un temps après celui de la ligne précédente, %1 s</translation>
     </message>
     <message>
         <source>a time after the one before, %1 s</source>
         <translation>un temps après le précédent, %1 s</translation>
+    </message>
+    <message>
+        <source>a time between the first and the last frame</source>
+        <translation>un temps entre la première et la dernière image</translation>
     </message>
     <message>
         <source>a time of %1 s</source>
@@ -11579,12 +11571,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un temps de 0 s ou plus</translation>
     </message>
     <message>
-        <source>a time that is no whole number</source>
+        <source>a time that is not a whole number</source>
         <translation>un temps qui n'est pas un nombre entier</translation>
     </message>
     <message>
-        <source>a time that is not after the one before</source>
+        <source>a time that is not after the time before</source>
         <translation>un instant qui n'est pas postérieur au précédent</translation>
+    </message>
+    <message>
+        <source>a time without a frame</source>
+        <translation>un autre temps</translation>
     </message>
     <message>
         <source>a time_from_start of %1 s</source>
@@ -11595,15 +11591,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>une qui bouge</translation>
     </message>
     <message>
-        <source>a tolerance that is no length</source>
-        <translation>une tolérance qui n'est pas une longueur</translation>
-    </message>
-    <message>
         <source>a tool of '%1'</source>
         <translation>un outil de '%1'</translation>
     </message>
     <message>
-        <source>a tool that moves, for a constant speed of it</source>
+        <source>a tool that moves, because its speed is to be constant</source>
         <translation>un outil qui bouge, pour qu'il ait une vitesse constante</translation>
     </message>
     <message>
@@ -11663,6 +11655,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une valeur</translation>
     </message>
     <message>
+        <source>a value above 0</source>
+        <translation>une valeur positive</translation>
+    </message>
+    <message>
         <source>a value after the option</source>
         <translation>une valeur à la suite</translation>
     </message>
@@ -11699,11 +11695,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>une valeur qui n'est pas dans la liste</translation>
     </message>
     <message>
-        <source>a value that the file does not give</source>
+        <source>a value that the file does not define</source>
         <translation>une valeur que le fichier ne donne pas</translation>
     </message>
     <message>
-        <source>a vertex number (1 is the first, -1 the last so far)</source>
+        <source>a velocity and an acceleration above 0 for each of %1 axes</source>
+        <translation>une vitesse et une accélération positives pour chacun des %1 axes</translation>
+    </message>
+    <message>
+        <source>a vertex number (1: the first, -1: the last one so far)</source>
         <translation>un numéro de sommet (1 pour le premier, -1 pour le dernier lu)</translation>
     </message>
     <message>
@@ -11715,8 +11715,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un sommet au-delà du dernier des %1</translation>
     </message>
     <message>
+        <source>a vertex with %1</source>
+        <translation>sommet avec %1</translation>
+    </message>
+    <message>
         <source>a vertex with fewer than three coordinates</source>
         <translation>un sommet de moins de trois coordonnées</translation>
+    </message>
+    <message>
+        <source>a vertex with the coordinate %1</source>
+        <translation>sommet avec la coordonnée %1</translation>
     </message>
     <message>
         <source>a video file that can be written</source>
@@ -11735,12 +11743,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre entier au-delà de 64 bits</translation>
     </message>
     <message>
-        <source>a whole number from 1</source>
-        <translation>un nombre entier à partir de 1</translation>
-    </message>
-    <message>
         <source>a whole number, %1 to %2</source>
         <translation>un nombre entier de %1 à %2</translation>
+    </message>
+    <message>
+        <source>a whole number, 1 or more</source>
+        <translation>un nombre entier à partir de 1</translation>
     </message>
     <message>
         <source>a workcell document</source>
@@ -11791,12 +11799,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>âge : médiane %1 ms, 99e centile %2 ms ; %3</translation>
     </message>
     <message>
-        <source>all is read as solid bodies</source>
+        <source>all parts are read as rigid bodies</source>
         <translation>tout est lu comme des corps solides</translation>
     </message>
     <message>
-        <source>all that was packed</source>
-        <translation>tout ce qui a été archivé</translation>
+        <source>all positions</source>
+        <translation>toutes les positions</translation>
     </message>
     <message>
         <source>all triangles have zero area</source>
@@ -11859,36 +11867,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>une adresse joignable par d'autres machines, où n'importe qui pourrait prendre le stylet</translation>
     </message>
     <message>
-        <source>an angle up to 100 rad</source>
+        <source>an angle above 0, at most 100 rad</source>
         <translation>un angle de 100 rad au plus</translation>
     </message>
     <message>
-        <source>an arc from a place that is not known</source>
+        <source>an animated actor</source>
+        <translation>un personnage animé par un script</translation>
+    </message>
+    <message>
+        <source>an arc from an unknown position</source>
         <translation>un arc depuis une position inconnue</translation>
     </message>
     <message>
-        <source>an arc of no or many turns</source>
-        <translation>un arc d'angle nul ou de trop de tours</translation>
-    </message>
-    <message>
-        <source>an arc or spline by single points; it is read as straight lines between them.</source>
+        <source>an arc or spline with one point per line; it is read as straight lines between the points.</source>
         <translation>un arc ou une spline par points isolés ; lu comme des droites entre eux.</translation>
     </message>
     <message>
-        <source>an arc whose three points lie on one line, or in another order</source>
+        <source>an arc with an angle of zero or of too many turns</source>
+        <translation>un arc d'angle nul ou de trop de tours</translation>
+    </message>
+    <message>
+        <source>an arc with three points on a line or in the wrong order</source>
         <translation>un arc dont les trois points sont alignés, ou dans un autre ordre</translation>
     </message>
     <message>
-        <source>an arc without known points</source>
+        <source>an arc with undefined points</source>
         <translation>un arc sans points connus</translation>
     </message>
     <message>
-        <source>an archive that is whole</source>
-        <translation>une archive complète</translation>
-    </message>
-    <message>
-        <source>an argument that is left out</source>
-        <translation>un argument omis</translation>
+        <source>an assembly inside itself</source>
+        <translation>une place sous lui-même</translation>
     </message>
     <message>
         <source>an attempt</source>
@@ -11911,28 +11919,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>un élément 'vertex' avec x, y et z</translation>
     </message>
     <message>
+        <source>an element beyond the end of the list</source>
+        <translation>un élément que la liste n'a pas</translation>
+    </message>
+    <message>
         <source>an element inside of the call for each block</source>
         <translation>un élément dans l'appel pour chaque bloc</translation>
     </message>
     <message>
-        <source>an element of '%1' that has no value</source>
-        <translation>un élément de '%1' qui n'a pas de valeur</translation>
-    </message>
-    <message>
-        <source>an element that is neither true nor false</source>
+        <source>an element that is not true or false</source>
         <translation>un élément qui n'est ni true ni false</translation>
-    </message>
-    <message>
-        <source>an element that the list does not have</source>
-        <translation>un élément que la liste n'a pas</translation>
     </message>
     <message>
         <source>an element with more than %1 attributes</source>
         <translation>un élément de plus de %1 attributs</translation>
     </message>
     <message>
-        <source>an empty %1</source>
-        <translation>un %1 vide</translation>
+        <source>an empty &lt;geometry&gt;</source>
+        <translation>un &lt;geometry&gt; vide</translation>
     </message>
     <message>
         <source>an empty file</source>
@@ -11947,20 +11951,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>il n'y a pas d'image</translation>
     </message>
     <message>
-        <source>an endless first line</source>
-        <translation>une première ligne sans fin</translation>
+        <source>an endless loop</source>
+        <translation>une boucle sans fin</translation>
     </message>
     <message>
         <source>an entity (the workcell is empty)</source>
         <translation>une entité (la cellule est vide)</translation>
     </message>
     <message>
-        <source>an entity and a link of it</source>
-        <translation>une entité et un de ses segments</translation>
-    </message>
-    <message>
         <source>an entity of the cell</source>
         <translation>une entité de la cellule</translation>
+    </message>
+    <message>
+        <source>an entity of the document</source>
+        <translation>une entité du document</translation>
     </message>
     <message>
         <source>an entity of the workcell</source>
@@ -11977,6 +11981,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an even width and height</source>
         <translation>une largeur et une hauteur paires</translation>
+    </message>
+    <message>
+        <source>an exact copy</source>
+        <translation>une copie de celui-ci</translation>
+    </message>
+    <message>
+        <source>an existing entity or link</source>
+        <translation>une entité et un de ses segments</translation>
     </message>
     <message>
         <source>an existing folder</source>
@@ -12003,12 +12015,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>une expression de plus de 64 ko</translation>
     </message>
     <message>
-        <source>an expression of too many brackets</source>
+        <source>an expression that ends too early</source>
+        <translation>une expression qui se termine trop tôt</translation>
+    </message>
+    <message>
+        <source>an expression with too many brackets</source>
         <translation>une expression avec trop de parenthèses</translation>
     </message>
     <message>
-        <source>an expression that ends too early</source>
-        <translation>une expression qui se termine trop tôt</translation>
+        <source>an extruded outline</source>
+        <translation>un contour extrudé</translation>
+    </message>
+    <message>
+        <source>an implicit shape</source>
+        <translation>une forme donnée par une fonction</translation>
     </message>
     <message>
         <source>an increased risk for some</source>
@@ -12027,12 +12047,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>un indice valable</translation>
     </message>
     <message>
+        <source>an infinite plane</source>
+        <translation>un plan infini</translation>
+    </message>
+    <message>
         <source>an integer type for the list's length</source>
         <translation>un type entier pour la longueur de la liste</translation>
     </message>
     <message>
+        <source>an invalid FOR</source>
+        <translation>un FOR qui n'est pas compris</translation>
+    </message>
+    <message>
         <source>an invalid answer of the importer</source>
         <translation>une réponse de l'importateur qui n'est pas valable</translation>
+    </message>
+    <message>
+        <source>an invalid frame</source>
+        <translation>un repère qui n'est pas compris</translation>
     </message>
     <message>
         <source>an invalid length</source>
@@ -12045,6 +12077,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an invalid number in the expression</source>
         <translation>un nombre mal écrit dans l'expression</translation>
+    </message>
+    <message>
+        <source>an invalid origin (&quot;%1&quot;)</source>
+        <translation>une origine qui n'est pas une pose (&quot;%1&quot;)</translation>
     </message>
     <message>
         <source>an invalid placement</source>
@@ -12061,6 +12097,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an invalid radius</source>
         <translation>un rayon qui n'est pas valable</translation>
+    </message>
+    <message>
+        <source>an invalid tolerance</source>
+        <translation>une tolérance qui n'est pas une longueur</translation>
     </message>
     <message>
         <source>an invalid transform</source>
@@ -12095,28 +12135,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>des axes qui se suivent</translation>
     </message>
     <message>
-        <source>an operator '%1' between lists</source>
-        <translation>un opérateur '%1' entre des listes</translation>
-    </message>
-    <message>
-        <source>an operator '%1' of a list</source>
-        <translation>un opérateur '%1' sur une liste</translation>
-    </message>
-    <message>
-        <source>an operator '%1' that is not understood</source>
-        <translation>un opérateur '%1' qui n'est pas compris</translation>
-    </message>
-    <message>
         <source>an option that --help lists</source>
         <translation>l'une de celles que --help énumère</translation>
-    </message>
-    <message>
-        <source>an origin that is not a pose (&quot;%1&quot;)</source>
-        <translation>une origine qui n'est pas une pose (&quot;%1&quot;)</translation>
-    </message>
-    <message>
-        <source>an outline that is pulled up</source>
-        <translation>un contour extrudé</translation>
     </message>
     <message>
         <source>an undamaged %1 file</source>
@@ -12131,16 +12151,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>un maillage valide</translation>
     </message>
     <message>
+        <source>an undefined element of '%1'</source>
+        <translation>un élément de '%1' qui n'a pas de valeur</translation>
+    </message>
+    <message>
         <source>an unexpected error: %1</source>
         <translation>une erreur imprévue : %1</translation>
+    </message>
+    <message>
+        <source>an unexpected file</source>
+        <translation>un fichier qui n'a pas été archivé</translation>
+    </message>
+    <message>
+        <source>an unexpected or repeated file</source>
+        <translation>un fichier qui n'a pas été archivé, ou qui y est deux fois</translation>
     </message>
     <message>
         <source>an unknown compression</source>
         <translation>il est compressé d'une façon inconnue</translation>
     </message>
     <message>
+        <source>an unknown joint type</source>
+        <translation>un type d'axe inconnu</translation>
+    </message>
+    <message>
         <source>an unknown kind, or the gradient is missing</source>
         <translation>un type inconnu ou aucun gradient</translation>
+    </message>
+    <message>
+        <source>an unknown user</source>
+        <translation>quelqu'un</translation>
     </message>
     <message>
         <source>an unsupported picture format</source>
@@ -12163,6 +12203,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>les angles du mouvement sont en radians, comme l'indique l'AMC ; ceux du squelette ne le sont pas</translation>
     </message>
     <message>
+        <source>animation; all parts are shown at rest</source>
+        <translation>du mouvement ; tout est affiché au repos</translation>
+    </message>
+    <message>
         <source>another assembly</source>
         <translation>un autre assemblage</translation>
     </message>
@@ -12183,7 +12227,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une autre entité ou d'autres axes</translation>
     </message>
     <message>
-        <source>another entity to hang it on</source>
+        <source>another entity to attach it to</source>
         <translation>une autre entité à laquelle l'attacher</translation>
     </message>
     <message>
@@ -12195,16 +12239,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un autre axe</translation>
     </message>
     <message>
-        <source>another kind of thing</source>
+        <source>another kind of entity</source>
         <translation>un élément d'un autre type</translation>
     </message>
     <message>
         <source>another step</source>
         <translation>un autre pas</translation>
-    </message>
-    <message>
-        <source>another time</source>
-        <translation>un autre temps</translation>
     </message>
     <message>
         <source>another version</source>
@@ -12239,10 +12279,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>autant que dans l'enregistrement</translation>
     </message>
     <message>
-        <source>as many scenes as files</source>
-        <translation>autant de scènes que de fichiers</translation>
-    </message>
-    <message>
         <source>assembly '%1'</source>
         <translation>assemblage '%1'</translation>
     </message>
@@ -12255,7 +12291,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>à l'image %1</translation>
     </message>
     <message>
-        <source>at its beginning</source>
+        <source>at its start</source>
         <translation>à son début</translation>
     </message>
     <message>
@@ -12319,6 +12355,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>au moins deux</translation>
     </message>
     <message>
+        <source>at least two different frames</source>
+        <translation>des images qui se déplacent</translation>
+    </message>
+    <message>
         <source>at most %1</source>
         <translation>au plus %1</translation>
     </message>
@@ -12339,19 +12379,23 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus %1 niveaux</translation>
     </message>
     <message>
-        <source>at most %1 m, %2 rad</source>
+        <source>at most %1 m and %2 rad</source>
         <translation>au plus %1 m, %2 rad</translation>
     </message>
     <message>
-        <source>at most %1, as a job of INFORM can hold</source>
+        <source>at most %1, the limit of an INFORM job</source>
         <translation>au plus %1, ce qu'un job INFORM peut contenir</translation>
+    </message>
+    <message>
+        <source>at most %1, the number that fits the file size</source>
+        <translation>au plus les %1 que permet la longueur du fichier</translation>
     </message>
     <message>
         <source>at most 1 GB and 200 times the packed size</source>
         <translation>au plus 1 Go, et 200 fois sa propre taille</translation>
     </message>
     <message>
-        <source>at most 1, the newest that this program knows</source>
+        <source>at most 1, the newest version that this program can read</source>
         <translation>au plus 1, la plus récente que ce programme connaît</translation>
     </message>
     <message>
@@ -12369,6 +12413,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>at most 1e12 m</source>
         <translation>au plus 1e12 m</translation>
+    </message>
+    <message>
+        <source>at most 2 GB</source>
+        <translation>moins</translation>
     </message>
     <message>
         <source>at most 2 m/s</source>
@@ -12391,7 +12439,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus 4 Go, et 200 fois sa propre taille</translation>
     </message>
     <message>
-        <source>at most 50 within each other</source>
+        <source>at most 50 nested calls</source>
         <translation>au plus 50 imbriquées</translation>
     </message>
     <message>
@@ -12407,10 +12455,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus peak_force, %1</translation>
     </message>
     <message>
-        <source>at most the %1 that the file's length can hold</source>
-        <translation>au plus les %1 que permet la longueur du fichier</translation>
-    </message>
-    <message>
         <source>at work</source>
         <translation>au travail</translation>
     </message>
@@ -12421,10 +12465,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>axes</source>
         <translation>axes</translation>
-    </message>
-    <message>
-        <source>axes relative to a target that has none</source>
-        <translation>des axes relatifs à une cible qui n'en a pas</translation>
     </message>
     <message>
         <source>back</source>
@@ -12443,10 +12483,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>bash, zsh ou fish</translation>
     </message>
     <message>
-        <source>beams and balls</source>
-        <translation>des poutres et des billes</translation>
-    </message>
-    <message>
         <source>beginning</source>
         <translation>début</translation>
     </message>
@@ -12463,11 +12499,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>rayon de raccordement</translation>
     </message>
     <message>
-        <source>bodies for a simulation</source>
-        <translation>des corps pour une simulation</translation>
-    </message>
-    <message>
-        <source>bones and blends; the mesh is shown as modelled</source>
+        <source>bones and shape morphing; the mesh is shown as modelled</source>
         <translation>des os et des mélanges de formes ; le maillage est affiché tel que modélisé</translation>
     </message>
     <message>
@@ -12499,12 +12531,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>des articulations confondues</translation>
     </message>
     <message>
-        <source>box:, table:, fence: or another of them</source>
+        <source>box:, table:, fence: or another built-in part</source>
         <translation>box:, table:, fence: ou une autre pièce paramétrique</translation>
-    </message>
-    <message>
-        <source>boxes from a picture</source>
-        <translation>des pavés tirés d'une image</translation>
     </message>
     <message>
         <source>buffer %1</source>
@@ -12555,11 +12583,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>changée</translation>
     </message>
     <message>
-        <source>changes of shape; the mesh is shown as modelled</source>
-        <translation>des changements de forme ; le maillage est affiché tel que modélisé</translation>
-    </message>
-    <message>
-        <source>changes to the model that is taken in</source>
+        <source>changes to the included model</source>
         <translation>des changements du modèle inclus</translation>
     </message>
     <message>
@@ -12569,6 +12593,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>check cancelled</source>
         <translation>vérification interrompue</translation>
+    </message>
+    <message>
+        <source>check of the written program</source>
+        <translation>relecture</translation>
     </message>
     <message>
         <source>checked</source>
@@ -12647,16 +12675,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>contacts : %1</translation>
     </message>
     <message>
+        <source>content of an unknown type</source>
+        <translation>un contenu d'un type inconnu</translation>
+    </message>
+    <message>
         <source>content that is not of this format</source>
         <translation>un contenu qui n'est pas de ce format</translation>
     </message>
     <message>
-        <source>content that makes the reader crash</source>
-        <translation>un contenu qui bloque le lecteur</translation>
+        <source>content that makes the SDF library crash</source>
+        <translation>un contenu que la bibliothèque SDF ne parvient pas à lire</translation>
     </message>
     <message>
-        <source>content that the SDF library does not get through</source>
-        <translation>un contenu que la bibliothèque SDF ne parvient pas à lire</translation>
+        <source>content that makes the reader crash</source>
+        <translation>un contenu qui bloque le lecteur</translation>
     </message>
     <message>
         <source>counts that fit the file</source>
@@ -12695,7 +12727,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>des données impossibles à décompresser (%1)</translation>
     </message>
     <message>
-        <source>data that the database does not have</source>
+        <source>data that is not in the database</source>
         <translation>des données que la base de données n'a pas</translation>
     </message>
     <message>
@@ -12703,7 +12735,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>deg ou rad</translation>
     </message>
     <message>
-        <source>degrees, or a length</source>
+        <source>degrees or a length</source>
         <translation>des degrés, ou une longueur</translation>
     </message>
     <message>
@@ -12717,6 +12749,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>dict() of what are no pairs</source>
         <translation>dict() appliqué à autre chose que des paires</translation>
+    </message>
+    <message>
+        <source>different content</source>
+        <translation>d'autres octets</translation>
     </message>
     <message>
         <source>digit %1 (%2) is '%3'</source>
@@ -12795,6 +12831,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des éléments, macros ou expressions trop imbriqués</translation>
     </message>
     <message>
+        <source>endless jumps</source>
+        <translation>des sauts sans fin</translation>
+    </message>
+    <message>
         <source>enter the grip in Task data.</source>
         <translation>saisissez la prise dans Données de la tâche.</translation>
     </message>
@@ -12823,7 +12863,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>entité '%1'</translation>
     </message>
     <message>
-        <source>entity '%1' is packed without its file, which could not be read</source>
+        <source>entity '%1' is packed without its file, because the file could not be read</source>
         <translation>l'entité '%1' est archivée sans son fichier, qui n'a pas pu être lu</translation>
     </message>
     <message>
@@ -12831,7 +12871,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>entité '%1', segment '%2'</translation>
     </message>
     <message>
-        <source>entity '%1': its &quot;placement&quot; is not where it hangs on '%2'; it is placed where it hangs</source>
+        <source>entity '%1': its &quot;placement&quot; does not match its attachment to '%2'; the attachment is used</source>
         <translation>entité '%1' : son &quot;placement&quot; n'est pas là où elle est attachée à '%2' ; elle est placée là où elle est attachée</translation>
     </message>
     <message>
@@ -12839,12 +12879,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>entrée '%1'</translation>
     </message>
     <message>
-        <source>every position</source>
-        <translation>toutes les positions</translation>
+        <source>everything that was packed</source>
+        <translation>tout ce qui a été archivé</translation>
     </message>
     <message>
         <source>exact surfaces</source>
         <translation>des surfaces exactes</translation>
+    </message>
+    <message>
+        <source>exactly one robot in a URDF</source>
+        <translation>un seul, car un URDF n'en contient pas plus</translation>
     </message>
     <message>
         <source>excluded</source>
@@ -12883,10 +12927,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre plus petit</translation>
     </message>
     <message>
-        <source>fewer bytes</source>
-        <translation>moins d'octets</translation>
-    </message>
-    <message>
         <source>fewer levels</source>
         <translation>moins de niveaux</translation>
     </message>
@@ -12919,6 +12959,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>fichier manquant</translation>
     </message>
     <message>
+        <source>files in this folder cannot be locked</source>
+        <translation>aucun fichier ne peut y être verrouillé</translation>
+    </message>
+    <message>
         <source>files inside %1</source>
         <translation>des fichiers à l'intérieur de %1</translation>
     </message>
@@ -12943,7 +12987,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>des nombres finis et un quaternion unitaire</translation>
     </message>
     <message>
-        <source>finite numbers of a believable size</source>
+        <source>finite numbers of a plausible size</source>
         <translation>des nombres finis d'une grandeur vraisemblable</translation>
     </message>
     <message>
@@ -13039,10 +13083,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre d'images par seconde supérieur à 0</translation>
     </message>
     <message>
-        <source>frames that move</source>
-        <translation>des images qui se déplacent</translation>
-    </message>
-    <message>
         <source>frames: %1</source>
         <translation>images : %1</translation>
     </message>
@@ -13053,6 +13093,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>free space and permission to write the file</source>
         <translation>de l'espace libre et le droit d'écrire le fichier</translation>
+    </message>
+    <message>
+        <source>free space in the folder TMPDIR</source>
+        <translation>de l'espace libre dans le dossier TMPDIR</translation>
     </message>
     <message>
         <source>free space, and the name of a new or empty folder</source>
@@ -13091,10 +13135,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>grille</translation>
     </message>
     <message>
-        <source>ground from a picture</source>
-        <translation>un terrain tiré d'une image</translation>
-    </message>
-    <message>
         <source>guide %1</source>
         <translation>guide virtuel %1</translation>
     </message>
@@ -13113,10 +13153,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>hand:left or hand:right, and :SEX:PERCENTILE</source>
         <translation>hand:left ou hand:right, et :SEX:PERCENTILE</translation>
-    </message>
-    <message>
-        <source>hapticell-cli library lists them.</source>
-        <translation>Affichez-en la liste par hapticell-cli library.</translation>
     </message>
     <message>
         <source>hapticell-haptic-server --help lists the options.</source>
@@ -13203,6 +13239,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un contenu contradictoire (%1)</translation>
     </message>
     <message>
+        <source>increasing times in seconds</source>
+        <translation>des temps croissants, en s</translation>
+    </message>
+    <message>
         <source>int(&quot;%1&quot;)</source>
         <translation>int(&quot;%1&quot;)</translation>
     </message>
@@ -13213,6 +13253,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>invalid JSON</source>
         <translation>ce n'est pas du JSON</translation>
+    </message>
+    <message>
+        <source>invalid XML (%1)</source>
+        <translation>du XML qui n'est pas lisible (%1)</translation>
+    </message>
+    <message>
+        <source>invalid YAML</source>
+        <translation>pas du YAML</translation>
+    </message>
+    <message>
+        <source>invalid dimensions '%1'</source>
+        <translation>des dimensions inutilisables : '%1'</translation>
     </message>
     <message>
         <source>invalid number for '%1': '%2'</source>
@@ -13245,10 +13297,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>it belongs to user %1</source>
         <translation>il appartient à l'utilisateur %1</translation>
-    </message>
-    <message>
-        <source>it beside the other programs of HaptiCell</source>
-        <translation>ce programme à côté des autres programmes de HaptiCell</translation>
     </message>
     <message>
         <source>it cannot be loaded</source>
@@ -13319,10 +13367,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>il n'exporte pas de fonction hapticell_driver</translation>
     </message>
     <message>
-        <source>it hangs on more than %1 entities in a row</source>
-        <translation>elle est attachée à plus de %1 entités à la suite</translation>
-    </message>
-    <message>
         <source>it has closed loops</source>
         <translation>il a des boucles fermées</translation>
     </message>
@@ -13331,28 +13375,44 @@ Voulez-vous le remplacer ?</translation>
         <translation>elle n'a pas d'axes</translation>
     </message>
     <message>
+        <source>it has no model</source>
+        <translation>aucun modèle dans le fichier</translation>
+    </message>
+    <message>
+        <source>it has no part '%1'</source>
+        <translation>aucune pièce '%1' dans le fichier</translation>
+    </message>
+    <message>
         <source>it has no trunk to lock</source>
         <translation>elle n'a pas de tronc à verrouiller</translation>
     </message>
     <message>
-        <source>it is attached to '%1', link '%2', which is not there</source>
+        <source>it includes itself</source>
+        <translation>il s'inclut lui-même</translation>
+    </message>
+    <message>
+        <source>it is attached through a chain of more than %1 entities</source>
+        <translation>elle est attachée à plus de %1 entités à la suite</translation>
+    </message>
+    <message>
+        <source>it is attached to '%1', link '%2', which does not exist</source>
         <translation>elle est attachée à '%1', segment '%2', qui n'existe pas</translation>
     </message>
     <message>
-        <source>it is attached to '%1', which is not there</source>
+        <source>it is attached to '%1', which does not exist</source>
         <translation>elle est attachée à '%1', qui n'existe pas</translation>
     </message>
     <message>
-        <source>it is attached to itself by way of '%1'</source>
+        <source>it is attached to itself through '%1'</source>
         <translation>elle est attachée à elle-même par l'intermédiaire de '%1'</translation>
     </message>
     <message>
-        <source>it is coupled to '%1', which is not there</source>
+        <source>it is coupled to '%1', which does not exist</source>
         <translation>il est couplé à '%1', qui n'existe pas</translation>
     </message>
     <message>
-        <source>it is coupled to itself in a circle</source>
-        <translation>il est couplé à lui-même en boucle</translation>
+        <source>it is empty</source>
+        <translation>rien dedans</translation>
     </message>
     <message>
         <source>it is locked</source>
@@ -13363,52 +13423,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>valeur non donnée</translation>
     </message>
     <message>
+        <source>it is missing or has the wrong type</source>
+        <translation>absent, ou pas ce qui est attendu</translation>
+    </message>
+    <message>
         <source>it is missing or invalid</source>
         <translation>autre chose, ou rien</translation>
     </message>
     <message>
-        <source>it is no mechanism</source>
+        <source>it is not a mechanism</source>
         <translation>ce n'est pas un mécanisme</translation>
-    </message>
-    <message>
-        <source>it is no solid</source>
-        <translation>ce n'est pas un solide</translation>
     </message>
     <message>
         <source>it is not a robot</source>
         <translation>ce n'est pas un robot</translation>
     </message>
     <message>
+        <source>it is not a solid</source>
+        <translation>ce n'est pas un solide</translation>
+    </message>
+    <message>
         <source>it is not attached to anything that moves</source>
         <translation>elle ne repose sur rien de mobile</translation>
     </message>
     <message>
-        <source>it is not in the pack</source>
-        <translation>il n'est pas dans l'archive</translation>
-    </message>
-    <message>
-        <source>it is not there</source>
-        <translation>introuvable</translation>
-    </message>
-    <message>
-        <source>it is open in HaptiCell: %1</source>
-        <translation>il est ouvert dans HaptiCell : %1</translation>
-    </message>
-    <message>
         <source>it joins part '%1' to itself</source>
         <translation>il relie la pièce '%1' à elle-même</translation>
-    </message>
-    <message>
-        <source>it lies outside of the pack</source>
-        <translation>il se trouve en dehors de l'archive</translation>
-    </message>
-    <message>
-        <source>it makes the pack larger than 2 GB</source>
-        <translation>avec lui, l'archive dépasse 2 Go</translation>
-    </message>
-    <message>
-        <source>it names the link '%1', which is not in the model</source>
-        <translation>il cite le segment '%1', qui n'est pas dans le modèle</translation>
     </message>
     <message>
         <source>it needs a good, fair or poor grip.</source>
@@ -13431,10 +13471,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>il ne prend plus d'images</translation>
     </message>
     <message>
-        <source>it takes itself in</source>
-        <translation>il s'inclut lui-même</translation>
-    </message>
-    <message>
         <source>it was built for another version of HaptiCell's driver interface</source>
         <translation>il a été compilé pour une autre version de l'interface de pilote de HaptiCell</translation>
     </message>
@@ -13443,24 +13479,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>son fichier *.hexercise à côté des résultats</translation>
     </message>
     <message>
-        <source>its colours are missing: the material file %1 is not beside it</source>
+        <source>its colours are missing: the material file %1 is not in the same folder</source>
         <translation>ses couleurs manquent : le fichier de matériaux %1 n'est pas à côté de lui</translation>
+    </message>
+    <message>
+        <source>its coupling leads back to itself</source>
+        <translation>il est couplé à lui-même en boucle</translation>
     </message>
     <message>
         <source>its file cannot be read</source>
         <translation>son fichier ne peut pas être lu</translation>
     </message>
     <message>
-        <source>its lower limit %1 is over the upper %2</source>
+        <source>its link '%1' is not in the model</source>
+        <translation>il cite le segment '%1', qui n'est pas dans le modèle</translation>
+    </message>
+    <message>
+        <source>its lower limit %1 is above its upper limit %2</source>
         <translation>sa butée inférieure %1 dépasse la butée supérieure %2</translation>
     </message>
     <message>
-        <source>its name is there twice</source>
+        <source>its name is used twice</source>
         <translation>son nom apparaît deux fois</translation>
-    </message>
-    <message>
-        <source>its number on the controller, %1 to %2</source>
-        <translation>son numéro sur le contrôleur, de %1 à %2</translation>
     </message>
     <message>
         <source>join() of %1</source>
@@ -13475,8 +13515,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>axe '%1'</translation>
     </message>
     <message>
-        <source>joint '%1' has its lower limit over the upper</source>
+        <source>joint '%1' has a lower limit above its upper limit</source>
         <translation>la butée inférieure de l'axe '%1' dépasse la butée supérieure</translation>
+    </message>
+    <message>
+        <source>joint '%1' has no child link</source>
+        <translation>l'axe '%1' ne cite pas de segment enfant</translation>
+    </message>
+    <message>
+        <source>joint '%1' has no parent link</source>
+        <translation>l'axe '%1' ne cite pas de segment parent</translation>
     </message>
     <message>
         <source>joint '%1' has the axis &quot;%2&quot;</source>
@@ -13487,16 +13535,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'axe '%1' est de type '%2'</translation>
     </message>
     <message>
-        <source>joint '%1' mimics itself in a circle</source>
+        <source>joint '%1' mimics itself through other joints</source>
         <translation>l'axe '%1' se suit lui-même en boucle</translation>
-    </message>
-    <message>
-        <source>joint '%1' names no child link</source>
-        <translation>l'axe '%1' ne cite pas de segment enfant</translation>
-    </message>
-    <message>
-        <source>joint '%1' names no parent link</source>
-        <translation>l'axe '%1' ne cite pas de segment parent</translation>
     </message>
     <message>
         <source>joint '%1' names the link '%2', which is not in the file</source>
@@ -13507,11 +13547,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>axe '%1' deux fois</translation>
     </message>
     <message>
-        <source>joint names of CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens or SMPL</source>
-        <translation>des articulations nommées comme par CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens ou SMPL</translation>
+        <source>joint names</source>
+        <translation>des noms d'axes</translation>
     </message>
     <message>
-        <source>joint names that are no list</source>
+        <source>joint names that are not a list</source>
         <translation>des noms d'axes qui ne sont pas une liste</translation>
     </message>
     <message>
@@ -13535,12 +13575,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>des axes seuls, sans poses</translation>
     </message>
     <message>
-        <source>joints</source>
-        <translation>axes</translation>
+        <source>joint values without poses, so the program has no targets</source>
+        <translation>des axes seuls, qui ne donnent pas de cibles à un programme</translation>
     </message>
     <message>
-        <source>joints alone, which give a program no targets</source>
-        <translation>des axes seuls, qui ne donnent pas de cibles à un programme</translation>
+        <source>joints</source>
+        <translation>axes</translation>
     </message>
     <message>
         <source>joints are left out; all parts are read as rigid bodies</source>
@@ -13551,28 +13591,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>des axes relatifs à la cible précédente</translation>
     </message>
     <message>
-        <source>joints that move while the tool stands</source>
+        <source>joints that move while the tool does not</source>
         <translation>des axes qui bougent alors que l'outil est immobile</translation>
     </message>
     <message>
-        <source>joints that move, for limits of theirs</source>
+        <source>joints that move, because their limits set the speed</source>
         <translation>des axes qui bougent, pour que leurs limites s'appliquent</translation>
-    </message>
-    <message>
-        <source>joints that the robot does not have</source>
-        <translation>des axes que le robot n'a pas</translation>
     </message>
     <message>
         <source>joints: %1</source>
         <translation>articulations : %1</translation>
     </message>
     <message>
-        <source>joints; all is read as solid bodies</source>
+        <source>joints; all parts are read as rigid bodies</source>
         <translation>des articulations ; tout est lu comme des corps solides</translation>
-    </message>
-    <message>
-        <source>jumps without end</source>
-        <translation>des sauts sans fin</translation>
     </message>
     <message>
         <source>keep or merge</source>
@@ -13639,7 +13671,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>omis, car avant la première cible connue : %1.</translation>
     </message>
     <message>
-        <source>left out, because they hold no shape: %1 nodes (%2)</source>
+        <source>left out, because they have no shape: %1 nodes (%2)</source>
         <translation>omis, faute de forme : %1 nœuds (%2)</translation>
     </message>
     <message>
@@ -13671,14 +13703,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des longueurs qui peuvent être assemblées</translation>
     </message>
     <message>
-        <source>less</source>
-        <translation>moins</translation>
-    </message>
-    <message>
-        <source>less than the %1 vertices of the file</source>
-        <translation>moins que les %1 sommets du fichier</translation>
-    </message>
-    <message>
         <source>less than the file's %1</source>
         <translation>moins que les %1 du fichier</translation>
     </message>
@@ -13703,11 +13727,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>limites dépassées : %1</translation>
     </message>
     <message>
-        <source>limits that are missing or not positive</source>
+        <source>limits that are missing or not above 0</source>
         <translation>des limites absentes ou non positives</translation>
     </message>
     <message>
-        <source>limits that are no numbers</source>
+        <source>limits that are not numbers</source>
         <translation>des butées qui ne sont pas des nombres</translation>
     </message>
     <message>
@@ -13731,7 +13755,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>ligne %1, colonnes qw,qx,qy,qz</translation>
     </message>
     <message>
-        <source>line %1: text that is no UTF-8; %2 bytes were taken for Latin-1</source>
+        <source>line %1: text that is not UTF-8; %2 bytes were read as Latin-1</source>
         <translation>ligne %1 : du texte qui n'est pas en UTF-8 ; %2 octets ont été lus comme du Latin-1</translation>
     </message>
     <message>
@@ -13739,7 +13763,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>des lignes seulement, ou un fichier manquant</translation>
     </message>
     <message>
-        <source>lines that run in their order</source>
+        <source>lines that run one after the other</source>
         <translation>des lignes exécutées dans leur ordre</translation>
     </message>
     <message>
@@ -13749,6 +13773,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>link '%1' does not move</source>
         <translation>le segment '%1' ne bouge pas</translation>
+    </message>
+    <message>
+        <source>link '%1' has different shapes</source>
+        <translation>un segment '%1' avec d'autres formes</translation>
     </message>
     <message>
         <source>link '%1' is the child of two joints, '%2' and '%3'</source>
@@ -13775,6 +13803,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des listes de longueurs différentes</translation>
     </message>
     <message>
+        <source>lists that contain themselves</source>
+        <translation>des listes imbriquées sans fin</translation>
+    </message>
+    <message>
         <source>loading…</source>
         <translation>chargement…</translation>
     </message>
@@ -13791,7 +13823,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>log() appliqué à %1</translation>
     </message>
     <message>
-        <source>loops and branches</source>
+        <source>loops and branches instead of jumps</source>
         <translation>des boucles et des branches</translation>
     </message>
     <message>
@@ -13875,10 +13907,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>mètre</translation>
     </message>
     <message>
-        <source>metres a turn, not 0</source>
-        <translation>des mètres par tour, différents de 0</translation>
-    </message>
-    <message>
         <source>metres above 0</source>
         <translation>des mètres, au-dessus de 0</translation>
     </message>
@@ -13901,6 +13929,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>metres or radians</source>
         <translation>des mètres ou des radians</translation>
+    </message>
+    <message>
+        <source>metres per turn, not 0</source>
+        <translation>des mètres par tour, différents de 0</translation>
     </message>
     <message>
         <source>metres per unit, 1e-9 to 1e9</source>
@@ -13987,19 +14019,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus de %1 Mo une fois décompressé</translation>
     </message>
     <message>
-        <source>more than %1 assemblies within each other</source>
-        <translation>plus de %1 assemblages les uns dans les autres</translation>
-    </message>
-    <message>
         <source>more than %1 instances</source>
         <translation>plus de %1 instances</translation>
+    </message>
+    <message>
+        <source>more than %1 nested assemblies</source>
+        <translation>plus de %1 assemblages les uns dans les autres</translation>
     </message>
     <message>
         <source>more than %1 nested levels</source>
         <translation>plus de %1 niveaux les uns sous les autres</translation>
     </message>
     <message>
-        <source>more than 100 blocks within each other</source>
+        <source>more than 100 nested blocks</source>
         <translation>plus de 100 blocs imbriqués</translation>
     </message>
     <message>
@@ -14015,7 +14047,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus de 2 000 000 de cibles</translation>
     </message>
     <message>
-        <source>more than 200 000 elements with all that it includes</source>
+        <source>more than 200 000 elements, including all included files</source>
         <translation>plus de 200 000 éléments avec tout ce qu'il inclut</translation>
     </message>
     <message>
@@ -14045,10 +14077,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>motion.path point %1</source>
         <translation>motion.path, point %1</translation>
-    </message>
-    <message>
-        <source>motion; all is shown at rest</source>
-        <translation>du mouvement ; tout est affiché au repos</translation>
     </message>
     <message>
         <source>motions</source>
@@ -14095,20 +14123,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>des noms d'entités de la cellule</translation>
     </message>
     <message>
-        <source>names of joints</source>
-        <translation>des noms d'axes</translation>
-    </message>
-    <message>
         <source>names of the robot's joints</source>
         <translation>les noms de ses axes</translation>
     </message>
     <message>
         <source>names of the robot's joints, or q1, q2, ...</source>
         <translation>les noms de ses axes, ou q1, q2, ...</translation>
-    </message>
-    <message>
-        <source>names that are all different</source>
-        <translation>des noms tous différents</translation>
     </message>
     <message>
         <source>near a singularity %1 would have to swing round</source>
@@ -14131,18 +14151,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>non</translation>
     </message>
     <message>
-        <source>no &quot;%1&quot;</source>
-        <translation>pas de &quot;%1&quot;</translation>
-    </message>
-    <message>
-        <source>no %1</source>
-        <translation>pas de %1</translation>
-    </message>
-    <message>
-        <source>no 'ply'</source>
-        <translation>pas de 'ply'</translation>
-    </message>
-    <message>
         <source>no --unit: robot files are in metres</source>
         <translation>pas d'unité : les fichiers de robots sont en mètres</translation>
     </message>
@@ -14155,27 +14163,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de &lt;model&gt;</translation>
     </message>
     <message>
-        <source>no &lt;robot&gt;</source>
-        <translation>pas de &lt;robot&gt;</translation>
-    </message>
-    <message>
-        <source>no &lt;sdf&gt;</source>
-        <translation>pas de &lt;sdf&gt;</translation>
-    </message>
-    <message>
-        <source>no DEF</source>
-        <translation>pas de DEF</translation>
-    </message>
-    <message>
-        <source>no HaptiCell trajectory</source>
-        <translation>pas une trajectoire HaptiCell</translation>
-    </message>
-    <message>
-        <source>no PROC</source>
-        <translation>pas de PROC</translation>
-    </message>
-    <message>
-        <source>no PROC with moves</source>
+        <source>no PROC has moves</source>
         <translation>pas de PROC avec des mouvements</translation>
     </message>
     <message>
@@ -14183,24 +14171,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas d'élément XML</translation>
     </message>
     <message>
-        <source>no YAML</source>
-        <translation>pas du YAML</translation>
-    </message>
-    <message>
         <source>no answer</source>
         <translation>pas de réponse</translation>
     </message>
     <message>
-        <source>no axis</source>
-        <translation>pas de direction d'axe</translation>
-    </message>
-    <message>
         <source>no body size</source>
         <translation>pas de taille</translation>
-    </message>
-    <message>
-        <source>no built-in part</source>
-        <translation>ce n'est pas une pièce paramétrique</translation>
     </message>
     <message>
         <source>no clearance</source>
@@ -14219,32 +14195,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>sans contact</translation>
     </message>
     <message>
-        <source>no counts</source>
-        <translation>pas de nombres d'éléments</translation>
-    </message>
-    <message>
         <source>no device</source>
         <translation>pas de périphérique</translation>
     </message>
     <message>
-        <source>no end of lists within lists</source>
-        <translation>des listes imbriquées sans fin</translation>
-    </message>
-    <message>
-        <source>no entity</source>
-        <translation>aucune entité</translation>
-    </message>
-    <message>
-        <source>no entity %1</source>
+        <source>no entity has the number %1</source>
         <translation>pas d'entité %1</translation>
-    </message>
-    <message>
-        <source>no entity '%1'</source>
-        <translation>pas d'entité '%1'</translation>
     </message>
     <message>
         <source>no entity is named '%1'</source>
         <translation>aucune entité ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>no entity with a shape</source>
+        <translation>rien qui ait une forme</translation>
     </message>
     <message>
         <source>no extension</source>
@@ -14255,10 +14219,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun champ n'a ce nom</translation>
     </message>
     <message>
-        <source>no file can be locked there</source>
-        <translation>aucun fichier ne peut y être verrouillé</translation>
-    </message>
-    <message>
         <source>no file is like %1</source>
         <translation>aucun fichier ne correspond à %1</translation>
     </message>
@@ -14267,11 +14227,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>non ret.</translation>
     </message>
     <message>
-        <source>no folder can be made beside it</source>
+        <source>no folder can be created next to it</source>
         <translation>aucun dossier ne peut être créé à côté</translation>
     </message>
     <message>
-        <source>no folder for temporary files can be made</source>
+        <source>no folder for temporary files can be created</source>
         <translation>aucun dossier temporaire ne peut être créé</translation>
     </message>
     <message>
@@ -14283,28 +14243,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>il n'y a pas de repère '%1' pour la déplacer</translation>
     </message>
     <message>
+        <source>no free space for a copy</source>
+        <translation>pas assez d'espace pour une copie</translation>
+    </message>
+    <message>
         <source>no further arguments</source>
         <translation>pas d'autres arguments</translation>
     </message>
     <message>
-        <source>no guide '%1'</source>
+        <source>no guide is named '%1'</source>
         <translation>pas de guide virtuel '%1'</translation>
-    </message>
-    <message>
-        <source>no instructions</source>
-        <translation>pas d'instructions</translation>
     </message>
     <message>
         <source>no joint connects it to the root link '%1'</source>
         <translation>aucune liaison ne le relie au segment racine '%1'</translation>
     </message>
     <message>
-        <source>no joint limits</source>
-        <translation>pas de limites pour les axes</translation>
+        <source>no joint is named '%1'</source>
+        <translation>il n'y a pas d'axe '%1'</translation>
     </message>
     <message>
-        <source>no joint names</source>
-        <translation>pas de noms d'axes</translation>
+        <source>no joint limits</source>
+        <translation>pas de limites pour les axes</translation>
     </message>
     <message>
         <source>no key %1 in the dictionary</source>
@@ -14323,28 +14283,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de ligne après l'en-tête</translation>
     </message>
     <message>
-        <source>no lines</source>
-        <translation>pas de lignes</translation>
-    </message>
-    <message>
-        <source>no link '%1'</source>
-        <translation>pas de segment '%1'</translation>
-    </message>
-    <message>
         <source>no link is named '%1'</source>
         <translation>aucun segment ne s'appelle '%1'</translation>
-    </message>
-    <message>
-        <source>no links</source>
-        <translation>aucun segment</translation>
-    </message>
-    <message>
-        <source>no list</source>
-        <translation>pas une liste</translation>
-    </message>
-    <message>
-        <source>no list of numbers</source>
-        <translation>pas une liste de nombres</translation>
     </message>
     <message>
         <source>no load is acceptable</source>
@@ -14359,12 +14299,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas un mannequin</translation>
     </message>
     <message>
-        <source>no mannequin '%1'</source>
-        <translation>pas de mannequin '%1'</translation>
-    </message>
-    <message>
         <source>no mannequin in the cell</source>
         <translation>pas de mannequin dans la cellule</translation>
+    </message>
+    <message>
+        <source>no mannequin is named '%1'</source>
+        <translation>pas de mannequin '%1'</translation>
     </message>
     <message>
         <source>no marker for %1</source>
@@ -14375,32 +14315,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun marqueur sur %1 selon les noms de %2 (les marqueurs sont %3)</translation>
     </message>
     <message>
-        <source>no memory to import into: %1</source>
+        <source>no memory for the import: %1</source>
         <translation>pas de mémoire pour l'importation : %1</translation>
     </message>
     <message>
-        <source>no mesh</source>
-        <translation>pas de maillage</translation>
+        <source>no mesh for the collision check</source>
+        <translation>rien avec quoi le contrôler</translation>
     </message>
     <message>
-        <source>no model</source>
-        <translation>aucun modèle</translation>
+        <source>no message of these types</source>
+        <translation>aucun message de ce type</translation>
     </message>
     <message>
-        <source>no model in it</source>
-        <translation>aucun modèle dans le fichier</translation>
-    </message>
-    <message>
-        <source>no more than the file's length can hold</source>
+        <source>no more than the file size allows</source>
         <translation>pas plus que la longueur du fichier ne permet</translation>
+    </message>
+    <message>
+        <source>no motion at start and end</source>
+        <translation>l'arrêt aux deux extrémités</translation>
     </message>
     <message>
         <source>no motion is switched on</source>
         <translation>rien qui soit joué</translation>
-    </message>
-    <message>
-        <source>no moves</source>
-        <translation>pas de mouvements</translation>
     </message>
     <message>
         <source>no moving joint is named '%1'</source>
@@ -14415,7 +14351,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucune option ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no pair set '%1'</source>
+        <source>no pair set is named '%1'</source>
         <translation>pas de jeu de paires '%1'</translation>
     </message>
     <message>
@@ -14423,20 +14359,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas un code d'appairage</translation>
     </message>
     <message>
-        <source>no part '%1'</source>
-        <translation>aucune pièce '%1'</translation>
-    </message>
-    <message>
         <source>no part '%1' in %2</source>
         <translation>pas de pièce '%1' dans %2</translation>
     </message>
     <message>
-        <source>no part '%1' in it</source>
-        <translation>aucune pièce '%1' dans le fichier</translation>
-    </message>
-    <message>
-        <source>no parts</source>
-        <translation>aucune pièce</translation>
+        <source>no part is named '%1'</source>
+        <translation>aucune pièce '%1'</translation>
     </message>
     <message>
         <source>no parts to move</source>
@@ -14451,26 +14379,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de points</translation>
     </message>
     <message>
-        <source>no regular file</source>
-        <translation>ce n'est pas un fichier ordinaire</translation>
-    </message>
-    <message>
-        <source>no robot</source>
-        <translation>aucun robot</translation>
-    </message>
-    <message>
-        <source>no robot of that name is built in</source>
-        <translation>aucun robot de ce nom n'est fourni</translation>
-    </message>
-    <message>
-        <source>no room for a copy</source>
-        <translation>pas assez d'espace pour une copie</translation>
-    </message>
-    <message>
-        <source>no row behind the header</source>
-        <translation>pas de ligne après l'en-tête</translation>
-    </message>
-    <message>
         <source>no shape</source>
         <translation>aucune forme</translation>
     </message>
@@ -14479,7 +14387,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de forme à l'intérieur</translation>
     </message>
     <message>
-        <source>no shape with an area</source>
+        <source>no shape with an area above 0</source>
         <translation>aucune forme ayant une surface</translation>
     </message>
     <message>
@@ -14495,15 +14403,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>cette colonne n'existe pas</translation>
     </message>
     <message>
-        <source>no such message</source>
-        <translation>aucun message de ce type</translation>
-    </message>
-    <message>
-        <source>no surface</source>
-        <translation>aucune surface</translation>
-    </message>
-    <message>
-        <source>no table that says how it moves</source>
+        <source>no table defines how the robot moves</source>
         <translation>aucune table qui décrit sa cinématique</translation>
     </message>
     <message>
@@ -14511,40 +14411,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de cible</translation>
     </message>
     <message>
-        <source>no task '%1'</source>
+        <source>no task is named '%1'</source>
         <translation>pas de tâche '%1'</translation>
-    </message>
-    <message>
-        <source>no text</source>
-        <translation>aucun texte</translation>
     </message>
     <message>
         <source>no ticks</source>
         <translation>aucun cycle</translation>
     </message>
     <message>
-        <source>no tool '%1'</source>
+        <source>no tool is named '%1'</source>
         <translation>pas d'outil '%1'</translation>
     </message>
     <message>
-        <source>no training session</source>
-        <translation>pas une session d'entraînement</translation>
-    </message>
-    <message>
-        <source>no trajectory '%1'</source>
+        <source>no trajectory is named '%1'</source>
         <translation>pas de trajectoire '%1'</translation>
     </message>
     <message>
-        <source>no triangles</source>
-        <translation>aucun triangle</translation>
-    </message>
-    <message>
-        <source>no version number</source>
-        <translation>ce n'est pas un numéro de version</translation>
-    </message>
-    <message>
-        <source>no vertices</source>
-        <translation>aucun sommet</translation>
+        <source>no unit: robot files are in metres</source>
+        <translation>aucune : les fichiers de robots sont en mètres</translation>
     </message>
     <message>
         <source>node %1</source>
@@ -14575,16 +14459,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>rien à proximité</translation>
     </message>
     <message>
-        <source>none, or not what it should be</source>
-        <translation>absent, ou pas ce qui est attendu</translation>
-    </message>
-    <message>
         <source>none, or one of !degrees, !radians, !meters, !millimeters, !foot, !inches</source>
         <translation>aucune, ou une parmi !degrees, !radians, !meters, !millimeters, !foot, !inches</translation>
-    </message>
-    <message>
-        <source>none: robot files are in metres</source>
-        <translation>aucune : les fichiers de robots sont en mètres</translation>
     </message>
     <message>
         <source>none; e.g. %1</source>
@@ -14595,12 +14471,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas 22 nombres de gain et 22 de décalage</translation>
     </message>
     <message>
+        <source>not a HaptiCell trajectory</source>
+        <translation>pas une trajectoire HaptiCell</translation>
+    </message>
+    <message>
         <source>not a JSON object</source>
         <translation>pas d'objet JSON</translation>
     </message>
     <message>
         <source>not a ZIP archive</source>
         <translation>ce n'est pas une archive ZIP</translation>
+    </message>
+    <message>
+        <source>not a built-in part</source>
+        <translation>ce n'est pas une pièce paramétrique</translation>
+    </message>
+    <message>
+        <source>not a list</source>
+        <translation>pas une liste</translation>
+    </message>
+    <message>
+        <source>not a list of numbers</source>
+        <translation>pas une liste de nombres</translation>
     </message>
     <message>
         <source>not a list of three numbers</source>
@@ -14621,6 +14513,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>not a table</source>
         <translation>pas une table</translation>
+    </message>
+    <message>
+        <source>not a training session</source>
+        <translation>pas une session d'entraînement</translation>
     </message>
     <message>
         <source>not a unit quaternion</source>
@@ -14655,16 +14551,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>non vérifié</translation>
     </message>
     <message>
-        <source>not done after %1 s</source>
-        <translation>pas terminé après %1 s</translation>
-    </message>
-    <message>
         <source>not enough memory</source>
         <translation>pas assez de mémoire</translation>
     </message>
     <message>
         <source>not enough memory for the text of the file</source>
         <translation>pas assez de place pour son texte</translation>
+    </message>
+    <message>
+        <source>not enough memory for this file</source>
+        <translation>la mémoire est insuffisante</translation>
     </message>
     <message>
         <source>not enough memory or disk space to transfer the result</source>
@@ -14679,10 +14575,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>valeur non donnée</translation>
     </message>
     <message>
-        <source>not known to this reader</source>
-        <translation>inconnu de ce lecteur</translation>
-    </message>
-    <message>
         <source>not needed</source>
         <translation>inutile</translation>
     </message>
@@ -14695,24 +14587,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas encore enregistrée</translation>
     </message>
     <message>
+        <source>not supported by this reader</source>
+        <translation>inconnu de ce lecteur</translation>
+    </message>
+    <message>
         <source>not two numbers</source>
         <translation>pas deux nombres</translation>
     </message>
     <message>
         <source>nothing</source>
         <translation>rien</translation>
-    </message>
-    <message>
-        <source>nothing in it</source>
-        <translation>rien dedans</translation>
-    </message>
-    <message>
-        <source>nothing that has a shape</source>
-        <translation>rien qui ait une forme</translation>
-    </message>
-    <message>
-        <source>nothing to check it by</source>
-        <translation>rien avec quoi le contrôler</translation>
     </message>
     <message>
         <source>now</source>
@@ -14731,12 +14615,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>des sommets du maillage</translation>
     </message>
     <message>
-        <source>numbers or registers that are set</source>
-        <translation>des nombres ou des registres définis</translation>
-    </message>
-    <message>
         <source>numbers that define no valid shape</source>
         <translation>des nombres qui ne donnent pas de forme</translation>
+    </message>
+    <message>
+        <source>numbers, or registers that the program sets</source>
+        <translation>des nombres ou des registres définis</translation>
     </message>
     <message>
         <source>object '%1'</source>
@@ -14783,32 +14667,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>on ou off</translation>
     </message>
     <message>
-        <source>once</source>
-        <translation>une seule fois</translation>
-    </message>
-    <message>
         <source>one</source>
         <translation>un</translation>
-    </message>
-    <message>
-        <source>one a joint</source>
-        <translation>un par axe</translation>
-    </message>
-    <message>
-        <source>one between the first and the last frame</source>
-        <translation>un temps entre la première et la dernière image</translation>
     </message>
     <message>
         <source>one document</source>
         <translation>un seul document</translation>
     </message>
     <message>
-        <source>one frame, or frames whose places the file gives</source>
-        <translation>un seul repère, ou des repères dont le fichier donne la pose</translation>
+        <source>one link that is not the child of a joint</source>
+        <translation>un seul segment qui ne soit l'enfant d'aucun axe</translation>
     </message>
     <message>
-        <source>one link that is no joint's child</source>
-        <translation>un seul segment qui ne soit l'enfant d'aucun axe</translation>
+        <source>one name per joint</source>
+        <translation>un par axe</translation>
     </message>
     <message>
         <source>one of %1</source>
@@ -14855,6 +14727,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>un seul point</translation>
     </message>
     <message>
+        <source>one robot for a URDF</source>
+        <translation>un robot, pour un URDF</translation>
+    </message>
+    <message>
+        <source>one scene per file</source>
+        <translation>autant de scènes que de fichiers</translation>
+    </message>
+    <message>
         <source>one shape cut out of another</source>
         <translation>une forme découpée dans une autre</translation>
     </message>
@@ -14879,10 +14759,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nom défini</translation>
     </message>
     <message>
-        <source>one that is in the document</source>
-        <translation>une entité du document</translation>
-    </message>
-    <message>
         <source>one value</source>
         <translation>une seule valeur</translation>
     </message>
@@ -14895,14 +14771,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre sur 64 bits</translation>
     </message>
     <message>
-        <source>one, for a URDF</source>
-        <translation>un robot, pour un URDF</translation>
-    </message>
-    <message>
-        <source>one, which is all a URDF holds</source>
-        <translation>un seul, car un URDF n'en contient pas plus</translation>
-    </message>
-    <message>
         <source>only files in %1</source>
         <translation>des fichiers dans %1</translation>
     </message>
@@ -14911,20 +14779,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>une seule main porte la charge ; elle vaut pour les levages à deux mains. Utilisez RULA ou REBA.</translation>
     </message>
     <message>
-        <source>only triangles without area</source>
+        <source>only zero-area triangles</source>
         <translation>seulement des triangles sans aire</translation>
+    </message>
+    <message>
+        <source>operator '%1' between lists</source>
+        <translation>un opérateur '%1' entre des listes</translation>
+    </message>
+    <message>
+        <source>operator '%1' on a list</source>
+        <translation>un opérateur '%1' sur une liste</translation>
+    </message>
+    <message>
+        <source>operator '%1', which is not supported</source>
+        <translation>un opérateur '%1' qui n'est pas compris</translation>
     </message>
     <message>
         <source>origin</source>
         <translation>origine</translation>
-    </message>
-    <message>
-        <source>other bytes</source>
-        <translation>d'autres octets</translation>
-    </message>
-    <message>
-        <source>other bytes than in %1</source>
-        <translation>d'autres octets que dans %1</translation>
     </message>
     <message>
         <source>other joints</source>
@@ -14933,10 +14805,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>other users can write to it</source>
         <translation>d'autres utilisateurs peuvent y écrire</translation>
-    </message>
-    <message>
-        <source>others than those that were packed</source>
-        <translation>d'autres que celles qui ont été archivées</translation>
     </message>
     <message>
         <source>out of balance</source>
@@ -14951,8 +14819,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>hors du dossier : %1</translation>
     </message>
     <message>
-        <source>packages that are not found: put the package's folder beside the robot file or above it, or name its place in ROS_PACKAGE_PATH</source>
+        <source>packages that are not found: put the package folder next to the robot file or above it, or add its path to ROS_PACKAGE_PATH</source>
         <translation>paquets introuvables : placez le dossier du paquet à côté ou au-dessus du fichier du robot, ou indiquez son emplacement dans ROS_PACKAGE_PATH</translation>
+    </message>
+    <message>
+        <source>pair rule</source>
+        <translation>une règle de paire</translation>
     </message>
     <message>
         <source>pair rule %1</source>
@@ -14971,7 +14843,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>jeu de paires '%1'</translation>
     </message>
     <message>
-        <source>pair set '%1' names '%2', which is not there</source>
+        <source>pair set '%1' names '%2', which does not exist</source>
         <translation>le jeu de paires '%1' nomme '%2', qui n'existe pas</translation>
     </message>
     <message>
@@ -15011,15 +14883,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>pièces</translation>
     </message>
     <message>
-        <source>parts from 0 to 1</source>
-        <translation>des composantes de 0 à 1</translation>
-    </message>
-    <message>
         <source>parts of the cell, not the mannequin itself</source>
         <translation>des pièces de la cellule, pas le mannequin lui-même</translation>
     </message>
     <message>
-        <source>parts within 2 km of it, where a tenth of a millimetre can still be drawn</source>
+        <source>parts within 2 km of the origin, where 0.1 mm can still be drawn</source>
         <translation>des pièces à moins de 2 km, où un dixième de millimètre se dessine encore</translation>
     </message>
     <message>
@@ -15039,10 +14907,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>phantom_desktop, touch, touch_x, premium ou premium_6dof</translation>
     </message>
     <message>
-        <source>places saved from a run; the models stand where they are described</source>
-        <translation>des positions enregistrées pendant une simulation ; les modèles sont placés là où ils sont décrits</translation>
-    </message>
-    <message>
         <source>plain URDF</source>
         <translation>de l'URDF simple</translation>
     </message>
@@ -15059,16 +14923,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>points</translation>
     </message>
     <message>
+        <source>points and lines</source>
+        <translation>ce qui n'a pas de triangles</translation>
+    </message>
+    <message>
         <source>points reordered</source>
         <translation>points réordonnés</translation>
     </message>
     <message>
-        <source>points that are no list</source>
+        <source>points that are not a list</source>
         <translation>des points qui ne sont pas une liste</translation>
-    </message>
-    <message>
-        <source>points without a program</source>
-        <translation>des points sans programme</translation>
     </message>
     <message>
         <source>points without faces</source>
@@ -15091,16 +14955,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>ses positions vont jusqu'à %1 : prises pour des millimètres</translation>
     </message>
     <message>
-        <source>positions that are no list</source>
+        <source>positions that are not a list</source>
         <translation>des positions qui ne sont pas une liste</translation>
-    </message>
-    <message>
-        <source>positive ones</source>
-        <translation>des valeurs positives</translation>
-    </message>
-    <message>
-        <source>positive speeds, a joint speed up to 1, a blend from 0</source>
-        <translation>des vitesses positives, une vitesse articulaire de 1 au plus, un rayon de raccordement de 0 ou plus</translation>
     </message>
     <message>
         <source>positive values</source>
@@ -15111,7 +14967,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>practice, retention ou transfer</translation>
     </message>
     <message>
-        <source>printable, at most 200 letters</source>
+        <source>printable text of at most 200 characters</source>
         <translation>des caractères imprimables, 200 au plus</translation>
     </message>
     <message>
@@ -15135,12 +14991,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>range() avec un pas de 0</translation>
     </message>
     <message>
-        <source>read back</source>
-        <translation>relecture</translation>
+        <source>reading took longer than %1 s</source>
+        <translation>pas terminé après %1 s</translation>
     </message>
     <message>
         <source>recording</source>
         <translation>enregistrement</translation>
+    </message>
+    <message>
+        <source>red, green and blue from 0 to 1</source>
+        <translation>des composantes de 0 à 1</translation>
     </message>
     <message>
         <source>reference to '%1'</source>
@@ -15149,6 +15009,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>references to existing elements</source>
         <translation>des renvois à ce qui existe</translation>
+    </message>
+    <message>
+        <source>relative axis values after a target without axis values</source>
+        <translation>des axes relatifs à une cible qui n'en a pas</translation>
     </message>
     <message>
         <source>relative chord</source>
@@ -15177,10 +15041,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>resource not found: %1 (%2)</source>
         <translation>ressource introuvable : %1 (%2)</translation>
-    </message>
-    <message>
-        <source>rest at both ends</source>
-        <translation>l'arrêt aux deux extrémités</translation>
     </message>
     <message>
         <source>results.pdf</source>
@@ -15239,20 +15099,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>poignet droit</translation>
     </message>
     <message>
-        <source>rising times, s</source>
-        <translation>des temps croissants, en s</translation>
-    </message>
-    <message>
         <source>robot '%1', link '%2'</source>
         <translation>robot '%1', segment '%2'</translation>
-    </message>
-    <message>
-        <source>room and permission to write</source>
-        <translation>de l'espace libre et le droit d'écriture</translation>
-    </message>
-    <message>
-        <source>room in the folder TMPDIR</source>
-        <translation>de l'espace libre dans le dossier TMPDIR</translation>
     </message>
     <message>
         <source>rough</source>
@@ -15267,7 +15115,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>round(%1)</translation>
     </message>
     <message>
-        <source>routines that call each other without end</source>
+        <source>routines that call each other endlessly</source>
         <translation>des routines qui s'appellent sans fin</translation>
     </message>
     <message>
@@ -15287,7 +15135,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>échelle</translation>
     </message>
     <message>
-        <source>scenes beside the main one</source>
+        <source>scenes other than the main one</source>
         <translation>des scènes en plus de la principale</translation>
     </message>
     <message>
@@ -15303,7 +15151,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>screen, cell ou frame:NAME</translation>
     </message>
     <message>
-        <source>sdformat: %1 more complaints</source>
+        <source>sdformat: %1 more messages</source>
         <translation>sdformat : %1 autres erreurs</translation>
     </message>
     <message>
@@ -15335,11 +15183,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>sept nombres x,y,z,qw,qx,qy,qz avec un quaternion de norme 1</translation>
     </message>
     <message>
-        <source>shapes that cannot be had</source>
+        <source>shape morphing; the mesh is shown as modelled</source>
+        <translation>des changements de forme ; le maillage est affiché tel que modélisé</translation>
+    </message>
+    <message>
+        <source>shapes that cannot be read</source>
         <translation>formes indisponibles</translation>
     </message>
     <message>
-        <source>shapes that cannot be had (%1)</source>
+        <source>shapes that cannot be read (%1)</source>
         <translation>formes indisponibles (%1)</translation>
     </message>
     <message>
@@ -15363,6 +15215,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>simplifié</translation>
     </message>
     <message>
+        <source>simulation bodies</source>
+        <translation>des corps pour une simulation</translation>
+    </message>
+    <message>
         <source>singularities, configuration changes: %1</source>
         <translation>singularités, changements de configuration : %1</translation>
     </message>
@@ -15371,31 +15227,27 @@ Voulez-vous le remplacer ?</translation>
         <translation>assis</translation>
     </message>
     <message>
-        <source>six joints of the robot</source>
+        <source>six joint values</source>
         <translation>six axes du robot</translation>
     </message>
     <message>
-        <source>six of true or false</source>
-        <translation>six fois true ou false</translation>
+        <source>six joints, or none</source>
+        <translation>six, ou aucun</translation>
     </message>
     <message>
-        <source>six times 1 or -1</source>
+        <source>six numbers, each 1 or -1</source>
         <translation>six fois 1 ou -1</translation>
     </message>
     <message>
-        <source>six, or none</source>
-        <translation>six, ou aucun</translation>
+        <source>six values, each true or false</source>
+        <translation>six fois true ou false</translation>
     </message>
     <message>
         <source>size</source>
         <translation>dimension</translation>
     </message>
     <message>
-        <source>sizes that cannot be used: '%1'</source>
-        <translation>des dimensions inutilisables : '%1'</translation>
-    </message>
-    <message>
-        <source>slices beside the mesh</source>
+        <source>slices</source>
         <translation>des tranches en plus du maillage</translation>
     </message>
     <message>
@@ -15419,18 +15271,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>C7, T10, CLAV et STRN ne sont pas tous présents ; l'orientation du thorax est déduite des épaules et des hanches</translation>
     </message>
     <message>
-        <source>some that leave one at least</source>
-        <translation>des images qui en laissent au moins une</translation>
-    </message>
-    <message>
-        <source>somebody</source>
-        <translation>quelqu'un</translation>
-    </message>
-    <message>
-        <source>something stands there already</source>
-        <translation>l'emplacement est déjà occupé</translation>
-    </message>
-    <message>
         <source>sparse accessor</source>
         <translation>accesseur creux (sparse)</translation>
     </message>
@@ -15445,6 +15285,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>speed, acceleration, blend</source>
         <translation>vitesse, accélération, rayon de raccordement</translation>
+    </message>
+    <message>
+        <source>speeds above 0, a joint speed of at most 1, a blend of 0 or more</source>
+        <translation>des vitesses positives, une vitesse articulaire de 1 au plus, un rayon de raccordement de 0 ou plus</translation>
     </message>
     <message>
         <source>split</source>
@@ -15467,7 +15311,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>son début</translation>
     </message>
     <message>
-        <source>statements that are run without end</source>
+        <source>statements that run endlessly</source>
         <translation>des instructions exécutées sans fin</translation>
     </message>
     <message>
@@ -15515,12 +15359,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>des tables et des listes imbriquées sur plus de %1 niveaux</translation>
     </message>
     <message>
-        <source>targets as they stand</source>
-        <translation>des cibles telles quelles</translation>
-    </message>
-    <message>
         <source>targets in several frames: %1</source>
         <translation>des cibles dans plusieurs repères : %1</translation>
+    </message>
+    <message>
+        <source>targets without a shift</source>
+        <translation>des cibles telles quelles</translation>
     </message>
     <message>
         <source>task</source>
@@ -15551,6 +15395,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand, both_hands ou head</translation>
     </message>
     <message>
+        <source>terrain from an image</source>
+        <translation>un terrain tiré d'une image</translation>
+    </message>
+    <message>
         <source>text in quotes</source>
         <translation>un texte entre guillemets</translation>
     </message>
@@ -15575,14 +15423,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des textes et des listes de plus de 64 Mo</translation>
     </message>
     <message>
-        <source>texts in quotes</source>
-        <translation>des textes entre guillemets</translation>
-    </message>
-    <message>
-        <source>the %1 elements %2 were not used</source>
-        <translation>les %1 éléments %2 n'ont pas été utilisés</translation>
-    </message>
-    <message>
         <source>the %1 that were packed</source>
         <translation>les %1 qui ont été archivés</translation>
     </message>
@@ -15597,6 +15437,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the JSON header of a recording</source>
         <translation>du JSON tel qu'un enregistrement l'écrit</translation>
+    </message>
+    <message>
+        <source>the active frame</source>
+        <translation>le repère choisi</translation>
     </message>
     <message>
         <source>the actuated joints block each other</source>
@@ -15621,6 +15465,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the axis '%1'</source>
         <translation>l'axe '%1'</translation>
+    </message>
+    <message>
+        <source>the axis is missing</source>
+        <translation>pas de direction d'axe</translation>
     </message>
     <message>
         <source>the ball joint of rod %1</source>
@@ -15659,16 +15507,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'os '%1' deux fois dans une image</translation>
     </message>
     <message>
-        <source>the box of the workcell's shape within 1e-9 m</source>
+        <source>the bounding box of the shape in the workcell, within 1e-9 m</source>
         <translation>la boîte englobante de la forme dans la cellule, à 1e-9 m près</translation>
-    </message>
-    <message>
-        <source>the bytes of the file that was packed</source>
-        <translation>les octets du fichier archivé</translation>
     </message>
     <message>
         <source>the capabilities are missing</source>
         <translation>pas de caractéristiques</translation>
+    </message>
+    <message>
+        <source>the cell has no robot</source>
+        <translation>aucun robot</translation>
     </message>
     <message>
         <source>the channel '%1'</source>
@@ -15703,6 +15551,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>la connexion a été rétablie entre-temps</translation>
     </message>
     <message>
+        <source>the content differs from %1</source>
+        <translation>d'autres octets que dans %1</translation>
+    </message>
+    <message>
         <source>the content of %1</source>
         <translation>un contenu valable pour %1</translation>
     </message>
@@ -15719,8 +15571,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier copié</translation>
     </message>
     <message>
-        <source>the counts</source>
-        <translation>les nombres d'éléments</translation>
+        <source>the current position of the robot</source>
+        <translation>la position du robot</translation>
     </message>
     <message>
         <source>the data is missing</source>
@@ -15729,6 +15581,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the document</source>
         <translation>le document</translation>
+    </message>
+    <message>
+        <source>the element %1 twice</source>
+        <translation>un deuxième élément %1</translation>
     </message>
     <message>
         <source>the encoding is guessed</source>
@@ -15743,6 +15599,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>la fin du fichier</translation>
     </message>
     <message>
+        <source>the end of the loop depends on %1; the moves up to here are read.</source>
+        <translation>une boucle qui se termine selon %1 ; ses mouvements sont lus jusque-là.</translation>
+    </message>
+    <message>
         <source>the entity cannot be moved in this way</source>
         <translation>elle ne peut pas être déplacée ainsi</translation>
     </message>
@@ -15753,6 +15613,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the entity is locked</source>
         <translation>l'entité est verrouillée</translation>
+    </message>
+    <message>
+        <source>the entity is missing</source>
+        <translation>aucune entité</translation>
     </message>
     <message>
         <source>the entity's name</source>
@@ -15843,10 +15707,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier n'indique pas quel axe est vers le haut ; les marqueurs s'étendent le plus selon %1, qui est utilisé ; --up en indique un autre</translation>
     </message>
     <message>
-        <source>the file ends</source>
-        <translation>le fichier s'arrête</translation>
-    </message>
-    <message>
         <source>the file ends after %1 bytes</source>
         <translation>le fichier s'arrête après %1 octets</translation>
     </message>
@@ -15859,15 +15719,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>la fin du fichier dans un os</translation>
     </message>
     <message>
-        <source>the file ends within a vertex</source>
+        <source>the file ends inside a vertex</source>
         <translation>le fichier s'arrête au milieu d'un sommet</translation>
     </message>
     <message>
-        <source>the file has %1 solids; they were taken as one</source>
+        <source>the file ends too early</source>
+        <translation>la fin du fichier</translation>
+    </message>
+    <message>
+        <source>the file has %1 solids; they were joined to one</source>
         <translation>le fichier a %1 solides ; ils ont été pris comme un seul</translation>
     </message>
     <message>
-        <source>the file has more than 64 colours; each solid is shown in their mean</source>
+        <source>the file has more than 64 colours; each solid is shown in its average colour</source>
         <translation>le fichier a plus de 64 couleurs ; chaque solide est affiché dans leur moyenne</translation>
     </message>
     <message>
@@ -15875,8 +15739,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier n'a pas d'argument '%1' ; sa valeur %2 n'a pas été utilisée</translation>
     </message>
     <message>
+        <source>the file has no model</source>
+        <translation>aucun modèle</translation>
+    </message>
+    <message>
         <source>the file has no rest pose of a standing person; the joint frames are derived from the joint positions in the motion</source>
         <translation>le fichier n'a pas de position de repos d'une personne debout ; l'orientation des repères de ses articulations est déduite de leurs positions dans le mouvement</translation>
+    </message>
+    <message>
+        <source>the file has no triangles</source>
+        <translation>aucun triangle</translation>
     </message>
     <message>
         <source>the file has no unit; %1 is assumed</source>
@@ -15887,36 +15759,56 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier n'indique pas d'unité ; d'après sa taille, l'unité supposée est %1 (--unit pour une autre)</translation>
     </message>
     <message>
+        <source>the file has no unit; in metres it measures %1 m, so the unit is probably mm</source>
+        <translation>le fichier n'indique pas d'unité ; lu en mètres, il mesure %1 m : il s'agit sans doute de millimètres (unité mm)</translation>
+    </message>
+    <message>
+        <source>the file has no unit; it was read in metres and measures %1 m; if it measures %1 mm, set the unit mm</source>
+        <translation>le fichier n'indique pas d'unité ; il a été lu en mètres et mesure %1 m ; s'il mesure %1 millimètres, indiquez l'unité mm</translation>
+    </message>
+    <message>
         <source>the file has no unit; millimetres are assumed</source>
         <translation>le fichier n'indique pas d'unité ; ses nombres sont pris en millimètres</translation>
+    </message>
+    <message>
+        <source>the file has no vertices</source>
+        <translation>aucun sommet</translation>
     </message>
     <message>
         <source>the file is UTF-16 text</source>
         <translation>le fichier est un texte UTF-16</translation>
     </message>
     <message>
+        <source>the file is already open in HaptiCell: %1</source>
+        <translation>il est ouvert dans HaptiCell : %1</translation>
+    </message>
+    <message>
         <source>the file is empty</source>
         <translation>le fichier est vide</translation>
     </message>
     <message>
-        <source>the file is no xacro; the value of '%1' was not used</source>
+        <source>the file is missing in the pack</source>
+        <translation>il n'est pas dans l'archive</translation>
+    </message>
+    <message>
+        <source>the file is not xacro; the value of '%1' was not used</source>
         <translation>le fichier n'est pas un xacro ; la valeur de '%1' n'a pas été utilisée</translation>
+    </message>
+    <message>
+        <source>the file is outside the pack</source>
+        <translation>il se trouve en dehors de l'archive</translation>
+    </message>
+    <message>
+        <source>the file is too short</source>
+        <translation>moins d'octets</translation>
     </message>
     <message>
         <source>the file is write-protected</source>
         <translation>un fichier protégé en écriture</translation>
     </message>
     <message>
-        <source>the file leaves the places of its models to chance; they are spread evenly</source>
+        <source>the file places its models at random; they are spread evenly</source>
         <translation>le fichier laisse au hasard les positions de ses modèles ; ils sont répartis régulièrement</translation>
-    </message>
-    <message>
-        <source>the file names no unit; it was read in metres and measures %1 m; if it measures %1 millimetres, say unit mm</source>
-        <translation>le fichier n'indique pas d'unité ; il a été lu en mètres et mesure %1 m ; s'il mesure %1 millimètres, indiquez l'unité mm</translation>
-    </message>
-    <message>
-        <source>the file names no unit; read in metres it measures %1 m, so millimetres seem to be meant (unit mm)</source>
-        <translation>le fichier n'indique pas d'unité ; lu en mètres, il mesure %1 m : il s'agit sans doute de millimètres (unité mm)</translation>
     </message>
     <message>
         <source>the file refuses itself: %1</source>
@@ -15943,8 +15835,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'axe %1 du fichier</translation>
     </message>
     <message>
-        <source>the file's end</source>
-        <translation>la fin du fichier</translation>
+        <source>the folder already exists and is not empty</source>
+        <translation>l'emplacement est déjà occupé</translation>
     </message>
     <message>
         <source>the folder cannot be created</source>
@@ -15977,10 +15869,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the frame rate is missing</source>
         <translation>pas de fréquence d'images</translation>
-    </message>
-    <message>
-        <source>the frame that is chosen</source>
-        <translation>le repère choisi</translation>
     </message>
     <message>
         <source>the frames of %1 do not match the rest pose; they are derived from the joint positions</source>
@@ -16043,7 +15931,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier dont elle a été importée, inchangé</translation>
     </message>
     <message>
-        <source>the importer sent something that is not a scene</source>
+        <source>the importer sent invalid data</source>
         <translation>l'importateur a envoyé autre chose qu'une scène</translation>
     </message>
     <message>
@@ -16055,8 +15943,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>fin sans code d'appairage</translation>
     </message>
     <message>
-        <source>the joint '%1' to be mimicked is not in the file</source>
-        <translation>l'axe '%1' à suivre n'est pas dans le fichier</translation>
+        <source>the job has no instructions</source>
+        <translation>pas d'instructions</translation>
     </message>
     <message>
         <source>the joint C4</source>
@@ -16079,6 +15967,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'articulation T6</translation>
     </message>
     <message>
+        <source>the joint names are missing</source>
+        <translation>pas de noms d'axes</translation>
+    </message>
+    <message>
         <source>the joint type '%1'</source>
         <translation>le type d'axe '%1'</translation>
     </message>
@@ -16087,12 +15979,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>les axes forment un cycle : chaque segment est l'enfant d'un autre</translation>
     </message>
     <message>
-        <source>the joints form a cycle: link '%1' (joint '%2') hangs on itself</source>
+        <source>the joints form a cycle: link '%1' (joint '%2') is attached to itself</source>
         <translation>les axes forment un cycle : le segment '%1' (axe '%2') est rattaché à lui-même</translation>
     </message>
     <message>
-        <source>the key '%1', which is not known here</source>
-        <translation>la clé '%1', inconnue ici</translation>
+        <source>the joints of the first message</source>
+        <translation>ceux du premier message</translation>
     </message>
     <message>
         <source>the knee</source>
@@ -16107,16 +15999,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de longueur</translation>
     </message>
     <message>
+        <source>the library has no robot of this name</source>
+        <translation>aucun robot de ce nom n'est fourni</translation>
+    </message>
+    <message>
         <source>the lift and the forces</source>
         <translation>le levage et les efforts</translation>
     </message>
     <message>
         <source>the link does not exist</source>
         <translation>ce segment n'existe pas</translation>
-    </message>
-    <message>
-        <source>the link of the workcell</source>
-        <translation>le segment de la cellule</translation>
     </message>
     <message>
         <source>the loops of robot '%1'</source>
@@ -16127,7 +16019,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'articulation inférieure de la jambe %1</translation>
     </message>
     <message>
-        <source>the lower one first</source>
+        <source>the lower stop first</source>
         <translation>d'abord la butée inférieure</translation>
     </message>
     <message>
@@ -16179,7 +16071,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>les marqueurs de Plug-in Gait (corps entier) ou Helen Hayes avec épaules, coudes et poignets</translation>
     </message>
     <message>
-        <source>the material file %1 is longer than 16 MB; not read</source>
+        <source>the material file %1 is larger than 16 MB; it was not read</source>
         <translation>le fichier de matériaux %1 dépasse 16 Mo ; il n'a pas été lu</translation>
     </message>
     <message>
@@ -16187,24 +16079,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>le mécanisme n'a pas d'articulation</translation>
     </message>
     <message>
+        <source>the mechanism has no parts</source>
+        <translation>aucune pièce</translation>
+    </message>
+    <message>
         <source>the mechanism is no longer in the cell</source>
         <translation>le mécanisme n'est plus dans la cellule</translation>
+    </message>
+    <message>
+        <source>the mesh %1 does not exist; the shape is left out</source>
+        <translation>le maillage %1 est introuvable ; la forme est omise</translation>
     </message>
     <message>
         <source>the mesh %1 is left out: a scale of 0</source>
         <translation>le maillage %1 est omis : une échelle de 0</translation>
     </message>
     <message>
-        <source>the mesh %1 is not there; the shape is left out</source>
-        <translation>le maillage %1 est introuvable ; la forme est omise</translation>
-    </message>
-    <message>
-        <source>the mesh %1 leads out of the package; the shape is left out</source>
+        <source>the mesh %1 is outside the package; the shape is left out</source>
         <translation>le maillage %1 sort du paquet ; la forme est omise</translation>
     </message>
     <message>
-        <source>the mesh %1 with scale=&quot;%2&quot;, expected three numbers other than zero</source>
+        <source>the mesh %1 with scale=&quot;%2&quot; instead of three numbers other than 0</source>
         <translation>le maillage %1 avec scale=&quot;%2&quot; au lieu de trois nombres non nuls</translation>
+    </message>
+    <message>
+        <source>the mesh is missing</source>
+        <translation>pas de maillage</translation>
+    </message>
+    <message>
+        <source>the mimicked joint '%1' is not in the file</source>
+        <translation>l'axe '%1' à suivre n'est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>the model has no links</source>
+        <translation>aucun segment</translation>
     </message>
     <message>
         <source>the motion of an expert</source>
@@ -16223,11 +16131,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun nom</translation>
     </message>
     <message>
-        <source>the name is there twice or not allowed; this &lt;%1&gt; is called '%2'</source>
+        <source>the name is used twice</source>
+        <translation>un deuxième élément de ce nom</translation>
+    </message>
+    <message>
+        <source>the name is used twice or not allowed; this &lt;%1&gt; is renamed '%2'</source>
         <translation>le nom est en double ou n'est pas permis ; ce &lt;%1&gt; s'appelle '%2'</translation>
     </message>
     <message>
-        <source>the name is there twice; it is called '%1'</source>
+        <source>the name is used twice; it is renamed '%1'</source>
         <translation>le nom est en double ; l'élément s'appelle '%1'</translation>
     </message>
     <message>
@@ -16263,20 +16175,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom d'un de ses outils</translation>
     </message>
     <message>
-        <source>the name of one on the controller</source>
-        <translation>un nom défini sur le contrôleur</translation>
-    </message>
-    <message>
-        <source>the name of the entity whose surface is followed</source>
+        <source>the name of the entity whose surface the guide follows</source>
         <translation>le nom de l'entité dont la surface est suivie</translation>
     </message>
     <message>
-        <source>the name of what it guides</source>
+        <source>the name of the guided entity</source>
         <translation>le nom de l'entité guidée</translation>
-    </message>
-    <message>
-        <source>the number of a frame, from 0</source>
-        <translation>le numéro d'une image, à partir de 0</translation>
     </message>
     <message>
         <source>the number of an element that does not exist</source>
@@ -16295,6 +16199,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nombre de coins de la face</translation>
     </message>
     <message>
+        <source>the number on the controller, %1 to %2</source>
+        <translation>son numéro sur le contrôleur, de %1 à %2</translation>
+    </message>
+    <message>
+        <source>the numbers are missing</source>
+        <translation>pas de nombres d'éléments</translation>
+    </message>
+    <message>
         <source>the numbers of vertices, faces and edges</source>
         <translation>les nombres de sommets, de faces et d'arêtes</translation>
     </message>
@@ -16311,7 +16223,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>sa clé est différente</translation>
     </message>
     <message>
-        <source>the package of %1 is not found by its name; the folder %2, which holds the rest of the path, is taken for it</source>
+        <source>the package of %1 is not found by name; the folder %2 is used, because it contains the rest of the path</source>
         <translation>le paquet de %1 est introuvable par son nom ; le dossier %2, qui contient le reste du chemin, est pris à sa place</translation>
     </message>
     <message>
@@ -16351,10 +16263,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>les pièces ne peuvent pas être écrites en STEP</translation>
     </message>
     <message>
-        <source>the place and the joints of the workcell</source>
-        <translation>la pose et les axes de la cellule</translation>
-    </message>
-    <message>
         <source>the placements of the imported files</source>
         <translation>les places des fichiers importés</translation>
     </message>
@@ -16363,20 +16271,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>la plateforme</translation>
     </message>
     <message>
-        <source>the population is left out: a grid of no or more than 5000 models</source>
-        <translation>la population est omise : une grille vide ou de plus de 5000 modèles</translation>
-    </message>
-    <message>
-        <source>the population is left out: it has no region, or no or more than 5000 models</source>
+        <source>the population is left out: it has no region, no models or more than 5000 models</source>
         <translation>la population est omise : elle n'a pas de région, ou aucun modèle, ou plus de 5000</translation>
     </message>
     <message>
-        <source>the pose '%1' has %2 numbers instead of %3; the others are taken as 0</source>
+        <source>the population is left out: its grid has no models or more than 5000</source>
+        <translation>la population est omise : une grille vide ou de plus de 5000 modèles</translation>
+    </message>
+    <message>
+        <source>the pose '%1' has %2 numbers instead of %3; 0 is assumed for the others</source>
         <translation>la pose '%1' a %2 nombres au lieu de %3 ; les autres sont pris égaux à 0</translation>
     </message>
     <message>
         <source>the pose '%1' has a quaternion of length 0; no rotation is assumed</source>
         <translation>la pose '%1' a un quaternion de longueur nulle ; l'absence de rotation est supposée</translation>
+    </message>
+    <message>
+        <source>the pose and joint values of the workcell</source>
+        <translation>la pose et les axes de la cellule</translation>
     </message>
     <message>
         <source>the pose is missing</source>
@@ -16413,6 +16325,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the program ffmpeg, to write videos</source>
         <translation>ffmpeg, qui écrit les vidéos</translation>
+    </message>
+    <message>
+        <source>the program has no lines</source>
+        <translation>pas de lignes</translation>
+    </message>
+    <message>
+        <source>the program has no moves</source>
+        <translation>pas de mouvements</translation>
     </message>
     <message>
         <source>the property '%1' needs itself (%2)</source>
@@ -16459,10 +16379,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>la base du robot</translation>
     </message>
     <message>
-        <source>the robot's place</source>
-        <translation>la position du robot</translation>
-    </message>
-    <message>
         <source>the rods do not reach the platform at the home position</source>
         <translation>les barres ne se rejoignent pas à la position de repos</translation>
     </message>
@@ -16487,6 +16403,22 @@ Voulez-vous le remplacer ?</translation>
         <translation>les mêmes</translation>
     </message>
     <message>
+        <source>the same as in the first</source>
+        <translation>ceux du premier</translation>
+    </message>
+    <message>
+        <source>the same content as the packed file</source>
+        <translation>les octets du fichier archivé</translation>
+    </message>
+    <message>
+        <source>the same kind of entity as before</source>
+        <translation>une forme du même type</translation>
+    </message>
+    <message>
+        <source>the same link as in the workcell</source>
+        <translation>le segment de la cellule</translation>
+    </message>
+    <message>
         <source>the scale factor is not a number</source>
         <translation>une échelle qui n'est pas un nombre</translation>
     </message>
@@ -16503,8 +16435,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>le caractère '%1' dans l'expression</translation>
     </message>
     <message>
-        <source>the start of joint '%1' is no number</source>
+        <source>the start value of joint '%1' is not a number</source>
         <translation>la valeur initiale de l'axe '%1' n'est pas un nombre</translation>
+    </message>
+    <message>
+        <source>the surface is missing</source>
+        <translation>aucune surface</translation>
     </message>
     <message>
         <source>the surface is not closed, so the volume is not reliable</source>
@@ -16539,6 +16475,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>la trajectoire ne dit pas ce qui bouge</translation>
     </message>
     <message>
+        <source>the trajectory of a robot</source>
+        <translation>la trajectoire d'un robot</translation>
+    </message>
+    <message>
         <source>the trajectory's name</source>
         <translation>le nom de la trajectoire</translation>
     </message>
@@ -16551,11 +16491,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>les triangles sont tournés vers l'intérieur, donc le volume est négatif</translation>
     </message>
     <message>
-        <source>the triangles face inward; they are checked and felt as facing outward</source>
+        <source>the triangles face inward; they are treated as facing outward</source>
         <translation>les triangles sont tournés vers l'intérieur ; ils sont contrôlés et ressentis comme tournés vers l'extérieur</translation>
     </message>
     <message>
-        <source>the triangles of %1 bodies face inward; they are checked and felt as facing outward</source>
+        <source>the triangles of %1 bodies face inward; they are treated as facing outward</source>
         <translation>les triangles de %1 corps sont tournés vers l'intérieur ; ils sont contrôlés et ressentis comme tournés vers l'extérieur</translation>
     </message>
     <message>
@@ -16579,6 +16519,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas d'unité de longueur</translation>
     </message>
     <message>
+        <source>the unknown key '%1'</source>
+        <translation>la clé '%1', inconnue ici</translation>
+    </message>
+    <message>
         <source>the unpacked size exceeds the limit</source>
         <translation>plus que la taille permise après décompression</translation>
     </message>
@@ -16591,6 +16535,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le repère utilisateur %1</translation>
     </message>
     <message>
+        <source>the version number is missing</source>
+        <translation>ce n'est pas un numéro de version</translation>
+    </message>
+    <message>
         <source>the whole number %1</source>
         <translation>le nombre entier %1</translation>
     </message>
@@ -16599,7 +16547,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'objet de travail '%1'</translation>
     </message>
     <message>
-        <source>the work object of which the file has no value</source>
+        <source>the work object, which the file does not define</source>
         <translation>l'objet de travail dont le fichier n'a pas de valeur</translation>
     </message>
     <message>
@@ -16631,10 +16579,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>il y a une image à %1 s</translation>
     </message>
     <message>
-        <source>there is no joint '%1'</source>
-        <translation>il n'y a pas d'axe '%1'</translation>
-    </message>
-    <message>
         <source>there is no joint for the neck; its base is assumed midway between the collars</source>
         <translation>il n'y a pas d'articulation pour le cou ; sa base est placée au milieu entre les clavicules</translation>
     </message>
@@ -16647,22 +16591,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>il n'y a pas d'articulation pour la colonne ; le tronc est d'un seul tenant</translation>
     </message>
     <message>
-        <source>there is no link '%1'</source>
-        <translation>il n'y a pas de segment '%1'</translation>
-    </message>
-    <message>
-        <source>there is no part '%1'</source>
-        <translation>il n'y a pas de pièce '%1'</translation>
-    </message>
-    <message>
-        <source>there is none</source>
-        <translation>il n'y en a pas</translation>
-    </message>
-    <message>
-        <source>there is not enough memory for it</source>
-        <translation>la mémoire est insuffisante</translation>
-    </message>
-    <message>
         <source>theta, d, a, alpha and types of one length, 1 to 16</source>
         <translation>theta, d, a, alpha et types d'une même longueur, de 1 à 16</translation>
     </message>
@@ -16671,8 +16599,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>elles ne peuvent pas être fermées depuis le départ ; il reste un écart de %1</translation>
     </message>
     <message>
+        <source>they differ from the packed ones</source>
+        <translation>d'autres que celles qui ont été archivées</translation>
+    </message>
+    <message>
         <source>this display has no OpenGL 3.3</source>
         <translation>pas d'OpenGL 3.3 sur cet affichage</translation>
+    </message>
+    <message>
+        <source>this frame does not exist</source>
+        <translation>il n'y en a pas</translation>
     </message>
     <message>
         <source>this key does not exist</source>
@@ -16683,12 +16619,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>cet élément n'est pas dans le paquet</translation>
     </message>
     <message>
-        <source>those of the first</source>
-        <translation>ceux du premier</translation>
-    </message>
-    <message>
-        <source>those of the first message</source>
-        <translation>ceux du premier message</translation>
+        <source>this program next to the other programs of HaptiCell</source>
+        <translation>ce programme à côté des autres programmes de HaptiCell</translation>
     </message>
     <message>
         <source>three coordinates</source>
@@ -16707,12 +16639,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>trois nombres avec '.' comme séparateur décimal</translation>
     </message>
     <message>
-        <source>three points of a circle</source>
+        <source>three points of a circle in order</source>
         <translation>trois points d'un cercle</translation>
-    </message>
-    <message>
-        <source>three, five, ... points of arcs</source>
-        <translation>trois, cinq, ... points d'arcs</translation>
     </message>
     <message>
         <source>tick %1</source>
@@ -16803,7 +16731,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>triangle %1 sur %2</translation>
     </message>
     <message>
-        <source>triangles as of AP242</source>
+        <source>triangles as in AP242</source>
         <translation>des triangles selon AP242</translation>
     </message>
     <message>
@@ -16823,7 +16751,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>true, false ou un nombre</translation>
     </message>
     <message>
-        <source>true, or false for a motion of joints</source>
+        <source>true, or false for a motion that has only joints</source>
         <translation>true, ou false pour un mouvement d'axes</translation>
     </message>
     <message>
@@ -16851,6 +16779,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>deux colonnes '%1'</translation>
     </message>
     <message>
+        <source>two different parts</source>
+        <translation>deux pièces</translation>
+    </message>
+    <message>
         <source>two documents, or one with --since-import</source>
         <translation>deux documents, ou un seul avec --since-import</translation>
     </message>
@@ -16871,16 +16803,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>deux nombres ou deux textes</translation>
     </message>
     <message>
-        <source>two numbers, or none at all</source>
+        <source>two numbers, or no limits</source>
         <translation>deux nombres, ou aucun</translation>
     </message>
     <message>
         <source>two or more</source>
         <translation>deux ou plus</translation>
-    </message>
-    <message>
-        <source>two parts</source>
-        <translation>deux pièces</translation>
     </message>
     <message>
         <source>two points</source>
@@ -16909,6 +16837,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>unexpected error: %1</source>
         <translation>erreur inattendue : %1</translation>
+    </message>
+    <message>
+        <source>unique names</source>
+        <translation>des noms tous différents</translation>
     </message>
     <message>
         <source>unit</source>
@@ -16943,6 +16875,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des poses valides, des nombres finis</translation>
     </message>
     <message>
+        <source>values above 0</source>
+        <translation>des valeurs positives</translation>
+    </message>
+    <message>
         <source>version %1</source>
         <translation>version %1</translation>
     </message>
@@ -16963,24 +16899,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>des sommets de 0 à %1</translation>
     </message>
     <message>
-        <source>vertex with %1</source>
-        <translation>sommet avec %1</translation>
-    </message>
-    <message>
-        <source>vertex with the coordinate %1</source>
-        <translation>sommet avec la coordonnée %1</translation>
-    </message>
-    <message>
         <source>w, x, y, z with length 1</source>
         <translation>w, x, y, z de norme 1</translation>
     </message>
     <message>
         <source>well-formed XML</source>
         <translation>du XML bien formé</translation>
-    </message>
-    <message>
-        <source>what has no triangles</source>
-        <translation>ce qui n'a pas de triangles</translation>
     </message>
     <message>
         <source>what is no YAML (%1)</source>
@@ -17021,6 +16945,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>with retract</source>
         <translation>avec dégagement</translation>
+    </message>
+    <message>
+        <source>with this file, the pack is larger than 2 GB</source>
+        <translation>avec lui, l'archive dépasse 2 Go</translation>
     </message>
     <message>
         <source>without a frame</source>

@@ -63,7 +63,7 @@ class Malformed : public ::testing::Test {
     const std::string message = scene.error().message();
     EXPECT_NE(message.find(name), std::string::npos) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    EXPECT_EQ(message.find("not done after"), std::string::npos) << message;
+    EXPECT_EQ(message.find("reading took longer than"), std::string::npos) << message;
   }
   test::TemporaryFolder folder_;
 };

@@ -135,12 +135,12 @@ class UrdfText {
 Expected<void> writeUrdf(const Entity& robot, const fs::path& file, Diagnostics& diagnostics) {
   if (!robot.robot || robot.robot->links.empty()) {
     return makeError({.file = file.string(),
-                      .found = Text("'%1', which is no robot", robot.name),
+                      .found = Text("'%1', which is not a robot", robot.name),
                       .expected = "a robot",
                       .fix = "Choose a robot."});
   }
   if (robot.robot->closure) {
-    diagnostics.warn(Text("'%1' has closed loops, which URDF cannot say: only its tree was written", robot.name));
+    diagnostics.warn(Text("'%1' has closed loops, which URDF cannot describe: only its tree was written", robot.name));
   }
   UrdfText urdf(robot, file);
   const std::string text = urdf.write();

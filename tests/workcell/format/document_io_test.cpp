@@ -218,10 +218,10 @@ TEST(DocumentText, NamesEntityAndKeyOfABadValue) {
   EXPECT_THAT(refused(document(ball + R"("placement": {"position": [2, 0]}})")), HasSubstr("3 numbers"));
   EXPECT_THAT(refused(document(ball + R"("placement": {"position": [0, -1e200, 0]}})")), HasSubstr("at most 1e12"));
   EXPECT_THAT(refused(document(ball + R"("on_contact": "bounce"})")), HasSubstr("one of stop, slide, pass"));
-  EXPECT_THAT(refused(document(ball + R"("kind": "robot"})")), HasSubstr("solid, as its file is"));
+  EXPECT_THAT(refused(document(ball + R"("kind": "robot"})")), HasSubstr("solid, like its file"));
   EXPECT_THAT(refused(document(R"({"source": {"file": "sphere:0.1"}})")), HasSubstr("entity 1: no \"name\""));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "box:1,2"}})")),
-              HasSubstr("sizes that cannot be used: '1,2'"));
+              HasSubstr("invalid dimensions '1,2'"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "library:../x"}})")), HasSubstr("library:../x"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "mannequin:male:0"}})")), HasSubstr("0.1 to 99.9"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "hand:middle"}})")), HasSubstr("hand:left"));

@@ -103,7 +103,7 @@ TEST(ObjParts, ColourOfTheVerticesGoesOverTheMaterial) {
   EXPECT_FALSE(weighted.at(0).color.has_value());  // One number is a weight.
   const auto damaged = partsOfText(readObj, tetrahedron(1, 0, " 0.5 nan 1"), notes);
   EXPECT_FALSE(damaged.at(0).color.has_value());
-  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("4 vertices have a colour that is no numbers")));
+  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("4 vertices have an invalid colour")));
 }
 
 // Found by the fuzz target: ten tenths, each rounded, were more than one.
@@ -148,7 +148,8 @@ TEST(ObjParts, ASkinOfSeveralColoursHasThatOfMostOfItsArea) {
   const auto parts = partsOfText(readObj, text, notes, {{"red", {1, 0, 0}}, {"blue", {0, 0, 1}}});
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_TRUE(isNear(parts[0].color, 0, 0, 1));
-  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("several colours; shown in that of most of the area")));
+  EXPECT_THAT(sentences(notes),
+              ElementsAre(HasSubstr("several colours; it is shown in the colour with the largest area")));
 }
 
 TEST(MeshParts, AScanOfManyColoursHasTheirMean) {
@@ -183,7 +184,7 @@ TEST(MeshParts, TooManySolidsAreOne) {
   const auto parts = partsOfText(readObj, text, notes);
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(parts[0].mesh.triangles.size(), 10'001u);
-  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("10001 solids; they were taken as one")));
+  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("10001 solids; they were joined to one")));
 }
 
 template <typename T>

@@ -171,7 +171,7 @@ TEST(StlReader, RefusesTruncatedText) {
   EXPECT_THAT(refused(text.substr(0, text.rfind("endsolid")), "a.stl"), HasSubstr("the file ends"));
   EXPECT_THAT(refused(text.substr(0, text.rfind("endloop")), "a.stl"), HasSubstr("the file ends; expected 'endloop'"));
   EXPECT_THAT(refused("solid\nfacet normal 0 0 1\nouter loop\nvertex 1 2\n", "a.stl"),
-              HasSubstr("the file ends within a vertex"));
+              HasSubstr("the file ends inside a vertex"));
   EXPECT_THAT(refused("solid\nendsolid\n", "a.stl"), HasSubstr("no triangles"));
 }
 

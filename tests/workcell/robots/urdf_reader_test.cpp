@@ -161,7 +161,7 @@ TEST(UrdfReader, OneFileIsReadOnceAndUnreadableVisualsAreToldAndReplaced) {
   EXPECT_TRUE(model->links[2].visuals.empty());
   std::string all;
   for (const std::string& warning : diagnostics.warnings) all += warning + "\n";
-  EXPECT_THAT(all, HasSubstr("the collision shape is shown instead for 'a', 'b'"));
+  EXPECT_THAT(all, HasSubstr("the collision shape is shown for 'a', 'b'"));
   EXPECT_THAT(all, HasSubstr("not checked are 'c'"));
   EXPECT_THAT(all, HasSubstr("dae"));
 }

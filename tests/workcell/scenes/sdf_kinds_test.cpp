@@ -327,7 +327,7 @@ TEST_F(SdfKinds, RobotsStandBesideFurnitureInOneWorld) {
   EXPECT_LT(glm::distance(named("right").X_WE.p, dvec3(0, -2, 3.25)), 1e-12);
   EXPECT_EQ(named("table").kind, EntityKind::kAssembly);
   EXPECT_FALSE(named("lost").robot);
-  EXPECT_THAT(notes_.warnings, Contains(HasSubstr("'lost' has joints that move; it is read as a solid body: ")));
+  EXPECT_THAT(notes_.warnings, Contains(HasSubstr("'lost' has moving joints; it is read as a rigid body: ")));
 
   Document document;
   ASSERT_TRUE(addImported(document, tree->entities, Pose()));
@@ -394,7 +394,7 @@ TEST_F(SdfKinds, NamesThatAreThereTwiceAndFramesThatAreNot) {
   EXPECT_THAT(twice.warnings, Contains(HasSubstr("'m_2'")));
   const auto lost =
       cell("<world name='w'><model name='m'><pose relative_to='nowhere'>1 0 0 0 0 0</pose>" + box + "</model></world>");
-  EXPECT_THAT(lost.warnings, Contains(HasSubstr("frame of its pose is not there")));
+  EXPECT_THAT(lost.warnings, Contains(HasSubstr("frame of its pose does not exist")));
   EXPECT_THAT(lost.warnings, Contains(HasSubstr("nowhere")));
 }
 
