@@ -32,8 +32,8 @@ Expected<void> parseXml(const std::string& content, const std::string& file, TiX
     return refuse(lineAt(content, nul), Text("a NUL byte"), Text("XML text"));
   if (auto flat = geometry::checkNesting(content, geometry::NestedText::kXml, file); !flat) return flat;
   if (const auto entities = content.find("<!ENTITY"); entities != std::string::npos)
-    return refuse(lineAt(content, entities), Text("a document type with entities of its own (<!ENTITY ...>)"),
-                  Text("a file without them"), Text("Write out the text that they stand for."));
+    return refuse(lineAt(content, entities), Text("a document type that defines entities (<!ENTITY ...>)"),
+                  Text("a file without entity definitions"), Text("Replace the entities by their text."));
   document.Parse(content.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (!document.Error()) return {};
   return refuse(document.ErrorRow() > 0 ? document.ErrorRow() : lineAt(content, content.size()),

@@ -73,7 +73,7 @@
         <translation>pas de &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; that is not in the text</source>
+        <source>&quot;%1&quot; is not in the text</source>
         <translation>&quot;%1&quot;, qui n'est pas dans le texte</translation>
     </message>
     <message>
@@ -427,7 +427,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 vient d'être branché</translation>
     </message>
     <message>
-        <source>%1 has no '%2' here</source>
+        <source>%1 has no function '%2'</source>
         <translation>%1 n'a pas de '%2' ici</translation>
     </message>
     <message>
@@ -469,6 +469,22 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 in total</source>
         <translation>%1 au total</translation>
+    </message>
+    <message>
+        <source>%1 instead of a list</source>
+        <translation>%1 là où il faut une liste</translation>
+    </message>
+    <message>
+        <source>%1 instead of a number</source>
+        <translation>%1 là où il faut un nombre</translation>
+    </message>
+    <message>
+        <source>%1 instead of a text</source>
+        <translation>%1 là où il faut un texte</translation>
+    </message>
+    <message>
+        <source>%1 instead of a whole number</source>
+        <translation>%1 là où il faut un nombre entier</translation>
     </message>
     <message>
         <source>%1 is %2</source>
@@ -935,10 +951,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 textes, dont peut-être des noms de pièces, sont écrits dans un codage non indiqué ; %2 est supposé</translation>
     </message>
     <message>
-        <source>%1 that is called like a function</source>
-        <translation>%1 à la place d'une fonction</translation>
-    </message>
-    <message>
         <source>%1 times, last %2</source>
         <translation>%1 fois, dernière à %2</translation>
     </message>
@@ -1015,6 +1027,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 triangles, à %2 au plus du maillage</translation>
     </message>
     <message>
+        <source>%1 used as a function</source>
+        <translation>%1 à la place d'une fonction</translation>
+    </message>
+    <message>
         <source>%1 values for %2 names</source>
         <translation>%1 valeurs pour %2 noms</translation>
     </message>
@@ -1057,22 +1073,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 was saved with warnings</source>
         <translation>%1 a été enregistré avec des avertissements</translation>
-    </message>
-    <message>
-        <source>%1 where a list is needed</source>
-        <translation>%1 là où il faut une liste</translation>
-    </message>
-    <message>
-        <source>%1 where a number is needed</source>
-        <translation>%1 là où il faut un nombre</translation>
-    </message>
-    <message>
-        <source>%1 where a text is needed</source>
-        <translation>%1 là où il faut un texte</translation>
-    </message>
-    <message>
-        <source>%1 where a whole number is needed</source>
-        <translation>%1 là où il faut un nombre entier</translation>
     </message>
     <message>
         <source>%1 works while the pointer is over the scene</source>
@@ -1163,12 +1163,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1() appliqué à %2</translation>
     </message>
     <message>
-        <source>%1() of a number that it is not defined for</source>
+        <source>%1() of a number outside its domain</source>
         <translation>%1() appliqué à un nombre pour lequel il n'est pas défini</translation>
-    </message>
-    <message>
-        <source>%1() that is too large or not defined</source>
-        <translation>%1() trop grand ou non défini</translation>
     </message>
     <message>
         <source>%1() with &quot;%2&quot;</source>
@@ -1179,7 +1175,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1() avec %2</translation>
     </message>
     <message>
-        <source>%1() with %2 values</source>
+        <source>%1() with %2 arguments</source>
         <translation>%1() avec %2 valeurs</translation>
     </message>
     <message>
@@ -1715,7 +1711,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' n'a pas cet axe</translation>
     </message>
     <message>
-        <source>'%1' in a text that is filled</source>
+        <source>'%1' in a format text</source>
         <translation>'%1' dans un texte à compléter</translation>
     </message>
     <message>
@@ -1783,12 +1779,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' est cette entité ou y est attaché</translation>
     </message>
     <message>
-        <source>'%1' that does not end</source>
-        <translation>'%1', qui n'est pas fermé</translation>
-    </message>
-    <message>
         <source>'%1' twice</source>
         <translation>'%1' deux fois</translation>
+    </message>
+    <message>
+        <source>'%1' without its end</source>
+        <translation>'%1', qui n'est pas fermé</translation>
     </message>
     <message>
         <source>'%1', a jump out of the job</source>
@@ -2207,10 +2203,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>0 N</translation>
     </message>
     <message>
-        <source>0 and more</source>
-        <translation>0 ou plus</translation>
-    </message>
-    <message>
         <source>0 or 1</source>
         <translation>0 ou 1</translation>
     </message>
@@ -2375,11 +2367,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>&lt;%1&gt; a %2=&quot;%3&quot;</translation>
     </message>
     <message>
-        <source>&lt;%1&gt; has '%2', which xacro does not know</source>
+        <source>&lt;%1&gt; has the unknown attribute '%2'</source>
         <translation>&lt;%1&gt; a '%2', que xacro ne connaît pas</translation>
     </message>
     <message>
-        <source>&lt;%1&gt; inside of the call of macro '%2'</source>
+        <source>&lt;%1&gt; inside the call of macro '%2'</source>
         <translation>&lt;%1&gt; dans l'appel de la macro '%2'</translation>
     </message>
     <message>
@@ -2391,7 +2383,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>&lt;%1&gt; vaut '%2' au lieu d'un nombre</translation>
     </message>
     <message>
-        <source>&lt;%1&gt; is left out, it moves nothing: %2</source>
+        <source>&lt;%1&gt; is left out, because it does not affect motion: %2</source>
         <translation>&lt;%1&gt; est laissé de côté, il ne déplace rien : %2</translation>
     </message>
     <message>
@@ -2533,10 +2525,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>A program has no times. Linear moves use their programmed speed; joint moves use their share of 1 m/s and 180 deg/s.</source>
         <translation>Un programme n'a pas de temps : la durée des lignes est leur longueur divisée par leur vitesse ; les mouvements articulaires sont pris à 1 m/s et 180 deg/s fois leur pourcentage.</translation>
-    </message>
-    <message>
-        <source>A property that is a text may hold a mistyped number.</source>
-        <translation>Vérifiez les propriétés : l'une d'elles est un texte, peut-être un nombre mal saisi.</translation>
     </message>
     <message>
         <source>A trajectory is not saved</source>
@@ -3223,6 +3211,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier le périphérique…</translation>
     </message>
     <message>
+        <source>Check for a macro that calls itself.</source>
+        <translation>Cherchez une macro qui s'appelle elle-même.</translation>
+    </message>
+    <message>
+        <source>Check for a macro, a file or a property that contains itself.</source>
+        <translation>Cherchez une macro, un fichier ou une propriété qui se contient soi-même.</translation>
+    </message>
+    <message>
         <source>Check for models that include each other several times, or split the world into several files.</source>
         <translation>Cherchez des modèles qui s'incluent plusieurs fois l'un l'autre, ou divisez le monde en plusieurs parties.</translation>
     </message>
@@ -3747,7 +3743,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Corrigez &quot;parent&quot; dans le document.</translation>
     </message>
     <message>
-        <source>Correct it, or evaluate it where it is written with lazy_eval=&quot;false&quot;.</source>
+        <source>Correct it, or set lazy_eval=&quot;false&quot; to evaluate it where it is defined.</source>
         <translation>Corrigez-la, ou évaluez-la là où elle est écrite avec lazy_eval=&quot;false&quot;.</translation>
     </message>
     <message>
@@ -3755,11 +3751,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Corrigez le fichier ou retirez-le du dossier du robot.</translation>
     </message>
     <message>
-        <source>Correct the name, or define the property in front.</source>
+        <source>Correct the name, or define the property earlier in the file.</source>
         <translation>Corrigez le nom, ou définissez la propriété avant.</translation>
     </message>
     <message>
-        <source>Correct the path or put the file there.</source>
+        <source>Correct the path, or copy the file to this place.</source>
         <translation>Corrigez le chemin ou placez-y le fichier.</translation>
     </message>
     <message>
@@ -4835,10 +4831,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Géométrie</translation>
     </message>
     <message>
-        <source>Give one: %1:=VALUE.</source>
-        <translation>Donnez-en une : %1:=VALUE.</translation>
-    </message>
-    <message>
         <source>Glove</source>
         <translation>Gant</translation>
     </message>
@@ -5181,6 +5173,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>I am holding it: start</source>
         <translation>Je le tiens : démarrer</translation>
+    </message>
+    <message>
+        <source>If a property is a text here, check it for a mistyped number.</source>
+        <translation>Vérifiez les propriétés : l'une d'elles est un texte, peut-être un nombre mal saisi.</translation>
     </message>
     <message>
         <source>If targets are given by joints, set the robot (--robot).</source>
@@ -5721,14 +5717,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Look at part</source>
         <translation>Regarder la pièce</translation>
-    </message>
-    <message>
-        <source>Look for a macro that calls itself.</source>
-        <translation>Cherchez une macro qui s'appelle elle-même.</translation>
-    </message>
-    <message>
-        <source>Look for a macro, a file or a property that contains itself.</source>
-        <translation>Cherchez une macro, un fichier ou une propriété qui se contient soi-même.</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -7763,6 +7751,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Répétition</translation>
     </message>
     <message>
+        <source>Replace the entities by their text.</source>
+        <translation>Écrivez en toutes lettres le texte qu'elles représentent.</translation>
+    </message>
+    <message>
         <source>Replay beside the expert</source>
         <translation>Rejouer à côté de l'expert</translation>
     </message>
@@ -8255,8 +8247,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisi pour cette paire ; cliquez pour changer</translation>
     </message>
     <message>
-        <source>Set it before the program is started.</source>
+        <source>Set it before you start the program.</source>
         <translation>Définissez-la avant de démarrer le programme.</translation>
+    </message>
+    <message>
+        <source>Set it with %1:=VALUE.</source>
+        <translation>Donnez-en une : %1:=VALUE.</translation>
     </message>
     <message>
         <source>Set start values nearer to an assembled pose.</source>
@@ -10043,16 +10039,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Écrire tous les déplacements</translation>
     </message>
     <message>
-        <source>Write it as a number with a point.</source>
+        <source>Write it with a decimal point.</source>
         <translation>Écrivez-le comme un nombre avec un point.</translation>
     </message>
     <message>
         <source>Write its value into the program.</source>
         <translation>Écrivez sa valeur dans le programme.</translation>
-    </message>
-    <message>
-        <source>Write out the text that they stand for.</source>
-        <translation>Écrivez en toutes lettres le texte qu'elles représentent.</translation>
     </message>
     <message>
         <source>Write the lines in the order in which they run.</source>
@@ -10199,10 +10191,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>une forme '%1' dont la taille n'est pas un nombre positif</translation>
     </message>
     <message>
-        <source>a '%' in a text that is filled</source>
-        <translation>un '%' dans un texte à compléter</translation>
-    </message>
-    <message>
         <source>a '%' with more than two digits</source>
         <translation>un '%' avec plus de deux chiffres</translation>
     </message>
@@ -10319,7 +10307,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier YAML</translation>
     </message>
     <message>
-        <source>a YAML file of more than 8 MB</source>
+        <source>a YAML file larger than 8 MB</source>
         <translation>un fichier YAML de plus de 8 Mo</translation>
     </message>
     <message>
@@ -10333,6 +10321,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a binary file</source>
         <translation>un fichier binaire</translation>
+    </message>
+    <message>
+        <source>a bit shift by %1</source>
+        <translation>un décalage de %1</translation>
     </message>
     <message>
         <source>a block</source>
@@ -10419,8 +10411,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un URI de données sans données</translation>
     </message>
     <message>
-        <source>a default without its closing quote in params</source>
+        <source>a default value without closing quote in params</source>
         <translation>une valeur par défaut sans guillemet fermant dans params</translation>
+    </message>
+    <message>
+        <source>a defined name</source>
+        <translation>un nom défini</translation>
     </message>
     <message>
         <source>a detent out of range</source>
@@ -10487,7 +10483,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>une division par zéro</translation>
     </message>
     <message>
-        <source>a document type with entities of its own (&lt;!ENTITY ...&gt;)</source>
+        <source>a divisor other than 0</source>
+        <translation>un autre diviseur</translation>
+    </message>
+    <message>
+        <source>a document type that defines entities (&lt;!ENTITY ...&gt;)</source>
         <translation>un type de document avec ses propres entités (&lt;!ENTITY ...&gt;)</translation>
     </message>
     <message>
@@ -10501,6 +10501,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a face with fewer than three vertices</source>
         <translation>une face avec trop peu de coins</translation>
+    </message>
+    <message>
+        <source>a field is missing</source>
+        <translation>il manque une partie</translation>
     </message>
     <message>
         <source>a file</source>
@@ -10547,7 +10551,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier accessible en écriture</translation>
     </message>
     <message>
-        <source>a file without them</source>
+        <source>a file without entity definitions</source>
         <translation>un fichier sans ces entités</translation>
     </message>
     <message>
@@ -10575,10 +10579,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>une première ligne sans fin</translation>
     </message>
     <message>
-        <source>a flatter list</source>
-        <translation>une liste moins imbriquée</translation>
-    </message>
-    <message>
         <source>a folder</source>
         <translation>un dossier</translation>
     </message>
@@ -10603,6 +10603,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un dossier qui existe et qui est accessible en écriture</translation>
     </message>
     <message>
+        <source>a format text with more % places than values</source>
+        <translation>un texte à compléter avec plus d'emplacements que de valeurs</translation>
+    </message>
+    <message>
         <source>a frame number from 0 to less than %1</source>
         <translation>de 0 à %1 moins un</translation>
     </message>
@@ -10621,6 +10625,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a function</source>
         <translation>une fonction</translation>
+    </message>
+    <message>
+        <source>a function that docs/user/formats.md lists</source>
+        <translation>une des fonctions de docs/user/formats.md</translation>
     </message>
     <message>
         <source>a glTF file</source>
@@ -10697,6 +10705,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a key like %1</source>
         <translation>une clé comme %1</translation>
+    </message>
+    <message>
+        <source>a key of the dictionary</source>
+        <translation>une de ses clés</translation>
     </message>
     <message>
         <source>a key that other users can read or change</source>
@@ -10847,11 +10859,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>une liste trop longue</translation>
     </message>
     <message>
+        <source>a list with fewer nested levels</source>
+        <translation>une liste moins imbriquée</translation>
+    </message>
+    <message>
         <source>a list, a dictionary or a text</source>
         <translation>une liste, un dictionnaire ou un texte</translation>
     </message>
     <message>
-        <source>a list, a dictionary or a text behind 'in'</source>
+        <source>a list, a dictionary or a text after 'in'</source>
         <translation>une liste, un dictionnaire ou un texte après 'in'</translation>
     </message>
     <message>
@@ -10867,7 +10883,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une butée inférieure au-dessus de la butée supérieure</translation>
     </message>
     <message>
-        <source>a macro that is defined in front, or an element of xacro's</source>
+        <source>a macro that is defined earlier, or an element of xacro</source>
         <translation>une macro définie avant, ou un élément de xacro</translation>
     </message>
     <message>
@@ -10967,10 +10983,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nom ou un lien qui mène hors de l'archive</translation>
     </message>
     <message>
-        <source>a name space</source>
-        <translation>un espace de noms</translation>
-    </message>
-    <message>
         <source>a name such as l_elbow_flexion</source>
         <translation>un nom tel que l_elbow_flexion</translation>
     </message>
@@ -10983,8 +10995,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nom qui n'est pas un texte</translation>
     </message>
     <message>
-        <source>a name without points, other than call</source>
+        <source>a name without dots, other than call</source>
         <translation>un nom sans points, autre que call</translation>
+    </message>
+    <message>
+        <source>a namespace</source>
+        <translation>un espace de noms</translation>
     </message>
     <message>
         <source>a new or empty folder</source>
@@ -10997,6 +11013,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a node that does not exist</source>
         <translation>ce nœud n'existe pas</translation>
+    </message>
+    <message>
+        <source>a non-empty separator</source>
+        <translation>un texte séparateur</translation>
     </message>
     <message>
         <source>a non-empty text</source>
@@ -11071,20 +11091,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>une pièce</translation>
     </message>
     <message>
-        <source>a part is missing</source>
-        <translation>il manque une partie</translation>
-    </message>
-    <message>
-        <source>a part of it</source>
-        <translation>une partie de ce texte</translation>
-    </message>
-    <message>
         <source>a part of the mechanism</source>
         <translation>une pièce du mécanisme</translation>
     </message>
     <message>
         <source>a part of the package</source>
         <translation>un élément du paquet</translation>
+    </message>
+    <message>
+        <source>a part of the text</source>
+        <translation>une partie de ce texte</translation>
     </message>
     <message>
         <source>a part that the file still has</source>
@@ -11163,7 +11179,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une posture</translation>
     </message>
     <message>
-        <source>a power that is no number (%1 ** %2)</source>
+        <source>a power that is not a number (%1 ** %2)</source>
         <translation>une puissance qui n'est pas un nombre (%1 ** %2)</translation>
     </message>
     <message>
@@ -11249,6 +11265,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a reference to something that is not in the file</source>
         <translation>un renvoi à quelque chose qui n'est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>a result of comb() or perm() beyond 64 bits</source>
+        <translation>comb() ou perm() au-delà de 64 bits</translation>
     </message>
     <message>
         <source>a road</source>
@@ -11351,10 +11371,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>une forme dont la boîte englobante s'écarte de %1 m</translation>
     </message>
     <message>
-        <source>a shift by %1</source>
-        <translation>un décalage de %1</translation>
-    </message>
-    <message>
         <source>a shortened list</source>
         <translation>une liste tronquée</translation>
     </message>
@@ -11443,6 +11459,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 s pour %2 s</translation>
     </message>
     <message>
+        <source>a step other than 0</source>
+        <translation>un autre pas</translation>
+    </message>
+    <message>
         <source>a stiffness, damping or load that is negative, not finite or too large</source>
         <translation>une raideur, un amortissement ou une charge négatifs, non finis ou trop grands</translation>
     </message>
@@ -11523,7 +11543,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un texte entre guillemets</translation>
     </message>
     <message>
-        <source>a text of more than 1 MB</source>
+        <source>a text longer than 1 MB</source>
         <translation>un texte de plus de 1 Mo</translation>
     </message>
     <message>
@@ -11531,19 +11551,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un texte ou un nombre</translation>
     </message>
     <message>
-        <source>a text to be filled with more places than values</source>
-        <translation>un texte à compléter avec plus d'emplacements que de valeurs</translation>
-    </message>
-    <message>
         <source>a text to replace</source>
         <translation>un texte à remplacer</translation>
     </message>
     <message>
-        <source>a text to split at</source>
-        <translation>un texte séparateur</translation>
-    </message>
-    <message>
-        <source>a text without its closing quote in the expression</source>
+        <source>a text without closing quote in the expression</source>
         <translation>un texte sans guillemet fermant dans l'expression</translation>
     </message>
     <message>
@@ -11663,16 +11675,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>une valeur à la suite</translation>
     </message>
     <message>
-        <source>a value for each</source>
+        <source>a value for each parameter</source>
         <translation>une valeur pour chacun</translation>
-    </message>
-    <message>
-        <source>a value for each %</source>
-        <translation>une valeur pour chaque %</translation>
-    </message>
-    <message>
-        <source>a value for it</source>
-        <translation>une valeur correspondante</translation>
     </message>
     <message>
         <source>a value in the expression</source>
@@ -11681,6 +11685,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a value is out of range</source>
         <translation>une valeur hors de sa plage</translation>
+    </message>
+    <message>
+        <source>a value of the list</source>
+        <translation>une de ses valeurs</translation>
     </message>
     <message>
         <source>a value outside its range</source>
@@ -11923,10 +11931,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un élément que la liste n'a pas</translation>
     </message>
     <message>
-        <source>an element inside of the call for each block</source>
-        <translation>un élément dans l'appel pour chaque bloc</translation>
-    </message>
-    <message>
         <source>an element that is not true or false</source>
         <translation>un élément qui n'est ni true ni false</translation>
     </message>
@@ -12043,7 +12047,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un indice appliqué à %1</translation>
     </message>
     <message>
-        <source>an index within</source>
+        <source>an index within the range</source>
         <translation>un indice valable</translation>
     </message>
     <message>
@@ -12053,6 +12057,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>an integer type for the list's length</source>
         <translation>un type entier pour la longueur de la liste</translation>
+    </message>
+    <message>
+        <source>an invalid '%' in a format text</source>
+        <translation>un '%' dans un texte à compléter</translation>
     </message>
     <message>
         <source>an invalid FOR</source>
@@ -12215,10 +12223,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un autre cliqué</translation>
     </message>
     <message>
-        <source>another divisor</source>
-        <translation>un autre diviseur</translation>
-    </message>
-    <message>
         <source>another entity</source>
         <translation>une autre entité</translation>
     </message>
@@ -12243,10 +12247,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un élément d'un autre type</translation>
     </message>
     <message>
-        <source>another step</source>
-        <translation>un autre pas</translation>
-    </message>
-    <message>
         <source>another version</source>
         <translation>une autre version</translation>
     </message>
@@ -12269,10 +12269,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>as in the controller</source>
         <translation>celui de la commande</translation>
-    </message>
-    <message>
-        <source>as many</source>
-        <translation>le même nombre</translation>
     </message>
     <message>
         <source>as many as in the recording</source>
@@ -12627,10 +12623,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>colonnes x, y, z</translation>
     </message>
     <message>
-        <source>comb() or perm() beyond 64 bits</source>
-        <translation>comb() ou perm() au-delà de 64 bits</translation>
-    </message>
-    <message>
         <source>comb() or perm() of a negative number</source>
         <translation>comb() ou perm() appliqué à un nombre négatif</translation>
     </message>
@@ -12747,7 +12739,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>périphérique</translation>
     </message>
     <message>
-        <source>dict() of what are no pairs</source>
+        <source>dict() of values that are not pairs</source>
         <translation>dict() appliqué à autre chose que des paires</translation>
     </message>
     <message>
@@ -12763,7 +12755,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>des directions de longueur non nulle et non parallèles</translation>
     </message>
     <message>
-        <source>dist() of points of unequal dimension</source>
+        <source>dist() of points with different dimensions</source>
         <translation>dist() appliqué à des points de dimensions différentes</translation>
     </message>
     <message>
@@ -12927,7 +12919,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre plus petit</translation>
     </message>
     <message>
-        <source>fewer levels</source>
+        <source>fewer nested levels</source>
         <translation>moins de niveaux</translation>
     </message>
     <message>
@@ -13261,6 +13253,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>invalid YAML</source>
         <translation>pas du YAML</translation>
+    </message>
+    <message>
+        <source>invalid YAML (%1)</source>
+        <translation>un texte qui n'est pas du YAML (%1)</translation>
     </message>
     <message>
         <source>invalid dimensions '%1'</source>
@@ -13707,7 +13703,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>moins que les %1 du fichier</translation>
     </message>
     <message>
-        <source>letters, digits and _, no word of Python's, no __ in front</source>
+        <source>letters, digits and _, no Python keyword, no __ at the start</source>
         <translation>des lettres, des chiffres et _, pas un mot de Python, pas de __ au début</translation>
     </message>
     <message>
@@ -13863,7 +13859,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>masse</translation>
     </message>
     <message>
-        <source>max() of nothing</source>
+        <source>max() without values</source>
         <translation>max() sans valeurs</translation>
     </message>
     <message>
@@ -13967,7 +13963,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>millimètre</translation>
     </message>
     <message>
-        <source>min() of nothing</source>
+        <source>min() without values</source>
         <translation>min() sans valeurs</translation>
     </message>
     <message>
@@ -14055,7 +14051,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus de 2000000 d'images</translation>
     </message>
     <message>
-        <source>more than 3 million steps of evaluation</source>
+        <source>more than 3 million evaluation steps</source>
         <translation>plus de 3 millions d'étapes d'évaluation</translation>
     </message>
     <message>
@@ -14107,11 +14103,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom '%1' n'est pas défini</translation>
     </message>
     <message>
-        <source>name '%1' is not defined in the name space</source>
+        <source>name '%1' is not defined in the namespace</source>
         <translation>le nom '%1' n'est pas défini dans l'espace de noms</translation>
     </message>
     <message>
-        <source>named arguments behind the others</source>
+        <source>named arguments after the others</source>
         <translation>des arguments nommés après les autres</translation>
     </message>
     <message>
@@ -14219,7 +14215,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun champ n'a ce nom</translation>
     </message>
     <message>
-        <source>no file is like %1</source>
+        <source>no file matches %1</source>
         <translation>aucun fichier ne correspond à %1</translation>
     </message>
     <message>
@@ -14265,14 +14261,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>no joint limits</source>
         <translation>pas de limites pour les axes</translation>
-    </message>
-    <message>
-        <source>no key %1 in the dictionary</source>
-        <translation>pas de clé %1 dans le dictionnaire</translation>
-    </message>
-    <message>
-        <source>no key '%1' in the dictionary</source>
-        <translation>pas de clé '%1' dans le dictionnaire</translation>
     </message>
     <message>
         <source>no key is named '%1'</source>
@@ -14407,6 +14395,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucune table qui décrit sa cinématique</translation>
     </message>
     <message>
+        <source>no tag, or one of !degrees, !radians, !meters, !millimeters, !foot, !inches</source>
+        <translation>aucune, ou une parmi !degrees, !radians, !meters, !millimeters, !foot, !inches</translation>
+    </message>
+    <message>
         <source>no target</source>
         <translation>pas de cible</translation>
     </message>
@@ -14457,10 +14449,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>none nearby</source>
         <translation>rien à proximité</translation>
-    </message>
-    <message>
-        <source>none, or one of !degrees, !radians, !meters, !millimeters, !foot, !inches</source>
-        <translation>aucune, ou une parmi !degrees, !radians, !meters, !millimeters, !foot, !inches</translation>
     </message>
     <message>
         <source>none; e.g. %1</source>
@@ -14671,8 +14659,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un</translation>
     </message>
     <message>
+        <source>one character</source>
+        <translation>un seul caractère</translation>
+    </message>
+    <message>
         <source>one document</source>
         <translation>un seul document</translation>
+    </message>
+    <message>
+        <source>one element inside the call for each block</source>
+        <translation>un élément dans l'appel pour chaque bloc</translation>
     </message>
     <message>
         <source>one link that is not the child of a joint</source>
@@ -14695,20 +14691,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'un de [opw], [dh], [[chain]], [delta], [hexapod], [urdf]</translation>
     </message>
     <message>
-        <source>one of its keys</source>
-        <translation>une de ses clés</translation>
-    </message>
-    <message>
-        <source>one of its values</source>
-        <translation>une de ses valeurs</translation>
-    </message>
-    <message>
         <source>one of the %1 vertices</source>
         <translation>un des %1 sommets</translation>
-    </message>
-    <message>
-        <source>one of the functions in docs/user/formats.md</source>
-        <translation>une des fonctions de docs/user/formats.md</translation>
     </message>
     <message>
         <source>one of the landmarks %1</source>
@@ -14739,10 +14723,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>une forme découpée dans une autre</translation>
     </message>
     <message>
-        <source>one sign</source>
-        <translation>un seul caractère</translation>
-    </message>
-    <message>
         <source>one skeleton per file</source>
         <translation>un squelette par fichier</translation>
     </message>
@@ -14755,20 +14735,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>une entité du document</translation>
     </message>
     <message>
-        <source>one that is</source>
-        <translation>un nom défini</translation>
-    </message>
-    <message>
         <source>one value</source>
         <translation>une seule valeur</translation>
     </message>
     <message>
-        <source>one value, or %1</source>
-        <translation>un seul, ou %1</translation>
+        <source>one value for each %</source>
+        <translation>une valeur pour chaque %</translation>
     </message>
     <message>
-        <source>one within 64 bits</source>
-        <translation>un nombre sur 64 bits</translation>
+        <source>one value, or %1</source>
+        <translation>un seul, ou %1</translation>
     </message>
     <message>
         <source>only files in %1</source>
@@ -14859,7 +14835,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>clé d'appairage</translation>
     </message>
     <message>
-        <source>pairs of key and value</source>
+        <source>pairs of a key and a value</source>
         <translation>des paires de clé et de valeur</translation>
     </message>
     <message>
@@ -14975,7 +14951,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>processeur %1</translation>
     </message>
     <message>
-        <source>properties without a circle</source>
+        <source>properties that do not depend on themselves</source>
         <translation>des propriétés sans boucle</translation>
     </message>
     <message>
@@ -15139,7 +15115,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>des scènes en plus de la principale</translation>
     </message>
     <message>
-        <source>scope=&quot;%1&quot; is not known; the property '%2' is set where it stands</source>
+        <source>scope=&quot;%1&quot; is unknown; the property '%2' is set in the current scope</source>
         <translation>scope=&quot;%1&quot; n'est pas connu ; la propriété '%2' est définie là où elle se trouve</translation>
     </message>
     <message>
@@ -15295,7 +15271,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>coupé</translation>
     </message>
     <message>
-        <source>split() at an empty text</source>
+        <source>split() with an empty separator</source>
         <translation>split() avec un texte séparateur vide</translation>
     </message>
     <message>
@@ -15419,7 +15395,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>des textes</translation>
     </message>
     <message>
-        <source>texts and lists of more than 64 MB</source>
+        <source>texts and lists with more than 64 MB in total</source>
         <translation>des textes et des listes de plus de 64 Mo</translation>
     </message>
     <message>
@@ -15511,6 +15487,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>la boîte englobante de la forme dans la cellule, à 1e-9 m près</translation>
     </message>
     <message>
+        <source>the call of macro '%1' does not set %2</source>
+        <translation>la macro '%1' sans ses paramètres %2</translation>
+    </message>
+    <message>
+        <source>the call of macro '%1' has no block for %2</source>
+        <translation>la macro '%1' sans son bloc %2</translation>
+    </message>
+    <message>
         <source>the capabilities are missing</source>
         <translation>pas de caractéristiques</translation>
     </message>
@@ -15525,6 +15509,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the character '%1'</source>
         <translation>le caractère '%1'</translation>
+    </message>
+    <message>
+        <source>the character '%1' in the expression</source>
+        <translation>le caractère '%1' dans l'expression</translation>
     </message>
     <message>
         <source>the column is missing</source>
@@ -15577,6 +15565,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the data is missing</source>
         <translation>pas de données</translation>
+    </message>
+    <message>
+        <source>the dictionary has no key %1</source>
+        <translation>pas de clé %1 dans le dictionnaire</translation>
+    </message>
+    <message>
+        <source>the dictionary has no key '%1'</source>
+        <translation>pas de clé '%1' dans le dictionnaire</translation>
     </message>
     <message>
         <source>the document</source>
@@ -15635,7 +15631,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'exercice '%1' de ces résultats est introuvable</translation>
     </message>
     <message>
-        <source>the expression ends</source>
+        <source>the expression ends too early</source>
         <translation>l'expression s'arrête</translation>
     </message>
     <message>
@@ -15667,7 +15663,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier</translation>
     </message>
     <message>
-        <source>the file %1 is not there</source>
+        <source>the file %1 does not exist</source>
         <translation>le fichier %1 n'existe pas</translation>
     </message>
     <message>
@@ -15811,10 +15807,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier laisse au hasard les positions de ses modèles ; ils sont répartis régulièrement</translation>
     </message>
     <message>
-        <source>the file refuses itself: %1</source>
-        <translation>le fichier se refuse lui-même : %1</translation>
-    </message>
-    <message>
         <source>the file reports an error: %1</source>
         <translation>le fichier signale une erreur : %1</translation>
     </message>
@@ -15825,6 +15817,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the file states that %1 is up (Y_SCREEN), but the body stands along %2, which is used; to change this, use --up</source>
         <translation>le fichier indique que %1 est vers le haut (Y_SCREEN), mais le corps se tient selon %2, qui est utilisé ; --up en indique un autre</translation>
+    </message>
+    <message>
+        <source>the file stops with the error: %1</source>
+        <translation>le fichier se refuse lui-même : %1</translation>
     </message>
     <message>
         <source>the file warns: %1</source>
@@ -16025,14 +16021,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the macro '%1' has no parameter '%2'</source>
         <translation>la macro '%1' n'a pas de paramètre '%2'</translation>
-    </message>
-    <message>
-        <source>the macro '%1' without its block %2</source>
-        <translation>la macro '%1' sans son bloc %2</translation>
-    </message>
-    <message>
-        <source>the macro '%1' without its parameters %2</source>
-        <translation>la macro '%1' sans ses paramètres %2</translation>
     </message>
     <message>
         <source>the mannequin does not exist</source>
@@ -16335,7 +16323,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de mouvements</translation>
     </message>
     <message>
-        <source>the property '%1' needs itself (%2)</source>
+        <source>the property '%1' depends on itself (%2)</source>
         <translation>la propriété '%1' dépend d'elle-même (%2)</translation>
     </message>
     <message>
@@ -16353,6 +16341,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the reference pose is missing</source>
         <translation>pas de pose de référence</translation>
+    </message>
+    <message>
+        <source>the result of %1() is too large or undefined</source>
+        <translation>%1() trop grand ou non défini</translation>
     </message>
     <message>
         <source>the result of '%1'</source>
@@ -16419,6 +16411,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le segment de la cellule</translation>
     </message>
     <message>
+        <source>the same number</source>
+        <translation>le même nombre</translation>
+    </message>
+    <message>
         <source>the scale factor is not a number</source>
         <translation>une échelle qui n'est pas un nombre</translation>
     </message>
@@ -16429,10 +16425,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the server stopped sending the state of the stylus</source>
         <translation>l'état du stylet n'arrive plus</translation>
-    </message>
-    <message>
-        <source>the sign '%1' in the expression</source>
-        <translation>le caractère '%1' dans l'expression</translation>
     </message>
     <message>
         <source>the start value of joint '%1' is not a number</source>
@@ -16811,7 +16803,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>deux ou plus</translation>
     </message>
     <message>
-        <source>two points</source>
+        <source>two points of the same dimension</source>
         <translation>deux points</translation>
     </message>
     <message>
@@ -16905,10 +16897,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>well-formed XML</source>
         <translation>du XML bien formé</translation>
-    </message>
-    <message>
-        <source>what is no YAML (%1)</source>
-        <translation>un texte qui n'est pas du YAML (%1)</translation>
     </message>
     <message>
         <source>what the motion moves</source>

@@ -154,7 +154,7 @@ Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
 Expected<void> read(const wire::State& from, HapticState& to) {
   if (!copy(from.stylus(), to.X_DS) || !copy(from.proxy(), to.X_DP) || !copy(from.velocity(), to.v_DS) ||
       !copy(from.force(), to.force_D)) {
-    return refuse("State", Text("a part is missing"), Text("stylus, proxy, velocity and force"));
+    return refuse("State", Text("a field is missing"), Text("stylus, proxy, velocity and force"));
   }
   to.torque_D = from.torque() != nullptr ? fromWire(*from.torque()) : dvec3(0.0);
   to.tick = from.tick();

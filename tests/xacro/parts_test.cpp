@@ -222,9 +222,9 @@ TEST_F(XacroParts, MethodsReadTheirValueAndThereAreNoOthers) {
 TEST_F(XacroParts, ArgumentsOfFunctionsAreCounted) {
   Call call{interpreter_, {1, "two"}, {}};
   EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 1, 2); }), "");
-  EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 3, 3); }), "f() with 2 values");
+  EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 3, 3); }), "f() with 2 arguments");
   call.named["x"] = 1;
-  EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 2, 2); }), "f() with 3 values");
+  EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 2, 2); }), "f() with 3 arguments");
   EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 2, 2, true); }), "");
   EXPECT_EQ(textArgument(call, "f", 1), "two");
   EXPECT_THAT(faultOf([&] { (void)textArgument(call, "f", 0); }), HasSubstr("f() with "));

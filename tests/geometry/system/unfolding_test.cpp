@@ -24,8 +24,8 @@ TEST(Unfolding, TreesAndWhatStandsInSeveralPlacesAreGood) {
 }
 
 TEST(Unfolding, CirclesAreFoundWhereverTheyAre) {
-  EXPECT_THAT(said({{0}}, {0}), HasSubstr("node 0: it holds itself"));
-  EXPECT_THAT(said({{1}, {2}, {3, 1}, {}}, {0}), HasSubstr("node 1: it holds itself"));
+  EXPECT_THAT(said({{0}}, {0}), HasSubstr("node 0: it contains itself"));
+  EXPECT_THAT(said({{1}, {2}, {3, 1}, {}}, {0}), HasSubstr("node 1: it contains itself"));
   EXPECT_EQ(said({{1}, {}, {2}}, {0}), "") << "one that no root leads to";
 }
 

@@ -88,7 +88,7 @@ TEST(RosYaml, FaultsNameLineAndWhatIsWrong) {
       {head + "- positions: [1]\n  time_from_start: 0\n", "line 3: 1 positions; expected 2, one per joint"},
       {head + "- positions: [1, x]\n  time_from_start: 0\n", "'x'; expected a number"},
       {head + "- positions: [1, .nan]\n  time_from_start: 0\n", "expected a number"},
-      {head + "- positions: [1, 2]\n", "no time_from_start"},
+      {head + "- positions: [1, 2]\n", "time_from_start is missing"},
       {head + "- positions: [1, 2]\n  time_from_start: {minutes: 2}\n", "'minutes' in a time"},
       {head + "- positions: [1, 2]\n  time_from_start: 1\n- positions: [1, 2]\n  time_from_start: 1\n", "increase"},
       {head + "- positions: [1, 2]\n  positions: [1, 3]\n  time_from_start: 1\n", "'positions' twice"},

@@ -118,7 +118,7 @@ TEST(Mechanism, FaultsAreNamedInOneSentence) {
   const Fault faults[] = {
       {"hinge", "axis of length zero", [](auto& d) { d.joints[0].axis_M = dvec3(0.0); }},
       {"hinge", "above its upper", [](auto& d) { std::swap(d.joints[0].lower, d.joints[0].upper); }},
-      {"hinge", "no part 'door'", [](auto& d) { d.joints[0].child = "door"; }},
+      {"hinge", "no part is named 'door'", [](auto& d) { d.joints[0].child = "door"; }},
       {"hinge", "to itself", [](auto& d) { d.joints[0].child = "frame"; }},
       {"hinge", "without pitch", [](auto& d) { d.joints[0].type = MechanismJointType::kScrew; }},
       {"hinge", "leads back to itself", [](auto& d) { d.joints[0].coupling = JointCoupling{"hinge"}; }},

@@ -53,13 +53,13 @@ TEST(RobotToml, FaultsAreToldInOneSentenceWithFileAndLine) {
   const std::string reversed = "[joints]\nlower = [-90, 95, -90, -90, -90, -90]\nupper = [90, 90, 90, 90, 90, 90]\n";
   const std::string one = "[joints]\nlower = [-9]\nupper = [9]\n";
   const Fault faults[] = {
-      {"name = \"x\"\n", "no format"},
+      {"name = \"x\"\n", "format is missing"},
       {kHead + "[opw\n", "not TOML"},
       {kHead, "no table defines how the robot moves"},
       {kHead + kOpw + "[dh]\nconvention = \"standard\"\n" + kSix, "both [opw] and [dh]"},
-      {kHead + "[opw]\nc1 = 1\n" + kSix, "no c2"},
+      {kHead + "[opw]\nc1 = 1\n" + kSix, "c2 is missing"},
       {kHead + "[opw]\na1 = \"far\"\nc1 = 1\nc2 = 1\nc3 = 1\nc4 = 1\n" + kSix, "a1 is a text"},
-      {kHead + kOpw + "c9 = 4\n" + kSix, "'c9', which is not known"},
+      {kHead + kOpw + "c9 = 4\n" + kSix, "the unknown key 'c9'"},
       {kHead + kOpw + six_short, "2 numbers in lower"},
       {kHead + kOpw + reversed, "'joint_2' has a lower limit above its upper limit"},
       {kHead + kOpw + "signs = [1, 1, 1, 1, 1, 2]\n" + kSix, "invalid signs"},
@@ -70,7 +70,7 @@ TEST(RobotToml, FaultsAreToldInOneSentenceWithFileAndLine) {
       {kHead + "[delta]\nbase_radius = 100\nupper_arm = 1\nlower_arm = 5\nplatform_radius = 50\n[joints]\nlower = "
                "[0,0,0]\nupper = [9,9,9]\n",
        "do not reach the platform"},
-      {kHead + "[hexapod]\nbase = [[0,0,0]]\nplatform = [[0,0,0]]\nhome = {}\n" + kSix, "1 and 1 hinges"},
+      {kHead + "[hexapod]\nbase = [[0,0,0]]\nplatform = [[0,0,0]]\nhome = {}\n" + kSix, "1 and 1 joints"},
       {kHead + "[urdf]\nfile = \"nowhere.urdf\"\n", "nowhere.urdf"},
       {kHead + kOpw + kSix + "[[tool]]\nname = \"gun\"\nposition = [1e200, 0, 0]\n", "a position that is too far away"},
   };

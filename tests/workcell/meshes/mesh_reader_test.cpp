@@ -77,7 +77,7 @@ TEST(MeshReader, ScalesAndGuessesTheUnit) {
   ASSERT_TRUE(plain.has_value());
   EXPECT_NEAR(plain->mesh.bounds().size().x, 100.0, 1e-9);
   ASSERT_EQ(notes.warnings.size(), 1u);
-  EXPECT_THAT(english(notes.warnings[0]), HasSubstr("millimetres"));
+  EXPECT_THAT(english(notes.warnings[0]), HasSubstr("the file has no unit"));
 
   Diagnostics quiet;
   const auto scaled = parse(test::stlBinary(big), "part.stl", quiet, {.scale = 0.001});

@@ -117,7 +117,7 @@ TEST(UrdfOfStrangers, ShapesThatAreNoneAreLeftOutAndTold) {
                                        {"<heightmap/>", "<heightmap>, which is not supported", 1},
                                        {"<mesh/>", "a mesh without filename", 1},
                                        {"<mesh filename=\"t.stl\" scale=\"1 0 1\"/>", "scale=\"1 0 1\"", 1},
-                                       {"", "nothing in it", 1}};
+                                       {"", "an empty <geometry>", 1}};
   for (const auto& [geometry, said, lost] : samples) {
     const Read read = readBody(linkText("a", std::string("<visual><geometry>") + geometry + "</geometry></visual>"));
     ASSERT_TRUE(read.model) << read.said;

@@ -46,7 +46,7 @@ TEST_F(FakeImporter, ACrashIsOneSentenceOfWhatWasFoundAndWhatHelps) {
     ASSERT_FALSE(scene);
     EXPECT_THAT(scene.error().message(),
                 HasSubstr("part.step, meshing part 2 of 3, Flange: content that makes the reader crash; expected an "
-                          "undamaged file. Export it again, or in another format"));
+                          "undamaged file. Export it again or in another format"));
   }
   EXPECT_THAT(read("exit 3").error().message(), HasSubstr("part.step, at its start: "));
 }

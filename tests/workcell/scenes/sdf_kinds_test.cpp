@@ -224,7 +224,8 @@ TEST_F(SdfKinds, APackageUnderAnotherNameIsTakenAndReported) {
         readRobot(folder_.write("gate-main/sdf/robot.sdf", "<sdf version='1.9'>" + inside + "</sdf>"), notes_);
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(read->model.links[0].visuals.size(), 1u) << uri;
-    EXPECT_THAT(notes_.warnings, Contains(HasSubstr("gate-main, which holds the rest of the path"))) << uri;
+    EXPECT_THAT(notes_.warnings, Contains(HasSubstr("gate-main is used, because it contains the rest of the path")))
+        << uri;
   }
 }
 
