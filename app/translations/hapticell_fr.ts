@@ -70,7 +70,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is missing</source>
-        <translation>pas de &quot;%1&quot;</translation>
+        <translation>&quot;%1&quot; manque</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not in the text</source>
@@ -206,7 +206,7 @@
     </message>
     <message>
         <source>%1 after packing, or different ones</source>
-        <translation>%1 relus, ou d'autres</translation>
+        <translation>%1 après l'archivage, ou différents</translation>
     </message>
     <message>
         <source>%1 against %2: the meshes are too dense there to tell all contacts, so only the nearest point of each pair is felt</source>
@@ -320,7 +320,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 duplicate triangles were removed</source>
-        <translation>%1 triangles en double ont été supprimés une fois</translation>
+        <translation>%1 triangles en double ont été supprimés</translation>
     </message>
     <message>
         <source>%1 edges between faces of opposite orientation</source>
@@ -428,7 +428,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 has no function '%2'</source>
-        <translation>%1 n'a pas de '%2' ici</translation>
+        <translation>%1 n'a pas de fonction '%2'</translation>
     </message>
     <message>
         <source>%1 has too many frames to reorder here. Simplify it first.</source>
@@ -464,7 +464,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 in the pack</source>
-        <translation>%1 relue dans l'archive</translation>
+        <translation>%1 dans l'archive</translation>
     </message>
     <message>
         <source>%1 in total</source>
@@ -560,7 +560,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 is missing</source>
-        <translation>pas de %1</translation>
+        <translation>%1 manque</translation>
     </message>
     <message>
         <source>%1 is near %2 of %3</source>
@@ -644,7 +644,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 joints are on the path to this link</source>
-        <translation>%1 axes le déplacent</translation>
+        <translation>%1 axes mènent à ce segment</translation>
     </message>
     <message>
         <source>%1 kg</source>
@@ -740,7 +740,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1 names '%2', which is left out. Plug-ins are loaded only from absolute paths of folders that no other user can write to.</source>
-        <translation>%1 nomme '%2', qui est ignoré : les modules ne viennent que de dossiers nommés par leur chemin complet, où aucun autre utilisateur ne peut écrire.</translation>
+        <translation>%1 nomme '%2', qui est ignoré. Les modules ne sont chargés que depuis des chemins absolus de dossiers où aucun autre utilisateur ne peut écrire.</translation>
     </message>
     <message>
         <source>%1 nearer</source>
@@ -1176,7 +1176,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1() with %2 arguments</source>
-        <translation>%1() avec %2 valeurs</translation>
+        <translation>%1() avec %2 arguments</translation>
     </message>
     <message>
         <source>%1, &quot;%2&quot;</source>
@@ -1348,7 +1348,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1.src in the same folder</source>
-        <translation>%1.src à côté</translation>
+        <translation>%1.src dans le même dossier</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1396,11 +1396,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1: &lt;%2&gt; is left out (%3 times), because its macro is not in the file</source>
-        <translation>%1 : &lt;%2&gt; n'a jamais été développé (%3 fois) et sa macro n'est pas dans le fichier : son contenu est omis</translation>
+        <translation>%1 : &lt;%2&gt; est omis (%3 fois), car sa macro n'est pas dans le fichier</translation>
     </message>
     <message>
         <source>%1: &lt;%2&gt; is left out (1 time), because its macro is not in the file</source>
-        <translation>%1 : &lt;%2&gt; n'a jamais été développé (1 fois) et sa macro n'est pas dans le fichier : son contenu est omis</translation>
+        <translation>%1 : &lt;%2&gt; est omis (1 fois), car sa macro n'est pas dans le fichier</translation>
     </message>
     <message>
         <source>%1: at least %2 mm</source>
@@ -1524,7 +1524,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>%1: the visual shape is used for collision checks of %2</source>
-        <translation>%1 : la forme visuelle est vérifiée à la place pour %2</translation>
+        <translation>%1 : la forme visuelle sert au contrôle de collision de %2</translation>
     </message>
     <message>
         <source>%1: they touch or overlap</source>
@@ -1672,7 +1672,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>'%1' after saving</source>
-        <translation>'%1' à la relecture</translation>
+        <translation>'%1' après l'enregistrement</translation>
     </message>
     <message>
         <source>'%1' comes before its parent</source>
@@ -1688,7 +1688,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>'%1' has an invalid placement; it is placed at its parent</source>
-        <translation>'%1' a un placement qui n'en est pas un ; il est mis au placement de son parent</translation>
+        <translation>'%1' a un placement non valide ; il est mis au placement de son parent</translation>
     </message>
     <message>
         <source>'%1' has closed loops, which URDF cannot describe: only its tree was written</source>
@@ -1712,7 +1712,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>'%1' in a format text</source>
-        <translation>'%1' dans un texte à compléter</translation>
+        <translation>'%1' dans un texte de format</translation>
     </message>
     <message>
         <source>'%1' in a time</source>
@@ -1732,11 +1732,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>'%1' instead of a frame number</source>
-        <translation>pas un numéro d'image : '%1'</translation>
+        <translation>'%1' au lieu d'un numéro d'image</translation>
     </message>
     <message>
         <source>'%1' instead of a number in OFFSET</source>
-        <translation>pas un nombre dans OFFSET : '%1'</translation>
+        <translation>'%1' au lieu d'un nombre dans OFFSET</translation>
     </message>
     <message>
         <source>'%1' is left out.</source>
@@ -1772,7 +1772,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>'%1' is real hardware</source>
-        <translation>le périphérique '%1' est tenu par une vraie main</translation>
+        <translation>'%1' est un vrai matériel</translation>
     </message>
     <message>
         <source>'%1' is this entity or is attached to it</source>
@@ -1860,7 +1860,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>'%2' instead of a number in frame %1</source>
-        <translation>pas un nombre dans l'image %1 : '%2'</translation>
+        <translation>'%2' au lieu d'un nombre dans l'image %1</translation>
     </message>
     <message>
         <source>'OFF'</source>
@@ -2040,11 +2040,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>--record is missing</source>
-        <translation>rien n'est enregistré</translation>
+        <translation>--record manque</translation>
     </message>
     <message>
         <source>--record together with this option</source>
-        <translation>--record en plus</translation>
+        <translation>--record avec cette option</translation>
     </message>
     <message>
         <source>--record-interval, --record-distance</source>
@@ -2196,7 +2196,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>0 (not pressed), 1 (first button), 2 (second button) or 3 (both)</source>
-        <translation>0, 1 bouton pressé, 2 pour un second, 3 pour les deux</translation>
+        <translation>0 (relâché), 1 (premier bouton), 2 (second bouton) ou 3 (les deux)</translation>
     </message>
     <message>
         <source>0 N</source>
@@ -2272,7 +2272,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>1 to 10000 placements</source>
-        <translation>de 1 à 10000</translation>
+        <translation>1 à 10000 placements</translation>
     </message>
     <message>
         <source>1, the newest version that this program can read</source>
@@ -2432,11 +2432,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>&lt;robot&gt; is missing</source>
-        <translation>pas de &lt;robot&gt;</translation>
+        <translation>&lt;robot&gt; manque</translation>
     </message>
     <message>
         <source>&lt;sdf&gt; is missing</source>
-        <translation>pas de &lt;sdf&gt;</translation>
+        <translation>&lt;sdf&gt; manque</translation>
     </message>
     <message>
         <source>&lt;xacro:%1&gt;: there is no macro of this name</source>
@@ -2736,7 +2736,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Another haptic server may be running. Stop it, or set another --port (0: any free port).</source>
-        <translation>Vérifiez si un autre serveur haptique tourne, ou donnez un autre --port (0 : n'importe lequel).</translation>
+        <translation>Un autre serveur haptique tourne peut-être. Arrêtez-le, ou indiquez un autre --port (0 : n'importe quel port libre).</translation>
     </message>
     <message>
         <source>Another program (%1) controls the stylus.</source>
@@ -3256,7 +3256,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Check the disk or the receiving program.</source>
-        <translation>Vérifiez le tube ou le disque.</translation>
+        <translation>Vérifiez le disque ou le programme qui reçoit les données.</translation>
     </message>
     <message>
         <source>Check the motion</source>
@@ -3264,7 +3264,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Check the unit. If it is right, move the part to the origin in the CAD program.</source>
-        <translation>Vérifiez son unité. Sinon, déplacez-la à l'origine dans le programme qui l'a créée.</translation>
+        <translation>Vérifiez l'unité. Si elle est juste, déplacez la pièce à l'origine dans le logiciel de CAO.</translation>
     </message>
     <message>
         <source>Check the whole path</source>
@@ -3728,7 +3728,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Copy the file to this folder. A .gltf needs its .bin files.</source>
-        <translation>Placez-le là : un .gltf a besoin de ses fichiers .bin.</translation>
+        <translation>Copiez le fichier dans ce dossier. Un .gltf a besoin de ses fichiers .bin.</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -4396,7 +4396,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Fault ({}) at tick {}: the ticks around it are in {}; {} more faults have no file</source>
-        <translation>Fault ({}) at tick {}: its ticks are in {}; {} others have no file</translation>
+        <translation>Défaut ({}) au cycle {} : les cycles voisins sont dans {} ; {} autres défauts sont sans fichier</translation>
     </message>
     <message>
         <source>Fault ({}) at tick {}: {}</source>
@@ -5388,7 +5388,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>JSON content, byte %1</source>
-        <translation>octet %1 de son JSON</translation>
+        <translation>contenu JSON, octet %1</translation>
     </message>
     <message>
         <source>Jerk</source>
@@ -5456,7 +5456,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Keep only one trajectory in the file.</source>
-        <translation>Ne gardez dans le fichier que celle qui est voulue.</translation>
+        <translation>Ne gardez qu'une trajectoire dans le fichier.</translation>
     </message>
     <message>
         <source>Keep only the frames needed</source>
@@ -6580,7 +6580,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Nothing was written. To write the file anyway, use --allow-miss.</source>
-        <translation>Rien n'est écrit sans --allow-miss.</translation>
+        <translation>Rien n'a été écrit. Pour écrire quand même le fichier, utilisez --allow-miss.</translation>
     </message>
     <message>
         <source>OBJ (*.obj)</source>
@@ -7128,7 +7128,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Pick the moving part and the part that carries it in the scene.</source>
-        <translation>Désignez les deux dans la scène.</translation>
+        <translation>Désignez dans la scène la pièce mobile et la pièce qui la porte.</translation>
     </message>
     <message>
         <source>Pick the other part</source>
@@ -7268,7 +7268,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Please report this bug, with the file that caused it.</source>
-        <translation>Signalez le fichier en cause.</translation>
+        <translation>Signalez ce défaut avec le fichier qui l'a causé.</translation>
     </message>
     <message>
         <source>Plugged in at</source>
@@ -7928,7 +7928,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Run ros2 topic echo again with --full-length (-f).</source>
-        <translation>Refaites l'écho avec --full-length (-f).</translation>
+        <translation>Relancez ros2 topic echo avec --full-length (-f).</translation>
     </message>
     <message>
         <source>Runs: %1, the last with %2 points</source>
@@ -8252,11 +8252,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Set it with %1:=VALUE.</source>
-        <translation>Donnez-en une : %1:=VALUE.</translation>
+        <translation>Définissez-le par %1:=VALUE.</translation>
     </message>
     <message>
         <source>Set start values nearer to an assembled pose.</source>
-        <translation>Indiquez un départ plus proche.</translation>
+        <translation>Indiquez des valeurs de départ plus proches d'une pose assemblée.</translation>
     </message>
     <message>
         <source>Set the range first, with the brackets that are now in the time bar.</source>
@@ -8816,7 +8816,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>The cell has changed: search again.</source>
-        <translation>Relancez la recherche avec la cellule telle qu'elle est.</translation>
+        <translation>La cellule a changé : relancez la recherche.</translation>
     </message>
     <message>
         <source>The cell is empty</source>
@@ -8896,7 +8896,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>The file has %1; parts made from it can be missing or wrong. Export the file again.</source>
-        <translation>le fichier a %1 ; ce qui en dépend manque ou est faux. Exportez-le à nouveau.</translation>
+        <translation>Le fichier a %1 ; des pièces qui en dépendent peuvent manquer ou être fausses. Exportez-le de nouveau.</translation>
     </message>
     <message>
         <source>The file is being read</source>
@@ -9508,7 +9508,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>To list all 56 joints, run hapticell-cli mannequin.</source>
-        <translation>Exécutez hapticell-cli mannequin, qui les énumère toutes les 56.</translation>
+        <translation>Pour afficher les 56 articulations, lancez hapticell-cli mannequin.</translation>
     </message>
     <message>
         <source>To list the connected devices, run hapticell-cli devices.</source>
@@ -9824,11 +9824,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Use constant-speed timing.</source>
-        <translation>Calculez ses temps à vitesse constante.</translation>
+        <translation>Utilisez le calcul à vitesse constante.</translation>
     </message>
     <message>
         <source>Use its absolute path.</source>
-        <translation>Nommez-le par son chemin complet.</translation>
+        <translation>Indiquez son chemin absolu.</translation>
     </message>
     <message>
         <source>Use single keys without Ctrl</source>
@@ -9844,7 +9844,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Use time-optimal timing (joint limits).</source>
-        <translation>Calculez ses temps d'après les limites des axes.</translation>
+        <translation>Utilisez le calcul en temps optimal (limites des axes).</translation>
     </message>
     <message>
         <source>Use trajectory export for other formats.</source>
@@ -10400,7 +10400,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a damaged FlatBuffer</source>
-        <translation>un FlatBuffer qui pointe hors de lui-même</translation>
+        <translation>un FlatBuffer endommagé</translation>
     </message>
     <message>
         <source>a damaged archive</source>
@@ -10492,7 +10492,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a drawn view</source>
-        <translation>quelque chose de dessiné</translation>
+        <translation>une vue dessinée</translation>
     </message>
     <message>
         <source>a driver of HaptiCell</source>
@@ -10504,7 +10504,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a field is missing</source>
-        <translation>il manque une partie</translation>
+        <translation>un champ manque</translation>
     </message>
     <message>
         <source>a file</source>
@@ -10512,7 +10512,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a file in the same folder</source>
-        <translation>un fichier à côté</translation>
+        <translation>un fichier dans le même dossier</translation>
     </message>
     <message>
         <source>a file name</source>
@@ -10524,7 +10524,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a file or folder that only you and root can change</source>
-        <translation>ce que vous seul (et root) pouvez écrire</translation>
+        <translation>un fichier ou un dossier que vous seul et root pouvez modifier</translation>
     </message>
     <message>
         <source>a file or program that accepts all data</source>
@@ -10544,7 +10544,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a file that nobody else has open</source>
-        <translation>un fichier sur lequel personne d'autre ne travaille</translation>
+        <translation>un fichier que personne d'autre n'a ouvert</translation>
     </message>
     <message>
         <source>a file that you can write</source>
@@ -10568,7 +10568,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a finite pose within 1e12 m</source>
-        <translation>une position à portée</translation>
+        <translation>une pose finie à moins de 1e12 m</translation>
     </message>
     <message>
         <source>a finite result</source>
@@ -10576,7 +10576,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a first line that is too long</source>
-        <translation>une première ligne sans fin</translation>
+        <translation>une première ligne trop longue</translation>
     </message>
     <message>
         <source>a folder</source>
@@ -10608,7 +10608,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a frame number from 0 to less than %1</source>
-        <translation>de 0 à %1 moins un</translation>
+        <translation>un numéro d'image de 0 à moins de %1</translation>
     </message>
     <message>
         <source>a frame number, 0 or more</source>
@@ -10728,7 +10728,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a lattice of beams and balls</source>
-        <translation>des poutres et des billes</translation>
+        <translation>un treillis de poutres et de billes</translation>
     </message>
     <message>
         <source>a leg length above 0</source>
@@ -10796,7 +10796,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a link that a joint moves</source>
-        <translation>un segment après un axe</translation>
+        <translation>un segment mû par un axe</translation>
     </message>
     <message>
         <source>a link without a name</source>
@@ -10944,7 +10944,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a message with content</source>
-        <translation>un message du protocole</translation>
+        <translation>un message avec un contenu</translation>
     </message>
     <message>
         <source>a missing argument</source>
@@ -10972,7 +10972,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a moving part or a carrying part is not set</source>
-        <translation>il faut une pièce mobile et une pièce qui la porte</translation>
+        <translation>la pièce mobile ou la pièce qui la porte n'est pas définie</translation>
     </message>
     <message>
         <source>a name</source>
@@ -11012,7 +11012,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a node that does not exist</source>
-        <translation>ce nœud n'existe pas</translation>
+        <translation>un nœud qui n'existe pas</translation>
     </message>
     <message>
         <source>a non-empty separator</source>
@@ -11228,7 +11228,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a range that leaves at least one frame</source>
-        <translation>des images qui en laissent au moins une</translation>
+        <translation>une plage qui laisse au moins une image</translation>
     </message>
     <message>
         <source>a range within %1 s to %2 s</source>
@@ -11252,11 +11252,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a recording with at least one tick</source>
-        <translation>une session enregistrée</translation>
+        <translation>un enregistrement d'au moins un cycle</translation>
     </message>
     <message>
         <source>a recovery copy that can be moved</source>
-        <translation>une copie qui peut être déplacée</translation>
+        <translation>une copie de récupération qui peut être déplacée</translation>
     </message>
     <message>
         <source>a reference or count beyond the end of the file's data</source>
@@ -11272,7 +11272,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a road</source>
-        <translation>une bande le long de points</translation>
+        <translation>une route</translation>
     </message>
     <message>
         <source>a robot</source>
@@ -11452,11 +11452,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a step above 0 that gives at most 10 million frames</source>
-        <translation>une valeur positive, dix millions d'images au plus</translation>
+        <translation>un pas supérieur à 0 qui donne au plus 10 millions d'images</translation>
     </message>
     <message>
         <source>a step of %1 s for a motion of %2 s</source>
-        <translation>%1 s pour %2 s</translation>
+        <translation>un pas de %1 s pour un mouvement de %2 s</translation>
     </message>
     <message>
         <source>a step other than 0</source>
@@ -11592,7 +11592,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a time without a frame</source>
-        <translation>un autre temps</translation>
+        <translation>un temps sans image</translation>
     </message>
     <message>
         <source>a time_from_start of %1 s</source>
@@ -11628,7 +11628,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a tree without cycles</source>
-        <translation>un arbre</translation>
+        <translation>un arbre sans cycle</translation>
     </message>
     <message>
         <source>a triangle with a vertex that does not exist</source>
@@ -11636,7 +11636,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a typing error (the checksum is wrong)</source>
-        <translation>une faute de frappe (la somme de contrôle ne convient pas)</translation>
+        <translation>une faute de frappe (somme de contrôle fausse)</translation>
     </message>
     <message>
         <source>a unique name</source>
@@ -11660,7 +11660,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a valid pose and status</source>
-        <translation>une pose finie</translation>
+        <translation>une pose et un état valides</translation>
     </message>
     <message>
         <source>a value</source>
@@ -11720,7 +11720,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a vertex number beyond the last of %1</source>
-        <translation>un sommet au-delà du dernier des %1</translation>
+        <translation>un numéro de sommet au-delà du dernier des %1</translation>
     </message>
     <message>
         <source>a vertex with %1</source>
@@ -11808,7 +11808,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>all parts are read as rigid bodies</source>
-        <translation>tout est lu comme des corps solides</translation>
+        <translation>toutes les pièces sont lues comme des corps rigides</translation>
     </message>
     <message>
         <source>all positions</source>
@@ -11880,7 +11880,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an animated actor</source>
-        <translation>un personnage animé par un script</translation>
+        <translation>un acteur animé</translation>
     </message>
     <message>
         <source>an arc from an unknown position</source>
@@ -11904,7 +11904,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an assembly inside itself</source>
-        <translation>une place sous lui-même</translation>
+        <translation>un assemblage à l'intérieur de lui-même</translation>
     </message>
     <message>
         <source>an attempt</source>
@@ -11948,11 +11948,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an empty message</source>
-        <translation>une enveloppe sans contenu</translation>
+        <translation>un message vide</translation>
     </message>
     <message>
         <source>an empty picture</source>
-        <translation>il n'y a pas d'image</translation>
+        <translation>une image vide</translation>
     </message>
     <message>
         <source>an endless loop</source>
@@ -11988,11 +11988,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an exact copy</source>
-        <translation>une copie de celui-ci</translation>
+        <translation>une copie exacte</translation>
     </message>
     <message>
         <source>an existing entity or link</source>
-        <translation>une entité et un de ses segments</translation>
+        <translation>une entité ou un segment qui existe</translation>
     </message>
     <message>
         <source>an existing folder</source>
@@ -12032,7 +12032,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an implicit shape</source>
-        <translation>une forme donnée par une fonction</translation>
+        <translation>une forme implicite</translation>
     </message>
     <message>
         <source>an increased risk for some</source>
@@ -12048,7 +12048,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an index within the range</source>
-        <translation>un indice valable</translation>
+        <translation>un indice dans les limites</translation>
     </message>
     <message>
         <source>an infinite plane</source>
@@ -12060,11 +12060,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an invalid '%' in a format text</source>
-        <translation>un '%' dans un texte à compléter</translation>
+        <translation>un '%' non valide dans un texte de format</translation>
     </message>
     <message>
         <source>an invalid FOR</source>
-        <translation>un FOR qui n'est pas compris</translation>
+        <translation>un FOR non valide</translation>
     </message>
     <message>
         <source>an invalid answer of the importer</source>
@@ -12072,15 +12072,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an invalid frame</source>
-        <translation>un repère qui n'est pas compris</translation>
+        <translation>un repère non valide</translation>
     </message>
     <message>
         <source>an invalid length</source>
-        <translation>une longueur qui n'en est pas une</translation>
+        <translation>une longueur non valide</translation>
     </message>
     <message>
         <source>an invalid mass</source>
-        <translation>une masse qui n'en est pas une</translation>
+        <translation>une masse non valide</translation>
     </message>
     <message>
         <source>an invalid number in the expression</source>
@@ -12088,7 +12088,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an invalid origin (&quot;%1&quot;)</source>
-        <translation>une origine qui n'est pas une pose (&quot;%1&quot;)</translation>
+        <translation>une origine non valide (&quot;%1&quot;)</translation>
     </message>
     <message>
         <source>an invalid placement</source>
@@ -12100,7 +12100,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an invalid quaternion</source>
-        <translation>un quaternion qui n'en est pas un</translation>
+        <translation>un quaternion non valide</translation>
     </message>
     <message>
         <source>an invalid radius</source>
@@ -12108,15 +12108,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an invalid tolerance</source>
-        <translation>une tolérance qui n'est pas une longueur</translation>
+        <translation>une tolérance non valide</translation>
     </message>
     <message>
         <source>an invalid transform</source>
-        <translation>une transformation qui n'en est pas une</translation>
+        <translation>une transformation non valide</translation>
     </message>
     <message>
         <source>an invalid vertex</source>
-        <translation>un sommet qui n'est pas un point</translation>
+        <translation>un sommet non valide</translation>
     </message>
     <message>
         <source>an object</source>
@@ -12132,7 +12132,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an object that does not exist</source>
-        <translation>cet objet n'existe pas</translation>
+        <translation>un objet qui n'existe pas</translation>
     </message>
     <message>
         <source>an object with fields</source>
@@ -12140,7 +12140,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an open chain of joints</source>
-        <translation>des axes qui se suivent</translation>
+        <translation>une chaîne ouverte d'axes</translation>
     </message>
     <message>
         <source>an option that --help lists</source>
@@ -12156,7 +12156,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an undamaged mesh</source>
-        <translation>un maillage valide</translation>
+        <translation>un maillage intact</translation>
     </message>
     <message>
         <source>an undefined element of '%1'</source>
@@ -12168,11 +12168,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an unexpected file</source>
-        <translation>un fichier qui n'a pas été archivé</translation>
+        <translation>un fichier inattendu</translation>
     </message>
     <message>
         <source>an unexpected or repeated file</source>
-        <translation>un fichier qui n'a pas été archivé, ou qui y est deux fois</translation>
+        <translation>un fichier inattendu ou répété</translation>
     </message>
     <message>
         <source>an unknown compression</source>
@@ -12188,7 +12188,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an unknown user</source>
-        <translation>quelqu'un</translation>
+        <translation>un utilisateur inconnu</translation>
     </message>
     <message>
         <source>an unsupported picture format</source>
@@ -12204,11 +12204,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>angles of the motion are in degrees, as the AMC states; angles of the skeleton are in radians</source>
-        <translation>les angles du mouvement sont en degrés, comme l'indique l'AMC ; ceux du squelette ne le sont pas</translation>
+        <translation>les angles du mouvement sont en degrés, comme l'indique l'AMC ; ceux du squelette sont en radians</translation>
     </message>
     <message>
         <source>angles of the motion are in radians, as the AMC states; angles of the skeleton are in degrees</source>
-        <translation>les angles du mouvement sont en radians, comme l'indique l'AMC ; ceux du squelette ne le sont pas</translation>
+        <translation>les angles du mouvement sont en radians, comme l'indique l'AMC ; ceux du squelette sont en degrés</translation>
     </message>
     <message>
         <source>animation; all parts are shown at rest</source>
@@ -12236,7 +12236,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>another format</source>
-        <translation>autre chose</translation>
+        <translation>un autre format</translation>
     </message>
     <message>
         <source>another joint</source>
@@ -12244,7 +12244,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>another kind of entity</source>
-        <translation>un élément d'un autre type</translation>
+        <translation>une entité d'un autre type</translation>
     </message>
     <message>
         <source>another version</source>
@@ -12312,7 +12312,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>at least one motion that is switched on</source>
-        <translation>un mouvement activé</translation>
+        <translation>au moins un mouvement activé</translation>
     </message>
     <message>
         <source>at least one part that can be read</source>
@@ -12320,7 +12320,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>at least one part, such as a table or a fixture</source>
-        <translation>une table, un montage</translation>
+        <translation>au moins une pièce, par exemple une table ou un montage</translation>
     </message>
     <message>
         <source>at least one solid</source>
@@ -12352,7 +12352,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>at least two different frames</source>
-        <translation>des images qui se déplacent</translation>
+        <translation>au moins deux images différentes</translation>
     </message>
     <message>
         <source>at most %1</source>
@@ -12388,7 +12388,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>at most 1 GB and 200 times the packed size</source>
-        <translation>au plus 1 Go, et 200 fois sa propre taille</translation>
+        <translation>au plus 1 Go et 200 fois la taille compressée</translation>
     </message>
     <message>
         <source>at most 1, the newest version that this program can read</source>
@@ -12412,7 +12412,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>at most 2 GB</source>
-        <translation>moins</translation>
+        <translation>au plus 2 Go</translation>
     </message>
     <message>
         <source>at most 2 m/s</source>
@@ -12432,7 +12432,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>at most 4 GB and 200 times the packed size</source>
-        <translation>au plus 4 Go, et 200 fois sa propre taille</translation>
+        <translation>au plus 4 Go et 200 fois la taille compressée</translation>
     </message>
     <message>
         <source>at most 50 nested calls</source>
@@ -12524,7 +12524,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>both joints of the leg are at the same point</source>
-        <translation>des articulations confondues</translation>
+        <translation>les deux articulations de la jambe sont au même point</translation>
     </message>
     <message>
         <source>box:, table:, fence: or another built-in part</source>
@@ -12592,7 +12592,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>check of the written program</source>
-        <translation>relecture</translation>
+        <translation>contrôle du programme écrit</translation>
     </message>
     <message>
         <source>checked</source>
@@ -12632,11 +12632,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>components that contain each other</source>
-        <translation>des composants en boucle</translation>
+        <translation>des composants qui se contiennent l'un l'autre</translation>
     </message>
     <message>
         <source>components without cycles</source>
-        <translation>un arbre de composants</translation>
+        <translation>des composants sans cycle</translation>
     </message>
     <message>
         <source>consecutive frame numbers</source>
@@ -12676,11 +12676,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>content that makes the SDF library crash</source>
-        <translation>un contenu que la bibliothèque SDF ne parvient pas à lire</translation>
+        <translation>un contenu qui fait échouer la bibliothèque SDF</translation>
     </message>
     <message>
         <source>content that makes the reader crash</source>
-        <translation>un contenu qui bloque le lecteur</translation>
+        <translation>un contenu qui fait échouer le lecteur</translation>
     </message>
     <message>
         <source>counts that fit the file</source>
@@ -12744,7 +12744,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>different content</source>
-        <translation>d'autres octets</translation>
+        <translation>un contenu différent</translation>
     </message>
     <message>
         <source>digit %1 (%2) is '%3'</source>
@@ -12776,7 +12776,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>each bone of :bonedata once</source>
-        <translation>un os de :bonedata, une seule fois</translation>
+        <translation>chaque os de :bonedata une fois</translation>
     </message>
     <message>
         <source>each bone once</source>
@@ -12924,7 +12924,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>fewer repeated nodes</source>
-        <translation>chacun écrit une seule fois</translation>
+        <translation>moins de nœuds répétés</translation>
     </message>
     <message>
         <source>fewer than a million</source>
@@ -12944,7 +12944,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>file %1: %2</source>
-        <translation>son fichier %1 : %2</translation>
+        <translation>fichier %1 : %2</translation>
     </message>
     <message>
         <source>file missing</source>
@@ -12992,11 +12992,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>finite numbers, 0 or more</source>
-        <translation>des valeurs à partir de 0</translation>
+        <translation>des nombres finis, 0 ou plus</translation>
     </message>
     <message>
         <source>finite numbers, and a minimum below the maximum</source>
-        <translation>des valeurs finies et un volume réel</translation>
+        <translation>des nombres finis, et un minimum inférieur au maximum</translation>
     </message>
     <message>
         <source>finite numbers, at most 1 000 000 m, and a unit quaternion</source>
@@ -13244,19 +13244,19 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>invalid JSON</source>
-        <translation>ce n'est pas du JSON</translation>
+        <translation>JSON non valide</translation>
     </message>
     <message>
         <source>invalid XML (%1)</source>
-        <translation>du XML qui n'est pas lisible (%1)</translation>
+        <translation>XML non valide (%1)</translation>
     </message>
     <message>
         <source>invalid YAML</source>
-        <translation>pas du YAML</translation>
+        <translation>YAML non valide</translation>
     </message>
     <message>
         <source>invalid YAML (%1)</source>
-        <translation>un texte qui n'est pas du YAML (%1)</translation>
+        <translation>YAML non valide (%1)</translation>
     </message>
     <message>
         <source>invalid dimensions '%1'</source>
@@ -13320,7 +13320,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>it contains itself</source>
-        <translation>il se contient lui-même : une boucle</translation>
+        <translation>il se contient lui-même</translation>
     </message>
     <message>
         <source>it contains no shape that can be built</source>
@@ -13340,7 +13340,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>it did not finish</source>
-        <translation>il ne se termine pas</translation>
+        <translation>il ne s'est pas terminé</translation>
     </message>
     <message>
         <source>it does not speak TLS 1.3</source>
@@ -13408,7 +13408,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>it is empty</source>
-        <translation>rien dedans</translation>
+        <translation>c'est vide</translation>
     </message>
     <message>
         <source>it is locked</source>
@@ -13416,7 +13416,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>it is missing</source>
-        <translation>valeur non donnée</translation>
+        <translation>absent</translation>
     </message>
     <message>
         <source>it is missing or has the wrong type</source>
@@ -13424,7 +13424,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>it is missing or invalid</source>
-        <translation>autre chose, ou rien</translation>
+        <translation>absent ou non valide</translation>
     </message>
     <message>
         <source>it is not a mechanism</source>
@@ -13464,7 +13464,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>it stopped accepting pictures</source>
-        <translation>il ne prend plus d'images</translation>
+        <translation>il n'accepte plus d'images</translation>
     </message>
     <message>
         <source>it was built for another version of HaptiCell's driver interface</source>
@@ -13472,7 +13472,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>its *.hexercise file in the same folder</source>
-        <translation>son fichier *.hexercise à côté des résultats</translation>
+        <translation>son fichier *.hexercise dans le même dossier</translation>
     </message>
     <message>
         <source>its colours are missing: the material file %1 is not in the same folder</source>
@@ -13568,7 +13568,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>joint values without poses</source>
-        <translation>des axes seuls, sans poses</translation>
+        <translation>des valeurs d'axes sans poses</translation>
     </message>
     <message>
         <source>joint values without poses, so the program has no targets</source>
@@ -13600,7 +13600,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>joints; all parts are read as rigid bodies</source>
-        <translation>des articulations ; tout est lu comme des corps solides</translation>
+        <translation>des articulations ; toutes les pièces sont lues comme des corps rigides</translation>
     </message>
     <message>
         <source>keep or merge</source>
@@ -13820,7 +13820,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>loops and branches instead of jumps</source>
-        <translation>des boucles et des branches</translation>
+        <translation>des boucles et des branches au lieu de sauts</translation>
     </message>
     <message>
         <source>lower</source>
@@ -14024,7 +14024,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>more than %1 nested levels</source>
-        <translation>plus de %1 niveaux les uns sous les autres</translation>
+        <translation>plus de %1 niveaux imbriqués</translation>
     </message>
     <message>
         <source>more than 100 nested blocks</source>
@@ -14232,11 +14232,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no frame is named '%1'</source>
-        <translation>il n'y a pas de repère '%1'</translation>
+        <translation>aucun repère ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no frame of the entity is named '%1'</source>
-        <translation>il n'y a pas de repère '%1' pour la déplacer</translation>
+        <translation>aucun repère de l'entité ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no free space for a copy</source>
@@ -14248,7 +14248,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no guide is named '%1'</source>
-        <translation>pas de guide virtuel '%1'</translation>
+        <translation>aucun guide virtuel ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no joint connects it to the root link '%1'</source>
@@ -14256,7 +14256,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no joint is named '%1'</source>
-        <translation>il n'y a pas d'axe '%1'</translation>
+        <translation>aucun axe ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no joint limits</source>
@@ -14280,7 +14280,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no lock, because %1 moves no part of a mannequin</source>
-        <translation>none, car aucune partie d'un mannequin n'est déplacée par %1</translation>
+        <translation>aucun blocage, car %1 ne déplace aucune partie d'un mannequin</translation>
     </message>
     <message>
         <source>no mannequin</source>
@@ -14292,7 +14292,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no mannequin is named '%1'</source>
-        <translation>pas de mannequin '%1'</translation>
+        <translation>aucun mannequin ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no marker for %1</source>
@@ -14308,7 +14308,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no mesh for the collision check</source>
-        <translation>rien avec quoi le contrôler</translation>
+        <translation>aucun maillage pour le contrôle de collision</translation>
     </message>
     <message>
         <source>no message of these types</source>
@@ -14324,11 +14324,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no motion is switched on</source>
-        <translation>rien qui soit joué</translation>
+        <translation>aucun mouvement n'est activé</translation>
     </message>
     <message>
         <source>no moving joint is named '%1'</source>
-        <translation>il n'y a pas d'axe mobile '%1'</translation>
+        <translation>aucun axe mobile ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no moving joint moves this link</source>
@@ -14340,7 +14340,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no pair set is named '%1'</source>
-        <translation>pas de jeu de paires '%1'</translation>
+        <translation>aucun jeu de paires ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no pairing code</source>
@@ -14352,11 +14352,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no part is named '%1'</source>
-        <translation>aucune pièce '%1'</translation>
+        <translation>aucune pièce ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no parts to move</source>
-        <translation>rien qui puisse être déplacé</translation>
+        <translation>aucune pièce à déplacer</translation>
     </message>
     <message>
         <source>no path</source>
@@ -14404,7 +14404,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no task is named '%1'</source>
-        <translation>pas de tâche '%1'</translation>
+        <translation>aucune tâche ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no ticks</source>
@@ -14412,11 +14412,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no tool is named '%1'</source>
-        <translation>pas d'outil '%1'</translation>
+        <translation>aucun outil ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no trajectory is named '%1'</source>
-        <translation>pas de trajectoire '%1'</translation>
+        <translation>aucune trajectoire ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no unit: robot files are in metres</source>
@@ -14544,15 +14544,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>not enough memory for the text of the file</source>
-        <translation>pas assez de place pour son texte</translation>
+        <translation>pas assez de mémoire pour le texte du fichier</translation>
     </message>
     <message>
         <source>not enough memory for this file</source>
-        <translation>la mémoire est insuffisante</translation>
+        <translation>pas assez de mémoire pour ce fichier</translation>
     </message>
     <message>
         <source>not enough memory or disk space to transfer the result</source>
-        <translation>pas assez de place pour le transmettre</translation>
+        <translation>pas assez de mémoire ou de place sur le disque pour transmettre le résultat</translation>
     </message>
     <message>
         <source>not found in the folders of shipped files</source>
@@ -14600,7 +14600,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>numbers of vertices of the mesh</source>
-        <translation>des sommets du maillage</translation>
+        <translation>des numéros de sommets du maillage</translation>
     </message>
     <message>
         <source>numbers that define no valid shape</source>
@@ -14676,7 +14676,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>one name per joint</source>
-        <translation>un par axe</translation>
+        <translation>un nom par axe</translation>
     </message>
     <message>
         <source>one of %1</source>
@@ -14716,7 +14716,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>one scene per file</source>
-        <translation>autant de scènes que de fichiers</translation>
+        <translation>une scène par fichier</translation>
     </message>
     <message>
         <source>one shape cut out of another</source>
@@ -14748,7 +14748,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>only files in %1</source>
-        <translation>des fichiers dans %1</translation>
+        <translation>seulement des fichiers dans %1</translation>
     </message>
     <message>
         <source>only one hand carries the load; it covers lifts with both hands. Use RULA or REBA.</source>
@@ -14900,7 +14900,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>points and lines</source>
-        <translation>ce qui n'a pas de triangles</translation>
+        <translation>des points et des lignes</translation>
     </message>
     <message>
         <source>points reordered</source>
@@ -14928,7 +14928,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>positions reach %1: millimetres are assumed</source>
-        <translation>ses positions vont jusqu'à %1 : prises pour des millimètres</translation>
+        <translation>les positions vont jusqu'à %1 : l'unité supposée est le millimètre</translation>
     </message>
     <message>
         <source>positions that are not a list</source>
@@ -14968,7 +14968,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>reading took longer than %1 s</source>
-        <translation>pas terminé après %1 s</translation>
+        <translation>la lecture a duré plus de %1 s</translation>
     </message>
     <message>
         <source>recording</source>
@@ -14976,7 +14976,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>red, green and blue from 0 to 1</source>
-        <translation>des composantes de 0 à 1</translation>
+        <translation>rouge, vert et bleu de 0 à 1</translation>
     </message>
     <message>
         <source>reference to '%1'</source>
@@ -15024,7 +15024,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>retention: an exercise that the trainee practised</source>
-        <translation>retention : cet exercice a été pratiqué</translation>
+        <translation>retention : un exercice que l'apprenant a pratiqué</translation>
     </message>
     <message>
         <source>retimed</source>
@@ -15128,7 +15128,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>sdformat: %1 more messages</source>
-        <translation>sdformat : %1 autres erreurs</translation>
+        <translation>sdformat : %1 autres messages</translation>
     </message>
     <message>
         <source>seconds</source>
@@ -15140,11 +15140,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>seconds or metres above 0</source>
-        <translation>des secondes, des mètres</translation>
+        <translation>des secondes ou des mètres, plus que 0</translation>
     </message>
     <message>
         <source>seconds, 0 or more (0: no limit)</source>
-        <translation>des secondes à partir de 0 (sans fin)</translation>
+        <translation>des secondes, 0 ou plus (0 : sans limite)</translation>
     </message>
     <message>
         <source>seconds, above 0</source>
@@ -15164,11 +15164,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>shapes that cannot be read</source>
-        <translation>formes indisponibles</translation>
+        <translation>formes qui ne peuvent pas être lues</translation>
     </message>
     <message>
         <source>shapes that cannot be read (%1)</source>
-        <translation>formes indisponibles (%1)</translation>
+        <translation>formes qui ne peuvent pas être lues (%1)</translation>
     </message>
     <message>
         <source>share of the limit</source>
@@ -15192,7 +15192,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>simulation bodies</source>
-        <translation>des corps pour une simulation</translation>
+        <translation>des corps de simulation</translation>
     </message>
     <message>
         <source>singularities, configuration changes: %1</source>
@@ -15204,7 +15204,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>six joint values</source>
-        <translation>six axes du robot</translation>
+        <translation>six valeurs d'axes</translation>
     </message>
     <message>
         <source>six joints, or none</source>
@@ -15224,7 +15224,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>slices</source>
-        <translation>des tranches en plus du maillage</translation>
+        <translation>des tranches</translation>
     </message>
     <message>
         <source>smaller numbers</source>
@@ -15284,7 +15284,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>start of file</source>
-        <translation>son début</translation>
+        <translation>début du fichier</translation>
     </message>
     <message>
         <source>statements that run endlessly</source>
@@ -15324,7 +15324,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>symbolic links that refer to each other</source>
-        <translation>des liens symboliques qui tournent en rond</translation>
+        <translation>des liens symboliques qui renvoient l'un à l'autre</translation>
     </message>
     <message>
         <source>tables [[%1]]</source>
@@ -15340,7 +15340,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>targets without a shift</source>
-        <translation>des cibles telles quelles</translation>
+        <translation>des cibles sans décalage</translation>
     </message>
     <message>
         <source>task</source>
@@ -15412,11 +15412,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the JSON header of a recording</source>
-        <translation>du JSON tel qu'un enregistrement l'écrit</translation>
+        <translation>l'en-tête JSON d'un enregistrement</translation>
     </message>
     <message>
         <source>the active frame</source>
-        <translation>le repère choisi</translation>
+        <translation>le repère actif</translation>
     </message>
     <message>
         <source>the actuated joints block each other</source>
@@ -15536,11 +15536,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the connection was interrupted</source>
-        <translation>la connexion a été rétablie entre-temps</translation>
+        <translation>la connexion a été interrompue</translation>
     </message>
     <message>
         <source>the content differs from %1</source>
-        <translation>d'autres octets que dans %1</translation>
+        <translation>le contenu diffère de %1</translation>
     </message>
     <message>
         <source>the content of %1</source>
@@ -15568,11 +15568,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the dictionary has no key %1</source>
-        <translation>pas de clé %1 dans le dictionnaire</translation>
+        <translation>le dictionnaire n'a pas de clé %1</translation>
     </message>
     <message>
         <source>the dictionary has no key '%1'</source>
-        <translation>pas de clé '%1' dans le dictionnaire</translation>
+        <translation>le dictionnaire n'a pas de clé '%1'</translation>
     </message>
     <message>
         <source>the document</source>
@@ -15632,7 +15632,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the expression ends too early</source>
-        <translation>l'expression s'arrête</translation>
+        <translation>l'expression se termine trop tôt</translation>
     </message>
     <message>
         <source>the extension %1, which is not supported</source>
@@ -15680,7 +15680,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the file differs from what was written</source>
-        <translation>d'autres octets que ceux écrits</translation>
+        <translation>le fichier diffère de ce qui a été écrit</translation>
     </message>
     <message>
         <source>the file does not exist</source>
@@ -15708,11 +15708,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the file ends before frame %1</source>
-        <translation>pas d'image %1, là où le fichier se termine</translation>
+        <translation>le fichier se termine avant l'image %1</translation>
     </message>
     <message>
         <source>the file ends inside a bone</source>
-        <translation>la fin du fichier dans un os</translation>
+        <translation>le fichier se termine au milieu d'un os</translation>
     </message>
     <message>
         <source>the file ends inside a vertex</source>
@@ -15720,7 +15720,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the file ends too early</source>
-        <translation>la fin du fichier</translation>
+        <translation>le fichier se termine trop tôt</translation>
     </message>
     <message>
         <source>the file has %1 solids; they were joined to one</source>
@@ -15764,7 +15764,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the file has no unit; millimetres are assumed</source>
-        <translation>le fichier n'indique pas d'unité ; ses nombres sont pris en millimètres</translation>
+        <translation>le fichier n'indique pas d'unité ; l'unité supposée est le millimètre</translation>
     </message>
     <message>
         <source>the file has no vertices</source>
@@ -15796,7 +15796,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the file is too short</source>
-        <translation>moins d'octets</translation>
+        <translation>le fichier est trop court</translation>
     </message>
     <message>
         <source>the file is write-protected</source>
@@ -15820,7 +15820,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the file stops with the error: %1</source>
-        <translation>le fichier se refuse lui-même : %1</translation>
+        <translation>le fichier s'arrête avec l'erreur : %1</translation>
     </message>
     <message>
         <source>the file warns: %1</source>
@@ -15832,7 +15832,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the folder already exists and is not empty</source>
-        <translation>l'emplacement est déjà occupé</translation>
+        <translation>le dossier existe déjà et n'est pas vide</translation>
     </message>
     <message>
         <source>the folder cannot be created</source>
@@ -15860,7 +15860,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the frame rate is %1 Hz in the parameters and %2 Hz in the header; %1 Hz is used</source>
-        <translation>la fréquence d'images est de %1 Hz dans les paramètres et de %2 Hz dans l'en-tête ; celle des paramètres est utilisée</translation>
+        <translation>la fréquence d'images est de %1 Hz dans les paramètres et de %2 Hz dans l'en-tête ; %1 Hz est utilisé</translation>
     </message>
     <message>
         <source>the frame rate is missing</source>
@@ -15928,7 +15928,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the importer sent invalid data</source>
-        <translation>l'importateur a envoyé autre chose qu'une scène</translation>
+        <translation>l'importateur a envoyé des données non valides</translation>
     </message>
     <message>
         <source>the index %1 of %2 items</source>
@@ -15940,7 +15940,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the job has no instructions</source>
-        <translation>pas d'instructions</translation>
+        <translation>le job n'a pas d'instructions</translation>
     </message>
     <message>
         <source>the joint C4</source>
@@ -15980,7 +15980,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the joints of the first message</source>
-        <translation>ceux du premier message</translation>
+        <translation>les axes du premier message</translation>
     </message>
     <message>
         <source>the knee</source>
@@ -16028,7 +16028,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the mannequin has no such joint</source>
-        <translation>une articulation que le mannequin n'a pas</translation>
+        <translation>le mannequin n'a pas cette articulation</translation>
     </message>
     <message>
         <source>the mannequin sits or kneels; it covers lifts while standing. Use RULA or REBA.</source>
@@ -16120,7 +16120,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the name is used twice</source>
-        <translation>un deuxième élément de ce nom</translation>
+        <translation>le nom est utilisé deux fois</translation>
     </message>
     <message>
         <source>the name is used twice or not allowed; this &lt;%1&gt; is renamed '%2'</source>
@@ -16204,11 +16204,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the other side did not use the pairing key</source>
-        <translation>la clé n'a pas été utilisée</translation>
+        <translation>l'autre côté n'a pas utilisé la clé d'appairage</translation>
     </message>
     <message>
         <source>the other side has a different pairing key</source>
-        <translation>sa clé est différente</translation>
+        <translation>l'autre côté a une autre clé d'appairage</translation>
     </message>
     <message>
         <source>the package of %1 is not found by name; the folder %2 is used, because it contains the rest of the path</source>
@@ -16232,7 +16232,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the parameters are missing</source>
-        <translation>des paramètres qui ne sont pas dans le fichier</translation>
+        <translation>les paramètres manquent</translation>
     </message>
     <message>
         <source>the parameters state %1 points and the header %2; the header matches the file size and is used</source>
@@ -16284,15 +16284,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the pose or the status is missing or invalid</source>
-        <translation>pas de pose ou pas d'état</translation>
+        <translation>la pose ou l'état manque ou n'est pas valide</translation>
     </message>
     <message>
         <source>the position is missing or invalid</source>
-        <translation>pas une position</translation>
+        <translation>la position manque ou n'est pas valide</translation>
     </message>
     <message>
         <source>the positions are missing</source>
-        <translation>pas de positions à l'intérieur</translation>
+        <translation>les positions manquent</translation>
     </message>
     <message>
         <source>the posture does not show which axis is up (the person lies or turns over); y is assumed, as usual in BVH and ASF; to change this, use --up</source>
@@ -16304,7 +16304,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the program as written</source>
-        <translation>le programme</translation>
+        <translation>le programme tel qu'il a été écrit</translation>
     </message>
     <message>
         <source>the program ffmpeg is not installed</source>
@@ -16316,11 +16316,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the program has no lines</source>
-        <translation>pas de lignes</translation>
+        <translation>le programme n'a pas de lignes</translation>
     </message>
     <message>
         <source>the program has no moves</source>
-        <translation>pas de mouvements</translation>
+        <translation>le programme n'a pas de mouvements</translation>
     </message>
     <message>
         <source>the property '%1' depends on itself (%2)</source>
@@ -16372,7 +16372,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the rods do not reach the platform at the home position</source>
-        <translation>les barres ne se rejoignent pas à la position de repos</translation>
+        <translation>les barres n'atteignent pas la plateforme à la position de repos</translation>
     </message>
     <message>
         <source>the root element &lt;%1&gt;</source>
@@ -16400,11 +16400,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the same content as the packed file</source>
-        <translation>les octets du fichier archivé</translation>
+        <translation>le même contenu que le fichier archivé</translation>
     </message>
     <message>
         <source>the same kind of entity as before</source>
-        <translation>une forme du même type</translation>
+        <translation>le même type d'entité qu'avant</translation>
     </message>
     <message>
         <source>the same link as in the workcell</source>
@@ -16420,7 +16420,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the scale of the points is %1 in the header and %2 in the parameters; %1 is used</source>
-        <translation>l'échelle des points est de %1 dans l'en-tête et de %2 dans les paramètres ; celle de l'en-tête est utilisée</translation>
+        <translation>l'échelle des points est de %1 dans l'en-tête et de %2 dans les paramètres ; %1 est utilisé</translation>
     </message>
     <message>
         <source>the server stopped sending the state of the stylus</source>
@@ -16484,15 +16484,15 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the triangles face inward; they are treated as facing outward</source>
-        <translation>les triangles sont tournés vers l'intérieur ; ils sont contrôlés et ressentis comme tournés vers l'extérieur</translation>
+        <translation>les triangles sont tournés vers l'intérieur ; ils sont traités comme tournés vers l'extérieur</translation>
     </message>
     <message>
         <source>the triangles of %1 bodies face inward; they are treated as facing outward</source>
-        <translation>les triangles de %1 corps sont tournés vers l'intérieur ; ils sont contrôlés et ressentis comme tournés vers l'extérieur</translation>
+        <translation>les triangles de %1 corps sont tournés vers l'intérieur ; ils sont traités comme tournés vers l'extérieur</translation>
     </message>
     <message>
         <source>the type is wrong or missing</source>
-        <translation>un autre type que celui qu'il faut là, ou aucun</translation>
+        <translation>le type est faux ou manque</translation>
     </message>
     <message>
         <source>the unit '%1'</source>
@@ -16512,11 +16512,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the unknown key '%1'</source>
-        <translation>la clé '%1', inconnue ici</translation>
+        <translation>la clé inconnue '%1'</translation>
     </message>
     <message>
         <source>the unpacked size exceeds the limit</source>
-        <translation>plus que la taille permise après décompression</translation>
+        <translation>la taille décompressée dépasse la limite</translation>
     </message>
     <message>
         <source>the upper joint of leg %1</source>
@@ -16528,7 +16528,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>the version number is missing</source>
-        <translation>ce n'est pas un numéro de version</translation>
+        <translation>le numéro de version manque</translation>
     </message>
     <message>
         <source>the whole number %1</source>
@@ -16592,7 +16592,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>they differ from the packed ones</source>
-        <translation>d'autres que celles qui ont été archivées</translation>
+        <translation>elles diffèrent de celles qui ont été archivées</translation>
     </message>
     <message>
         <source>this display has no OpenGL 3.3</source>
@@ -16600,7 +16600,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>this frame does not exist</source>
-        <translation>il n'y en a pas</translation>
+        <translation>cette image n'existe pas</translation>
     </message>
     <message>
         <source>this key does not exist</source>
@@ -16656,23 +16656,23 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>times are whole numbers up to %1: milliseconds are assumed</source>
-        <translation>ses temps sont des nombres entiers jusqu'à %1 : pris pour des millisecondes</translation>
+        <translation>les temps sont des nombres entiers jusqu'à %1 : l'unité supposée est la milliseconde</translation>
     </message>
     <message>
         <source>times start at %1: clock times in microseconds are assumed; the first line is time 0</source>
-        <translation>ses temps commencent à %1 : pris pour les microsecondes d'une horloge et comptés depuis la première ligne</translation>
+        <translation>les temps commencent à %1 : temps d'horloge supposés en microsecondes ; la première ligne est le temps 0</translation>
     </message>
     <message>
         <source>times start at %1: clock times in milliseconds are assumed; the first line is time 0</source>
-        <translation>ses temps commencent à %1 : pris pour les millisecondes d'une horloge et comptés depuis la première ligne</translation>
+        <translation>les temps commencent à %1 : temps d'horloge supposés en millisecondes ; la première ligne est le temps 0</translation>
     </message>
     <message>
         <source>times start at %1: clock times in nanoseconds are assumed; the first line is time 0</source>
-        <translation>ses temps commencent à %1 : pris pour les nanosecondes d'une horloge et comptés depuis la première ligne</translation>
+        <translation>les temps commencent à %1 : temps d'horloge supposés en nanosecondes ; la première ligne est le temps 0</translation>
     </message>
     <message>
         <source>times start at %1: the first line is time 0</source>
-        <translation>ses temps commencent à %1 : comptés depuis la première ligne</translation>
+        <translation>les temps commencent à %1 : la première ligne est le temps 0</translation>
     </message>
     <message>
         <source>times that increase</source>
@@ -16716,7 +16716,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>transfer: an exercise that the trainee did not practise</source>
-        <translation>transfer : cet exercice n'a pas été pratiqué</translation>
+        <translation>transfer : un exercice que l'apprenant n'a pas pratiqué</translation>
     </message>
     <message>
         <source>triangle %1 of %2</source>
@@ -16860,7 +16860,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>valid curves and surfaces</source>
-        <translation>des courbes et des surfaces qui existent</translation>
+        <translation>des courbes et des surfaces valides</translation>
     </message>
     <message>
         <source>valid poses, finite numbers</source>
@@ -16888,7 +16888,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>vertex numbers from 0 to %1</source>
-        <translation>des sommets de 0 à %1</translation>
+        <translation>des numéros de sommets de 0 à %1</translation>
     </message>
     <message>
         <source>w, x, y, z with length 1</source>
@@ -17411,7 +17411,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>at least one limit after the header line</source>
-        <translation>au moins une limite sous les noms</translation>
+        <translation>au moins une limite après la ligne d'en-tête</translation>
     </message>
     <message>
         <source>at most %1</source>
@@ -17423,7 +17423,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>at most 8192 pixels in width and height</source>
-        <translation>au plus 8192 dans chaque sens</translation>
+        <translation>au plus 8192 pixels en largeur et en hauteur</translation>
     </message>
     <message>
         <source>at once</source>
@@ -17579,11 +17579,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>it is empty</source>
-        <translation>valeur vide</translation>
+        <translation>c'est vide</translation>
     </message>
     <message>
         <source>it is missing</source>
-        <translation>colonne absente</translation>
+        <translation>absent</translation>
     </message>
     <message>
         <source>it is there twice</source>
@@ -17755,7 +17755,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no header line</source>
-        <translation>pas de ligne de noms</translation>
+        <translation>pas de ligne d'en-tête</translation>
     </message>
     <message>
         <source>no line of values</source>
@@ -17959,7 +17959,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>tasks with a limit above 0</source>
-        <translation>des tâches réalisables</translation>
+        <translation>des tâches dont la limite est supérieure à 0</translation>
     </message>
     <message>
         <source>the end of the range is below its start</source>

@@ -143,7 +143,7 @@ def test_a_missing_mesh_leaves_its_shape_out(case):
         '<link name="base"/>', '<link name="base"><visual><geometry><mesh filename="gone.stl"/></geometry></visual></link>'))
     answer = case.run("inspect", "mesh.urdf")
     assert answer["entities"][0]["unchecked_links"] == ["base"]
-    assert any("gone.stl is not there" in warning for warning in answer["warnings"]), answer["warnings"]
+    assert any("gone.stl does not exist" in warning for warning in answer["warnings"]), answer["warnings"]
 
 
 def test_xacro_takes_arguments(case):

@@ -96,7 +96,7 @@ def test_parents_in_a_circle_are_told_and_shown(folder):
     run = Run("inspect", file)
     assert run.status == 0, run.said
     result = json.loads(run.answer)
-    assert len([w for w in result["warnings"] if "stands below itself" in w]) == 2, result["warnings"]
+    assert len([w for w in result["warnings"] if "contains itself through" in w]) == 2, result["warnings"]
     found = []
 
     def walk(entities):

@@ -49,7 +49,7 @@ TEST(Unfolding, DepthIsBoundedWithoutRecursion) {
   Graph chain;
   for (std::uint32_t k = 0; k < 500'000; ++k) chain.push_back({k + 1});
   chain.push_back({});
-  EXPECT_THAT(said(chain, {0}), HasSubstr("more than 200 levels"));
+  EXPECT_THAT(said(chain, {0}), HasSubstr("more than 200 nested levels"));
   EXPECT_EQ(said(chain, {499'801}), "") << "200 levels";
   EXPECT_NE(said(chain, {499'800}), "");
 }

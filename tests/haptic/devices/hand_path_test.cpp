@@ -130,7 +130,7 @@ TEST(HandPath, PositionsInMillimetresAreRecognisedAndFartherOnesRefused) {
   ASSERT_EQ(path.assumptions().size(), 1u);
   EXPECT_THAT(english(path.assumptions()[0]), HasSubstr("millimetres are assumed"));
   EXPECT_TRUE(read("t,x,y,z\n0,0.4,0,0\n").assumptions().empty());
-  EXPECT_THAT(problem("t,x,y,z\n0,0,0,20000\n"), HasSubstr("a position 20000 from the middle"));
+  EXPECT_THAT(problem("t,x,y,z\n0,0,0,20000\n"), HasSubstr("a position 20000 from the centre"));
 }
 
 }  // namespace

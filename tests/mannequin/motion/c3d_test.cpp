@@ -214,7 +214,7 @@ TEST(C3dOfMakers, AnalogSamplesAreWhatFillsTheFile) {
     file.header_analog = 16;  // The channels instead of the samples a frame.
     file.analog_used = 16.0;
     file.analog_rate = 700.0;
-    expectTheThreeMarkers(file, "112 fill the file");
+    expectTheThreeMarkers(file, "112 (channels × samples) match the file size");
   }
 }
 
@@ -262,15 +262,15 @@ TEST(C3dOfMakers, NoFrameIsLostWhereSixteenBitsCountThem) {
   C3dFile zeros;
   zeros.header_first = zeros.header_last = 0;
   zeros.parameter_frames = 20;
-  expectTheThreeMarkers(zeros, "20 stand in the file");
+  expectTheThreeMarkers(zeros, "the file has 20");
   C3dFile plain = zeros;  // Only the size of the file tells.
   plain.parameter_frames.reset();
-  expectTheThreeMarkers(plain, "20 stand in the file");
+  expectTheThreeMarkers(plain, "the file has 20");
   C3dFile absurd;  // What TRIAL or LONG_FRAMES say cannot be: the header's count fits.
   absurd.long_frames = 3e9;
   expectTheThreeMarkers(absurd, "");
   absurd.long_frames = 25.0;
-  expectTheThreeMarkers(absurd, "20 stand in the file");
+  expectTheThreeMarkers(absurd, "the file has 20");
   for (const auto& [frames, said] : {std::pair(70'000, 70'000 & 0xffff), {90'000, 65'535}, {131'077, 5}}) {
     C3dFile file;
     file.labels = {"A"};

@@ -87,7 +87,7 @@ TEST(ObjParts, PatchesOfOneSkinAreOneSolid) {
   EXPECT_THAT(namesOf(parts), ElementsAre("Housing", "lid"));
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].mesh.triangles.size(), 12u);
-  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("6 objects or groups that hang together")));
+  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("6 objects or groups with common open edges")));
 }
 
 TEST(ObjParts, ColourOfTheVerticesGoesOverTheMaterial) {
@@ -271,7 +271,7 @@ TEST(OffParts, ReadsColoursOfVerticesAndFaces) {
   Diagnostics notes;
   const auto mapped = partsOfText(readOff, "OFF\n6 2 0\n" + points + "3 0 1 2 7\n3 3 4 5 7\n", notes);
   ASSERT_EQ(mapped.size(), 1u);
-  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("2 faces have a colour by its number in a map")));
+  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("2 faces have a colour by index in a colour map")));
 }
 
 TEST(MeshParts, TheSharedGearsAndPegsAreOneSolidEach) {

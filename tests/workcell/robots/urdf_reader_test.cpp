@@ -162,7 +162,7 @@ TEST(UrdfReader, OneFileIsReadOnceAndUnreadableVisualsAreToldAndReplaced) {
   std::string all;
   for (const std::string& warning : diagnostics.warnings) all += warning + "\n";
   EXPECT_THAT(all, HasSubstr("the collision shape is shown for 'a', 'b'"));
-  EXPECT_THAT(all, HasSubstr("not checked are 'c'"));
+  EXPECT_THAT(all, HasSubstr("not checked: 'c'"));
   EXPECT_THAT(all, HasSubstr("dae"));
 }
 

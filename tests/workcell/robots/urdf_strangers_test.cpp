@@ -164,7 +164,7 @@ TEST(UrdfOfStrangers, AMissingOrBrokenMeshLeavesItsShapeOut) {
   EXPECT_FALSE(links[2].isUnchecked() || links[3].isUnchecked());
   EXPECT_EQ(links[2].visuals.size(), 1u);
   EXPECT_EQ(links[3].collisions.size(), 1u) << "what is there of it is checked";
-  for (const char* words : {"line 3: the mesh package://nowhere/a.stl is not there", "ROS_PACKAGE_PATH", "cut.stl",
+  for (const char* words : {"line 3: the mesh package://nowhere/a.stl does not exist", "ROS_PACKAGE_PATH", "cut.stl",
                             "not shown and not checked: 'a', 'b', 'e'", "the collision shape is shown for 'c'",
                             "only partly shown and checked: 'd'", "is outside the package"})
     EXPECT_THAT(read.said, HasSubstr(words));
@@ -270,7 +270,7 @@ TEST(UrdfOfStrangers, WhatIsLeftOfMacrosAndTheWorldWithoutLinkRefuseNoRobot) {
   ASSERT_TRUE(world.model) << world.said;
   EXPECT_EQ(world.model->links[0].name, "world");
   EXPECT_EQ(world.model->dof(), 1u);
-  EXPECT_THAT(world.said, HasSubstr("joint 'j' hangs on 'world'"));
+  EXPECT_THAT(world.said, HasSubstr("joint 'j' is attached to 'world'"));
   EXPECT_FALSE(readBody(linkText("a") + jointText("j", "body", "a", "fixed", "")).model) << "another link is missed";
 }
 
