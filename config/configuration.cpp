@@ -119,9 +119,9 @@ Expected<void> setValue(Configuration& configuration, std::string_view key, std:
   if (!setter.known) {
     const std::string like = likeliest(configuration, key);
     return makeError({.place = Text("key '%1'", key),
-                      .found = "there is no such key",
+                      .found = "this key does not exist",
                       .expected = like.empty() ? Text() : Text("a key like %1", like),
-                      .fix = "All keys stand in the shipped hapticell.toml."});
+                      .fix = "The shipped hapticell.toml lists all keys."});
   }
   if (!setter.problem_range.empty()) {
     return makeError(

@@ -118,7 +118,7 @@ Expected<std::string> findShippedFile(const std::string& relative) {
     if (fs::exists(folder / relative, ignored)) return (folder / relative).string();
   }
   return makeError({.file = relative,
-                    .found = "it is in none of the folders of shipped files",
+                    .found = "not found in the folders of shipped files",
                     .fix = "Set HAPTICELL_CONFIG_DIR to the folder that holds hapticell.toml."});
 }
 

@@ -39,7 +39,7 @@ class TableReader {
     if (node == nullptr) return;
     double number = value;
     if (!node->is_integer())
-      fail(*node, key, Text("no whole number"), rangeText(range));
+      fail(*node, key, Text("not a whole number"), rangeText(range));
     else
       takeNumber(*node, key, number, range);
     value = static_cast<int>(number);
@@ -49,7 +49,7 @@ class TableReader {
     if (node == nullptr) return;
     const auto text = node->value<std::string>();
     if (!node->is_string() || text->empty())
-      fail(*node, key, Text("no name"), Text("a text that is not empty"));
+      fail(*node, key, Text("the name is missing"), Text("a non-empty text"));
     else
       value = *text;
   }
@@ -58,7 +58,7 @@ class TableReader {
     if (node == nullptr) return;
     const toml::array* numbers = node->as_array();
     if (numbers == nullptr || numbers->size() != 3) {
-      fail(*node, key, Text("not three numbers"), Text("[width, depth, height], each %1", rangeText(range)));
+      fail(*node, key, Text("not a list of three numbers"), Text("[width, depth, height], each %1", rangeText(range)));
       return;
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -69,7 +69,8 @@ class TableReader {
   /// The first error, a key that nobody asked for included.
   std::optional<Error> finish() {
     for (const auto& [key, node] : table_) {
-      if (!error_ && !known_.contains(key.str())) fail(node, std::string(key.str()), Text("there is no such key"), {});
+      if (!error_ && !known_.contains(key.str()))
+        fail(node, std::string(key.str()), Text("this key does not exist"), {});
     }
     return error_;
   }
@@ -84,7 +85,7 @@ class TableReader {
   void takeNumber(const toml::node& node, const std::string& key, double& value, const Range& range) {
     const auto number = node.is_number() ? node.value<double>() : std::nullopt;
     if (!number)
-      fail(node, key, Text("no number"), rangeText(range));
+      fail(node, key, Text("not a number"), rangeText(range));
     else if (!(*number >= range.min && *number <= range.max))
       fail(node, key, textOf(*number), rangeText(range));
     else
@@ -156,7 +157,7 @@ std::optional<Error> readSection(const toml::node& node, const std::string& key,
     if (table == nullptr)
       return Error{.file = file,
                    .place = Text("%1, key '%2'", lineOf(node), key),
-                   .found = "no table",
+                   .found = "not a table",
                    .expected = "[" + key + "]"};
     TableReader reader(*table, file, key);
     section.read(reader, profile);
@@ -164,7 +165,7 @@ std::optional<Error> readSection(const toml::node& node, const std::string& key,
   }
   return Error{.file = file,
                .place = Text("%1, key '%2'", lineOf(node), key),
-               .found = "there is no such key",
+               .found = "this key does not exist",
                .expected = "[capabilities], [mechanics] or [electronics]"};
 }
 
@@ -188,7 +189,7 @@ Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::str
     return makeError({.file = name,
                       .place = Text("key '%1'", "capabilities.continuous_force"),
                       .found = textOf(profile.continuous_force),
-                      .expected = Text("no more than peak_force, %1", textOf(profile.peak_force))});
+                      .expected = Text("at most peak_force, %1", textOf(profile.peak_force))});
   }
   if (profile.driven_axes != 3 && profile.driven_axes != 6) {
     return makeError({.file = name,

@@ -36,14 +36,13 @@ Expected<fs::path> userFolder(const char* variable, const char* below_home, cons
   const char* const home_given = std::getenv("HOME");
   Text found = "HOME is not set";
   if (home_given != nullptr) {
-    found = *home_given == '\0' ? Text("HOME is empty") : Text("HOME is '%1', no absolute path", home_given);
+    found = *home_given == '\0' ? Text("HOME is empty") : Text("HOME is '%1', not an absolute path", home_given);
   }
   return makeError({.place = what,
                     .found = found,
                     .expected = "the home folder of this user",
-                    .fix = variable != nullptr
-                               ? Text("Set HOME or %1. Nothing is looked for in the current folder.", variable)
-                               : Text("Set HOME. Nothing is looked for in the current folder.")});
+                    .fix = variable != nullptr ? Text("Set HOME or %1. The current folder is not searched.", variable)
+                                               : Text("Set HOME. The current folder is not searched.")});
 }
 
 /// Empty: it has no name.
@@ -75,7 +74,7 @@ Text belongsTo(uid_t user) {
 tl::unexpected<Error> refuse(const fs::path& path, Text found, Text fix) {
   return makeError({.file = path.string(),
                     .found = std::move(found),
-                    .expected = "what only you (and root) may write",
+                    .expected = "a file or folder that only you and root can change",
                     .fix = std::move(fix)});
 }
 
@@ -84,12 +83,12 @@ Expected<void> checkOne(const fs::path& path, uid_t also) {
   struct stat facts {};
   if (::stat(path.c_str(), &facts) != 0) return {};
   if (facts.st_uid != 0 && facts.st_uid != ::geteuid() && facts.st_uid != also)
-    return refuse(path, belongsTo(facts.st_uid), Text("Remove it, or take it over with chown."));
+    return refuse(path, belongsTo(facts.st_uid), Text("Remove it, or make it yours with chown."));
   const bool folder_of_all = S_ISDIR(facts.st_mode) && (facts.st_mode & S_ISVTX) != 0;  // As /tmp.
   const bool group = (facts.st_mode & S_IWGRP) != 0 && !isGroupOfItsOwn(facts.st_gid, facts.st_uid);
   if (((facts.st_mode & S_IWOTH) != 0 || group) && !folder_of_all)
-    return refuse(path, Text("other users may write to it"),
-                  Text("Look at what it holds, then: chmod go-w '%1'.", path.string()));
+    return refuse(path, Text("other users can write to it"),
+                  Text("Check its content, then run: chmod go-w '%1'.", path.string()));
   return {};
 }
 
@@ -115,11 +114,11 @@ Expected<fs::path> userSettingsFolder() {
 }
 
 Expected<fs::path> userStateFolder() {
-  return userFolder("XDG_STATE_HOME", ".local/state", Text("the folder of kept states"));
+  return userFolder("XDG_STATE_HOME", ".local/state", Text("the folder of saved states"));
 }
 
 Expected<fs::path> userLibraryFolder() {
-  return userFolder(nullptr, ".local/lib", Text("the folder of own plug-ins"));
+  return userFolder(nullptr, ".local/lib", Text("the folder of your plug-ins"));
 }
 
 Expected<void> checkOwn(const fs::path& file, int levels) {
@@ -150,7 +149,7 @@ Expected<void> makeOwnFolder(const fs::path& folder) {
     made /= step;
     if (fs::exists(made, ignored)) continue;
     if (::mkdir(made.c_str(), 0700) != 0 && errno != EEXIST)
-      return makeError({.file = made.string(), .found = systemText(errno), .expected = "a folder that can be made"});
+      return makeError({.file = made.string(), .found = systemText(errno), .expected = "a folder that can be created"});
   }
   return checkUserFile(folder);
 }
@@ -201,10 +200,10 @@ std::vector<Text> cleanEnvironment() {
     kept.empty() ? ::unsetenv(variable.c_str()) : ::setenv(variable.c_str(), kept.c_str(), 1);
     for (const std::string& entry : refused) {
       if (variable != "PATH")
-        sentences.push_back(Text(
-            "%1 names '%2', which is left out: plug-ins come only from folders that are named by their whole path and "
-            "that no other user may write to.",
-            variable, plainText(entry)));
+        sentences.push_back(
+            Text("%1 names '%2', which is left out. Plug-ins are loaded only from absolute paths of folders that no "
+                 "other user can write to.",
+                 variable, plainText(entry)));
     }
   }
   return sentences;

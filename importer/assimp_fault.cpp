@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kAgain[] = HAPTICELL_TRANSLATED("Export it again.");
-constexpr char kCopyAgain[] = HAPTICELL_TRANSLATED("Copy or export it again: it is not whole.");
+constexpr char kCopyAgain[] = HAPTICELL_TRANSLATED("The file is incomplete: copy or export it again.");
 
 /// A 32-bit little-endian number, nothing beyond the end.
 std::optional<std::uint32_t> numberAt(std::string_view bytes, std::size_t at) {
@@ -106,7 +106,7 @@ Error assimpFault(const fs::path& file, std::string_view head, std::string messa
   }
   const Text expected("the content of %1", formatWord(file));
   if (message.find("No suitable reader") != std::string::npos || message.empty()) {
-    return {.place = "beginning", .found = "a content that is not of this format", .expected = expected, .fix = kAgain};
+    return {.place = "beginning", .found = "content that is not of this format", .expected = expected, .fix = kAgain};
   }
   if (message.find("std::") != std::string::npos || message.find("sto") == 0 ||
       message.find("_M_") != std::string::npos || message.find("basic_string") != std::string::npos ||
@@ -117,7 +117,7 @@ Error assimpFault(const fs::path& file, std::string_view head, std::string messa
   }
   Text place = placeIn(message);
   return {.place = std::move(place),
-          .found = Text("the reader refused it (%1)", tidied(std::move(message), file)),
+          .found = Text("the reader rejected the file (%1)", tidied(std::move(message), file)),
           .expected = expected,
           .fix = kAgain};
 }

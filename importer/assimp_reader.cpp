@@ -153,7 +153,7 @@ class AssimpSceneBuilder {
   ImportedScene build() {
     add(*source_.mRootNode, dmat4(1.0), Pose::identity(), -1, 0);
     if (dropped_ > 0) {
-      scene_.warnings.push_back(Text("%1 triangles with a corner that is no point were dropped", dropped_));
+      scene_.warnings.push_back(Text("%1 triangles with an invalid corner were removed", dropped_));
     }
     if (too_deep_) scene_.warnings.push_back(Text("nodes below the 500th level were left out"));
     return std::move(scene_);

@@ -71,8 +71,8 @@ bool looksLikeStep(const std::filesystem::path& file) {
 }
 
 Error unreadable(const char* format) {
-  return {.found = Text("it is not readable as %1", format),
-          .expected = Text("a sound %1 file", format),
+  return {.found = Text("the file cannot be read as %1", format),
+          .expected = Text("an undamaged %1 file", format),
           .fix = "Export it again."};
 }
 
@@ -108,7 +108,8 @@ Expected<CadDocument> openStep(const std::string& name, const Message_ProgressRa
                            : Text("%1 damaged entries (the first: %2)", damaged.size(), damaged.front());
     // Where the library breaks down at them, this is the place that is named.
     indicator.setStage("reading " + english(which));
-    result.warnings.push_back(Text("the file has %1; what is made of it is missing or wrong. Export it again.", which));
+    result.warnings.push_back(
+        Text("The file has %1; parts made from it can be missing or wrong. Export the file again.", which));
   }
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
@@ -119,7 +120,8 @@ Expected<CadDocument> openStep(const std::string& name, const Message_ProgressRa
     }
   }
   if (!reader.Transfer(result.document, scope.Next())) {
-    return makeError({.found = "no shape could be made of it", .expected = "a STEP file with solids or surfaces"});
+    return makeError(
+        {.found = "it contains no shape that can be built", .expected = "a STEP file with solids or surfaces"});
   }
   return result;
 }
@@ -141,7 +143,7 @@ Expected<CadDocument> openIges(const std::string& name, const Message_ProgressRa
     }
   }
   if (!reader.Transfer(result.document, scope.Next())) {
-    return makeError({.found = "no shape could be made of it", .expected = "an IGES file with surfaces"});
+    return makeError({.found = "it contains no shape that can be built", .expected = "an IGES file with surfaces"});
   }
   return result;
 }
@@ -229,7 +231,7 @@ CadDocument newCadDocument() {
 
 Expected<CadDocument> openCad(const std::filesystem::path& file, const CadProgress& progress) {
   // References to other files are relative to the file, but the library looks for them from where the process is.
-  if (::chdir(file.parent_path().c_str()) != 0) return makeError({.found = "its folder cannot be entered"});
+  if (::chdir(file.parent_path().c_str()) != 0) return makeError({.found = "the folder of the file cannot be opened"});
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Handle(Indicator) indicator = new Indicator(progress);
   const std::string name = file.filename().string();

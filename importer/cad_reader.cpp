@@ -183,7 +183,7 @@ class CadSceneBuilder {
     const int number = ++done_, all = std::max(total_, done_);
     const std::string of = " part " + std::to_string(number) + " of " + std::to_string(all) + ", ";
     parent_.progress(kReading + (1.0 - kReading) * (number - 1) / all, "meshing" + of + name);
-    Error fault{.found = "content at which its reader breaks down"};
+    Error fault{.found = "content that makes the reader crash"};
     if (!reading_.skipped.contains(number)) {
       parent_.beginPart(number);
       try {
@@ -211,7 +211,7 @@ class CadSceneBuilder {
     }
     if (meshed.several_colors) {
       scene_.warnings.push_back(
-          Text("'%1' has faces of several colours; it is shown in that of most of its area", name));
+          Text("'%1' has faces of several colours; it is shown in the colour with the largest area", name));
     }
     Known known{-1, meshed.color, meshed.several_colors};
     if (meshed.mesh.triangles.empty()) return known;
@@ -232,9 +232,9 @@ class CadSceneBuilder {
 
   void tellMissing() {
     if (without_shape_ == 0) return;
-    scene_.warnings.push_back(
-        Text("%1 parts have no shape (first '%2'): a file that they refer to is missing, or they hold lines only",
-             without_shape_, first_without_shape_));
+    scene_.warnings.push_back(Text(
+        "%1 parts have no shape (the first is '%2'): a file that they refer to is missing, or they contain only lines",
+        without_shape_, first_without_shape_));
   }
 
   const Reading& reading_;

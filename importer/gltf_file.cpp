@@ -162,11 +162,11 @@ Expected<GltfFile> GltfFile::open(const fs::path& file) {
   try {
     result.json_ = Json::parse(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text);
   } catch (const Json::parse_error& problem) {
-    return makeError(fault(Text("byte %1 of its JSON", problem.byte), Text("text that is not JSON")));
+    return makeError(fault(Text("JSON content, byte %1", problem.byte), Text("text that is not JSON")));
   } catch (const Json::exception&) {
-    return makeError(fault(Text("its JSON"), Text("a number that no computer holds")));
+    return makeError(fault(Text("JSON content"), Text("a number that is too large")));
   }
-  if (!result.json_.is_object()) return makeError(fault("", Text("no JSON object")));
+  if (!result.json_.is_object()) return makeError(fault("", Text("not a JSON object")));
   HAPTICELL_TRY(result.loadBuffers(file, std::string(chunks->second)));
   return result;
 }
@@ -191,9 +191,9 @@ Expected<void> GltfFile::loadBuffers(const fs::path& file, std::string binary) {
       auto content = workcell::readFileContent(path);
       if (!content) {
         return makeError({.place = place,
-                          .found = Text("its file %1: %2", uri.substr(0, 100), content.error().found),
-                          .expected = "a file beside it",
-                          .fix = "Put it there: a .gltf needs its .bin files."});
+                          .found = Text("file %1: %2", uri.substr(0, 100), content.error().found),
+                          .expected = "a file in the same folder",
+                          .fix = "Copy the file to this folder. A .gltf needs its .bin files."});
       }
       bytes = std::move(*content);
     }
@@ -212,10 +212,10 @@ Expected<std::string_view> GltfFile::view(std::size_t index) {
   if (!compressed.empty()) return compressedView(index, compressed);
   const std::size_t buffer = gltfNumber(view, "buffer", kNone), offset = gltfNumber(view, "byteOffset", 0);
   const std::size_t length = gltfNumber(view, "byteLength", kNone);
-  if (buffer >= buffers_.size()) return makeError(fault(place, Text("it is not there, or its buffer is not")));
+  if (buffer >= buffers_.size()) return makeError(fault(place, Text("it or its buffer does not exist")));
   const std::string_view bytes = buffers_[buffer];
   if (offset > bytes.size() || length > bytes.size() - offset) {
-    return makeError(fault(place, Text("more bytes than its buffer holds")));
+    return makeError(fault(place, Text("more bytes than its buffer has")));
   }
   return bytes.substr(offset, length);
 }
@@ -234,7 +234,7 @@ Expected<std::string_view> GltfFile::compressedView(std::size_t index, const Jso
   constexpr std::size_t kPackedFold = 64, kAlways = 65536;
   if (!there || stride == 0 || stride > 256 || count > kMostElements ||
       count * stride > kPackedFold * length + kAlways) {
-    return makeError(fault(place, Text("more bytes than its buffer holds")));
+    return makeError(fault(place, Text("more bytes than its buffer has")));
   }
   const auto* const source = reinterpret_cast<const unsigned char*>(buffers_[buffer].data() + offset);
   std::string bytes(count * stride, '\0');
@@ -247,7 +247,7 @@ Expected<std::string_view> GltfFile::compressedView(std::size_t index, const Jso
   } else if (mode == "INDICES" && (stride == 2 || stride == 4)) {
     status = meshopt_decodeIndexSequence(bytes.data(), count, stride, source, length);
   }
-  if (status != 0) return makeError(fault(place, Text("data of EXT_meshopt_compression that cannot be unpacked")));
+  if (status != 0) return makeError(fault(place, Text("data of EXT_meshopt_compression that cannot be decompressed")));
   if (filter == "EXPONENTIAL") meshopt_decodeFilterExp(bytes.data(), count, stride);
   if (filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) meshopt_decodeFilterOct(bytes.data(), count, stride);
   if (filter == "QUATERNION" && stride == 8) meshopt_decodeFilterQuat(bytes.data(), count, stride);
@@ -264,13 +264,13 @@ Expected<GltfFile::Layout> GltfFile::layoutOf(std::size_t index, const Json& acc
   layout.normalized = normalized != accessor.end() && normalized->is_boolean() && normalized->get<bool>();
   const std::size_t size = bytesOf(layout.kind) * layout.components;
   if (size == 0 || layout.components != components || layout.count > kMostElements) {
-    return makeError(fault(place, Text("another type than is needed there, or none")));
+    return makeError(fault(place, Text("the type is wrong or missing")));
   }
   layout.stride = size;
   const std::size_t number = gltfNumber(accessor, "bufferView", kNone);
   if (number == kNone) {  // Zeros, for a sparse one to fill.
     const bool sparse = !gltfMember(accessor, "sparse").empty();
-    if (!sparse && layout.count > 0) return makeError(fault(place, Text("no data")));
+    if (!sparse && layout.count > 0) return makeError(fault(place, Text("the data is missing")));
     if (layout.count > kMostZeros)
       return makeError(fault(place, Text("%1 elements without data", layout.count), Text("fewer than a million")));
     return layout;
@@ -284,7 +284,7 @@ Expected<GltfFile::Layout> GltfFile::layoutOf(std::size_t index, const Json& acc
   const std::size_t offset = gltfNumber(accessor, "byteOffset", 0);
   const std::size_t needed = layout.count == 0 ? 0 : (layout.count - 1) * layout.stride + size;
   if (layout.stride < size || layout.stride > 4096 || offset > bytes->size() || needed > bytes->size() - offset) {
-    return makeError(fault(place, Text("%1 elements, more than its buffer view holds", layout.count)));
+    return makeError(fault(place, Text("%1 elements, more than its buffer view has", layout.count)));
   }
   layout.bytes = bytes->substr(offset);
   return layout;
@@ -321,11 +321,12 @@ Expected<void> GltfFile::putSparse(const Json& accessor, const Layout& layout, s
   if (bytesOf(kind) == 0 || kind == 5126 || count > kMostElements || offset > where->size() ||
       count * bytesOf(kind) > where->size() - offset || value_offset > what->size() ||
       count * element > what->size() - value_offset) {
-    return makeError(fault(Text("sparse accessor"), Text("more elements than its buffer views hold")));
+    return makeError(fault(Text("sparse accessor"), Text("more elements than its buffer views have")));
   }
   for (std::size_t k = 0; k < count; ++k) {
     const auto at = static_cast<std::size_t>(valueAt(where->data() + offset + k * bytesOf(kind), kind, false));
-    if (at >= layout.count) return makeError(fault(Text("sparse accessor"), Text("an element beyond the last")));
+    if (at >= layout.count)
+      return makeError(fault(Text("sparse accessor"), Text("the number of an element that does not exist")));
     for (std::size_t c = 0; c < layout.components; ++c) {
       values[at * layout.components + c] =
           valueAt(what->data() + value_offset + k * element + c * size, layout.kind, layout.normalized);

@@ -89,9 +89,9 @@ class GltfReader {
       using workcell::Treatment;
       if (rule && (rule->treatment == Treatment::kUsed || rule->treatment == Treatment::kNoted)) continue;
       return makeError({.place = "extensionsRequired",
-                        .found = Text("the extension %1, which is not read", name.get<std::string>()),
+                        .found = Text("the extension %1, which is not supported", name.get<std::string>()),
                         .expected = "extensions that docs/user/formats.md lists",
-                        .fix = "Export it without that extension, or convert it with a tool that can take it out."});
+                        .fix = "Export it without this extension, or remove the extension with a conversion tool."});
     }
     return {};
   }
@@ -168,8 +168,8 @@ class GltfReader {
     }
     const std::size_t vertices = positions.size() / 3;
     if (std::any_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return i >= vertices; })) {
-      return makeError(damagedFile(Text("mesh '%1'", name), Text("a corner beyond the last of %1", vertices),
-                                   Text("corners of the mesh")));
+      return makeError(damagedFile(Text("mesh '%1'", name), Text("a vertex number beyond the last of %1", vertices),
+                                   Text("numbers of vertices of the mesh")));
     }
     return indices.empty() ? nullptr : newMesh(name, positions, indices, used);
   }
@@ -246,15 +246,15 @@ class GltfReader {
     const json& nodes = gltfMember(file_.json(), "nodes");
     const Text place("node %1", index);
     if (!nodes.is_array() || index >= nodes.size()) {
-      return makeError(damagedFile(place, Text("no such node"), Text("a node of the file")));
+      return makeError(damagedFile(place, Text("a node that does not exist"), Text("a node of the file")));
     }
     if (depth > kDeepestNode)
-      return makeError(damagedFile(place, Text("more than 500 levels below each other"), Text("a tree")));
+      return makeError(damagedFile(place, Text("more than 500 nested levels"), Text("a tree without cycles")));
     const json& source = nodes[index];
     const std::size_t number = gltfNumber(source, "mesh", kNoIndex);
     const json& mesh = gltfElement(gltfMember(file_.json(), "meshes"), number);
     if (number != kNoIndex && number >= of_mesh_.size()) {
-      return makeError(damagedFile(place, Text("mesh %1, which is not there", number), Text("a mesh of the file")));
+      return makeError(damagedFile(place, Text("mesh %1, which does not exist", number), Text("a mesh of the file")));
     }
     std::string name = gltfText(source, "name");
     if (name.empty()) name = gltfText(mesh, "name");

@@ -12,18 +12,18 @@ struct Meaning {
 };
 
 constexpr char kTooLarge[] =
-    HAPTICELL_TRANSLATED("a count that is larger than what the file holds, or more than an import may use");
-constexpr char kNoNumber[] = HAPTICELL_TRANSLATED("a text where a number belongs, or a number that no computer holds");
-constexpr char kBeyond[] = HAPTICELL_TRANSLATED("a reference or a count that points beyond what the file holds");
+    HAPTICELL_TRANSLATED("a count that is too large for the file or for the memory limit of an import");
+constexpr char kNoNumber[] = HAPTICELL_TRANSLATED("text instead of a number, or a number that is too large");
+constexpr char kBeyond[] = HAPTICELL_TRANSLATED("a reference or count beyond the end of the file's data");
 constexpr char kNothing[] = HAPTICELL_TRANSLATED("a reference to something that is not in the file");
-constexpr char kFlat[] = HAPTICELL_TRANSLATED("a direction of no length, or axes that fall together");
-constexpr char kShape[] = HAPTICELL_TRANSLATED("numbers that make no shape");
+constexpr char kFlat[] = HAPTICELL_TRANSLATED("a direction of length zero, or parallel axes");
+constexpr char kShape[] = HAPTICELL_TRANSLATED("numbers that define no valid shape");
 
 constexpr char kCounts[] = HAPTICELL_TRANSLATED("counts that fit the file");
 constexpr char kNumber[] = HAPTICELL_TRANSLATED("a number");
-constexpr char kReference[] = HAPTICELL_TRANSLATED("references to what is there");
-constexpr char kDirections[] = HAPTICELL_TRANSLATED("directions that differ");
-constexpr char kSolid[] = HAPTICELL_TRANSLATED("curves and surfaces that exist");
+constexpr char kReference[] = HAPTICELL_TRANSLATED("references to existing elements");
+constexpr char kDirections[] = HAPTICELL_TRANSLATED("directions of non-zero length that are not parallel");
+constexpr char kSolid[] = HAPTICELL_TRANSLATED("valid curves and surfaces");
 
 /// The first that stands in the words counts.
 constexpr Meaning kMeanings[] = {
@@ -73,9 +73,8 @@ Error libraryFault(const std::string& words) {
               .fix = "Export it again, or in another format (STEP, glTF, STL)."};
   }
   const bool says_nothing = words.empty() || words.find("std::") != std::string::npos;
-  return {.found = says_nothing ? Text("content that contradicts itself")
-                                : Text("content that contradicts itself (%1)", words),
-          .expected = "a sound file",
+  return {.found = says_nothing ? Text("inconsistent content") : Text("inconsistent content (%1)", words),
+          .expected = "an undamaged file",
           .fix = "Export it again, or in another format (STEP, glTF, STL)."};
 }
 

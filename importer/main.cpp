@@ -91,7 +91,7 @@ Expected<std::string> readOne(const Call& call, const fs::path& file, ParentLink
 
 Expected<void> handOver(const std::string& bytes, ParentLink& parent) {
   if (parent.writeScene(bytes)) return {};
-  return hapticell::makeError({.found = "no room to hand it over"});
+  return hapticell::makeError({.found = "not enough memory or disk space to transfer the result"});
 }
 
 /// What the libraries throw becomes an error.
@@ -100,7 +100,7 @@ Expected<Result> guarded(const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    return hapticell::makeError({.found = "it needs more memory than an import may use",
+    return hapticell::makeError({.found = "the import needs more memory than its limit allows",
                                  .expected = "a smaller or coarser model",
                                  .fix = "Choose a coarser tessellation or import it in parts."});
   } catch (const Standard_Failure& failure) {

@@ -57,7 +57,7 @@ Expected<ModelPackage> unpackModel(const fs::path& file) {
   const std::unique_ptr<archive, ArchiveCloser> in(archive_read_new());
   archive_read_support_format_zip(in.get());
   if (archive_read_open_filename(in.get(), file.c_str(), 65536) != ARCHIVE_OK) {
-    return makeError({.found = "no ZIP archive", .expected = "a 3MF file", .fix = "Export it again."});
+    return makeError({.found = "not a ZIP archive", .expected = "a 3MF file", .fix = "Export it again."});
   }
   std::error_code ignored;
   const auto packed = static_cast<std::int64_t>(fs::file_size(file, ignored));
@@ -71,13 +71,13 @@ Expected<ModelPackage> unpackModel(const fs::path& file) {
     if (leadsOut(name) || archive_entry_filetype(entry) == AE_IFLNK) {
       return makeError({.place = Text("entry '%1'", name),
                         .found = "a name or link that leads out of the archive",
-                        .expected = "files inside it"});
+                        .expected = "names and links inside the archive"});
     }
     bytes += std::max<std::int64_t>(archive_entry_size(entry), 0);
     if (bytes > kMostBytes || (bytes > kHarmless && bytes > kMostFold * packed)) {
       return makeError({.place = Text("entry '%1'", name),
-                        .found = "more than it may unpack to",
-                        .expected = "at most 1 GB, and 200 times its own size",
+                        .found = "the unpacked size exceeds the limit",
+                        .expected = "at most 1 GB and 200 times the packed size",
                         .fix = "Split the model, or export it again."});
     }
     if (!isRead(name)) continue;
@@ -85,8 +85,8 @@ Expected<ModelPackage> unpackModel(const fs::path& file) {
     unpacked += static_cast<std::int64_t>(part.size());
     if (unpacked > kMostBytes || (unpacked > kHarmless && unpacked > kMostFold * packed)) {
       return makeError({.place = Text("entry '%1'", name),
-                        .found = "more than it may unpack to",
-                        .expected = "at most 1 GB, and 200 times its own size",
+                        .found = "the unpacked size exceeds the limit",
+                        .expected = "at most 1 GB and 200 times the packed size",
                         .fix = "Split the model, or export it again."});
     }
     package.parts["/" + name] = std::move(part);

@@ -140,8 +140,9 @@ Expected<void> checkReferences(const std::string& content, const std::filesystem
       const auto status = std::filesystem::status(path, fault);
       if (fault || !std::filesystem::exists(status) || std::filesystem::is_directory(status)) continue;
       if (auto regular = geometry::checkRegularFile(path); !regular) {
-        return makeError(
-            {.place = Text("reference to '%1'", name), .found = regular.error().found, .expected = "a file beside it"});
+        return makeError({.place = Text("reference to '%1'", name),
+                          .found = regular.error().found,
+                          .expected = "a file in the same folder"});
       }
       if (beginsAsStep(geometry::headOfFile(path, 65536))) open.push_back(path.string());
     }
@@ -165,8 +166,8 @@ Expected<std::string> unpacked(const std::filesystem::path& file) {
   archive_read_support_format_raw(in.get());
   archive_entry* entry = nullptr;
   const auto refused = [] {
-    return makeError(Error{.found = "it is packed in a way that is not known",
-                           .expected = "a STEP file, or one packed by gzip or ZIP",
+    return makeError(Error{.found = "an unknown compression",
+                           .expected = "a STEP file, plain or compressed with gzip or ZIP",
                            .fix = "Unpack it, or export it as .step."});
   };
   if (archive_read_open_filename(in.get(), file.c_str(), 65536) != ARCHIVE_OK) return refused();
@@ -183,7 +184,7 @@ Expected<std::string> unpacked(const std::filesystem::path& file) {
       content.append(block.data(), static_cast<std::size_t>(count));
       if (content.size() > most) {
         return makeError({.found = Text("more than %1 MB once unpacked", most >> 20),
-                          .expected = "at most 4 GB, and 200 times its own size",
+                          .expected = "at most 4 GB and 200 times the packed size",
                           .fix = "Unpack it, or export it again."});
       }
     }
@@ -307,22 +308,22 @@ Expected<StepText> StepText::open(const std::filesystem::path& file) {
   }
   const StepOutline outline = outlineOfStep(*content);
   if (outline.tessellated > 0 && outline.exact_faces == 0) {
-    return makeError({.found = Text("it holds tessellated shapes only (%1, triangles as of AP242), which are not read",
-                                    outline.tessellated),
-                      .expected = "solids or surfaces with exact faces",
-                      .fix = "Export it with exact shapes (B-rep), or its triangles as STL, OBJ or 3MF."});
+    return makeError(
+        {.found = Text("it contains only tessellated shapes (%1, triangles as in AP242), which are not supported",
+                       outline.tessellated),
+         .expected = "solids or surfaces with exact faces",
+         .fix = "Export it with exact shapes (B-rep), or its triangles as STL, OBJ or 3MF."});
   }
   if (outline.tessellated > 0) {
     result.warnings_.push_back(
-        Text("%1 tessellated shapes (triangles as of AP242) are left out; exact ones are read", outline.tessellated));
+        Text("%1 tessellated shapes (triangles as in AP242) are left out; exact shapes are read", outline.tessellated));
   }
-  if (outline.joints > 0) result.warnings_.push_back(Text("its joints are left out; all is read as solid bodies"));
+  if (outline.joints > 0) result.warnings_.push_back(Text("joints are left out; all parts are read as rigid bodies"));
   if (!outline.raw.empty()) {
     std::string encoding;
     *content = withNamesConverted(*content, outline, encoding);
-    result.warnings_.push_back(
-        Text("%1 texts, among them perhaps names of parts, are written in bytes of no stated encoding; %2 is assumed",
-             outline.raw.size(), Text(wordsOf(encoding).for_people)));
+    result.warnings_.push_back(Text("%1 texts, which can include part names, have no stated encoding; %2 is assumed",
+                                    outline.raw.size(), Text(wordsOf(encoding).for_people)));
     changed = true;
   }
   std::string_view text = *content;
@@ -334,7 +335,7 @@ Expected<StepText> StepText::open(const std::filesystem::path& file) {
   result.descriptor_ = ::memfd_create("step", MFD_CLOEXEC);
   for (std::size_t done = 0; result.descriptor_ >= 0 && done < text.size();) {
     const ssize_t count = ::write(result.descriptor_, text.data() + done, text.size() - done);
-    if (count <= 0) return makeError({.found = "no room for its text"});
+    if (count <= 0) return makeError({.found = "not enough memory for the text of the file"});
     done += static_cast<std::size_t>(count);
   }
   result.name_ = "/proc/self/fd/" + std::to_string(result.descriptor_);

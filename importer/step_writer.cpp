@@ -203,7 +203,7 @@ class StepBuilder {
     }
     const TopoDS_Shape shape = facetedShape(mesh);
     if (shape.IsNull())
-      return makeError({.place = "'" + node.name + "'", .found = "no triangle with an area", .expected = "a mesh"});
+      return makeError({.place = "'" + node.name + "'", .found = "all triangles have zero area", .expected = "a mesh"});
     return shape;
   }
 
@@ -222,8 +222,8 @@ class StepBuilder {
     if (shape.IsNull()) {
       return makeError({.place = "'" + node.name + "'",
                         .found = Text("no part '%1' in %2", node.origin->part, node.origin->file),
-                        .expected = "the file that it was imported from, unchanged",
-                        .fix = "Import it anew."});
+                        .expected = "the imported file, unchanged",
+                        .fix = "Import it again."});
     }
     const double factor =
         node.origin->metres_per_unit > 0.0 ? node.origin->metres_per_unit / source->metresPerUnit() : 1.0;
@@ -284,7 +284,7 @@ Expected<void> writeStep(const workcell::ImportedScene& scene, const std::filesy
     return makeError({.found = "the parts cannot be written as STEP"});
   }
   if (writer.Write(file.c_str()) != IFSelect_RetDone) {
-    return makeError({.found = "the file cannot be written", .expected = "room and permission"});
+    return makeError({.found = "the file cannot be written", .expected = "free space and permission to write"});
   }
   return {};
 }

@@ -114,8 +114,7 @@ class ThreeMfReader {
       HAPTICELL_TRY(node);
       items.push_back(std::move(*node));
     }
-    if (items.empty())
-      return makeError(damagedFile(root, Text("no <item> in its <build>"), Text("objects to be built")));
+    if (items.empty()) return makeError(damagedFile(root, Text("<build> has no <item>"), Text("objects to be built")));
     auto top = newNode("3MF");
     giveChildren(*top, std::move(items));
     if (materials_.empty()) materials_.push_back(std::make_unique<aiMaterial>());
@@ -158,7 +157,7 @@ class ThreeMfReader {
     if (known) return known.get();
     auto content = package_.parts.find(name);
     if (content == package_.parts.end()) {
-      return makeError(damagedFile(name, Text("that part is not in the package"), Text("a part of the package")));
+      return makeError(damagedFile(name, Text("this part is not in the package"), Text("a part of the package")));
     }
     if (auto flat = geometry::checkNesting(content->second, geometry::NestedText::kXml, ""); !flat)
       return makeError(
@@ -188,9 +187,9 @@ class ThreeMfReader {
       if (rule && (rule->treatment == Treatment::kUsed || rule->treatment == Treatment::kNoted)) continue;
       return makeError(
           {.place = "requiredextensions",
-           .found = Text("the extension '%1' (%2), which is not read", name.empty() ? prefix : name, space),
+           .found = Text("the extension '%1' (%2), which is not supported", name.empty() ? prefix : name, space),
            .expected = "extensions that docs/user/formats.md lists",
-           .fix = "Export it without that extension."});
+           .fix = "Export it without this extension."});
     }
     return {};
   }
@@ -256,12 +255,14 @@ class ThreeMfReader {
     const std::string id = attributeNamed(source, "objectid"), owner = ownerOf(source, in_part);
     const Text place("%1, object %2", owner, id);
     if (depth > kDeepestComponent)
-      return makeError(damagedFile(place, Text("components in a circle"), Text("a tree of components")));
+      return makeError(
+          damagedFile(place, Text("components that contain each other"), Text("components without cycles")));
     const auto document = part(owner);
     HAPTICELL_TRY(document);
     const pugi::xml_node resources = childNamed(childNamed(**document, "model"), "resources");
     const pugi::xml_node object = objectOf(resources, owner, id);
-    if (!object) return makeError(damagedFile(place, Text("no such object"), Text("an object of that part")));
+    if (!object)
+      return makeError(damagedFile(place, Text("an object that does not exist"), Text("an object of this part")));
     const auto matrix = transformOf(source);
     if (!matrix) return makeError(damagedFile(place, Text("an invalid transform"), Text("12 numbers")));
     auto made = shapeOf(object, resources, {owner, id});
@@ -327,8 +328,7 @@ class ThreeMfReader {
       for (const char* axis : {"x", "y", "z"}) {
         const auto number = numberOf(vertex, axis);
         if (!number)
-          return makeError(
-              damagedFile(Text("object '%1'", name), Text("a vertex that is no point"), Text("x, y and z")));
+          return makeError(damagedFile(Text("object '%1'", name), Text("an invalid vertex"), Text("x, y and z")));
         positions.push_back(static_cast<float>(*number));
       }
     }
@@ -339,8 +339,8 @@ class ThreeMfReader {
       for (const char* corner : {"v1", "v2", "v3"}) {
         const auto number = numberOf(triangle, corner);
         if (!number || *number < 0.0 || *number >= static_cast<double>(positions.size() / 3)) {
-          return makeError(damagedFile(Text("object '%1'", name), Text("a triangle with a corner that is not there"),
-                                       Text("corners from 0 to %1", positions.size() / 3)));
+          return makeError(damagedFile(Text("object '%1'", name), Text("a triangle with a vertex that does not exist"),
+                                       Text("vertex numbers from 0 to %1", positions.size() / 3)));
         }
         corners.push_back(static_cast<std::uint32_t>(*number));
       }

@@ -22,14 +22,15 @@ class Budget {
   void step(std::size_t count = 1) {
     steps_ += count;
     if (steps_ > kMostSteps)
-      throw Fault{.found = "more than 3 million steps of evaluation",
+      throw Fault{.found = "more than 3 million evaluation steps",
                   .expected = "a robot",
-                  .fix = "Look for a macro that calls itself."};
+                  .fix = "Check for a macro that calls itself."};
   }
   /// Memory that something made takes; never given back.
   void take(std::size_t bytes) {
     bytes_ += bytes;
-    if (bytes_ > kMostBytes) throw Fault{.found = "texts and lists of more than 64 MB", .expected = "a robot"};
+    if (bytes_ > kMostBytes)
+      throw Fault{.found = "texts and lists with more than 64 MB in total", .expected = "a robot"};
   }
   /// The same of one text.
   const std::string& text(const std::string& made) {
@@ -38,7 +39,7 @@ class Budget {
     return made;
   }
   static void checkText(std::size_t size) {
-    if (size > kLongestText) throw Fault{.found = "a text of more than 1 MB", .expected = "a shorter one"};
+    if (size > kLongestText) throw Fault{.found = "a text longer than 1 MB", .expected = "a shorter one"};
   }
   static void checkList(std::size_t size) {
     if (size > kLongestList) throw Fault{.found = "a list of more than 100 000 values", .expected = "a shorter one"};
@@ -50,8 +51,8 @@ class Budget {
     explicit Level(Budget& budget, int levels = 1) : budget_(budget), levels_(levels) {
       if (budget_.depth_ + levels_ > kDeepest)
         throw Fault{.found = "elements, macros or expressions nested too deeply",
-                    .expected = "fewer levels",
-                    .fix = "Look for a macro, a file or a property that contains itself."};
+                    .expected = "fewer nested levels",
+                    .fix = "Check for a macro, a file or a property that contains itself."};
       budget_.depth_ += levels_;
     }
     ~Level() { budget_.depth_ -= levels_; }

@@ -39,7 +39,8 @@ Value dictionary(Call& call) {
   } else if (!call.arguments.empty()) {
     for (const Value& item : call.interpreter.itemsOf(call.arguments[0])) {
       const std::vector<Value> pair = call.interpreter.itemsOf(item);
-      if (pair.size() != 2) throw Fault{.found = "dict() of what are no pairs", .expected = "pairs of key and value"};
+      if (pair.size() != 2)
+        throw Fault{.found = "dict() of values that are not pairs", .expected = "pairs of a key and a value"};
       items.emplace_back(pair[0], pair[1]);
     }
   }
@@ -109,7 +110,7 @@ Value extreme(Call& call, bool greatest) {
   const auto otherwise = call.named.find("default");
   if (items.empty() && otherwise != call.named.end()) return otherwise->second;
   if (items.empty())
-    throw Fault{.found = greatest ? Text("max() of nothing") : Text("min() of nothing"),
+    throw Fault{.found = greatest ? Text("max() without values") : Text("min() without values"),
                 .expected = "at least one value"};
   std::size_t best = 0;
   Value best_key = keyOf(call, items[0]);
@@ -174,7 +175,7 @@ Value range(Call& call) {
   const std::int64_t first = count > 1 ? wholeOf(call.arguments[0]) : 0,
                      last = wholeOf(call.arguments[count > 1 ? 1 : 0]);
   const std::int64_t step = count > 2 ? wholeOf(call.arguments[2]) : 1;
-  if (step == 0) throw Fault{.found = "range() with a step of 0", .expected = "another step"};
+  if (step == 0) throw Fault{.found = "range() with a step of 0", .expected = "a step other than 0"};
   std::vector<Value> items;
   for (std::int64_t at = first; step > 0 ? at < last : at > last;) {
     items.emplace_back(at);
@@ -355,7 +356,8 @@ const std::pair<const char*, Run> kInXacro[] = {
        call.interpreter.surroundings().warn(Text("the file reports an error: %1", messageOf(call)));
        return "";
      }},
-    {"fatal", [](Call& call) -> Value { throw Fault{.found = Text("the file refuses itself: %1", messageOf(call))}; }},
+    {"fatal",
+     [](Call& call) -> Value { throw Fault{.found = Text("the file stops with the error: %1", messageOf(call))}; }},
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace hapticell::xacro {
 inline void expectArguments(const Call& call, const std::string& name, std::size_t least, std::size_t most,
                             bool named = false) {
   if (call.arguments.size() >= least && call.arguments.size() <= most && (named || call.named.empty())) return;
-  throw Fault{.found = Text("%1() with %2 values", name, call.arguments.size() + call.named.size()),
+  throw Fault{.found = Text("%1() with %2 arguments", name, call.arguments.size() + call.named.size()),
               .expected = least == most ? Text(std::to_string(least)) : Text("%1 to %2", least, most)};
 }
 

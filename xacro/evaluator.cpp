@@ -83,8 +83,8 @@ Value Evaluator::argument(const std::string& name) {
   if (const auto given = arguments_.find(name); given != arguments_.end()) return given->second;
   declared_.push_back({name, "", std::nullopt, at_ ? sources_.nameOf(at_->file) : "", at_ ? at_->line : 0});
   throw Fault{.found = Text("undefined substitution argument %1", name.substr(0, 100)),
-              .expected = "a value for it",
-              .fix = Text("Give one: %1:=VALUE.", name.substr(0, 100))};
+              .expected = "a value",
+              .fix = Text("Set it with %1:=VALUE.", name.substr(0, 100))};
 }
 
 Value Evaluator::environment(const std::string& words, bool optional) {
@@ -93,8 +93,8 @@ Value Evaluator::environment(const std::string& words, bool optional) {
   if (value) return std::string(value).substr(0, 4096);
   if (optional) return otherwise;
   throw Fault{.found = Text("the environment variable %1 is not set", name.substr(0, 100)),
-              .expected = "a value for it",
-              .fix = "Set it before the program is started."};
+              .expected = "a value",
+              .fix = "Set it before you start the program."};
 }
 
 /// $(eval …): the arguments, and functions for the other substitutions, are names in it.

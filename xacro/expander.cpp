@@ -81,7 +81,7 @@ void Expander::expandElement(const XmlNode& node, const Context& context, Nodes&
   } catch (const Fault& fault) {
     evaluator_.report(fault.file.empty() ? sources_.nameOf(node.file) : fault.file,
                       fault.file.empty() ? Text("line %1", node.line) : fault.place,
-                      Text("<%1> is left out, it moves nothing: %2", node.name, fault.found));
+                      Text("<%1> is left out, because it does not affect motion: %2", node.name, fault.found));
   }
 }
 
@@ -153,7 +153,7 @@ void Expander::checkAttributes(const XmlNode& node, std::initializer_list<const 
     const bool is_known =
         std::any_of(known.begin(), known.end(), [&](const char* name) { return attribute.name == name; });
     if (!is_known && !attribute.name.starts_with("xmlns:"))
-      evaluator_.warn(Text("<%1> has '%2', which xacro does not know", node.name, attribute.name));
+      evaluator_.warn(Text("<%1> has the unknown attribute '%2'", node.name, attribute.name));
   }
 }
 
@@ -195,7 +195,7 @@ void Expander::property(const XmlNode& node, const Context& context) {
   const std::string name = evaluator_.text(required(node, "name"), symbols);
   if (!isIdentifier(name) || name.starts_with("__"))
     throw Fault{.found = Text("a property with the name '%1'", name.substr(0, 60)),
-                .expected = "letters, digits and _, no word of Python's, no __ in front"};
+                .expected = "letters, digits and _, no Python keyword, no __ at the start"};
   const bool remove = evaluator_.truth(optional(node, "remove", "false"), symbols);
   const XmlNode::Attribute *value = node.attribute("value"), *otherwise = node.attribute("default");
   if ((value ? 1 : 0) + (otherwise ? 1 : 0) + (remove ? 1 : 0) > 1)
@@ -224,7 +224,7 @@ void Expander::setProperty(const XmlNode& node, const std::string& name, Value v
     if (symbols.parent() && symbols.parent()->parent()) target = symbols.parent();
     while (!symbols.isNameSpace() && target->isNameSpace()) target = target->parent();
   } else if (!where.empty()) {
-    evaluator_.warn(Text("scope=\"%1\" is not known; the property '%2' is set where it stands", where, name));
+    evaluator_.warn(Text("scope=\"%1\" is unknown; the property '%2' is set in the current scope", where, name));
   }
   if (const std::string* text = value.text(); text && !lazy) value = evaluator_.value(std::string(*text), symbols);
   budget_.take(sizeof(Value) * 4 + name.size() + (value.text() ? value.text()->size() : 0));
@@ -247,7 +247,7 @@ void Expander::include(const XmlNode& node, const Context& context, Nodes& out) 
   const Context inside = space.empty() ? context : nameSpace(space, context);
   if (reference.find_first_of("*?[") != std::string::npos) {
     const std::vector<fs::path> files = sources_.matching(reference);
-    if (files.empty()) evaluator_.warn(Text("no file is like %1", reference));
+    if (files.empty()) evaluator_.warn(Text("no file matches %1", reference));
     for (const fs::path& file : files) includeFile(file, inside, out);
     return;
   }
@@ -274,7 +274,7 @@ void Expander::defineMacro(const XmlNode& node, const Context& context) {
   if (macro.name.starts_with("xacro:")) macro.name.erase(0, 6);
   if (macro.name == "call" || macro.name.find('.') != std::string::npos)
     throw Fault{.found = Text("a macro with the name '%1'", macro.name),
-                .expected = "a name without points, other than call"};
+                .expected = "a name without dots, other than call"};
   macro.parameters = parametersOf(optional(node, "params", ""));
   budget_.take(sizeof(Macro) + macro.parameters.size() * sizeof(MacroParameter));
   budget_.step(macro.parameters.size());
@@ -298,7 +298,7 @@ const Macro* Expander::findMacro(const std::string& full_name, Scope*& caller, M
   }
   if (!macro)
     throw Fault{.found = Text("<xacro:%1>: there is no macro of this name", full_name),
-                .expected = "a macro that is defined in front, or an element of xacro's",
+                .expected = "a macro that is defined earlier, or an element of xacro",
                 .fix = "Include the file that defines it, or correct the name."};
   return macro;
 }

@@ -65,7 +65,7 @@ class Parser {
     return true;
   }
   [[noreturn]] void fail(const Text& expected) const {
-    if (now().kind == Token::Kind::kEnd) throw Fault{.found = "the expression ends", .expected = expected};
+    if (now().kind == Token::Kind::kEnd) throw Fault{.found = "the expression ends too early", .expected = expected};
     if (now().kind == Token::Kind::kConstant) throw Fault{.found = "a value in the expression", .expected = expected};
     throw Fault{.found = Text("'%1' in the expression", now().text), .expected = expected};
   }
@@ -235,7 +235,7 @@ class Parser {
         node.names.push_back(identifier());
         need("=");
       } else if (!node.names.empty()) {
-        fail(Text("named arguments behind the others"));
+        fail(Text("named arguments after the others"));
       }
       ExpressionPointer argument = single();
       if (isWord("for")) argument = comprehension(std::move(argument), nullptr);

@@ -54,7 +54,7 @@ Value Interpreter::evaluateText(const std::string& text, Scope& scope) {
     }
     const std::size_t end = next == '{' ? text.find('}', i) : endOfSubstitution(text, i);
     if (end == std::string::npos)
-      throw Fault{.found = Text("'%1' that does not end", text.substr(i, 40)), .expected = next == '{' ? "'}'" : "')'"};
+      throw Fault{.found = Text("'%1' without its end", text.substr(i, 40)), .expected = next == '{' ? "'}'" : "')'"};
     const std::string inside = text.substr(i + 2, end - i - 2);
     if (next == '{')
       add(evaluateExpression(textOfText(inside, scope), scope));
@@ -150,21 +150,21 @@ Value Interpreter::nameOf(const std::string& name, Scope& scope, const Locals& l
   if (const Value* value = scope.find(name, *this)) return *value;
   throw Fault{.found = Text("name '%1' is not defined", name),
               .expected = "a property, a parameter or a function that xacro knows",
-              .fix = "Correct the name, or define the property in front."};
+              .fix = "Correct the name, or define the property earlier in the file."};
 }
 
 Value Interpreter::attributeOf(const Value& value, const std::string& name) {
   if (Scope* const* name_space = value.as<Scope*>()) {
     if (const Value* inside = (*name_space)->find(name, *this)) return *inside;
-    throw Fault{.found = Text("name '%1' is not defined in the name space", name), .expected = "one that is"};
+    throw Fault{.found = Text("name '%1' is not defined in the namespace", name), .expected = "a defined name"};
   }
   if (auto method = methodOf(value, name)) return *method;
   if (const DictValue* dict = value.dict()) {
     if (const Value* item = dict->find(name)) return *item;
-    throw Fault{.found = Text("no key '%1' in the dictionary", name), .expected = "one of its keys"};
+    throw Fault{.found = Text("the dictionary has no key '%1'", name), .expected = "a key of the dictionary"};
   }
-  throw Fault{.found = Text("%1 has no '%2' here", kindOf(value), name),
-              .expected = "one of the functions in docs/user/formats.md"};
+  throw Fault{.found = Text("%1 has no function '%2'", kindOf(value), name),
+              .expected = "a function that docs/user/formats.md lists"};
 }
 
 Value Interpreter::unary(const std::string& sign, const Value& value) {
@@ -190,7 +190,7 @@ bool Interpreter::holds(const std::string& sign, const Value& a, const Value& b)
       for (const Value& item : b.list()->items) found = found || equal(a, item, budget_);
     } else {
       throw Fault{.found = Text("%1 in %2", kindOf(a), kindOf(b)),
-                  .expected = "a list, a dictionary or a text behind 'in'"};
+                  .expected = "a list, a dictionary or a text after 'in'"};
     }
     return found == (sign == "in");
   }
@@ -243,8 +243,7 @@ Value Interpreter::callOf(const Expression& node, Scope& scope, Locals& locals) 
 
 Value Interpreter::call(const Value& function, std::vector<Value> arguments, std::map<std::string, Value> named) {
   const FunctionPointer* pointer = function.as<FunctionPointer>();
-  if (!pointer)
-    throw Fault{.found = Text("%1 that is called like a function", kindOf(function)), .expected = "a function"};
+  if (!pointer) throw Fault{.found = Text("%1 used as a function", kindOf(function)), .expected = "a function"};
   budget_.step();
   const Budget::Level level(budget_, 4);
   const FunctionPointer kept = *pointer;
@@ -262,7 +261,7 @@ std::vector<Value> Interpreter::itemsOf(const Value& value) {
     Budget::checkList(text->size());
     for (std::string& letter : lettersOf(*text)) items.emplace_back(std::move(letter));
   } else {
-    throw Fault{.found = Text("%1 where a list is needed", kindOf(value)), .expected = "a list"};
+    throw Fault{.found = Text("%1 instead of a list", kindOf(value)), .expected = "a list"};
   }
   budget_.step(items.size());
   return items;
@@ -290,7 +289,8 @@ void Interpreter::runClause(const Expression& node, std::size_t index, Scope& sc
   for (const Value& item : itemsOf(evaluate(*clause.source, scope, locals))) {
     const std::vector<Value> fields = clause.names.size() == 1 ? std::vector<Value>{item} : itemsOf(item);
     if (fields.size() != clause.names.size())
-      throw Fault{.found = Text("%1 values for %2 names", fields.size(), clause.names.size()), .expected = "as many"};
+      throw Fault{.found = Text("%1 values for %2 names", fields.size(), clause.names.size()),
+                  .expected = "the same number"};
     for (std::size_t i = 0; i < fields.size(); ++i) locals.emplace_back(clause.names[i], fields[i]);
     bool wanted = true;
     for (const ExpressionPointer& condition : clause.conditions)
@@ -309,7 +309,7 @@ Value Interpreter::lambdaOf(const Expression& node, Scope& scope, const Locals& 
   const auto run = [names, body, &scope, locals](Call& call) -> Value {
     if (call.arguments.size() != names.size() || !call.named.empty())
       throw Fault{.found = Text("a lambda of %1 parameters called with %2", names.size(), call.arguments.size()),
-                  .expected = "as many"};
+                  .expected = "the same number"};
     Locals inside = locals;
     for (std::size_t i = 0; i < names.size(); ++i) inside.emplace_back(names[i], call.arguments[i]);
     const Budget::Level level(call.interpreter.budget(), 1 + body->depth / 4);

@@ -74,7 +74,7 @@ class ParameterReader {
       if (c != '\'' && c != '"') continue;
       const std::size_t end = text_.find(c, at_);
       if (end == std::string::npos)
-        throw Fault{.found = "a default without its closing quote in params", .expected = std::string(1, c)};
+        throw Fault{.found = "a default value without closing quote in params", .expected = std::string(1, c)};
       at_ = end + 1;
     }
     return text_.substr(begin, at_ - begin);

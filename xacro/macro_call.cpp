@@ -33,12 +33,12 @@ void MacroCall::bindBlocks(std::vector<XmlPointer> blocks) {
   for (const MacroParameter& parameter : macro_.parameters) {
     if (!parameter.isBlock()) continue;
     if (next == blocks.size())
-      throw Fault{.found = Text("the macro '%1' without its block %2", macro_.name, parameter.name),
-                  .expected = "an element inside of the call for each block"};
+      throw Fault{.found = Text("the call of macro '%1' has no block for %2", macro_.name, parameter.name),
+                  .expected = "one element inside the call for each block"};
     inside_.set(parameter.name, blocks[next++], false);
   }
   if (next < blocks.size())
-    throw Fault{.found = Text("<%1> inside of the call of macro '%2'", blocks[next]->name, macro_.name),
+    throw Fault{.found = Text("<%1> inside the call of macro '%2'", blocks[next]->name, macro_.name),
                 .expected = Text("%1 blocks", next)};
 }
 
@@ -55,8 +55,8 @@ void MacroCall::bindDefaults() {
       missing += (missing.empty() ? "" : ", ") + parameter.name;
   }
   if (!missing.empty())
-    throw Fault{.found = Text("the macro '%1' without its parameters %2", macro_.name, missing.substr(0, 400)),
-                .expected = "a value for each"};
+    throw Fault{.found = Text("the call of macro '%1' does not set %2", macro_.name, missing.substr(0, 400)),
+                .expected = "a value for each parameter"};
 }
 
 }  // namespace hapticell::xacro

@@ -48,10 +48,9 @@ const TwoNumbers kTwo[] = {
 /// Python refuses what is no number or too large.
 double checked(const char* name, double result, bool finite, bool number) {
   if (std::isnan(result) && number)
-    throw Fault{.found = Text("%1() of a number that it is not defined for", name),
-                .expected = "a number within its domain"};
+    throw Fault{.found = Text("%1() of a number outside its domain", name), .expected = "a number within its domain"};
   if (std::isinf(result) && finite)
-    throw Fault{.found = Text("%1() that is too large or not defined", name), .expected = "a finite result"};
+    throw Fault{.found = Text("the result of %1() is too large or undefined", name), .expected = "a finite result"};
   return result;
 }
 
@@ -63,14 +62,14 @@ Value wholeNumber(const char* name, double value) {
 }
 
 std::int64_t binomial(std::int64_t n, std::int64_t k, bool ordered) {
-  if (n < 0 || k < 0) throw Fault{.found = "comb() or perm() of a negative number", .expected = "0 and more"};
+  if (n < 0 || k < 0) throw Fault{.found = "comb() or perm() of a negative number", .expected = "0 or more"};
   if (k > n) return 0;
   if (!ordered) k = std::min(k, n - k);
   std::int64_t result = 1;
   for (std::int64_t i = 0; i < k; ++i) {
     const std::int64_t divisor = ordered ? 1 : i + 1, common = std::gcd(result, divisor);
     if (__builtin_mul_overflow(result / common, (n - i) / (divisor / common), &result))
-      throw Fault{.found = "comb() or perm() beyond 64 bits", .expected = "smaller numbers"};
+      throw Fault{.found = "a result of comb() or perm() beyond 64 bits", .expected = "smaller numbers"};
   }
   return result;
 }
@@ -127,7 +126,8 @@ Value isClose(Call& call) {
 Value distance(Call& call) {
   expectArguments(call, "dist", 2, 2);
   const auto p = call.interpreter.itemsOf(call.arguments[0]), q = call.interpreter.itemsOf(call.arguments[1]);
-  if (p.size() != q.size()) throw Fault{.found = "dist() of points of unequal dimension", .expected = "two points"};
+  if (p.size() != q.size())
+    throw Fault{.found = "dist() of points with different dimensions", .expected = "two points of the same dimension"};
   double sum = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) sum = std::hypot(sum, numberOf(p[i]) - numberOf(q[i]));
   return sum;
@@ -210,7 +210,7 @@ void addWholeFunctions(const Add& add) {
   add("isqrt", [](Call& call) -> Value {
     expectArguments(call, "isqrt", 1, 1);
     const std::int64_t n = wholeOf(call.arguments[0]);
-    if (n < 0) throw Fault{.found = "isqrt() of a negative number", .expected = "0 and more"};
+    if (n < 0) throw Fault{.found = "isqrt() of a negative number", .expected = "0 or more"};
     auto root = static_cast<std::int64_t>(std::sqrt(static_cast<long double>(n)));
     return root;
   });

@@ -60,7 +60,7 @@ Value split(const std::string& text, Call& call) {
   if (call.arguments.empty() || call.arguments[0].as<std::monostate>())
     return makeList(splitAtBlanks(text, most), call.interpreter.budget());
   const std::string& between = textArgument(call, "split", 0);
-  if (between.empty()) throw Fault{.found = "split() at an empty text", .expected = "a text to split at"};
+  if (between.empty()) throw Fault{.found = "split() with an empty separator", .expected = "a non-empty separator"};
   std::vector<Value> words;
   std::size_t at = 0;
   for (std::size_t next;
@@ -119,7 +119,7 @@ std::string padded(const std::string& text, const Call& call, const char* name, 
     throw Fault{.found = std::string(name) + "(" + std::to_string(width) + ")", .expected = "at most 1000"};
   const std::string fill = call.arguments.size() > 1 ? textArgument(call, name, 1) : " ";
   if (fill.size() != 1)
-    throw Fault{.found = Text("%1() with \"%2\"", name, fill.substr(0, 20)), .expected = "one sign"};
+    throw Fault{.found = Text("%1() with \"%2\"", name, fill.substr(0, 20)), .expected = "one character"};
   const auto missing =
       width > static_cast<std::int64_t>(text.size()) ? static_cast<std::size_t>(width) - text.size() : 0;
   return left ? std::string(missing, fill[0]) + text : text + std::string(missing, fill[0]);
@@ -172,7 +172,7 @@ Value placeOfText(const std::string& text, Call& call, bool last, bool must) {
   const std::string& part = textArgument(call, "find", 0);
   const std::size_t place = last ? text.rfind(part) : text.find(part);
   if (place == std::string::npos && must)
-    throw Fault{.found = Text("\"%1\" that is not in the text", part.substr(0, 40)), .expected = "a part of it"};
+    throw Fault{.found = Text("\"%1\" is not in the text", part.substr(0, 40)), .expected = "a part of the text"};
   return place == std::string::npos ? std::int64_t{-1} : static_cast<std::int64_t>(place);
 }
 
@@ -242,7 +242,7 @@ std::optional<Value> listMethod(const ListPointer& list, const std::string& name
           if (!counts) return static_cast<std::int64_t>(i);
           ++count;
         }
-        if (!counts) throw Fault{.found = "a value that is not in the list", .expected = "one of its values"};
+        if (!counts) throw Fault{.found = "a value that is not in the list", .expected = "a value of the list"};
         return count;
       },
       depth);

@@ -15,15 +15,15 @@ namespace hapticell::xacro {
 namespace {
 
 [[noreturn]] void tooLarge() {
-  throw Fault{.found = "a whole number beyond 64 bits",
-              .expected = "a smaller one",
-              .fix = "Write it as a number with a point."};
+  throw Fault{
+      .found = "a whole number beyond 64 bits", .expected = "a smaller one", .fix = "Write it with a decimal point."};
 }
 
 [[noreturn]] void mismatched(const std::string& sign, const Value& a, const Value& b) {
-  throw Fault{.found = Text("%1 %2 %3", kindOf(a), sign, kindOf(b)),
-              .expected = "two numbers",
-              .fix = a.text() || b.text() ? Text("A property that is a text may hold a mistyped number.") : Text()};
+  throw Fault{
+      .found = Text("%1 %2 %3", kindOf(a), sign, kindOf(b)),
+      .expected = "two numbers",
+      .fix = a.text() || b.text() ? Text("If a property is a text here, check it for a mistyped number.") : Text()};
 }
 
 std::int64_t wholePower(std::int64_t base, std::int64_t exponent) {
@@ -37,7 +37,7 @@ std::int64_t wholePower(std::int64_t base, std::int64_t exponent) {
 }
 
 std::int64_t floorDivision(std::int64_t a, std::int64_t b) {
-  if (b == 0) throw Fault{.found = "a division by zero", .expected = "another divisor"};
+  if (b == 0) throw Fault{.found = "a division by zero", .expected = "a divisor other than 0"};
   if (b == -1) {
     if (a == std::numeric_limits<std::int64_t>::min()) tooLarge();
     return -a;
@@ -58,7 +58,7 @@ std::optional<Value> wholeOperation(const std::string& sign, std::int64_t a, std
   } else if (sign == "//") {
     result = floorDivision(a, b);
   } else if (sign == "%") {
-    if (b == 0) throw Fault{.found = "a division by zero", .expected = "another divisor"};
+    if (b == 0) throw Fault{.found = "a division by zero", .expected = "a divisor other than 0"};
     result = b == -1 ? 0 : a - b * floorDivision(a, b);
   } else if (sign == "**" && b >= 0) {
     result = wholePower(a, b);
@@ -69,7 +69,7 @@ std::optional<Value> wholeOperation(const std::string& sign, std::int64_t a, std
   } else if (sign == "^") {
     result = a ^ b;
   } else if (sign == "<<" || sign == ">>") {
-    if (b < 0 || b > 62) throw Fault{.found = Text("a shift by %1", b), .expected = "0 to 62"};
+    if (b < 0 || b > 62) throw Fault{.found = Text("a bit shift by %1", b), .expected = "0 to 62"};
     if (sign == ">>") return Value(a >> b);
     fits = !__builtin_mul_overflow(a, std::int64_t{1} << b, &result);
   } else {
@@ -84,7 +84,7 @@ Value numberOperation(const std::string& sign, double a, double b, const Value& 
   if (sign == "-") return a - b;
   if (sign == "*") return a * b;
   if (sign == "/" || sign == "//" || sign == "%") {
-    if (b == 0.0) throw Fault{.found = "a division by zero", .expected = "another divisor"};
+    if (b == 0.0) throw Fault{.found = "a division by zero", .expected = "a divisor other than 0"};
     if (sign == "/") return a / b;
     double rest = std::fmod(a, b);
     if (rest != 0.0 && (rest < 0.0) != (b < 0.0)) rest += b;
@@ -95,7 +95,7 @@ Value numberOperation(const std::string& sign, double a, double b, const Value& 
   if (sign == "**") {
     const double result = std::pow(a, b);
     if ((a == 0.0 && b < 0.0) || (std::isnan(result) && !std::isnan(a) && !std::isnan(b)))
-      throw Fault{.found = Text("a power that is no number (%1 ** %2)", numberText(a), numberText(b)),
+      throw Fault{.found = Text("a power that is not a number (%1 ** %2)", numberText(a), numberText(b)),
                   .expected = "a number"};
     if (std::isinf(result) && std::isfinite(a) && std::isfinite(b))
       throw Fault{.found = "a power that is too large", .expected = "a number"};
@@ -147,7 +147,7 @@ Value filledText(const std::string& pattern, const Value& values, Budget& budget
     }
     const std::size_t end = pattern.find_first_not_of("0123456789.+- #", i + 1);
     if (end == std::string::npos || end - i > 8)
-      throw Fault{.found = "a '%' in a text that is filled", .expected = "%d, %s, %.3f"};
+      throw Fault{.found = "an invalid '%' in a format text", .expected = "%d, %s, %.3f"};
     const std::string spec = pattern.substr(i + 1, end - i - 1);
     const char letter = pattern[i = end];
     if (letter == '%') {
@@ -155,14 +155,14 @@ Value filledText(const std::string& pattern, const Value& values, Budget& budget
       continue;
     }
     if (std::string("dixsrfFeEgG").find(letter) == std::string::npos)
-      throw Fault{.found = Text("'%1' in a text that is filled", std::string{'%', letter}), .expected = "%d, %s, %.3f"};
+      throw Fault{.found = Text("'%1' in a format text", std::string{'%', letter}), .expected = "%d, %s, %.3f"};
     const std::size_t digit = spec.find_first_of("123456789");
     const unsigned long width = digit == std::string::npos ? 0 : std::strtoul(spec.c_str() + digit, nullptr, 10);
     const std::size_t point = spec.find('.');
     if (width > 99 || (point != std::string::npos && spec.size() - point > 3))
       throw Fault{.found = "a '%' with more than two digits", .expected = "%.3f"};
     if (rest.empty())
-      throw Fault{.found = "a text to be filled with more places than values", .expected = "a value for each %"};
+      throw Fault{.found = "a format text with more % places than values", .expected = "one value for each %"};
     result += filled(spec, letter, rest.back(), budget);
     rest.pop_back();
     Budget::checkText(result.size());
@@ -174,14 +174,14 @@ std::size_t placeOf(const Value& index, std::size_t size) {
   const std::int64_t given = wholeOf(index);
   const std::int64_t place = given < 0 ? given + static_cast<std::int64_t>(size) : given;
   if (place < 0 || place >= static_cast<std::int64_t>(size))
-    throw Fault{.found = Text("the index %1 of %2 items", given, size), .expected = "an index within"};
+    throw Fault{.found = Text("the index %1 of %2 items", given, size), .expected = "an index within the range"};
   return static_cast<std::size_t>(place);
 }
 
 std::vector<std::size_t> placesOf(const Value& first, const Value& last, const Value& step, std::size_t size) {
   const auto given = [](const Value& value) { return value.as<std::monostate>() == nullptr; };
   const std::int64_t by = given(step) ? wholeOf(step) : 1, count = static_cast<std::int64_t>(size);
-  if (by == 0) throw Fault{.found = "a slice with a step of 0", .expected = "another step"};
+  if (by == 0) throw Fault{.found = "a slice with a step of 0", .expected = "a step other than 0"};
   const std::int64_t low = by > 0 ? 0 : -1, high = by > 0 ? count : count - 1;
   const auto place = [&](const Value& value, std::int64_t otherwise) {
     if (!given(value)) return otherwise;
@@ -241,8 +241,8 @@ Value binaryOperation(const std::string& sign, const Value& a, const Value& b, B
 Value itemAt(const Value& value, const Value& index, Budget& budget) {
   if (const DictValue* dict = value.dict()) {
     if (const Value* item = dict->find(index)) return *item;
-    throw Fault{.found = Text("no key %1 in the dictionary", reprOf(index, budget).substr(0, 80)),
-                .expected = "one of its keys"};
+    throw Fault{.found = Text("the dictionary has no key %1", reprOf(index, budget).substr(0, 80)),
+                .expected = "a key of the dictionary"};
   }
   if (const ListValue* list = value.list()) return list->items[placeOf(index, list->items.size())];
   if (const std::string* text = value.text()) {

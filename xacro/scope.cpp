@@ -101,9 +101,9 @@ const Value* Scope::find(const std::string& name, Interpreter& interpreter) {
     if (std::find(scope->in_work_.begin(), scope->in_work_.end(), name) != scope->in_work_.end()) {
       std::string circle;
       for (const std::string& step : scope->in_work_) circle += step + " -> ";
-      throw Fault{.found = Text("the property '%1' needs itself (%2)", name, circle.substr(0, 300) + name),
-                  .expected = "properties without a circle",
-                  .fix = "Correct it, or evaluate it where it is written with lazy_eval=\"false\"."};
+      throw Fault{.found = Text("the property '%1' depends on itself (%2)", name, circle.substr(0, 300) + name),
+                  .expected = "properties that do not depend on themselves",
+                  .fix = "Correct it, or set lazy_eval=\"false\" to evaluate it where it is defined."};
     }
     const InWork mark(scope->in_work_, name);
     const std::string text = *found->second.text();

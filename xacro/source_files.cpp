@@ -22,12 +22,12 @@ std::string packageOf(const std::string& reference) {
 
 Fault notFound(const std::string& reference) {
   if (!reference.starts_with("package://"))
-    return Fault{.found = Text("the file %1 is not there", reference),
+    return Fault{.found = Text("the file %1 does not exist", reference),
                  .expected = "a file",
-                 .fix = "Correct the path or put the file there."};
+                 .fix = "Correct the path, or copy the file to this place."};
   return Fault{.found = Text("resource not found: %1 (%2)", packageOf(reference), reference),
                .expected = "the package's folder",
-               .fix = "Put the package's folder beside the file or above it, or name its place in ROS_PACKAGE_PATH."};
+               .fix = "Put the package folder next to the file or above it, or add its path to ROS_PACKAGE_PATH."};
 }
 
 XmlPointer SourceFiles::parsed(const fs::path& file, int& index) {

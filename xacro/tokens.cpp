@@ -68,7 +68,7 @@ class Tokenizer {
     std::string result;
     for (;;) {
       if (at_ >= text_.size())
-        throw Fault{.found = "a text without its closing quote in the expression", .expected = std::string(1, mark)};
+        throw Fault{.found = "a text without closing quote in the expression", .expected = std::string(1, mark)};
       if (is_long ? text_.compare(at_, 3, three) == 0 : text_[at_] == mark) break;
       if (text_[at_] == '\\' && !raw && at_ + 1 < text_.size())
         result += escaped();
@@ -123,7 +123,7 @@ class Tokenizer {
     if (!real) {
       const auto [end, problem] = std::from_chars(first, last, whole);
       if (problem == std::errc::result_out_of_range)
-        throw Fault{.found = Text("the whole number %1", shown.substr(0, 40)), .expected = "one within 64 bits"};
+        throw Fault{.found = Text("the whole number %1", shown.substr(0, 40)), .expected = "a number within 64 bits"};
       return {Token::Kind::kConstant, "", whole};
     }
     const std::optional<double> value = numberFromText(digits);  // what no double holds is 0 or infinite, as in Python
@@ -154,7 +154,8 @@ class Tokenizer {
     }
     const char c = text_[at_];
     if (std::string_view("+-*/%()[]{},:.<>&|^~=").find(c) == std::string_view::npos)
-      throw Fault{.found = Text("the sign '%1' in the expression", std::string(1, c)), .expected = "an expression"};
+      throw Fault{.found = Text("the character '%1' in the expression", std::string(1, c)),
+                  .expected = "an expression"};
     ++at_;
     return {Token::Kind::kSign, std::string(1, c), {}};
   }

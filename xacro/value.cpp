@@ -12,7 +12,8 @@ namespace {
 constexpr int kDeepestValue = 60;
 
 int oneDeeper(int depth) {
-  if (depth >= kDeepestValue) throw Fault{.found = "lists nested deeper than 60", .expected = "a flatter list"};
+  if (depth >= kDeepestValue)
+    throw Fault{.found = "lists nested deeper than 60", .expected = "a list with fewer nested levels"};
   return depth + 1;
 }
 
@@ -135,7 +136,7 @@ Value makeFunction(std::string name, std::function<Value(Call&)> run, int kept) 
 Text kindOf(const Value& value) {
   static constexpr const char* kNames[] = {HAPTICELL_TRANSLATED("None", "True or False", "a whole number", "a number",
                                                                 "a text", "a list", "a dictionary", "a function",
-                                                                "a name space", "a block")};
+                                                                "a namespace", "a block")};
   return Text(kNames[value.data.index()]);
 }
 
@@ -162,7 +163,7 @@ std::string textOf(const Value& value, Budget& budget) {
   if (const double* number = value.as<double>()) return numberText(*number);
   if (const std::string* text = value.text()) return *text;
   if (value.list() || value.dict()) return reprOf(value, budget);
-  throw Fault{.found = Text("%1 where a text is needed", kindOf(value)), .expected = "a text, a number or a list"};
+  throw Fault{.found = Text("%1 instead of a text", kindOf(value)), .expected = "a text, a number or a list"};
 }
 
 std::string reprOf(const Value& value, Budget& budget) {
@@ -184,13 +185,13 @@ double numberOf(const Value& value) {
   if (const bool* truth = value.as<bool>()) return *truth ? 1.0 : 0.0;
   if (const auto* whole = value.as<std::int64_t>()) return static_cast<double>(*whole);
   if (const double* number = value.as<double>()) return *number;
-  throw Fault{.found = Text("%1 where a number is needed", kindOf(value)), .expected = "a number"};
+  throw Fault{.found = Text("%1 instead of a number", kindOf(value)), .expected = "a number"};
 }
 
 std::int64_t wholeOf(const Value& value) {
   if (const bool* truth = value.as<bool>()) return *truth ? 1 : 0;
   if (const auto* whole = value.as<std::int64_t>()) return *whole;
-  throw Fault{.found = Text("%1 where a whole number is needed", kindOf(value)), .expected = "a whole number"};
+  throw Fault{.found = Text("%1 instead of a whole number", kindOf(value)), .expected = "a whole number"};
 }
 
 bool equal(const Value& a, const Value& b, Budget& budget) {

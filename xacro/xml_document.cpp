@@ -32,12 +32,12 @@ Expected<void> parseXml(const std::string& content, const std::string& file, TiX
     return refuse(lineAt(content, nul), Text("a NUL byte"), Text("XML text"));
   if (auto flat = geometry::checkNesting(content, geometry::NestedText::kXml, file); !flat) return flat;
   if (const auto entities = content.find("<!ENTITY"); entities != std::string::npos)
-    return refuse(lineAt(content, entities), Text("a document type with entities of its own (<!ENTITY ...>)"),
-                  Text("a file without them"), Text("Write out the text that they stand for."));
+    return refuse(lineAt(content, entities), Text("a document type that defines entities (<!ENTITY ...>)"),
+                  Text("a file without entity definitions"), Text("Replace the entities by their text."));
   document.Parse(content.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (!document.Error()) return {};
   return refuse(document.ErrorRow() > 0 ? document.ErrorRow() : lineAt(content, content.size()),
-                Text("XML that does not parse (%1)", document.ErrorDesc()), Text("well-formed XML"));
+                Text("invalid XML (%1)", document.ErrorDesc()), Text("well-formed XML"));
 }
 
 }  // namespace hapticell::xacro

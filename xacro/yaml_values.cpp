@@ -144,7 +144,7 @@ class Converter {
     if (tag == "!" || tag == "tag:yaml.org,2002:str") return text;
     if (tag.empty() || tag == "?" || tag.starts_with("tag:yaml.org,2002:")) return plainValue(text);
     throw Fault{.found = Text("the tag %1", tag),
-                .expected = "none, or one of !degrees, !radians, !meters, !millimeters, !foot, !inches"};
+                .expected = "no tag, or one of !degrees, !radians, !meters, !millimeters, !foot, !inches"};
   }
 
   /// An expression that may name the functions and pi, but no property.
@@ -205,12 +205,12 @@ Value loadYaml(const std::string& reference, Interpreter& interpreter) {
   const auto refuse = [&file](const Text& found, int line) {
     return Fault{.found = found, .expected = "a YAML file", .file = file, .place = linePlace(line)};
   };
-  if (text.size() > kLongestYaml) throw refuse(Text("a YAML file of more than 8 MB"), 0);
+  if (text.size() > kLongestYaml) throw refuse(Text("a YAML file larger than 8 MB"), 0);
   interpreter.budget().take(text.size() * 8);
   try {
     return Converter(interpreter, file).convert(YAML::Load(text));
   } catch (const YAML::Exception& problem) {
-    throw refuse(Text("what is no YAML (%1)", problem.msg), problem.mark.line + 1);
+    throw refuse(Text("invalid YAML (%1)", problem.msg), problem.mark.line + 1);
   }
 }
 

@@ -17,7 +17,7 @@ Expected<BackgroundWork::Then> guarded(const BackgroundWork::Work& work, workcel
   try {
     return work(monitor);
   } catch (const std::exception& exception) {
-    return makeError({.found = Text("an unforeseen fault: %1", exception.what())});
+    return makeError({.found = Text("an unexpected error: %1", exception.what())});
   }
 }
 

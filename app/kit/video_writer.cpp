@@ -29,8 +29,8 @@ Expected<std::unique_ptr<VideoWriter>> VideoWriter::open(const QString& file, co
   if (program.isEmpty()) {
     return makeError({.file = file.toStdString(),
                       .found = "the program ffmpeg is not installed",
-                      .expected = "ffmpeg, which writes videos",
-                      .fix = "Install ffmpeg, or write a picture (png)."});
+                      .expected = "the program ffmpeg, to write videos",
+                      .fix = "Install ffmpeg, or save a picture (.png)."});
   }
   if (size.isEmpty() || size.width() % 2 != 0 || size.height() % 2 != 0) {
     return makeError({.file = file.toStdString(),
@@ -79,8 +79,8 @@ Error VideoWriter::failure(const Text& what) {
   return {.file = file_.toStdString(),
           .place = "ffmpeg",
           .found = said.isEmpty() ? what : Text(said.toStdString()),
-          .expected = "a video that can be written",
-          .fix = "Look whether the folder exists, and whether ffmpeg knows this ending."};
+          .expected = "a video file that can be written",
+          .fix = "Check that the folder exists and that ffmpeg supports this extension."};
 }
 
 Expected<void> VideoWriter::add(const QImage& picture) {
@@ -90,16 +90,16 @@ Expected<void> VideoWriter::add(const QImage& picture) {
   for (int row = 0; row < frame.height(); ++row)  // Rows of an image are padded.
     ffmpeg_.write(reinterpret_cast<const char*>(frame.constScanLine(row)), 3LL * frame.width());
   while (ffmpeg_.bytesToWrite() > kMostWaiting)
-    if (!ffmpeg_.waitForBytesWritten(kPatience)) return makeError(failure(Text("it takes no more pictures")));
-  if (ffmpeg_.state() == QProcess::NotRunning) return makeError(failure(Text("it has ended early")));
+    if (!ffmpeg_.waitForBytesWritten(kPatience)) return makeError(failure(Text("it stopped accepting pictures")));
+  if (ffmpeg_.state() == QProcess::NotRunning) return makeError(failure(Text("it ended too early")));
   return {};
 }
 
 Expected<void> VideoWriter::finish() {
   ffmpeg_.closeWriteChannel();
-  if (!ffmpeg_.waitForFinished(kEndPatience)) return makeError(failure(Text("it does not end")));
+  if (!ffmpeg_.waitForFinished(kEndPatience)) return makeError(failure(Text("it did not finish")));
   if (ffmpeg_.exitStatus() != QProcess::NormalExit || ffmpeg_.exitCode() != 0) {
-    return makeError(failure(Text("it has ended with a fault")));
+    return makeError(failure(Text("it ended with an error")));
   }
   return part_->commit();
 }

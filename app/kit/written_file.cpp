@@ -21,15 +21,14 @@ Expected<void> writePicture(const QImage& picture, const QString& path, int qual
   const QByteArray format = QFileInfo(path).suffix().toLatin1().toLower();
   if (!QImageWriter::supportedImageFormats().contains(format)) {
     return makeError({.file = path.toStdString(),
-                      .found = "a picture format that cannot be written",
+                      .found = "an unsupported picture format",
                       .expected = "png, jpg, bmp or tiff",
-                      .fix = "Give the file another ending."});
+                      .fix = "Use another file extension."});
   }
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   if (!picture.save(&buffer, format.constData(), quality))
-    return makeError(
-        {.file = path.toStdString(), .found = "there is no picture", .expected = "something that is drawn"});
+    return makeError({.file = path.toStdString(), .found = "an empty picture", .expected = "a drawn view"});
   return writeBytes(path, buffer.data());
 }
 

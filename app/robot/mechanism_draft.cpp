@@ -47,12 +47,12 @@ std::vector<std::string> partsOf(const MechanismDraft& draft) {
 }
 
 Expected<workcell::Command> commandOf(const MechanismDraft& draft, const workcell::DocumentState& state) {
-  if (draft.joints.empty()) return makeError({.found = "the mechanism has no joint", .fix = "Add one."});
+  if (draft.joints.empty()) return makeError({.found = "the mechanism has no joint", .fix = "Add a joint."});
   for (const MechanismJoint& joint : draft.joints)
     if (joint.parent.empty() || joint.child.empty())
       return makeError({.place = Text("joint '%1'", joint.name),
-                        .found = "it needs a part that moves and one that it moves on",
-                        .fix = "Pick both in the scene."});
+                        .found = "a moving part or a carrying part is not set",
+                        .fix = "Pick the moving part and the part that carries it in the scene."});
   if (draft.edited != 0) {
     const workcell::Entity* mechanism = state.find(draft.edited);
     if (!mechanism) return makeError({.found = "the mechanism is no longer in the cell"});
@@ -68,7 +68,7 @@ Expected<workcell::Command> commandOf(const MechanismDraft& draft, const workcel
   for (const std::string& name : partsOf(draft)) {
     const workcell::Entity* part = state.findByName(name);
     if (!part || !part->mesh)
-      return makeError({.found = Text("'%1' is no solid of the cell", name), .fix = "Pick another."});
+      return makeError({.found = Text("'%1' is not a solid of the cell", name), .fix = "Pick another part."});
     if (part->locked)
       return makeError(
           {.found = Text("'%1' is locked in place", name), .fix = "Unlock it in the tree or in its properties."});

@@ -69,7 +69,11 @@
         <translation> · efforts en marche</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; that is not in the text</source>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>&quot;%1&quot; manque</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not in the text</source>
         <translation>&quot;%1&quot;, qui n'est pas dans le texte</translation>
     </message>
     <message>
@@ -201,6 +205,10 @@
         <translation>%1 La forme est omise.</translation>
     </message>
     <message>
+        <source>%1 after packing, or different ones</source>
+        <translation>%1 après l'archivage, ou différents</translation>
+    </message>
+    <message>
         <source>%1 against %2: the meshes are too dense there to tell all contacts, so only the nearest point of each pair is felt</source>
         <translation>%1 contre %2 : les maillages y sont trop denses pour tous les contacts ; seul le point le plus proche de chaque paire est senti</translation>
     </message>
@@ -215,12 +223,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 et %2</translation>
     </message>
     <message>
-        <source>%1 and %2 hinges</source>
-        <translation>%1 et %2 articulations</translation>
-    </message>
-    <message>
         <source>%1 and %2 in total</source>
         <translation>%1 et %2 au total</translation>
+    </message>
+    <message>
+        <source>%1 and %2 joints</source>
+        <translation>%1 et %2 articulations</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
@@ -247,11 +255,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 octets</translation>
     </message>
     <message>
-        <source>%1 bytes behind the last frame are not read; they are no whole frames</source>
+        <source>%1 bytes after the last frame are not read; they are not complete frames</source>
         <translation>%1 octets après la dernière image ne sont pas lus ; ils ne forment pas d'images entières</translation>
     </message>
     <message>
-        <source>%1 bytes behind the last triangle were not read</source>
+        <source>%1 bytes after the last triangle were not read</source>
         <translation>%1 octets après le dernier triangle n'ont pas été lus</translation>
     </message>
     <message>
@@ -275,8 +283,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 a changé sur le disque</translation>
     </message>
     <message>
+        <source>%1 characters</source>
+        <translation>%1 caractères</translation>
+    </message>
+    <message>
         <source>%1 compared with %2</source>
         <translation>%1 face à %2 dans une comparaison</translation>
+    </message>
+    <message>
+        <source>%1 contains %2</source>
+        <translation>%1 contient %2</translation>
+    </message>
+    <message>
+        <source>%1 contains itself through '%2'; it is moved to the top of the tree</source>
+        <translation>%1 se trouve sous elle-même par l'intermédiaire de '%2' ; elle est placée en haut de l'arbre</translation>
     </message>
     <message>
         <source>%1 continuous</source>
@@ -299,6 +319,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 n'accompagne pas %2 : %3</translation>
     </message>
     <message>
+        <source>%1 duplicate triangles were removed</source>
+        <translation>%1 triangles en double ont été supprimés</translation>
+    </message>
+    <message>
         <source>%1 edges between faces of opposite orientation</source>
         <translation>%1 arêtes entre faces d'orientations opposées</translation>
     </message>
@@ -311,31 +335,35 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 éléments %2</translation>
     </message>
     <message>
+        <source>%1 elements %2 were not used</source>
+        <translation>les %1 éléments %2 n'ont pas été utilisés</translation>
+    </message>
+    <message>
         <source>%1 elements without data</source>
         <translation>%1 éléments sans données</translation>
     </message>
     <message>
-        <source>%1 elements, more than its buffer view holds</source>
+        <source>%1 elements, more than its buffer view has</source>
         <translation>%1 éléments, plus que sa vue de tampon (buffer view) n'en contient</translation>
     </message>
     <message>
         <source>%1 entries</source>
-        <translation>%1 entrées</translation>
+        <translation>%1 éléments</translation>
     </message>
     <message>
-        <source>%1 equal legs of %2 joints end free: if this is a parallel robot, its loops are open, for the file does not state them; close them with a robot.toml (docs/user/formats.md)</source>
+        <source>%1 equal legs of %2 joints have free ends: for a parallel robot, the file does not define the closed loops; define them in a robot.toml (docs/user/formats.md)</source>
         <translation>%1 jambes identiques de %2 axes ont une extrémité libre : si c'est un robot parallèle, ses boucles sont ouvertes, car le fichier ne les indique pas ; fermez-les par un robot.toml (docs/user/formats.md)</translation>
     </message>
     <message>
-        <source>%1 faces cross themselves or are not plane; they were cut as fans</source>
+        <source>%1 faces are self-intersecting or not planar; they were split into triangle fans</source>
         <translation>%1 faces se croisent elles-mêmes ou ne sont pas planes ; elles ont été découpées en éventail</translation>
     </message>
     <message>
-        <source>%1 faces have a colour by its number in a map; it was left out</source>
+        <source>%1 faces have a colour by index in a colour map; it was left out</source>
         <translation>%1 faces ont une couleur donnée par son numéro dans une table ; elle a été ignorée</translation>
     </message>
     <message>
-        <source>%1 faces have a colour that is no numbers of at least 0; it was left out</source>
+        <source>%1 faces have an invalid colour (expected numbers, 0 or more); it was left out</source>
         <translation>%1 faces ont une couleur dont les valeurs ne sont pas des nombres positifs ou nuls ; elle a été ignorée</translation>
     </message>
     <message>
@@ -343,7 +371,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 faces ont été retournées vers l'extérieur.</translation>
     </message>
     <message>
-        <source>%1 faces with fewer than three corners were dropped</source>
+        <source>%1 faces with fewer than three corners were removed</source>
         <translation>%1 faces de moins de trois coins ont été supprimées</translation>
     </message>
     <message>
@@ -399,8 +427,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 vient d'être branché</translation>
     </message>
     <message>
-        <source>%1 has no '%2' here</source>
-        <translation>%1 n'a pas de '%2' ici</translation>
+        <source>%1 has no function '%2'</source>
+        <translation>%1 n'a pas de fonction '%2'</translation>
     </message>
     <message>
         <source>%1 has too many frames to reorder here. Simplify it first.</source>
@@ -419,10 +447,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 plus haut</translation>
     </message>
     <message>
-        <source>%1 holds %2</source>
-        <translation>%1 contient %2</translation>
-    </message>
-    <message>
         <source>%1 in ${%2}</source>
         <translation>%1, dans ${%2}</translation>
     </message>
@@ -435,16 +459,32 @@ Voulez-vous le remplacer ?</translation>
         <translation><numerusform>%1 sur %n image</numerusform><numerusform>%1 sur %n images</numerusform></translation>
     </message>
     <message>
-        <source>%1 in all</source>
-        <translation>%1 au total</translation>
-    </message>
-    <message>
         <source>%1 in line %2</source>
         <translation>%1 à la ligne %2</translation>
     </message>
     <message>
+        <source>%1 in the pack</source>
+        <translation>%1 dans l'archive</translation>
+    </message>
+    <message>
         <source>%1 in total</source>
         <translation>%1 au total</translation>
+    </message>
+    <message>
+        <source>%1 instead of a list</source>
+        <translation>%1 là où il faut une liste</translation>
+    </message>
+    <message>
+        <source>%1 instead of a number</source>
+        <translation>%1 là où il faut un nombre</translation>
+    </message>
+    <message>
+        <source>%1 instead of a text</source>
+        <translation>%1 là où il faut un texte</translation>
+    </message>
+    <message>
+        <source>%1 instead of a whole number</source>
+        <translation>%1 là où il faut un nombre entier</translation>
     </message>
     <message>
         <source>%1 is %2</source>
@@ -479,6 +519,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est à %2, limite %3</translation>
     </message>
     <message>
+        <source>%1 is a list</source>
+        <translation>un %1 qui est une liste</translation>
+    </message>
+    <message>
         <source>%1 is added to the cell</source>
         <translation>%1 est ajouté à la cellule</translation>
     </message>
@@ -489,6 +533,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 is at its upper limit</source>
         <translation>%1 est à sa butée supérieure</translation>
+    </message>
+    <message>
+        <source>%1 is empty</source>
+        <translation>un %1 vide</translation>
     </message>
     <message>
         <source>%1 is free</source>
@@ -511,6 +559,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est ignoré : %2</translation>
     </message>
     <message>
+        <source>%1 is missing</source>
+        <translation>%1 manque</translation>
+    </message>
+    <message>
         <source>%1 is near %2 of %3</source>
         <translation>%1 est près de %2 de %3</translation>
     </message>
@@ -519,7 +571,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est près d'une position où rien ne le retient</translation>
     </message>
     <message>
-        <source>%1 is no list</source>
+        <source>%1 is not a list</source>
         <translation>%1 n'est pas une liste</translation>
     </message>
     <message>
@@ -555,6 +607,26 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 est inchangé</translation>
     </message>
     <message>
+        <source>%1 is used as up, as set</source>
+        <translation>le haut est %1, comme demandé</translation>
+    </message>
+    <message>
+        <source>%1 is used as up, as set; the body stands along %2</source>
+        <translation>le haut est %1, comme demandé ; le corps se tient selon %2</translation>
+    </message>
+    <message>
+        <source>%1 is used as up, as set; the file states %2</source>
+        <translation>le haut est %1, comme demandé ; le fichier indique %2</translation>
+    </message>
+    <message>
+        <source>%1 is used as up, as set; the head is above the feet along %2</source>
+        <translation>le haut est %1, comme demandé ; la tête est au-dessus des pieds selon %2</translation>
+    </message>
+    <message>
+        <source>%1 is used as up: the head is above the feet along it</source>
+        <translation>le haut est %1 : la tête est au-dessus des pieds selon cet axe</translation>
+    </message>
+    <message>
         <source>%1 is used, but only until you quit.</source>
         <translation>%1 est utilisé, mais seulement jusqu'à la fermeture.</translation>
     </message>
@@ -571,8 +643,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 axes</translation>
     </message>
     <message>
-        <source>%1 joints move it</source>
-        <translation>%1 axes le déplacent</translation>
+        <source>%1 joints are on the path to this link</source>
+        <translation>%1 axes mènent à ce segment</translation>
     </message>
     <message>
         <source>%1 kg</source>
@@ -587,7 +659,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>reste %1</translation>
     </message>
     <message>
-        <source>%1 lines beginning with %2 were not understood</source>
+        <source>%1 lines that begin with %2 are not supported</source>
         <translation>%1 lignes qui commencent par %2 n'ont pas été comprises</translation>
     </message>
     <message>
@@ -611,23 +683,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>%1 m, %2 rad off</source>
-        <translation>un écart de %1 m, %2 rad</translation>
-    </message>
-    <message>
-        <source>%1 materials have a colour that is not three numbers of at least 0</source>
-        <translation>%1 matériaux ont une couleur qui n'est pas faite de trois nombres positifs ou nuls</translation>
-    </message>
-    <message>
-        <source>%1 materials have a picture, which is not shown</source>
+        <source>%1 materials have a texture, which is not shown</source>
         <translation>%1 matériaux ont une image, qui n'est pas affichée</translation>
+    </message>
+    <message>
+        <source>%1 materials have an invalid colour (expected three numbers, 0 or more)</source>
+        <translation>%1 matériaux ont une couleur qui n'est pas faite de trois nombres positifs ou nuls</translation>
     </message>
     <message>
         <source>%1 may contain the work of others.</source>
         <translation>%1 contient peut-être le travail d’autrui.</translation>
     </message>
     <message>
-        <source>%1 meshes that it names are not there and were left out: %2</source>
+        <source>%1 meshes were not found and are left out: %2</source>
         <translation>%1 maillages cités sont introuvables et ont été omis : %2</translation>
     </message>
     <message>
@@ -643,8 +711,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 mm&lt;br&gt;%2°</translation>
     </message>
     <message>
-        <source>%1 models that it names are not there and were left out: %2</source>
+        <source>%1 models were not found and are left out: %2</source>
         <translation>%1 modèles cités sont introuvables et ont été omis : %2</translation>
+    </message>
+    <message>
+        <source>%1 more lines have similar messages.</source>
+        <translation>Et %1 autres lignes de ce genre.</translation>
     </message>
     <message>
         <source>%1 moved, %2 added, %3 removed. Placements: X Y Z in mm, A B C in degrees about z, y, x.</source>
@@ -659,7 +731,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 suit</translation>
     </message>
     <message>
-        <source>%1 moving joints carry it</source>
+        <source>%1 moving joints move this link</source>
         <translation>%1 axes mobiles le portent</translation>
     </message>
     <message>
@@ -667,8 +739,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1 names '%2', which is left out: plug-ins come only from folders that are named by their whole path and that no other user may write to.</source>
-        <translation>%1 nomme '%2', qui est ignoré : les modules ne viennent que de dossiers nommés par leur chemin complet, où aucun autre utilisateur ne peut écrire.</translation>
+        <source>%1 names '%2', which is left out. Plug-ins are loaded only from absolute paths of folders that no other user can write to.</source>
+        <translation>%1 nomme '%2', qui est ignoré. Les modules ne sont chargés que depuis des chemins absolus de dossiers où aucun autre utilisateur ne peut écrire.</translation>
     </message>
     <message>
         <source>%1 nearer</source>
@@ -691,7 +763,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 nombres dans l'image %2</translation>
     </message>
     <message>
-        <source>%1 numbers, one a channel</source>
+        <source>%1 numbers, one per channel</source>
         <translation>%1 nombres, un par canal</translation>
     </message>
     <message>
@@ -703,11 +775,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 nombres : t,x,y,z,qw,qx,qy,qz, les axes et les canaux</translation>
     </message>
     <message>
-        <source>%1 objects or groups that hang together at their open borders are %2 solids</source>
+        <source>%1 objects or groups with common open edges were joined to %2 solids</source>
         <translation>%1 objets ou groupes qui se touchent par leurs bords ouverts forment %2 solides</translation>
     </message>
     <message>
-        <source>%1 objects or groups that hang together at their open borders are 1 solid</source>
+        <source>%1 objects or groups with common open edges were joined to 1 solid</source>
         <translation>%1 objets ou groupes qui se touchent par leurs bords ouverts forment 1 solide</translation>
     </message>
     <message>
@@ -743,10 +815,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 de la limite</translation>
     </message>
     <message>
-        <source>%1 of them</source>
-        <translation>%1</translation>
-    </message>
-    <message>
         <source>%1 offsets</source>
         <translation>%1 décalages</translation>
     </message>
@@ -771,11 +839,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 paires se touchent au repos : %2. Les exclure de la vérification ?</translation>
     </message>
     <message>
-        <source>%1 parameters are cut or of no known kind; they are passed over</source>
+        <source>%1 parameters are incomplete or of an unknown type; they are left out</source>
         <translation>%1 paramètres sont tronqués ou d'un type inconnu ; ils sont ignorés</translation>
     </message>
     <message>
-        <source>%1 parts have no shape (first '%2'): a file that they refer to is missing, or they hold lines only</source>
+        <source>%1 parts have no shape (the first is '%2'): a file that they refer to is missing, or they contain only lines</source>
         <translation>%1 pièces n'ont pas de forme (la première : '%2') : un fichier auquel elles renvoient manque, ou elles ne contiennent que des lignes</translation>
     </message>
     <message>
@@ -799,14 +867,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 positions</translation>
     </message>
     <message>
-        <source>%1 read back from the pack</source>
-        <translation>%1 relue dans l'archive</translation>
-    </message>
-    <message>
-        <source>%1 read back, or others</source>
-        <translation>%1 relus, ou d'autres</translation>
-    </message>
-    <message>
         <source>%1 responds at %2.</source>
         <translation>%1 répond à %2.</translation>
     </message>
@@ -817,10 +877,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 s  %2</source>
         <translation>%1 s  %2</translation>
-    </message>
-    <message>
-        <source>%1 s for %2 s</source>
-        <translation>%1 s pour %2 s</translation>
     </message>
     <message>
         <source>%1 s to %2 s</source>
@@ -847,10 +903,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>manque %1</translation>
     </message>
     <message>
-        <source>%1 signs</source>
-        <translation>%1 caractères</translation>
-    </message>
-    <message>
         <source>%1 since %2</source>
         <translation>%1 depuis %2</translation>
     </message>
@@ -859,16 +911,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 s'assied sur %2</translation>
     </message>
     <message>
-        <source>%1 solids have faces of several colours; shown in that of most of the area</source>
+        <source>%1 solids have faces of several colours; each is shown in the colour with the largest area</source>
         <translation>%1 solides ont des faces de plusieurs couleurs ; ils sont affichés dans celle de la plus grande surface</translation>
     </message>
     <message>
-        <source>%1 solids of triangles without area were left out</source>
+        <source>%1 solids with only zero-area triangles were left out</source>
         <translation>%1 solides faits de triangles sans aire ont été ignorés</translation>
-    </message>
-    <message>
-        <source>%1 stands below itself by way of '%2'; it is put at the top</source>
-        <translation>%1 se trouve sous elle-même par l'intermédiaire de '%2' ; elle est placée en haut de l'arbre</translation>
     </message>
     <message>
         <source>%1 starts inside %2 and no straight way out was found; it is not held back by it until they are apart</source>
@@ -895,16 +943,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 cibles</translation>
     </message>
     <message>
-        <source>%1 tessellated shapes (triangles as of AP242) are left out; exact ones are read</source>
+        <source>%1 tessellated shapes (triangles as in AP242) are left out; exact shapes are read</source>
         <translation>%1 formes tessellées (triangles selon AP242) sont laissées de côté ; les formes exactes sont lues</translation>
     </message>
     <message>
-        <source>%1 texts, among them perhaps names of parts, are written in bytes of no stated encoding; %2 is assumed</source>
+        <source>%1 texts, which can include part names, have no stated encoding; %2 is assumed</source>
         <translation>%1 textes, dont peut-être des noms de pièces, sont écrits dans un codage non indiqué ; %2 est supposé</translation>
-    </message>
-    <message>
-        <source>%1 that is called like a function</source>
-        <translation>%1 à la place d'une fonction</translation>
     </message>
     <message>
         <source>%1 times, last %2</source>
@@ -915,11 +959,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 à %2</translation>
     </message>
     <message>
-        <source>%1 to %2 %3, as %4 can hold</source>
+        <source>%1 to %2 %3, the range of %4</source>
         <translation>%1 à %2 %3, ce que %4 peut contenir</translation>
     </message>
     <message>
-        <source>%1 to %2 (40 % about its expectation)</source>
+        <source>%1 to %2 (the expected value ± 40 %)</source>
         <translation>%1 à %2 (40 % autour de la valeur attendue)</translation>
     </message>
     <message>
@@ -931,7 +975,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 à %2 kg pour cette stature</translation>
     </message>
     <message>
-        <source>%1 to %2 m, its limits</source>
+        <source>%1 to %2 m, the limits of the leg</source>
         <translation>%1 à %2 m, ses limites</translation>
     </message>
     <message>
@@ -975,20 +1019,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 triangles</translation>
     </message>
     <message>
-        <source>%1 triangles were there twice and dropped once</source>
-        <translation>%1 triangles en double ont été supprimés une fois</translation>
-    </message>
-    <message>
-        <source>%1 triangles with a corner that is no point were dropped</source>
+        <source>%1 triangles with an invalid corner were removed</source>
         <translation>%1 triangles dont un sommet n'est pas un point ont été écartés</translation>
-    </message>
-    <message>
-        <source>%1 triangles without area were dropped</source>
-        <translation>%1 triangles sans aire ont été supprimés</translation>
     </message>
     <message>
         <source>%1 triangles, at most %2 from the mesh</source>
         <translation>%1 triangles, à %2 au plus du maillage</translation>
+    </message>
+    <message>
+        <source>%1 used as a function</source>
+        <translation>%1 à la place d'une fonction</translation>
     </message>
     <message>
         <source>%1 values for %2 names</source>
@@ -999,7 +1039,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 sommets et %2 faces</translation>
     </message>
     <message>
-        <source>%1 vertices have a colour that is no numbers of at least 0; it was left out</source>
+        <source>%1 vertices have an invalid colour (expected numbers, 0 or more); it was left out</source>
         <translation>%1 sommets ont une couleur dont les valeurs ne sont pas des nombres positifs ou nuls ; elle a été ignorée</translation>
     </message>
     <message>
@@ -1035,22 +1075,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 a été enregistré avec des avertissements</translation>
     </message>
     <message>
-        <source>%1 where a list is needed</source>
-        <translation>%1 là où il faut une liste</translation>
-    </message>
-    <message>
-        <source>%1 where a number is needed</source>
-        <translation>%1 là où il faut un nombre</translation>
-    </message>
-    <message>
-        <source>%1 where a text is needed</source>
-        <translation>%1 là où il faut un texte</translation>
-    </message>
-    <message>
-        <source>%1 where a whole number is needed</source>
-        <translation>%1 là où il faut un nombre entier</translation>
-    </message>
-    <message>
         <source>%1 works while the pointer is over the scene</source>
         <translation>%1 agit tant que le pointeur est sur la scène</translation>
     </message>
@@ -1081,6 +1105,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 would touch its own %2 after %3 % of the way</source>
         <translation>%1 toucherait son propre %2 après %3 % du chemin</translation>
+    </message>
+    <message>
+        <source>%1 zero-area triangles were removed</source>
+        <translation>%1 triangles sans aire ont été supprimés</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -1135,12 +1163,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1() appliqué à %2</translation>
     </message>
     <message>
-        <source>%1() of a number that it is not defined for</source>
+        <source>%1() of a number outside its domain</source>
         <translation>%1() appliqué à un nombre pour lequel il n'est pas défini</translation>
-    </message>
-    <message>
-        <source>%1() that is too large or not defined</source>
-        <translation>%1() trop grand ou non défini</translation>
     </message>
     <message>
         <source>%1() with &quot;%2&quot;</source>
@@ -1151,8 +1175,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1() avec %2</translation>
     </message>
     <message>
-        <source>%1() with %2 values</source>
-        <translation>%1() avec %2 valeurs</translation>
+        <source>%1() with %2 arguments</source>
+        <translation>%1() avec %2 arguments</translation>
     </message>
     <message>
         <source>%1, &quot;%2&quot;</source>
@@ -1179,16 +1203,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, %2 : %3</translation>
     </message>
     <message>
+        <source>%1, according to the file size</source>
+        <translation>%1, ce qui correspond à la longueur du fichier</translation>
+    </message>
+    <message>
         <source>%1, and %2 more</source>
         <translation>%1, et %2 autres</translation>
     </message>
     <message>
         <source>%1, as in the header</source>
         <translation>%1, comme dans l'en-tête</translation>
-    </message>
-    <message>
-        <source>%1, as its file is</source>
-        <translation>%1, comme son fichier</translation>
     </message>
     <message>
         <source>%1, byte %2</source>
@@ -1223,6 +1247,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, gauche</translation>
     </message>
     <message>
+        <source>%1, like its file</source>
+        <translation>%1, comme son fichier</translation>
+    </message>
+    <message>
         <source>%1, line %2</source>
         <translation>%1, ligne %2</translation>
     </message>
@@ -1247,16 +1275,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, objet %2</translation>
     </message>
     <message>
-        <source>%1, one a joint</source>
+        <source>%1, one for each joint that moves the tip, base first</source>
+        <translation>%1, un pour chaque axe qui déplace l'extrémité, à partir de la base</translation>
+    </message>
+    <message>
+        <source>%1, one per joint</source>
         <translation>%1, un par axe</translation>
     </message>
     <message>
-        <source>%1, one a moving joint</source>
+        <source>%1, one per moving joint</source>
         <translation>%1, une par axe mobile</translation>
-    </message>
-    <message>
-        <source>%1, one for each joint that moves the tip, base first</source>
-        <translation>%1, un pour chaque axe qui déplace l'extrémité, à partir de la base</translation>
     </message>
     <message>
         <source>%1, part %2</source>
@@ -1287,10 +1315,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, cible manquée</translation>
     </message>
     <message>
-        <source>%1, the inner radius smaller than the outer</source>
-        <translation>%1, le rayon intérieur plus petit que le rayon extérieur</translation>
-    </message>
-    <message>
         <source>%1, tool %2</source>
         <translation>%1, outil %2</translation>
     </message>
@@ -1299,12 +1323,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, annulé</translation>
     </message>
     <message>
-        <source>%1, which is what the file's length holds</source>
-        <translation>%1, ce qui correspond à la longueur du fichier</translation>
-    </message>
-    <message>
         <source>%1, which the other stylus holds, goes with %2</source>
         <translation>%1, que tient l'autre stylet, va avec %2</translation>
+    </message>
+    <message>
+        <source>%1, with an inner radius below the outer one</source>
+        <translation>%1, le rayon intérieur plus petit que le rayon extérieur</translation>
     </message>
     <message>
         <source>%1, µ %2</source>
@@ -1315,8 +1339,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>%1.src beside it</source>
-        <translation>%1.src à côté</translation>
+        <source>%1.dat is missing in the same folder.</source>
+        <translation>Il n'y a pas de %1.dat à côté.</translation>
+    </message>
+    <message>
+        <source>%1.dat, in which KRL stores the points, is missing in the same folder.</source>
+        <translation>Placez à côté le fichier %1.dat, où KRL garde ses points.</translation>
+    </message>
+    <message>
+        <source>%1.src in the same folder</source>
+        <translation>%1.src dans le même dossier</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1363,12 +1395,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : %2° à %3°, confortable %4° à %5°</translation>
     </message>
     <message>
-        <source>%1: &lt;%2&gt; was never expanded (%3 times), and its macro is not in the file: what it stands for is left out</source>
-        <translation>%1 : &lt;%2&gt; n'a jamais été développé (%3 fois) et sa macro n'est pas dans le fichier : son contenu est omis</translation>
+        <source>%1: &lt;%2&gt; is left out (%3 times), because its macro is not in the file</source>
+        <translation>%1 : &lt;%2&gt; est omis (%3 fois), car sa macro n'est pas dans le fichier</translation>
     </message>
     <message>
-        <source>%1: &lt;%2&gt; was never expanded (1 time), and its macro is not in the file: what it stands for is left out</source>
-        <translation>%1 : &lt;%2&gt; n'a jamais été développé (1 fois) et sa macro n'est pas dans le fichier : son contenu est omis</translation>
+        <source>%1: &lt;%2&gt; is left out (1 time), because its macro is not in the file</source>
+        <translation>%1 : &lt;%2&gt; est omis (1 fois), car sa macro n'est pas dans le fichier</translation>
     </message>
     <message>
         <source>%1: at least %2 mm</source>
@@ -1387,19 +1419,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : frottement</translation>
     </message>
     <message>
-        <source>%1: it names links or joints that the robot does not have: %2</source>
-        <translation>%1 : des segments ou axes cités n'existent pas dans le robot : %2</translation>
-    </message>
-    <message>
-        <source>%1: joint '%2' hangs on 'world', which is no link of the file; it is taken as the root</source>
-        <translation>%1 : l'axe '%2' est rattaché à 'world', qui n'est pas un segment du fichier ; ce dernier est pris comme racine</translation>
-    </message>
-    <message>
-        <source>%1: joint '%2' has its lower limit %3 over the upper %4; it is read as one without limits, as PyBullet does</source>
+        <source>%1: joint '%2' has its lower limit %3 above its upper limit %4; no limits are assumed, as in PyBullet</source>
         <translation>%1 : la butée inférieure %3 de l'axe '%2' dépasse la butée supérieure %4 ; l'axe est lu sans butées, comme le fait PyBullet</translation>
     </message>
     <message>
-        <source>%1: joint '%2' is %3 without &lt;limit&gt;; it is read as one without limits</source>
+        <source>%1: joint '%2' is %3 without &lt;limit&gt;; no limits are assumed</source>
         <translation>%1 : l'axe '%2' est de type %3 sans &lt;limit&gt; ; il est lu sans butées</translation>
     </message>
     <message>
@@ -1407,23 +1431,27 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : l'axe '%2' est de type %3 ; il est lu comme fixe</translation>
     </message>
     <message>
-        <source>%1: joint '%2' is read as one that moves by itself: it follows '%3', which follows another itself</source>
-        <translation>%1 : l'axe '%2' est lu comme indépendant : il suit '%3', qui suit lui-même un autre axe</translation>
+        <source>%1: joint '%2' is attached to 'world', which is not a link of the file; 'world' is used as the root</source>
+        <translation>%1 : l'axe '%2' est rattaché à 'world', qui n'est pas un segment du fichier ; ce dernier est pris comme racine</translation>
     </message>
     <message>
-        <source>%1: joint '%2' is read as one that moves by itself: it follows '%3', which is not there</source>
+        <source>%1: joint '%2' is read as an independent joint, because it follows '%3', which does not exist</source>
         <translation>%1 : l'axe '%2' est lu comme indépendant : il suit '%3', qui n'existe pas</translation>
+    </message>
+    <message>
+        <source>%1: joint '%2' is read as an independent joint, because it follows '%3', which follows another joint</source>
+        <translation>%1 : l'axe '%2' est lu comme indépendant : il suit '%3', qui suit lui-même un autre axe</translation>
     </message>
     <message>
         <source>%1: link '%2': a shape is left out, because its placement is unknown: %3</source>
         <translation>%1 : segment '%2' : une forme est omise, car sa pose ne peut pas être déterminée : %3</translation>
     </message>
     <message>
-        <source>%1: no finite velocity is stated for %2; 180 deg/s or 1 m/s is assumed where one is needed</source>
+        <source>%1: no finite velocity is stated for %2; if a velocity is needed, 180 deg/s or 1 m/s is assumed</source>
         <translation>%1 : aucune vitesse finie n'est indiquée pour %2 ; 180 deg/s ou 1 m/s est supposé là où il en faut une</translation>
     </message>
     <message>
-        <source>%1: no joint connects the link '%2' to the root; it is fixed where it stands</source>
+        <source>%1: no joint connects the link '%2' to the root; it is fixed at its position</source>
         <translation>%1 : aucun axe ne relie le segment '%2' à la racine ; il est fixé là où il se trouve</translation>
     </message>
     <message>
@@ -1431,15 +1459,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : aucun axe ne cite le segment '%2', et il n'a pas de forme ; il est omis</translation>
     </message>
     <message>
-        <source>%1: not drawn and not checked are %2</source>
+        <source>%1: not shown and not checked: %2</source>
         <translation>%1 : ni affichés ni vérifiés : %2</translation>
     </message>
     <message>
-        <source>%1: not wholly drawn and checked are %2</source>
-        <translation>%1 : affichés et vérifiés en partie seulement : %2</translation>
-    </message>
-    <message>
-        <source>%1: of %2 models only '%3' is read, for it has joints that move</source>
+        <source>%1: of %2 models, only '%3' is read, because it has moving joints</source>
         <translation>%1 : sur %2 modèles, seul '%3' est lu, car il a des axes mobiles</translation>
     </message>
     <message>
@@ -1449,6 +1473,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1: one part has no shape to measure.</source>
         <translation>%1 : l'une des pièces n'a pas de forme à mesurer.</translation>
+    </message>
+    <message>
+        <source>%1: only partly shown and checked: %2</source>
+        <translation>%1 : affichés et vérifiés en partie seulement : %2</translation>
     </message>
     <message>
         <source>%1: stiffness</source>
@@ -1463,36 +1491,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 : %2 s'en approche au plus à %3.</translation>
     </message>
     <message>
-        <source>%1: the collision shape is shown instead for %2</source>
+        <source>%1: the collision shape is shown for %2</source>
         <translation>%1 : la forme de collision est affichée à la place pour %2</translation>
     </message>
     <message>
-        <source>%1: the color rgba=&quot;%2&quot; is not four numbers; its shapes are grey</source>
+        <source>%1: the color rgba=&quot;%2&quot; is not four numbers; the shapes are shown grey</source>
         <translation>%1 : la couleur rgba=&quot;%2&quot; ne se compose pas de quatre nombres ; ses formes sont grises</translation>
     </message>
     <message>
-        <source>%1: the key &quot;%2&quot; is not known and was left out</source>
+        <source>%1: the key &quot;%2&quot; is unknown and was left out</source>
         <translation>%1 : la clé &quot;%2&quot; est inconnue et a été ignorée</translation>
     </message>
     <message>
-        <source>%1: the material '%2' has a picture and no color; pictures are not shown, its links are grey</source>
+        <source>%1: the material '%2' has a texture and no color; textures are not shown, so its links are grey</source>
         <translation>%1 : le matériau '%2' a une image et pas de couleur ; les images ne sont pas affichées, ses segments sont gris</translation>
     </message>
     <message>
-        <source>%1: the material '%2' is defined a second time with another color; the first, on %3, counts</source>
+        <source>%1: the material '%2' is defined twice with different colors; the first one, on %3, is used</source>
         <translation>%1 : le matériau '%2' est défini une seconde fois avec une autre couleur ; la première définition (%3) est retenue</translation>
     </message>
     <message>
-        <source>%1: the material '%2' is defined nowhere; its links are shown grey</source>
+        <source>%1: the material '%2' is not defined; its links are shown grey</source>
         <translation>%1 : le matériau '%2' n'est défini nulle part ; ses segments sont affichés en gris</translation>
     </message>
     <message>
-        <source>%1: the path leaves the workspace of the %2 by %3 mm; its stops hold the stylus.</source>
+        <source>%1: the path leaves the workspace of the %2 by %3 mm; the stylus stops at its mechanical limits.</source>
         <translation>%1 : la trajectoire sort de l'espace de travail du périphérique %2 de %3 mm ; ses butées retiennent le stylet.</translation>
     </message>
     <message>
-        <source>%1: the visual shape is checked instead for %2</source>
-        <translation>%1 : la forme visuelle est vérifiée à la place pour %2</translation>
+        <source>%1: the robot does not have these links or joints: %2</source>
+        <translation>%1 : des segments ou axes cités n'existent pas dans le robot : %2</translation>
+    </message>
+    <message>
+        <source>%1: the visual shape is used for collision checks of %2</source>
+        <translation>%1 : la forme visuelle sert au contrôle de collision de %2</translation>
     </message>
     <message>
         <source>%1: they touch or overlap</source>
@@ -1527,12 +1559,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 ; attendu : %2</translation>
     </message>
     <message>
-        <source>%1; its moves are read once.</source>
-        <translation>%1 ; ses mouvements sont lus une fois.</translation>
-    </message>
-    <message>
         <source>%1; no limit is assumed</source>
         <translation>%1 ; l'absence de butée est supposée</translation>
+    </message>
+    <message>
+        <source>%1; the moves in it are read once.</source>
+        <translation>%1 ; ses mouvements sont lus une fois.</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -1631,23 +1663,23 @@ Voulez-vous le remplacer ?</translation>
         <translation>&amp;Oui</translation>
     </message>
     <message>
-        <source>'%1' a second time</source>
-        <translation>'%1' une seconde fois</translation>
-    </message>
-    <message>
         <source>'%1' after a file that is not xacro</source>
         <translation>'%1' après un fichier qui n'est pas xacro</translation>
     </message>
     <message>
-        <source>'%1' before its parent</source>
-        <translation>'%1' avant son parent</translation>
-    </message>
-    <message>
-        <source>'%1' behind frame:</source>
+        <source>'%1' after frame:</source>
         <translation>'%1' après frame:</translation>
     </message>
     <message>
-        <source>'%1' depends on what the file does not give; it is read as not so.</source>
+        <source>'%1' after saving</source>
+        <translation>'%1' après l'enregistrement</translation>
+    </message>
+    <message>
+        <source>'%1' comes before its parent</source>
+        <translation>'%1' avant son parent</translation>
+    </message>
+    <message>
+        <source>'%1' depends on values that the file does not define; the condition is read as false.</source>
         <translation>'%1' dépend de ce que le fichier ne donne pas ; la condition est lue comme fausse.</translation>
     </message>
     <message>
@@ -1656,22 +1688,22 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>'%1' has an invalid placement; it is placed at its parent</source>
-        <translation>'%1' a un placement qui n'en est pas un ; il est mis au placement de son parent</translation>
+        <translation>'%1' a un placement non valide ; il est mis au placement de son parent</translation>
     </message>
     <message>
-        <source>'%1' has closed loops, which URDF cannot say: only its tree was written</source>
+        <source>'%1' has closed loops, which URDF cannot describe: only its tree was written</source>
         <translation>'%1' a des boucles fermées, que l'URDF ne peut pas décrire : seul son arbre a été écrit</translation>
     </message>
     <message>
-        <source>'%1' has faces of several colours; it is shown in that of most of its area</source>
+        <source>'%1' has faces of several colours; it is shown in the colour with the largest area</source>
         <translation>'%1' a des faces de plusieurs couleurs ; il est affiché dans celle de sa plus grande surface</translation>
     </message>
     <message>
-        <source>'%1' has joints that move; it is read as a solid body</source>
+        <source>'%1' has moving joints; it is read as a rigid body</source>
         <translation>'%1' a des axes mobiles ; il est lu comme un corps rigide</translation>
     </message>
     <message>
-        <source>'%1' has joints that move; it is read as a solid body: %2</source>
+        <source>'%1' has moving joints; it is read as a rigid body: %2</source>
         <translation>'%1' a des axes mobiles ; il est lu comme un corps rigide : %2</translation>
     </message>
     <message>
@@ -1679,15 +1711,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' n'a pas cet axe</translation>
     </message>
     <message>
-        <source>'%1' in a text that is filled</source>
-        <translation>'%1' dans un texte à compléter</translation>
+        <source>'%1' in a format text</source>
+        <translation>'%1' dans un texte de format</translation>
     </message>
     <message>
         <source>'%1' in a time</source>
         <translation>'%1' dans un temps</translation>
     </message>
     <message>
-        <source>'%1' in pulses, which only the controller can read</source>
+        <source>'%1' in pulses, which only the controller can convert</source>
         <translation>'%1' en impulsions, que seul le contrôleur peut lire</translation>
     </message>
     <message>
@@ -1697,6 +1729,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>'%1' in the expression</source>
         <translation>'%1' dans l'expression</translation>
+    </message>
+    <message>
+        <source>'%1' instead of a frame number</source>
+        <translation>'%1' au lieu d'un numéro d'image</translation>
+    </message>
+    <message>
+        <source>'%1' instead of a number in OFFSET</source>
+        <translation>'%1' au lieu d'un nombre dans OFFSET</translation>
     </message>
     <message>
         <source>'%1' is left out.</source>
@@ -1715,39 +1755,39 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' est verrouillé en place</translation>
     </message>
     <message>
-        <source>'%1' is no solid of the cell</source>
+        <source>'%1' is not a solid of the cell</source>
         <translation>'%1' n'est pas un solide de la cellule</translation>
     </message>
     <message>
-        <source>'%1' is not in the file or not understood; if it moves, that is missing.</source>
+        <source>'%1' is not in the file or not supported; if it moves the robot, these moves are missing.</source>
         <translation>'%1' n'est pas dans le fichier ou n'est pas compris ; si cela déplace le robot, ce mouvement manque.</translation>
     </message>
     <message>
-        <source>'%1' is not in the file; if it moves, that is missing.</source>
+        <source>'%1' is not in the file; if it moves the robot, these moves are missing.</source>
         <translation>'%1' n'est pas dans le fichier ; si cela déplace le robot, ce mouvement manque.</translation>
     </message>
     <message>
-        <source>'%1' is not understood and left out.</source>
+        <source>'%1' is not supported and is left out.</source>
         <translation>'%1' n'est pas compris et est omis.</translation>
     </message>
     <message>
-        <source>'%1' is that entity or hangs on it</source>
+        <source>'%1' is real hardware</source>
+        <translation>'%1' est un vrai matériel</translation>
+    </message>
+    <message>
+        <source>'%1' is this entity or is attached to it</source>
         <translation>'%1' est cette entité ou y est attaché</translation>
-    </message>
-    <message>
-        <source>'%1' read back</source>
-        <translation>'%1' à la relecture</translation>
-    </message>
-    <message>
-        <source>'%1' that does not end</source>
-        <translation>'%1', qui n'est pas fermé</translation>
     </message>
     <message>
         <source>'%1' twice</source>
         <translation>'%1' deux fois</translation>
     </message>
     <message>
-        <source>'%1', a jump to elsewhere</source>
+        <source>'%1' without its end</source>
+        <translation>'%1', qui n'est pas fermé</translation>
+    </message>
+    <message>
+        <source>'%1', a jump out of the job</source>
         <translation>'%1', un saut hors du programme</translation>
     </message>
     <message>
@@ -1767,27 +1807,27 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1', qui n'a pas de valeur</translation>
     </message>
     <message>
-        <source>'%1', which is no robot</source>
+        <source>'%1', which is not a robot</source>
         <translation>'%1', qui n'est pas un robot</translation>
     </message>
     <message>
-        <source>'%1', which is not understood</source>
+        <source>'%1', which is not supported</source>
         <translation>'%1', qui n'est pas compris</translation>
     </message>
     <message>
-        <source>'%1', which moves all targets that follow</source>
-        <translation>'%1', qui déplace toutes les cibles suivantes</translation>
-    </message>
-    <message>
-        <source>'%1', which moves by a variable of the controller</source>
+        <source>'%1', which moves by a variable on the controller</source>
         <translation>'%1', qui se déplace selon une variable du contrôleur</translation>
     </message>
     <message>
-        <source>'%1', which moves the targets that follow</source>
+        <source>'%1', which shifts all targets that follow</source>
+        <translation>'%1', qui déplace toutes les cibles suivantes</translation>
+    </message>
+    <message>
+        <source>'%1', which shifts the targets that follow</source>
         <translation>'%1', qui déplace les cibles suivantes</translation>
     </message>
     <message>
-        <source>'%1', which the file does not give</source>
+        <source>'%1', which the file does not define</source>
         <translation>'%1', que le fichier ne donne pas</translation>
     </message>
     <message>
@@ -1803,7 +1843,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' : %2 polygones à trous n'ont pas pu être découpés en triangles et manquent</translation>
     </message>
     <message>
-        <source>'%1': invalid pose; it is placed at the body above</source>
+        <source>'%1': invalid pose; it is placed at its parent</source>
         <translation>'%1' : sa pose n'est pas valable ; il est placé sur le corps parent</translation>
     </message>
     <message>
@@ -1811,12 +1851,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' : son maillage %2 est omis : %3</translation>
     </message>
     <message>
-        <source>'%1': the frame of its pose is not there; it is taken in the body above</source>
+        <source>'%1': the frame of its pose does not exist; the pose is read in the frame of its parent</source>
         <translation>'%1' : le repère de sa pose n'existe pas ; elle est prise dans le corps parent</translation>
     </message>
     <message>
         <source>'%1.%2'</source>
         <translation>'%1.%2'</translation>
+    </message>
+    <message>
+        <source>'%2' instead of a number in frame %1</source>
+        <translation>'%2' au lieu d'un nombre dans l'image %1</translation>
     </message>
     <message>
         <source>'OFF'</source>
@@ -1825,6 +1869,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>'OFF', 'COFF' or 'NOFF' in three dimensions</source>
         <translation>'OFF', 'COFF' ou 'NOFF' en trois dimensions</translation>
+    </message>
+    <message>
+        <source>'begin' is missing</source>
+        <translation>pas de begin</translation>
     </message>
     <message>
         <source>'element', 'property', 'comment' or 'end_header'</source>
@@ -1843,7 +1891,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>'format' ascii, binary_little_endian ou binary_big_endian</translation>
     </message>
     <message>
-        <source>'not' of what is no truth</source>
+        <source>'not' of a value that is not true or false</source>
         <translation>'not' de ce qui n'est pas une valeur logique</translation>
     </message>
     <message>
@@ -1851,12 +1899,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>'ply'</translation>
     </message>
     <message>
+        <source>'ply' is missing</source>
+        <translation>pas de 'ply'</translation>
+    </message>
+    <message>
         <source>'solid'</source>
         <translation>'solid'</translation>
     </message>
     <message>
-        <source>'vertex' (three of them a facet)</source>
+        <source>'vertex' (three per facet)</source>
         <translation>'vertex' (trois par facette)</translation>
+    </message>
+    <message>
+        <source>'{' is missing after '%1'</source>
+        <translation>pas de { après '%1'</translation>
     </message>
     <message>
         <source>(open elsewhere)</source>
@@ -1963,6 +2019,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>--mode</translation>
     </message>
     <message>
+        <source>--motion with a recorded motion</source>
+        <translation>un mouvement enregistré à lire avec ces options</translation>
+    </message>
+    <message>
         <source>--only</source>
         <translation>--only</translation>
     </message>
@@ -1979,8 +2039,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>--pose</translation>
     </message>
     <message>
-        <source>--record with it</source>
-        <translation>--record en plus</translation>
+        <source>--record is missing</source>
+        <translation>--record manque</translation>
+    </message>
+    <message>
+        <source>--record together with this option</source>
+        <translation>--record avec cette option</translation>
     </message>
     <message>
         <source>--record-interval, --record-distance</source>
@@ -2087,7 +2151,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>. Pour y remédier (priorité temps réel) : ajoutez votre compte au groupe realtime</translation>
     </message>
     <message>
-        <source>.bvh, .amc beside its .asf, or .c3d</source>
+        <source>.bvh, .c3d, or .amc with its .asf in the same folder</source>
         <translation>.bvh, .amc à côté de son .asf, ou .c3d</translation>
     </message>
     <message>
@@ -2127,16 +2191,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>/s³</translation>
     </message>
     <message>
-        <source>0 (controller) or 1 (watcher)</source>
+        <source>0 (controller) or 1 (observer)</source>
         <translation>0 (client actif) ou 1 (observateur)</translation>
+    </message>
+    <message>
+        <source>0 (not pressed), 1 (first button), 2 (second button) or 3 (both)</source>
+        <translation>0 (relâché), 1 (premier bouton), 2 (second bouton) ou 3 (les deux)</translation>
     </message>
     <message>
         <source>0 N</source>
         <translation>0 N</translation>
-    </message>
-    <message>
-        <source>0 and more</source>
-        <translation>0 ou plus</translation>
     </message>
     <message>
         <source>0 or 1</source>
@@ -2149,10 +2213,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>0 or more, within the bounds of docs/library/protocol.md</source>
         <translation>0 ou plus, dans les limites de docs/library/protocol.md</translation>
-    </message>
-    <message>
-        <source>0 to %1 less one</source>
-        <translation>de 0 à %1 moins un</translation>
     </message>
     <message>
         <source>0 to 1</source>
@@ -2169,10 +2229,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>0 to 62</source>
         <translation>de 0 à 62</translation>
-    </message>
-    <message>
-        <source>0, 1 while pressed, 2 for a second one, 3 for both</source>
-        <translation>0, 1 bouton pressé, 2 pour un second, 3 pour les deux</translation>
     </message>
     <message>
         <source>0.001 to 3.2 rad</source>
@@ -2203,7 +2259,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>1 paire se touche au repos : %1. L'exclure de la vérification ?</translation>
     </message>
     <message>
-        <source>1 solid has faces of several colours; shown in that of most of the area</source>
+        <source>1 solid has faces of several colours; it is shown in the colour with the largest area</source>
         <translation>1 solide a des faces de plusieurs couleurs ; il est affiché dans celle de la plus grande surface</translation>
     </message>
     <message>
@@ -2211,15 +2267,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>1 à %1</translation>
     </message>
     <message>
-        <source>1 to 10000 of them</source>
-        <translation>de 1 à 10000</translation>
-    </message>
-    <message>
         <source>1 to 10000 per second</source>
         <translation>1 à 10000 par seconde</translation>
     </message>
     <message>
-        <source>1, the newest that this program knows</source>
+        <source>1 to 10000 placements</source>
+        <translation>1 à 10000 placements</translation>
+    </message>
+    <message>
+        <source>1, the newest version that this program can read</source>
         <translation>1, la plus récente que ce programme connaît</translation>
     </message>
     <message>
@@ -2243,8 +2299,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>3 (force) ou 6 (force et couple)</translation>
     </message>
     <message>
-        <source>3, or 4 with the turn of the tool</source>
+        <source>3 joints, or 4 if the tool turns</source>
         <translation>3, ou 4 avec la rotation de l'outil</translation>
+    </message>
+    <message>
+        <source>3, 5, ... points for arcs</source>
+        <translation>trois, cinq, ... points d'arcs</translation>
     </message>
     <message>
         <source>3D mouse</source>
@@ -2283,6 +2343,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>:RADIANS et :DEGREES</translation>
     </message>
     <message>
+        <source>:hierarchy is missing</source>
+        <translation>pas de :hierarchy</translation>
+    </message>
+    <message>
+        <source>:root is missing</source>
+        <translation>pas de :root</translation>
+    </message>
+    <message>
         <source>; of the limits: speed %1 %, acceleration %2 %</source>
         <translation>; des limites : vitesse %1 %, accélération %2 %</translation>
     </message>
@@ -2299,11 +2367,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>&lt;%1&gt; a %2=&quot;%3&quot;</translation>
     </message>
     <message>
-        <source>&lt;%1&gt; has '%2', which xacro does not know</source>
+        <source>&lt;%1&gt; has the unknown attribute '%2'</source>
         <translation>&lt;%1&gt; a '%2', que xacro ne connaît pas</translation>
     </message>
     <message>
-        <source>&lt;%1&gt; inside of the call of macro '%2'</source>
+        <source>&lt;%1&gt; inside the call of macro '%2'</source>
         <translation>&lt;%1&gt; dans l'appel de la macro '%2'</translation>
     </message>
     <message>
@@ -2315,7 +2383,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>&lt;%1&gt; vaut '%2' au lieu d'un nombre</translation>
     </message>
     <message>
-        <source>&lt;%1&gt; is left out, it moves nothing: %2</source>
+        <source>&lt;%1&gt; is left out, because it does not affect motion: %2</source>
         <translation>&lt;%1&gt; est laissé de côté, il ne déplace rien : %2</translation>
     </message>
     <message>
@@ -2323,7 +2391,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>&lt;%1&gt; sans %2</translation>
     </message>
     <message>
-        <source>&lt;%1&gt;, which is not known</source>
+        <source>&lt;%1&gt;, which is not supported</source>
         <translation>&lt;%1&gt;, qui est inconnu</translation>
     </message>
     <message>
@@ -2333,6 +2401,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>&lt;axis&gt; with &lt;xyz&gt;</source>
         <translation>&lt;axis&gt; avec &lt;xyz&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;build&gt; has no &lt;item&gt;</source>
+        <translation>pas de &lt;item&gt; dans son &lt;build&gt;</translation>
     </message>
     <message>
         <source>&lt;mimic&gt; without joint</source>
@@ -2357,6 +2429,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>&lt;robot&gt; has no links</source>
         <translation>&lt;robot&gt; n'a pas de segments</translation>
+    </message>
+    <message>
+        <source>&lt;robot&gt; is missing</source>
+        <translation>&lt;robot&gt; manque</translation>
+    </message>
+    <message>
+        <source>&lt;sdf&gt; is missing</source>
+        <translation>&lt;sdf&gt; manque</translation>
     </message>
     <message>
         <source>&lt;xacro:%1&gt;: there is no macro of this name</source>
@@ -2395,20 +2475,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un fichier a peut-être été modifié depuis l'ouverture de la cellule : enregistrez la cellule, rouvrez-la et archivez-la.</translation>
     </message>
     <message>
-        <source>A file of macros is opened through the file that includes it.</source>
-        <translation>Ouvrez un fichier de macros par le fichier qui l'inclut.</translation>
-    </message>
-    <message>
         <source>A file of this cell is missing</source>
         <translation>Un fichier de cette cellule manque</translation>
     </message>
     <message>
-        <source>A frame has no sizes: give it a name and a place (name=N, pose=x,y,z,qw,qx,qy,qz).</source>
+        <source>A frame has no dimensions. Set its name and pose (name=N, pose=x,y,z,qw,qx,qy,qz).</source>
         <translation>Donnez au repère, qui n'a pas de dimensions, un nom et une pose (name=N, pose=x,y,z,qw,qx,qy,qz).</translation>
-    </message>
-    <message>
-        <source>A frame is one line; the file is cut or was changed.</source>
-        <translation>Vérifiez le fichier : une image tient sur une ligne ; il est tronqué ou a été modifié.</translation>
     </message>
     <message>
         <source>A free hand with the fingers of the glove; the stylus moves it</source>
@@ -2451,12 +2523,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une image en tête de chaque rapport ; aucune n'est choisie</translation>
     </message>
     <message>
-        <source>A program has no times: lines take their length by their speed, joint moves are taken at 1 m/s and 180 deg/s by their share.</source>
+        <source>A program has no times. Linear moves use their programmed speed; joint moves use their share of 1 m/s and 180 deg/s.</source>
         <translation>Un programme n'a pas de temps : la durée des lignes est leur longueur divisée par leur vitesse ; les mouvements articulaires sont pris à 1 m/s et 180 deg/s fois leur pourcentage.</translation>
-    </message>
-    <message>
-        <source>A property that is a text may hold a mistyped number.</source>
-        <translation>Vérifiez les propriétés : l'une d'elles est un texte, peut-être un nombre mal saisi.</translation>
     </message>
     <message>
         <source>A trajectory is not saved</source>
@@ -2475,7 +2543,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une cellule reçue d'autrui peut nommer n'importe quel fichier de cet ordinateur. Vérifiez que tous ceux-ci lui appartiennent.</translation>
     </message>
     <message>
-        <source>A+B:C+D, names of entities on either side of one colon</source>
+        <source>A+B:C+D: names of entities, one colon between the two sides</source>
         <translation>A+B:C+D, des noms d'entités de part et d'autre d'un deux-points</translation>
     </message>
     <message>
@@ -2515,6 +2583,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ajouter une main libre</translation>
     </message>
     <message>
+        <source>Add a joint.</source>
+        <translation>Ajoutez-en une.</translation>
+    </message>
+    <message>
         <source>Add a mannequin of any size with Ctrl+Shift+M. It stands on the floor, and its hands follow the stylus or the mouse.</source>
         <translation>Ajoutez un mannequin de toute taille par Ctrl+Maj+M. Il se tient sur le sol, et ses mains suivent le stylet ou la souris.</translation>
     </message>
@@ -2533,10 +2605,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Add mannequin</source>
         <translation>Ajouter un mannequin</translation>
-    </message>
-    <message>
-        <source>Add one.</source>
-        <translation>Ajoutez-en une.</translation>
     </message>
     <message>
         <source>Add robot</source>
@@ -2611,10 +2679,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les quatre</translation>
     </message>
     <message>
-        <source>All keys stand in the shipped hapticell.toml.</source>
-        <translation>Toutes les clés figurent dans le hapticell.toml livré.</translation>
-    </message>
-    <message>
         <source>All manufacturers</source>
         <translation>Tous les constructeurs</translation>
     </message>
@@ -2631,10 +2695,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Autoriser la rotation autour de %1 (%1 deux fois : cet axe seul)</translation>
     </message>
     <message>
-        <source>Allow writing to it, or choose another name.</source>
-        <translation>Autorisez l'écriture ou choisissez un autre nom.</translation>
-    </message>
-    <message>
         <source>Alt</source>
         <translation>Alt</translation>
     </message>
@@ -2649,10 +2709,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>An expert's recording guides the stylus along its path and waits for the trainee.</source>
         <translation>L'enregistrement d'un expert guide le stylet sur son chemin et attend l'apprenant.</translation>
-    </message>
-    <message>
-        <source>And %1 more lines of these kinds.</source>
-        <translation>Et %1 autres lignes de ce genre.</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -2677,6 +2733,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Another colour…</source>
         <translation>Autre couleur…</translation>
+    </message>
+    <message>
+        <source>Another haptic server may be running. Stop it, or set another --port (0: any free port).</source>
+        <translation>Un autre serveur haptique tourne peut-être. Arrêtez-le, ou indiquez un autre --port (0 : n'importe quel port libre).</translation>
     </message>
     <message>
         <source>Another program (%1) controls the stylus.</source>
@@ -2735,7 +2795,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Archives (*.zip *.tar.gz)</translation>
     </message>
     <message>
-        <source>Arcs are given by frames within 0.1 mm of them, turning evenly from their begin to their end.</source>
+        <source>Arcs become frames within 0.1 mm of the arc; the orientation changes evenly from start to end.</source>
         <translation>Les arcs sont remplacés par des images à moins de 0.1 mm d'eux, avec une rotation régulière du début à la fin.</translation>
     </message>
     <message>
@@ -2987,16 +3047,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Largeur du bassin</translation>
     </message>
     <message>
-        <source>Bring the motion nearer to the robot's base.</source>
-        <translation>Rapprochez le mouvement de la base du robot.</translation>
-    </message>
-    <message>
         <source>Bringing the work %1 nearer</source>
         <translation>En approchant le travail de %1</translation>
-    </message>
-    <message>
-        <source>Build it anew with version %1.</source>
-        <translation>Recompilez-le avec la version %1.</translation>
     </message>
     <message>
         <source>Built-in parts</source>
@@ -3015,19 +3067,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>Par valeurs</translation>
     </message>
     <message>
-        <source>C with one position</source>
+        <source>C with only one position</source>
         <translation>C avec une seule position</translation>
     </message>
     <message>
-        <source>C7, T10, CLAV and STRN are not all there; the chest is as shoulders and hips lie</source>
-        <translation>C7, T10, CLAV et STRN ne sont pas tous présents ; l'orientation du thorax est déduite des épaules et des hanches</translation>
+        <source>CHANNELS is missing</source>
+        <translation>pas de CHANNELS</translation>
     </message>
     <message>
         <source>CIRC auxiliary point, end point</source>
         <translation>CIRC point auxiliaire, point final</translation>
     </message>
     <message>
-        <source>COORD: poses are relative to what the other motion group carries; its motion is not read.</source>
+        <source>COORD: poses are relative to the part on the other motion group; the motion of that group is not read.</source>
         <translation>COORD : les poses sont relatives à ce que porte l'autre groupe de mouvement ; son mouvement n'est pas lu.</translation>
     </message>
     <message>
@@ -3043,7 +3095,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Étalonner le gant…</translation>
     </message>
     <message>
-        <source>Calibrate the glove anew.</source>
+        <source>Calibrate the glove again.</source>
         <translation>Étalonnez de nouveau le gant.</translation>
     </message>
     <message>
@@ -3119,7 +3171,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Modifier le mécanisme</translation>
     </message>
     <message>
-        <source>Change the own measures together, or leave some to the regressions.</source>
+        <source>Change your own measures together, or leave some of them to the regressions.</source>
         <translation>Modifiez ensemble les mesures propres, ou laissez-en certaines aux régressions.</translation>
     </message>
     <message>
@@ -3159,12 +3211,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier le périphérique…</translation>
     </message>
     <message>
+        <source>Check for a macro that calls itself.</source>
+        <translation>Cherchez une macro qui s'appelle elle-même.</translation>
+    </message>
+    <message>
+        <source>Check for a macro, a file or a property that contains itself.</source>
+        <translation>Cherchez une macro, un fichier ou une propriété qui se contient soi-même.</translation>
+    </message>
+    <message>
+        <source>Check for models that include each other several times, or split the world into several files.</source>
+        <translation>Cherchez des modèles qui s'incluent plusieurs fois l'un l'autre, ou divisez le monde en plusieurs parties.</translation>
+    </message>
+    <message>
         <source>Check it</source>
         <translation>Le vérifier</translation>
     </message>
     <message>
         <source>Check it with another program (gz sdf --check), or export it again.</source>
         <translation>Vérifiez-le avec un autre programme (gz sdf --check), ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Check its content, then run: chmod go-w '%1'.</source>
+        <translation>Examinez son contenu, puis lancez : chmod go-w '%1'.</translation>
     </message>
     <message>
         <source>Check its permissions.</source>
@@ -3179,16 +3247,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Vérifier les collisions internes des robots</translation>
     </message>
     <message>
-        <source>Check that you may read it.</source>
+        <source>Check that the folder exists and that ffmpeg supports this extension.</source>
+        <translation>Vérifiez que le dossier existe et que ffmpeg connaît cette extension.</translation>
+    </message>
+    <message>
+        <source>Check that you have permission to read it.</source>
         <translation>Vérifiez que vous avez le droit de le lire.</translation>
+    </message>
+    <message>
+        <source>Check the disk or the receiving program.</source>
+        <translation>Vérifiez le disque ou le programme qui reçoit les données.</translation>
     </message>
     <message>
         <source>Check the motion</source>
         <translation>Vérifier le mouvement</translation>
     </message>
     <message>
-        <source>Check the pipe or the disk.</source>
-        <translation>Vérifiez le tube ou le disque.</translation>
+        <source>Check the unit. If it is right, move the part to the origin in the CAD program.</source>
+        <translation>Vérifiez l'unité. Si elle est juste, déplacez la pièce à l'origine dans le logiciel de CAO.</translation>
     </message>
     <message>
         <source>Check the whole path</source>
@@ -3255,6 +3331,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisissez une autre valeur (%1). Rien n'a été écrit.</translation>
     </message>
     <message>
+        <source>Choose another folder.</source>
+        <translation>Écrivez-le ailleurs.</translation>
+    </message>
+    <message>
         <source>Choose another tip link.</source>
         <translation>Choisissez un autre segment terminal.</translation>
     </message>
@@ -3265,10 +3345,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Choose it in the panel Virtual Desktop.</source>
         <translation>Choisissez-le dans le panneau Virtual Desktop.</translation>
-    </message>
-    <message>
-        <source>Choose one of them.</source>
-        <translation>Choisissez l'un d'eux.</translation>
     </message>
     <message>
         <source>Choose the report logo</source>
@@ -3515,6 +3591,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Connecter</translation>
     </message>
     <message>
+        <source>Connect it with a joint, for example a fixed joint.</source>
+        <translation>Reliez-le, ne serait-ce que par une liaison fixe.</translation>
+    </message>
+    <message>
+        <source>Connect them with a fixed joint.</source>
+        <translation>Reliez-les par un axe fixe.</translation>
+    </message>
+    <message>
         <source>Connected</source>
         <translation>Connecté</translation>
     </message>
@@ -3635,16 +3719,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Copier</translation>
     </message>
     <message>
-        <source>Copy or export it again: it is not whole.</source>
-        <translation>Copiez-le ou exportez-le à nouveau : il n'est pas complet.</translation>
-    </message>
-    <message>
         <source>Copy the command for %1</source>
         <translation>Copier la commande pour %1</translation>
     </message>
     <message>
         <source>Copy the command that fixes it</source>
         <translation>Copier la commande qui y remédie</translation>
+    </message>
+    <message>
+        <source>Copy the file to this folder. A .gltf needs its .bin files.</source>
+        <translation>Copiez le fichier dans ce dossier. Un .gltf a besoin de ses fichiers .bin.</translation>
     </message>
     <message>
         <source>Corner</source>
@@ -3659,24 +3743,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Corrigez &quot;parent&quot; dans le document.</translation>
     </message>
     <message>
-        <source>Correct it, or evaluate it where it is written with lazy_eval=&quot;false&quot;.</source>
+        <source>Correct it, or set lazy_eval=&quot;false&quot; to evaluate it where it is defined.</source>
         <translation>Corrigez-la, ou évaluez-la là où elle est écrite avec lazy_eval=&quot;false&quot;.</translation>
     </message>
     <message>
-        <source>Correct the file or take it away from beside the robot.</source>
+        <source>Correct the file, or move it out of the folder of the robot.</source>
         <translation>Corrigez le fichier ou retirez-le du dossier du robot.</translation>
     </message>
     <message>
-        <source>Correct the name, or define the property in front.</source>
+        <source>Correct the name, or define the property earlier in the file.</source>
         <translation>Corrigez le nom, ou définissez la propriété avant.</translation>
     </message>
     <message>
-        <source>Correct the path or put the file there.</source>
+        <source>Correct the path, or copy the file to this place.</source>
         <translation>Corrigez le chemin ou placez-y le fichier.</translation>
     </message>
     <message>
         <source>Coupling</source>
         <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Create a new key (hapticell-haptic-server --pair). If nobody has read this one, run chmod 600 on it.</source>
+        <translation>Créez-en une nouvelle (hapticell-haptic-server --pair), ou faites chmod 600 si personne ne l'a lue.</translation>
     </message>
     <message>
         <source>Create the mechanism</source>
@@ -3759,6 +3847,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cylindre</translation>
     </message>
     <message>
+        <source>DEF is missing</source>
+        <translation>pas de DEF</translation>
+    </message>
+    <message>
         <source>Damping (0: as the device)</source>
         <translation>Amortissement (0 : celui du périphérique)</translation>
     </message>
@@ -3789,6 +3881,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Delete</source>
         <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Delete it in a copy of the program.</source>
+        <translation>Retirez-le d'une copie du programme.</translation>
     </message>
     <message>
         <source>Delete the frame, or all frames between the brackets</source>
@@ -3999,12 +4095,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>ENDFOR sans FOR</translation>
     </message>
     <message>
-        <source>Ear to top of head</source>
-        <translation>Oreille au sommet du crâne</translation>
+        <source>Each frame is one line. The file is incomplete or was edited: export it again.</source>
+        <translation>Vérifiez le fichier : une image tient sur une ligne ; il est tronqué ou a été modifié.</translation>
     </message>
     <message>
-        <source>Echo it again with --full-length (-f).</source>
-        <translation>Refaites l'écho avec --full-length (-f).</translation>
+        <source>Ear to top of head</source>
+        <translation>Oreille au sommet du crâne</translation>
     </message>
     <message>
         <source>Edge</source>
@@ -4167,16 +4263,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exporter la cellule…</translation>
     </message>
     <message>
-        <source>Export it again, or in another format (STEP, glTF, STL), and without the part that is named.</source>
+        <source>Export it again or in another format (STEP, glTF, STL), without the part that this message names.</source>
         <translation>Exportez-le de nouveau, ou dans un autre format (STEP, glTF, STL), et sans la pièce citée.</translation>
+    </message>
+    <message>
+        <source>Export it again or in another format, or split it into several files.</source>
+        <translation>Exportez-le de nouveau, ou dans un autre format ; si le fichier est correct, divisez-le en plusieurs.</translation>
     </message>
     <message>
         <source>Export it again, or in another format (STEP, glTF, STL).</source>
         <translation>Exportez-le à nouveau, ou dans un autre format (STEP, glTF, STL).</translation>
-    </message>
-    <message>
-        <source>Export it again, or in another format; a file that is sound may be cut into parts.</source>
-        <translation>Exportez-le de nouveau, ou dans un autre format ; si le fichier est correct, divisez-le en plusieurs.</translation>
     </message>
     <message>
         <source>Export it again.</source>
@@ -4191,7 +4287,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exportez-le en glTF ou STL, ou rendez d'abord le maillage plus grossier.</translation>
     </message>
     <message>
-        <source>Export it in one of these.</source>
+        <source>Export it in one of these formats.</source>
         <translation>Exportez-le dans un de ces formats.</translation>
     </message>
     <message>
@@ -4199,27 +4295,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exportez-le avec des formes exactes (B-rep), ou ses triangles en STL, OBJ ou 3MF.</translation>
     </message>
     <message>
-        <source>Export it with its poses first: trajectory export --to csv --robot.</source>
-        <translation>Exportez-le d'abord avec ses poses : trajectory export --to csv --robot.</translation>
-    </message>
-    <message>
-        <source>Export it without that extension, or convert it with a tool that can take it out.</source>
+        <source>Export it without this extension, or remove the extension with a conversion tool.</source>
         <translation>Exportez-le sans cette extension, ou convertissez-le avec un outil qui sait la retirer.</translation>
     </message>
     <message>
-        <source>Export it without that extension.</source>
+        <source>Export it without this extension.</source>
         <translation>Exportez-le sans cette extension.</translation>
-    </message>
-    <message>
-        <source>Export its poses as csv or json instead.</source>
-        <translation>Exportez plutôt ses poses en csv ou json.</translation>
     </message>
     <message>
         <source>Export motion</source>
         <translation>Exporter le mouvement</translation>
     </message>
     <message>
-        <source>Export one person a file.</source>
+        <source>Export one person per file.</source>
         <translation>Exportez une seule personne par fichier.</translation>
     </message>
     <message>
@@ -4237,6 +4325,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Export the file again.</source>
         <translation>Exportez le fichier à nouveau.</translation>
+    </message>
+    <message>
+        <source>Export the file with decimal points; it has decimal commas.</source>
+        <translation>Écrivez le fichier avec des points décimaux ; celui-ci a des virgules.</translation>
+    </message>
+    <message>
+        <source>Export the poses as csv or json instead.</source>
+        <translation>Exportez plutôt ses poses en csv ou json.</translation>
     </message>
     <message>
         <source>Exported program</source>
@@ -4275,7 +4371,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>FANUC (.ls)</translation>
     </message>
     <message>
-        <source>FANUC's J3 is counted from the horizontal: J2 is added to it.</source>
+        <source>FANUC measures J3 from the horizontal: J2 is added to J3.</source>
         <translation>Le J3 de FANUC est compté depuis l'horizontale : J2 lui est ajouté.</translation>
     </message>
     <message>
@@ -4299,8 +4395,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Au plus vite, à-coup limité</translation>
     </message>
     <message>
-        <source>Fault ({}) at tick {}: its ticks are in {}; {} others have no file</source>
-        <translation>Fault ({}) at tick {}: its ticks are in {}; {} others have no file</translation>
+        <source>Fault ({}) at tick {}: the ticks around it are in {}; {} more faults have no file</source>
+        <translation>Défaut ({}) au cycle {} : les cycles voisins sont dans {} ; {} autres défauts sont sans fichier</translation>
     </message>
     <message>
         <source>Fault ({}) at tick {}: {}</source>
@@ -4381,6 +4477,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>First column</source>
         <translation>Première colonne</translation>
+    </message>
+    <message>
+        <source>First create a key: hapticell-haptic-server --pair.</source>
+        <translation>Créez d'abord une clé : hapticell-haptic-server --pair.</translation>
+    </message>
+    <message>
+        <source>First create a surface from the point cloud.</source>
+        <translation>Faites d'abord une surface à partir du nuage de points.</translation>
+    </message>
+    <message>
+        <source>First export it with poses: trajectory export --to csv --robot.</source>
+        <translation>Exportez-le d'abord avec ses poses : trajectory export --to csv --robot.</translation>
     </message>
     <message>
         <source>First pick a face, edge or corner of the moving part, then the target</source>
@@ -4631,7 +4739,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Point %1 · %2 s</translation>
     </message>
     <message>
-        <source>Frames are missing or doubled; write the file anew.</source>
+        <source>Frame Time: is missing</source>
+        <translation>pas de Frame Time:</translation>
+    </message>
+    <message>
+        <source>Frames are missing or repeated: export the file again.</source>
         <translation>Écrivez de nouveau le fichier : des images manquent ou sont en double.</translation>
     </message>
     <message>
@@ -4719,26 +4831,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Géométrie</translation>
     </message>
     <message>
-        <source>Give one: %1:=VALUE.</source>
-        <translation>Donnez-en une : %1:=VALUE.</translation>
-    </message>
-    <message>
-        <source>Give the file another ending.</source>
-        <translation>Donnez au fichier une autre extension.</translation>
-    </message>
-    <message>
-        <source>Give the file the ending .xacro, and it is expanded.</source>
-        <translation>Donnez au fichier l'extension .xacro pour qu'il soit développé.</translation>
-    </message>
-    <message>
-        <source>Give the robot (--robot) where it is given by joints, else write its value into the program.</source>
-        <translation>Indiquez le robot (--robot) si la cible est donnée par ses axes ; sinon, écrivez sa valeur dans le programme.</translation>
-    </message>
-    <message>
-        <source>Give the robot (--robot) where targets are given by joints.</source>
-        <translation>Indiquez le robot (--robot) si des cibles sont données par leurs axes.</translation>
-    </message>
-    <message>
         <source>Glove</source>
         <translation>Gant</translation>
     </message>
@@ -4823,7 +4915,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>HAPTICELL_CONFIG_DIR</translation>
     </message>
     <message>
-        <source>HOME is '%1', no absolute path</source>
+        <source>HIERARCHY is missing</source>
+        <translation>pas de HIERARCHY</translation>
+    </message>
+    <message>
+        <source>HOME is '%1', not an absolute path</source>
         <translation>HOME vaut '%1', qui n'est pas un chemin absolu</translation>
     </message>
     <message>
@@ -5079,6 +5175,22 @@ Voulez-vous le remplacer ?</translation>
         <translation>Je le tiens : démarrer</translation>
     </message>
     <message>
+        <source>If a property is a text here, check it for a mistyped number.</source>
+        <translation>Vérifiez les propriétés : l'une d'elles est un texte, peut-être un nombre mal saisi.</translation>
+    </message>
+    <message>
+        <source>If targets are given by joints, set the robot (--robot).</source>
+        <translation>Indiquez le robot (--robot) si des cibles sont données par leurs axes.</translation>
+    </message>
+    <message>
+        <source>If the target is given by joints, set the robot (--robot). Otherwise, write its value into the program.</source>
+        <translation>Indiquez le robot (--robot) si la cible est donnée par ses axes ; sinon, écrivez sa valeur dans le programme.</translation>
+    </message>
+    <message>
+        <source>If this is a file of macros, open the file that includes it.</source>
+        <translation>Ouvrez un fichier de macros par le fichier qui l'inclut.</translation>
+    </message>
+    <message>
         <source>If you discard the copy, the unsaved changes of %1 are lost for good.</source>
         <translation>Si vous supprimez la copie, les modifications non enregistrées de %1 sont perdues pour de bon.</translation>
     </message>
@@ -5111,7 +5223,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Importer comme</translation>
     </message>
     <message>
-        <source>Import it anew.</source>
+        <source>Import it again.</source>
         <translation>Importez-le à nouveau.</translation>
     </message>
     <message>
@@ -5123,7 +5235,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Importer des mouvements…</translation>
     </message>
     <message>
-        <source>Import the file anew.</source>
+        <source>Import the file again.</source>
         <translation>Importez le fichier de nouveau.</translation>
     </message>
     <message>
@@ -5141,6 +5253,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Improve the posture of %1</source>
         <translation>Améliorer la posture de %1</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, delete the branch that you do not need.</source>
+        <translation>Retirez d'une copie du programme la branche qui n'est pas voulue.</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, delete the branches that you do not need.</source>
+        <translation>Retirez d'une copie les branches qui ne sont pas voulues.</translation>
+    </message>
+    <message>
+        <source>In a copy of the program, delete the offset, or add it to the targets.</source>
+        <translation>Retirez le décalage d'une copie, ou écrivez les cibles avec lui.</translation>
     </message>
     <message>
         <source>In contact from the start: %1 and %2</source>
@@ -5199,24 +5323,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Réinstallez HaptiCell.</translation>
     </message>
     <message>
-        <source>Install ffmpeg, or write a picture (png).</source>
+        <source>Install ffmpeg, or save a picture (.png).</source>
         <translation>Installez ffmpeg, ou enregistrez une image (png).</translation>
     </message>
     <message>
-        <source>Install the library that it names, or remove the file.</source>
+        <source>Install the library that this message names, or remove the file.</source>
         <translation>Installez la bibliothèque qu'il nomme, ou supprimez le fichier.</translation>
     </message>
     <message>
         <source>Invert the wheel</source>
         <translation>Inverser la molette</translation>
-    </message>
-    <message>
-        <source>Is another haptic server running? Give another --port, or 0 for any.</source>
-        <translation>Vérifiez si un autre serveur haptique tourne, ou donnez un autre --port (0 : n'importe lequel).</translation>
-    </message>
-    <message>
-        <source>Is its unit right? Otherwise move it to the origin in the program that made it.</source>
-        <translation>Vérifiez son unité. Sinon, déplacez-la à l'origine dans le programme qui l'a créée.</translation>
     </message>
     <message>
         <source>Iso</source>
@@ -5251,10 +5367,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il est ici en lecture seule. Enregistrez-le sous un autre nom, ou fermez-le d'abord là-bas.</translation>
     </message>
     <message>
-        <source>It may have been changed while it was packed: pack again.</source>
-        <translation>Archivez de nouveau : le fichier a peut-être été modifié pendant l'archivage.</translation>
-    </message>
-    <message>
         <source>It moves with the hand and is checked with it</source>
         <translation>Elle suit la main et est vérifiée avec elle</translation>
     </message>
@@ -5267,16 +5379,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Il reste où il est</translation>
     </message>
     <message>
-        <source>It works, with less detail while you turn the view. Install a graphics card driver for full speed.</source>
-        <translation>Cela fonctionne, avec moins de détails pendant que vous tournez la vue. Installez un pilote de carte graphique pour la pleine vitesse.</translation>
-    </message>
-    <message>
         <source>JOINT, End Site, OFFSET, CHANNELS or }</source>
         <translation>JOINT, End Site, OFFSET, CHANNELS ou }</translation>
     </message>
     <message>
-        <source>JSON as a recording writes it</source>
-        <translation>du JSON tel qu'un enregistrement l'écrit</translation>
+        <source>JSON content</source>
+        <translation>contenu JSON</translation>
+    </message>
+    <message>
+        <source>JSON content, byte %1</source>
+        <translation>contenu JSON, octet %1</translation>
     </message>
     <message>
         <source>Jerk</source>
@@ -5291,16 +5403,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacement manuel %1 du TCP de %2</translation>
     </message>
     <message>
-        <source>Join it, if only by a fixed joint.</source>
-        <translation>Reliez-le, ne serait-ce que par une liaison fixe.</translation>
-    </message>
-    <message>
         <source>Join parts into a mechanism…</source>
         <translation>Relier des pièces en mécanisme…</translation>
-    </message>
-    <message>
-        <source>Join them by a fixed joint.</source>
-        <translation>Reliez-les par un axe fixe.</translation>
     </message>
     <message>
         <source>Join with the next</source>
@@ -5319,12 +5423,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Butées, depuis la position actuelle</translation>
     </message>
     <message>
-        <source>Joints</source>
-        <translation>Articulations</translation>
+        <source>Joint values are not kept, because not all targets have them. Poses are kept.</source>
+        <translation>Les axes ne sont pas conservés, car toutes les cibles n'en ont pas ; leurs poses le sont.</translation>
     </message>
     <message>
-        <source>Joints are not kept, as not all targets have them; their poses are.</source>
-        <translation>Les axes ne sont pas conservés, car toutes les cibles n'en ont pas ; leurs poses le sont.</translation>
+        <source>Joints</source>
+        <translation>Articulations</translation>
     </message>
     <message>
         <source>Joints, with their limits</source>
@@ -5351,6 +5455,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Garder l'axe 4</translation>
     </message>
     <message>
+        <source>Keep only one trajectory in the file.</source>
+        <translation>Ne gardez qu'une trajectoire dans le fichier.</translation>
+    </message>
+    <message>
         <source>Keep only the frames needed</source>
         <translation>Garder seulement les images nécessaires</translation>
     </message>
@@ -5369,10 +5477,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Keep position, wrist joint fixed</source>
         <translation>Garder la position, axe du poignet fixe</translation>
-    </message>
-    <message>
-        <source>Keep the one that is wanted in the file.</source>
-        <translation>Ne gardez dans le fichier que celle qui est voulue.</translation>
     </message>
     <message>
         <source>Keep the range between the brackets</source>
@@ -5437,10 +5541,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Layout</source>
         <translation>Disposition</translation>
-    </message>
-    <message>
-        <source>Leave out the joint that closes the cycle.</source>
-        <translation>Retirez l'axe qui ferme le cycle.</translation>
     </message>
     <message>
         <source>Leave the unit out.</source>
@@ -5547,6 +5647,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ligne : fréquence. Barres : retard (99 %), au plus %1 ms</translation>
     </message>
     <message>
+        <source>Lines without motion are not kept (outputs, waiting for inputs, settings): %1 and %2 more.</source>
+        <translation>Sans mouvement et non conservées (sorties, attentes d'entrées, réglages) : lignes %1 et %2 autres.</translation>
+    </message>
+    <message>
+        <source>Lines without motion are not kept (outputs, waiting for inputs, settings): %1.</source>
+        <translation>Sans mouvement et non conservées (sorties, attentes d'entrées, réglages) : lignes %1.</translation>
+    </message>
+    <message>
         <source>Load</source>
         <translation>Charge</translation>
     </message>
@@ -5611,26 +5719,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Regarder la pièce</translation>
     </message>
     <message>
-        <source>Look at what it holds, then: chmod go-w '%1'.</source>
-        <translation>Examinez son contenu, puis lancez : chmod go-w '%1'.</translation>
-    </message>
-    <message>
-        <source>Look for a macro that calls itself.</source>
-        <translation>Cherchez une macro qui s'appelle elle-même.</translation>
-    </message>
-    <message>
-        <source>Look for a macro, a file or a property that contains itself.</source>
-        <translation>Cherchez une macro, un fichier ou une propriété qui se contient soi-même.</translation>
-    </message>
-    <message>
-        <source>Look for models that include each other several times, or cut the world into parts.</source>
-        <translation>Cherchez des modèles qui s'incluent plusieurs fois l'un l'autre, ou divisez le monde en plusieurs parties.</translation>
-    </message>
-    <message>
-        <source>Look whether the folder exists, and whether ffmpeg knows this ending.</source>
-        <translation>Vérifiez que le dossier existe et que ffmpeg connaît cette extension.</translation>
-    </message>
-    <message>
         <source>Loop</source>
         <translation>En boucle</translation>
     </message>
@@ -5659,24 +5747,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ajoutez --timing pour mesurer M7 et M11.</translation>
     </message>
     <message>
+        <source>MOTION with Frames: is missing</source>
+        <translation>pas de MOTION avec Frames:</translation>
+    </message>
+    <message>
         <source>MOVC to %1 points</source>
         <translation>MOVC vers %1 points</translation>
     </message>
     <message>
         <source>Make a fist, every finger joint bent by a right angle.</source>
         <translation>Fermez le poing, chaque articulation des doigts pliée à angle droit.</translation>
-    </message>
-    <message>
-        <source>Make a key first: hapticell-haptic-server --pair.</source>
-        <translation>Créez d'abord une clé : hapticell-haptic-server --pair.</translation>
-    </message>
-    <message>
-        <source>Make a new one (hapticell-haptic-server --pair), or chmod 600 if nobody has read it.</source>
-        <translation>Créez-en une nouvelle (hapticell-haptic-server --pair), ou faites chmod 600 si personne ne l'a lue.</translation>
-    </message>
-    <message>
-        <source>Make a surface of the point cloud first.</source>
-        <translation>Faites d'abord une surface à partir du nuage de points.</translation>
     </message>
     <message>
         <source>Make an exercise from this cell and an expert's motion</source>
@@ -5763,7 +5843,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Moyen</translation>
     </message>
     <message>
-        <source>Memory is not locked (mlockall: %1), so a tick may wait for a page. Write the line &quot;NAME - memlock unlimited&quot; with your user name into %2 and log in again.</source>
+        <source>Memory is not locked (mlockall: %1), so ticks can be late while memory is swapped in. Add the line &quot;NAME - memlock unlimited&quot; with your user name to %2 and log in again.</source>
         <translation>La mémoire n'est pas verrouillée (mlockall : %1) ; un cycle peut donc attendre une page. Ajoutez la ligne &quot;NAME - memlock unlimited&quot;, avec votre nom d'utilisateur, dans %2 et reconnectez-vous.</translation>
     </message>
     <message>
@@ -5891,6 +5971,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Bouger aussi les axes externes</translation>
     </message>
     <message>
+        <source>Move it into the folder of the file that refers to it.</source>
+        <translation>Placez-le sous le dossier du fichier qui le cite.</translation>
+    </message>
+    <message>
         <source>Move it there</source>
         <translation>Le mettre là</translation>
     </message>
@@ -5907,12 +5991,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacer le TCP de %1</translation>
     </message>
     <message>
-        <source>Move the hinges apart, or turn the platform against the base.</source>
+        <source>Move the joints of the legs apart, or rotate the platform relative to the base.</source>
         <translation>Écartez les articulations, ou tournez la plateforme par rapport à la base.</translation>
     </message>
     <message>
         <source>Move the mannequin or the part nearer, or unlock the feet so that it can step.</source>
         <translation>Rapprochez le mannequin ou la pièce, ou débloquez les pieds pour qu'il puisse faire un pas.</translation>
+    </message>
+    <message>
+        <source>Move the motion nearer to the robot's base.</source>
+        <translation>Rapprochez le mouvement de la base du robot.</translation>
     </message>
     <message>
         <source>Move the stylus in all directions and press each button once.</source>
@@ -6003,7 +6091,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>NAME ou NAME:LINK</translation>
     </message>
     <message>
-        <source>NAME or NAME:LINK of an entity that was added before</source>
+        <source>NAME or NAME:LINK of an entity that an earlier --add added</source>
         <translation>NAME ou NAME:LINK d'une entité ajoutée auparavant</translation>
     </message>
     <message>
@@ -6043,16 +6131,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Nommez moins d'axes actionnés, ou d'autres.</translation>
     </message>
     <message>
-        <source>Name it by its whole path.</source>
-        <translation>Nommez-le par son chemin complet.</translation>
-    </message>
-    <message>
         <source>Name of the pose (home replaces home)</source>
         <translation>Nom de la pose (home remplace home)</translation>
-    </message>
-    <message>
-        <source>Name the robot whose joints they are (--robot): its forward kinematics give the poses.</source>
-        <translation>Nommez le robot auquel appartiennent ces axes (--robot) : sa cinématique directe donne les poses.</translation>
     </message>
     <message>
         <source>Name, manufacturer, type or payload</source>
@@ -6191,10 +6271,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Non</translation>
     </message>
     <message>
-        <source>No --robot: configuration data are the format's defaults; check them on the controller.</source>
-        <translation>Pas de --robot : les données de configuration sont celles par défaut du format ; vérifiez-les sur le contrôleur.</translation>
-    </message>
-    <message>
         <source>No action needed.</source>
         <translation>Rien à faire.</translation>
     </message>
@@ -6221,6 +6297,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No device</source>
         <translation>Pas de périphérique</translation>
+    </message>
+    <message>
+        <source>No entity was held and moved, so the recording has no frames.</source>
+        <translation>Rien n'a été tenu et déplacé, donc l'enregistrement n'a pas d'images.</translation>
     </message>
     <message>
         <source>No exercise</source>
@@ -6471,20 +6551,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
     </message>
     <message>
-        <source>Nothing is written without --allow-miss.</source>
-        <translation>Rien n'est écrit sans --allow-miss.</translation>
-    </message>
-    <message>
         <source>Nothing moved, so nothing was recorded.</source>
         <translation>Rien n'a bougé : rien n'a été enregistré.</translation>
     </message>
     <message>
         <source>Nothing moves until you confirm.</source>
         <translation>Rien ne bouge avant votre accord.</translation>
-    </message>
-    <message>
-        <source>Nothing was held and moved, so the recording has no frames.</source>
-        <translation>Rien n'a été tenu et déplacé, donc l'enregistrement n'a pas d'images.</translation>
     </message>
     <message>
         <source>Nothing was saved. Use --unchecked to save the code without a connection.</source>
@@ -6499,12 +6571,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rien n'a été écrit. Une cellule venue d'ailleurs peut nommer n'importe quel fichier de cette machine. Vérifiez la liste, puis archivez avec --allow-outside, ou déplacez les fichiers dans le dossier.</translation>
     </message>
     <message>
-        <source>Nothing was written. Bring the motion nearer to the robot's base.</source>
+        <source>Nothing was written. Check the messages of the server, then run the session again.</source>
+        <translation>Rien n'a été écrit. Consultez les messages du serveur, puis relancez la session.</translation>
+    </message>
+    <message>
+        <source>Nothing was written. Move the motion nearer to the robot's base.</source>
         <translation>Rien n'a été écrit. Rapprochez le mouvement de la base du robot.</translation>
     </message>
     <message>
-        <source>Nothing was written. Look at what the server says, and run the session again.</source>
-        <translation>Rien n'a été écrit. Consultez les messages du serveur, puis relancez la session.</translation>
+        <source>Nothing was written. To write the file anyway, use --allow-miss.</source>
+        <translation>Rien n'a été écrit. Pour écrire quand même le fichier, utilisez --allow-miss.</translation>
     </message>
     <message>
         <source>OBJ (*.obj)</source>
@@ -6559,7 +6635,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Sur le segment</translation>
     </message>
     <message>
-        <source>On the controller the file must be named '%1', as its program.</source>
+        <source>On the controller, name the file '%1', like its program.</source>
         <translation>Sur le contrôleur, le fichier doit s'appeler '%1', comme son programme.</translation>
     </message>
     <message>
@@ -6579,20 +6655,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une étape d'annulation</translation>
     </message>
     <message>
+        <source>Only files that can be read as recordings are packed. Remove it from the workcell.</source>
+        <translation>Retirez-le de la cellule : seul ce qui est lisible comme enregistrement entre dans une archive.</translation>
+    </message>
+    <message>
+        <source>Only files that can be read as what they are used for are packed. Remove it from the workcell.</source>
+        <translation>Retirez-le de la cellule : seul ce qui est lisible selon le type déclaré entre dans une archive.</translation>
+    </message>
+    <message>
         <source>Only motion group 1 is read.</source>
         <translation>Seul le groupe de mouvement 1 est lu.</translation>
     </message>
     <message>
         <source>Only the simulated stylus. No problems found.</source>
         <translation>Seulement le stylet simulé. Aucun problème trouvé.</translation>
-    </message>
-    <message>
-        <source>Only what is read as a recording goes into a pack: take it out of the workcell.</source>
-        <translation>Retirez-le de la cellule : seul ce qui est lisible comme enregistrement entre dans une archive.</translation>
-    </message>
-    <message>
-        <source>Only what is read as what it is said to be goes into a pack: take it out of the workcell.</source>
-        <translation>Retirez-le de la cellule : seul ce qui est lisible selon le type déclaré entre dans une archive.</translation>
     </message>
     <message>
         <source>Only while the robot is held by its tool</source>
@@ -6803,16 +6879,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>PLY (*.ply)</translation>
     </message>
     <message>
+        <source>PROC is missing</source>
+        <translation>pas de PROC</translation>
+    </message>
+    <message>
         <source>P[%1], which has no value</source>
         <translation>P[%1], qui n'a pas de valeur</translation>
     </message>
     <message>
         <source>P[%1], which is not in /POS</source>
         <translation>P[%1], qui n'est pas dans /POS</translation>
-    </message>
-    <message>
-        <source>Pack again, or elsewhere: what was written to the disk is not what was read back from it.</source>
-        <translation>Archivez de nouveau, ou ailleurs : ce qui a été relu sur le disque n'est pas ce qui y a été écrit.</translation>
     </message>
     <message>
         <source>Pack the workcell with its files</source>
@@ -7015,16 +7091,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Désignez une pièce d'où mesurer</translation>
     </message>
     <message>
-        <source>Pick another.</source>
+        <source>Pick another part.</source>
         <translation>Choisissez-en une autre.</translation>
     </message>
     <message>
         <source>Pick axis</source>
         <translation>Désigner l'axe</translation>
-    </message>
-    <message>
-        <source>Pick both in the scene.</source>
-        <translation>Désignez les deux dans la scène.</translation>
     </message>
     <message>
         <source>Pick entities for the first column · Esc: end</source>
@@ -7053,6 +7125,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Pick the circle: a round edge or a round face</source>
         <translation>Désignez le cercle : une arête ronde ou une face ronde</translation>
+    </message>
+    <message>
+        <source>Pick the moving part and the part that carries it in the scene.</source>
+        <translation>Désignez dans la scène la pièce mobile et la pièce qui la porte.</translation>
     </message>
     <message>
         <source>Pick the other part</source>
@@ -7191,6 +7267,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Lecture ralentie : la vue est sous 10 Hz</translation>
     </message>
     <message>
+        <source>Please report this bug, with the file that caused it.</source>
+        <translation>Signalez ce défaut avec le fichier qui l'a causé.</translation>
+    </message>
+    <message>
         <source>Plugged in at</source>
         <translation>Branché sur</translation>
     </message>
@@ -7239,7 +7319,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Posez le mannequin, vérifiez son atteinte et sa posture.</translation>
     </message>
     <message>
-        <source>Poses are in %1, whose place the file does not give.</source>
+        <source>Poses are relative to %1, which the file does not define.</source>
         <translation>Les poses sont exprimées dans %1, dont le fichier ne donne pas la pose.</translation>
     </message>
     <message>
@@ -7347,15 +7427,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Poussée vers le bas, %1 %</translation>
     </message>
     <message>
-        <source>Put it below the folder of the file that names it.</source>
-        <translation>Placez-le sous le dossier du fichier qui le cite.</translation>
-    </message>
-    <message>
-        <source>Put it there: a .gltf needs its .bin files.</source>
-        <translation>Placez-le là : un .gltf a besoin de ses fichiers .bin.</translation>
-    </message>
-    <message>
-        <source>Put the package's folder beside the file or above it, or name its place in ROS_PACKAGE_PATH.</source>
+        <source>Put the package folder next to the file or above it, or add its path to ROS_PACKAGE_PATH.</source>
         <translation>Placez le dossier du paquet à côté du fichier ou au-dessus, ou indiquez son emplacement dans ROS_PACKAGE_PATH.</translation>
     </message>
     <message>
@@ -7385,6 +7457,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>ROOT and a name</source>
         <translation>ROOT et un nom</translation>
+    </message>
+    <message>
+        <source>ROOT is missing</source>
+        <translation>pas de ROOT</translation>
     </message>
     <message>
         <source>ROS 2 JointTrajectory (.yaml)</source>
@@ -7519,6 +7595,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prêt. Une étape d'annulation.</translation>
     </message>
     <message>
+        <source>Rebuild it for version %1.</source>
+        <translation>Recompilez-le avec la version %1.</translation>
+    </message>
+    <message>
         <source>Rec %1:%2</source>
         <translation>Enr. %1:%2</translation>
     </message>
@@ -7615,8 +7695,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ôter le tremblement de la main, garder le chemin</translation>
     </message>
     <message>
-        <source>Remove it, or take it over with chown.</source>
+        <source>Remove it, or make it yours with chown.</source>
         <translation>Supprimez-le, ou appropriez-le-vous avec chown.</translation>
+    </message>
+    <message>
+        <source>Remove the joint that closes the cycle.</source>
+        <translation>Retirez l'axe qui ferme le cycle.</translation>
     </message>
     <message>
         <source>Remove the pair set</source>
@@ -7625,6 +7709,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Remove the section</source>
         <translation>Retirer la coupe</translation>
+    </message>
+    <message>
+        <source>Remove the write protection, or choose another name.</source>
+        <translation>Autorisez l'écriture ou choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Remove this frame</source>
@@ -7663,6 +7751,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Répétition</translation>
     </message>
     <message>
+        <source>Replace the entities by their text.</source>
+        <translation>Écrivez en toutes lettres le texte qu'elles représentent.</translation>
+    </message>
+    <message>
         <source>Replay beside the expert</source>
         <translation>Rejouer à côté de l'expert</translation>
     </message>
@@ -7673,10 +7765,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Report changes</source>
         <translation>Rapport des changements</translation>
-    </message>
-    <message>
-        <source>Report the file that caused it.</source>
-        <translation>Signalez le fichier en cause.</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -7839,6 +7927,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Essai %1</translation>
     </message>
     <message>
+        <source>Run ros2 topic echo again with --full-length (-f).</source>
+        <translation>Relancez ros2 topic echo avec --full-length (-f).</translation>
+    </message>
+    <message>
         <source>Runs: %1, the last with %2 points</source>
         <translation>Essais : %1, le dernier avec %2 points</translation>
     </message>
@@ -7905,6 +7997,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Save it as text or as PLY.</source>
         <translation>Enregistrez-le en texte ou en PLY.</translation>
+    </message>
+    <message>
+        <source>Save it to another disk.</source>
+        <translation>Écrivez-le sur un autre disque.</translation>
     </message>
     <message>
         <source>Save log</source>
@@ -7991,10 +8087,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistré : %1 ; images : %2. Outil, base et sécurité sont ceux de la commande. Vérifiez-les là</translation>
     </message>
     <message>
-        <source>Say with --markers TABLE which marker sits where (docs/user/formats.md).</source>
-        <translation>Indiquez avec --markers TABLE où se trouve chaque marqueur (docs/user/formats.md).</translation>
-    </message>
-    <message>
         <source>Scale</source>
         <translation>Échelle</translation>
     </message>
@@ -8033,10 +8125,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Search again</source>
         <translation>Chercher de nouveau</translation>
-    </message>
-    <message>
-        <source>Search again with the cell as it stands.</source>
-        <translation>Relancez la recherche avec la cellule telle qu'elle est.</translation>
     </message>
     <message>
         <source>Search the library</source>
@@ -8119,6 +8207,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Tout choisir</translation>
     </message>
     <message>
+        <source>Select one of them.</source>
+        <translation>Choisissez l'un d'eux.</translation>
+    </message>
+    <message>
         <source>Select or hold an entity to see what it is checked against.</source>
         <translation>Choisissez ou tenez une entité pour voir contre quoi elle est vérifiée.</translation>
     </message>
@@ -8143,11 +8235,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Donnez à HAPTICELL_CONFIG_DIR le dossier qui contient hapticell.toml.</translation>
     </message>
     <message>
-        <source>Set HOME or %1. Nothing is looked for in the current folder.</source>
+        <source>Set HOME or %1. The current folder is not searched.</source>
         <translation>Définissez HOME ou %1. Rien n'est cherché dans le dossier courant.</translation>
     </message>
     <message>
-        <source>Set HOME. Nothing is looked for in the current folder.</source>
+        <source>Set HOME. The current folder is not searched.</source>
         <translation>Définissez HOME. Rien n'est cherché dans le dossier courant.</translation>
     </message>
     <message>
@@ -8155,12 +8247,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Choisi pour cette paire ; cliquez pour changer</translation>
     </message>
     <message>
-        <source>Set it before the program is started.</source>
+        <source>Set it before you start the program.</source>
         <translation>Définissez-la avant de démarrer le programme.</translation>
+    </message>
+    <message>
+        <source>Set it with %1:=VALUE.</source>
+        <translation>Définissez-le par %1:=VALUE.</translation>
+    </message>
+    <message>
+        <source>Set start values nearer to an assembled pose.</source>
+        <translation>Indiquez des valeurs de départ plus proches d'une pose assemblée.</translation>
     </message>
     <message>
         <source>Set the range first, with the brackets that are now in the time bar.</source>
         <translation>Réglez d'abord la plage, par les crochets affichés dans la barre de temps.</translation>
+    </message>
+    <message>
+        <source>Set the robot of these joints (--robot), so that the poses can be computed.</source>
+        <translation>Nommez le robot auquel appartiennent ces axes (--robot) : sa cinématique directe donne les poses.</translation>
     </message>
     <message>
         <source>Set: %1</source>
@@ -8291,7 +8395,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Simplifier d'abord</translation>
     </message>
     <message>
-        <source>Simplify the motion first, or split it.</source>
+        <source>Simplify or split the motion.</source>
         <translation>Simplifiez d'abord le mouvement, ou coupez-le.</translation>
     </message>
     <message>
@@ -8427,7 +8531,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Démarrez hapticell-haptic-server.</translation>
     </message>
     <message>
-        <source>Start it on a desktop, or under xvfb-run.</source>
+        <source>Start it on a desktop or with xvfb-run.</source>
         <translation>Lancez-le sur un bureau, ou sous xvfb-run s'il n'y en a pas.</translation>
     </message>
     <message>
@@ -8461,10 +8565,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>State</source>
         <translation>État</translation>
-    </message>
-    <message>
-        <source>State a start nearer to it.</source>
-        <translation>Indiquez un départ plus proche.</translation>
     </message>
     <message>
         <source>Stature</source>
@@ -8583,7 +8683,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Échanger les mains de %1</translation>
     </message>
     <message>
-        <source>Swap the two.</source>
+        <source>Swap the two limits.</source>
         <translation>Échangez les deux.</translation>
     </message>
     <message>
@@ -8631,44 +8731,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Prise %1</translation>
     </message>
     <message>
-        <source>Take a larger --simplify.</source>
-        <translation>Prenez une valeur de --simplify plus grande.</translation>
-    </message>
-    <message>
-        <source>Take a larger tolerance, or move the motion to where the robot reaches.</source>
-        <translation>Augmentez la tolérance, ou déplacez le mouvement à la portée du robot.</translation>
-    </message>
-    <message>
-        <source>Take a larger tolerance.</source>
-        <translation>Augmentez la tolérance.</translation>
-    </message>
-    <message>
-        <source>Take a longer one, or a higher speed.</source>
-        <translation>Prenez un pas plus long, ou une vitesse plus élevée.</translation>
-    </message>
-    <message>
-        <source>Take a shorter --sample, a larger --tolerance or other limits.</source>
-        <translation>Réduisez --sample, augmentez --tolerance ou changez les limites.</translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation>Prendre le contrôle</translation>
-    </message>
-    <message>
-        <source>Take it out of a copy of the program.</source>
-        <translation>Retirez-le d'une copie du programme.</translation>
-    </message>
-    <message>
-        <source>Take the branch that is not wanted out of a copy of the program.</source>
-        <translation>Retirez d'une copie du programme la branche qui n'est pas voulue.</translation>
-    </message>
-    <message>
-        <source>Take the branches that are not wanted out of a copy.</source>
-        <translation>Retirez d'une copie les branches qui ne sont pas voulues.</translation>
-    </message>
-    <message>
-        <source>Take the offset out of a copy, or write the targets with it.</source>
-        <translation>Retirez le décalage d'une copie, ou écrivez les cibles avec lui.</translation>
     </message>
     <message>
         <source>Taking the stylus.</source>
@@ -8711,11 +8775,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>C'est la même pièce. Désignez-en une autre jusqu'où mesurer.</translation>
     </message>
     <message>
-        <source>The %1 of %6, %2 %3, is rounded to %4 %3: %5 has no more digits.</source>
+        <source>The %1 of %6, %2 %3, is rounded to %4 %3, because %5 allows no more digits.</source>
         <translation>%1, %6 : %2 %3 est arrondi à %4 %3, car %5 n'a pas plus de chiffres.</translation>
     </message>
     <message>
-        <source>The %1, %2 %3, is rounded to %4 %3: %5 has no more digits.</source>
+        <source>The %1, %2 %3, is rounded to %4 %3, because %5 allows no more digits.</source>
         <translation>%1 : %2 %3 est arrondi à %4 %3, car %5 n'a pas plus de chiffres.</translation>
     </message>
     <message>
@@ -8745,6 +8809,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The base follows the hand; the joints keep the tool in place</source>
         <translation>La base suit la main ; les axes gardent l'outil en place</translation>
+    </message>
+    <message>
+        <source>The body measures are of adults; outside this range, the regressions are not valid.</source>
+        <translation>Restez dans cette plage : les mesures sont celles d'adultes ; au-delà, les régressions n'ont pas de sens.</translation>
+    </message>
+    <message>
+        <source>The cell has changed: search again.</source>
+        <translation>La cellule a changé : relancez la recherche.</translation>
     </message>
     <message>
         <source>The cell is empty</source>
@@ -8787,6 +8859,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les périphériques n'ont pas pu être listés : %1</translation>
     </message>
     <message>
+        <source>The disk returned other data than was written. Pack again, or pack to another disk.</source>
+        <translation>Archivez de nouveau, ou ailleurs : ce qui a été relu sur le disque n'est pas ce qui y a été écrit.</translation>
+    </message>
+    <message>
         <source>The displayed mesh.</source>
         <translation>Le maillage affiché.</translation>
     </message>
@@ -8819,20 +8895,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le fichier contient des triangles.</translation>
     </message>
     <message>
-        <source>The file is being read</source>
-        <translation>Le fichier est en lecture</translation>
+        <source>The file has %1; parts made from it can be missing or wrong. Export the file again.</source>
+        <translation>Le fichier a %1 ; des pièces qui en dépendent peuvent manquer ou être fausses. Exportez-le de nouveau.</translation>
     </message>
     <message>
-        <source>The file is cut; write it anew, or correct the number behind Frames:.</source>
-        <translation>Écrivez de nouveau le fichier, car il est tronqué, ou corrigez le nombre après Frames:.</translation>
+        <source>The file is being read</source>
+        <translation>Le fichier est en lecture</translation>
     </message>
     <message>
         <source>The file is damaged: export it again.</source>
         <translation>Le fichier est endommagé : exportez-le à nouveau.</translation>
     </message>
     <message>
+        <source>The file is incomplete: copy or export it again.</source>
+        <translation>Le fichier est incomplet : copiez-le ou exportez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>The file is incomplete: export it again, or correct the number after Frames:.</source>
+        <translation>Écrivez de nouveau le fichier, car il est tronqué, ou corrigez le nombre après Frames:.</translation>
+    </message>
+    <message>
         <source>The file is truncated: export it again.</source>
         <translation>Le fichier est tronqué : exportez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>The file may have changed during packing. Pack again.</source>
+        <translation>Archivez de nouveau : le fichier a peut-être été modifié pendant l'archivage.</translation>
     </message>
     <message>
         <source>The file of %1 has no home pose, and its zero pose is singular, so it could hardly be dragged. It starts with %2 bent. To set a home pose, use the Robot panel.</source>
@@ -8859,7 +8947,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>La boucle d'effort est parfois en retard</translation>
     </message>
     <message>
-        <source>The force loop runs without real-time priority (SCHED_FIFO %1: %2), so ticks come late when the machine is busy. Write the line &quot;NAME - rtprio %1&quot; with your user name into %3 and log in again.</source>
+        <source>The force loop runs without real-time priority (SCHED_FIFO %1: %2), so ticks are late when the computer is busy. Add the line &quot;NAME - rtprio %1&quot; with your user name to %3 and log in again.</source>
         <translation>La boucle d'effort tourne sans priorité temps réel (SCHED_FIFO %1 : %2) ; les cycles sont donc en retard quand la machine est chargée. Ajoutez la ligne &quot;NAME - rtprio %1&quot;, avec votre nom d'utilisateur, dans %3 et reconnectez-vous.</translation>
     </message>
     <message>
@@ -9011,10 +9099,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Les marqueurs ne peuvent pas être montrés</translation>
     </message>
     <message>
-        <source>The measures are of grown persons; beyond that the regressions mean nothing.</source>
-        <translation>Restez dans cette plage : les mesures sont celles d'adultes ; au-delà, les régressions n'ont pas de sens.</translation>
-    </message>
-    <message>
         <source>The module %1 was not loaded. %2</source>
         <translation>Le module %1 n'a pas été chargé. %2</translation>
     </message>
@@ -9091,11 +9175,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'aperçu est créé quand le fichier est enregistré ou fermé ici.</translation>
     </message>
     <message>
-        <source>The program is called '%1': '%2' is a word of %3 itself.</source>
+        <source>The program is named '%1', because '%2' is a reserved word of %3.</source>
         <translation>Le programme s'appelle '%1' : '%2' est un mot réservé de %3.</translation>
     </message>
     <message>
-        <source>The program is called '%1': '%2' is no name in %3 (letters, digits and _, a letter first, at most %4 characters).</source>
+        <source>The program is named '%1', because '%2' is not a valid name in %3 (letters, digits and _, a letter first, at most %4 characters).</source>
         <translation>Le programme s'appelle '%1' : '%2' n'est pas un nom de %3 (lettres, chiffres et _, une lettre d'abord, %4 caractères au plus).</translation>
     </message>
     <message>
@@ -9143,7 +9227,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le robot n’atteint pas l’image : il en reste jusqu’à %1 ou %2</translation>
     </message>
     <message>
-        <source>The robot has no six-axis configuration; configuration data are the format's defaults.</source>
+        <source>The robot has no six-axis configuration. The configuration data are the format's defaults.</source>
         <translation>Le robot n'a pas de configuration à six axes ; les données de configuration sont celles par défaut du format.</translation>
     </message>
     <message>
@@ -9181,6 +9265,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The server switched them off. Move the stylus to free space, or press Esc, then Ctrl+Space</source>
         <translation>Le serveur les a coupés. Menez le stylet en espace libre, ou pressez Échap, puis Ctrl+Espace</translation>
+    </message>
+    <message>
+        <source>The shipped hapticell.toml lists all keys.</source>
+        <translation>Toutes les clés figurent dans le hapticell.toml livré.</translation>
     </message>
     <message>
         <source>The simulated stylus needs no calibration.</source>
@@ -9247,19 +9335,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Thème</translation>
     </message>
     <message>
-        <source>There is no %1.dat beside it, where KRL keeps its points.</source>
-        <translation>Placez à côté le fichier %1.dat, où KRL garde ses points.</translation>
-    </message>
-    <message>
-        <source>There is no %1.dat beside it.</source>
-        <translation>Il n'y a pas de %1.dat à côté.</translation>
-    </message>
-    <message>
         <source>There is no PROC main() with moves: '%1', the first with moves, is read.</source>
         <translation>Il n'y a pas de PROC main() avec des mouvements : '%1', la première qui en a, est lue.</translation>
     </message>
     <message>
-        <source>There is no PROC main() with moves: '%1', the first with moves, is read; not read unless it calls them: %2.</source>
+        <source>There is no PROC main() with moves: '%1', the first with moves, is read. Procedures that it does not call are not read: %2.</source>
         <translation>Il n'y a pas de PROC main() avec des mouvements : '%1', la première qui en a, est lue ; ne sont lues que si elle les appelle : %2.</translation>
     </message>
     <message>
@@ -9399,14 +9479,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Instant de l'enregistrement</translation>
     </message>
     <message>
-        <source>Time it at a constant speed.</source>
-        <translation>Calculez ses temps à vitesse constante.</translation>
-    </message>
-    <message>
-        <source>Time it by the joints' limits.</source>
-        <translation>Calculez ses temps d'après les limites des axes.</translation>
-    </message>
-    <message>
         <source>Time s</source>
         <translation>Temps s</translation>
     </message>
@@ -9429,6 +9501,22 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>To go back to it: View &gt; Saved views.</source>
         <translation>Pour y revenir : Vue &gt; Vues enregistrées.</translation>
+    </message>
+    <message>
+        <source>To have the file expanded, rename it to *.xacro.</source>
+        <translation>Donnez au fichier l'extension .xacro pour qu'il soit développé.</translation>
+    </message>
+    <message>
+        <source>To list all 56 joints, run hapticell-cli mannequin.</source>
+        <translation>Pour afficher les 56 articulations, lancez hapticell-cli mannequin.</translation>
+    </message>
+    <message>
+        <source>To list the connected devices, run hapticell-cli devices.</source>
+        <translation>Lancez hapticell-cli devices pour voir ce qui est branché.</translation>
+    </message>
+    <message>
+        <source>To list the library robots, run hapticell-cli library.</source>
+        <translation>Affichez-en la liste par hapticell-cli library.</translation>
     </message>
     <message>
         <source>To lower it: %1.</source>
@@ -9591,7 +9679,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Retapez le code.</translation>
     </message>
     <message>
-        <source>Type what hapticell-haptic-server --pair shows.</source>
+        <source>Type the code that hapticell-haptic-server --pair shows.</source>
         <translation>Saisissez ce que montre hapticell-haptic-server --pair.</translation>
     </message>
     <message>
@@ -9603,7 +9691,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>URDF (*.urdf)</translation>
     </message>
     <message>
-        <source>URDF cannot say closed loops: leave one of the joints out, and close it with a robot.toml (docs/user/formats.md).</source>
+        <source>URDF cannot describe closed loops: remove one of the joints, and close the loop in a robot.toml (docs/user/formats.md).</source>
         <translation>Retirez l'un des axes et fermez la boucle par un robot.toml (docs/user/formats.md) : l'URDF ne peut pas décrire de boucles fermées.</translation>
     </message>
     <message>
@@ -9699,12 +9787,48 @@ Voulez-vous le remplacer ?</translation>
         <translation>Butée haute</translation>
     </message>
     <message>
+        <source>Use --markers TABLE to assign the markers (docs/user/formats.md).</source>
+        <translation>Indiquez avec --markers TABLE où se trouve chaque marqueur (docs/user/formats.md).</translation>
+    </message>
+    <message>
+        <source>Use a larger --simplify.</source>
+        <translation>Prenez une valeur de --simplify plus grande.</translation>
+    </message>
+    <message>
+        <source>Use a larger tolerance, or move the motion into the reach of the robot.</source>
+        <translation>Augmentez la tolérance, ou déplacez le mouvement à la portée du robot.</translation>
+    </message>
+    <message>
+        <source>Use a larger tolerance.</source>
+        <translation>Augmentez la tolérance.</translation>
+    </message>
+    <message>
+        <source>Use a longer step or a higher speed.</source>
+        <translation>Prenez un pas plus long, ou une vitesse plus élevée.</translation>
+    </message>
+    <message>
         <source>Use a newer HaptiCell.</source>
         <translation>Utilisez un HaptiCell plus récent.</translation>
     </message>
     <message>
+        <source>Use a shorter --sample, a larger --tolerance or other limits.</source>
+        <translation>Réduisez --sample, augmentez --tolerance ou changez les limites.</translation>
+    </message>
+    <message>
         <source>Use a smaller or coarser model.</source>
         <translation>Utilisez un modèle plus petit ou plus grossier.</translation>
+    </message>
+    <message>
+        <source>Use another file extension.</source>
+        <translation>Donnez au fichier une autre extension.</translation>
+    </message>
+    <message>
+        <source>Use constant-speed timing.</source>
+        <translation>Utilisez le calcul à vitesse constante.</translation>
+    </message>
+    <message>
+        <source>Use its absolute path.</source>
+        <translation>Indiquez son chemin absolu.</translation>
     </message>
     <message>
         <source>Use single keys without Ctrl</source>
@@ -9717,6 +9841,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Use this one</source>
         <translation>Utiliser celui-ci</translation>
+    </message>
+    <message>
+        <source>Use time-optimal timing (joint limits).</source>
+        <translation>Utilisez le calcul en temps optimal (limites des axes).</translation>
     </message>
     <message>
         <source>Use trajectory export for other formats.</source>
@@ -9839,6 +9967,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fenêtre</translation>
     </message>
     <message>
+        <source>Without --robot, the configuration data are the format's defaults. Check them on the controller.</source>
+        <translation>Pas de --robot : les données de configuration sont celles par défaut du format ; vérifiez-les sur le contrôleur.</translation>
+    </message>
+    <message>
         <source>Without guidance, a day and a week after practice.</source>
         <translation>Sans assistance, un jour et une semaine après l'entraînement.</translation>
     </message>
@@ -9849,14 +9981,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Without guidance, on an exercise that was not practised.</source>
         <translation>Sans assistance, sur un exercice qui n'a pas été pratiqué.</translation>
-    </message>
-    <message>
-        <source>Without motion and not kept (outputs, waiting for inputs, settings): lines %1 and %2 more.</source>
-        <translation>Sans mouvement et non conservées (sorties, attentes d'entrées, réglages) : lignes %1 et %2 autres.</translation>
-    </message>
-    <message>
-        <source>Without motion and not kept (outputs, waiting for inputs, settings): lines %1.</source>
-        <translation>Sans mouvement et non conservées (sorties, attentes d'entrées, réglages) : lignes %1.</translation>
     </message>
     <message>
         <source>Woman</source>
@@ -9915,36 +10039,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>Écrire tous les déplacements</translation>
     </message>
     <message>
-        <source>Write it as a number with a point.</source>
+        <source>Write it with a decimal point.</source>
         <translation>Écrivez-le comme un nombre avec un point.</translation>
-    </message>
-    <message>
-        <source>Write it somewhere else.</source>
-        <translation>Écrivez-le ailleurs.</translation>
-    </message>
-    <message>
-        <source>Write it to another disk.</source>
-        <translation>Écrivez-le sur un autre disque.</translation>
     </message>
     <message>
         <source>Write its value into the program.</source>
         <translation>Écrivez sa valeur dans le programme.</translation>
     </message>
     <message>
-        <source>Write out the text that they stand for.</source>
-        <translation>Écrivez en toutes lettres le texte qu'elles représentent.</translation>
-    </message>
-    <message>
-        <source>Write the file with decimal points; this one has commas.</source>
-        <translation>Écrivez le fichier avec des points décimaux ; celui-ci a des virgules.</translation>
-    </message>
-    <message>
-        <source>Write the frames' values into the program, or read its parts one by one.</source>
-        <translation>Écrivez les valeurs des repères dans le programme, ou lisez ses parties une à une.</translation>
-    </message>
-    <message>
         <source>Write the lines in the order in which they run.</source>
         <translation>Écrivez les lignes dans l'ordre de leur exécution.</translation>
+    </message>
+    <message>
+        <source>Write the path in metres from the centre of the device's workspace.</source>
+        <translation>Écrivez le trajet en mètres depuis le centre de l'espace de travail du périphérique.</translation>
+    </message>
+    <message>
+        <source>Write the values of the frames into the program, or split the program by frame.</source>
+        <translation>Écrivez les valeurs des repères dans le programme, ou lisez ses parties une à une.</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -9973,10 +10085,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>XML text</source>
         <translation>un texte XML</translation>
-    </message>
-    <message>
-        <source>XML that does not parse (%1)</source>
-        <translation>du XML qui n'est pas lisible (%1)</translation>
     </message>
     <message>
         <source>Xposition ... Zrotation</source>
@@ -10051,6 +10159,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>[début, fin, &quot;première&quot;, &quot;seconde&quot;, effort]</translation>
     </message>
     <message>
+        <source>[markers] is missing</source>
+        <translation>pas de [markers]</translation>
+    </message>
+    <message>
         <source>[markers] with landmarks and their markers</source>
         <translation>[markers] avec des repères anatomiques et leurs marqueurs</translation>
     </message>
@@ -10075,20 +10187,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>une forme '%1' de taille nulle</translation>
     </message>
     <message>
-        <source>a %1 that is a list</source>
-        <translation>un %1 qui est une liste</translation>
-    </message>
-    <message>
-        <source>a %1 whose size is no positive number</source>
+        <source>a %1 with a size that is not a number above 0</source>
         <translation>une forme '%1' dont la taille n'est pas un nombre positif</translation>
-    </message>
-    <message>
-        <source>a '%' in a text that is filled</source>
-        <translation>un '%' dans un texte à compléter</translation>
     </message>
     <message>
         <source>a '%' with more than two digits</source>
         <translation>un '%' avec plus de deux chiffres</translation>
+    </message>
+    <message>
+        <source>a 3D grid of boxes from an image</source>
+        <translation>des pavés tirés d'une image</translation>
     </message>
     <message>
         <source>a 3MF file</source>
@@ -10101,10 +10209,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a &lt;%1&gt; without &lt;geometry&gt;</source>
         <translation>un &lt;%1&gt; sans &lt;geometry&gt;</translation>
-    </message>
-    <message>
-        <source>a &lt;geometry&gt; with nothing in it</source>
-        <translation>un &lt;geometry&gt; vide</translation>
     </message>
     <message>
         <source>a BVH file</source>
@@ -10131,20 +10235,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un programme FANUC au format LS : /PROG, /MN, /POS</translation>
     </message>
     <message>
-        <source>a FOR that is not understood</source>
-        <translation>un FOR qui n'est pas compris</translation>
-    </message>
-    <message>
-        <source>a FOR whose limits are no numbers</source>
+        <source>a FOR with limits that are not numbers</source>
         <translation>un FOR dont les bornes ne sont pas des nombres</translation>
     </message>
     <message>
-        <source>a FOR whose limits the file does not give</source>
+        <source>a FOR with limits that the file does not define</source>
         <translation>un FOR dont le fichier ne donne pas les bornes</translation>
-    </message>
-    <message>
-        <source>a FlatBuffer that points outside itself</source>
-        <translation>un FlatBuffer qui pointe hors de lui-même</translation>
     </message>
     <message>
         <source>a FlatBuffer with the identifier HCEL</source>
@@ -10155,8 +10251,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>une trajectoire HaptiCell</translation>
     </message>
     <message>
-        <source>a JSON file, or JSON in place</source>
+        <source>a JSON file or JSON text</source>
         <translation>un fichier JSON, ou du JSON à cet endroit</translation>
+    </message>
+    <message>
+        <source>a JSON object in braces</source>
+        <translation>un objet entre accolades</translation>
     </message>
     <message>
         <source>a JointTrajectory (joint_names and points), or JointState messages (name and position)</source>
@@ -10167,7 +10267,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un programme KRL : DEF NOM( )</translation>
     </message>
     <message>
-        <source>a LBL of the program</source>
+        <source>a LBL in the program</source>
         <translation>un LBL du programme</translation>
     </message>
     <message>
@@ -10195,7 +10295,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier STEP avec des solides ou des surfaces</translation>
     </message>
     <message>
-        <source>a STEP file, or one packed by gzip or ZIP</source>
+        <source>a STEP file, plain or compressed with gzip or ZIP</source>
         <translation>un fichier STEP, éventuellement compressé par gzip ou ZIP</translation>
     </message>
     <message>
@@ -10207,11 +10307,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier YAML</translation>
     </message>
     <message>
-        <source>a YAML file of more than 8 MB</source>
+        <source>a YAML file larger than 8 MB</source>
         <translation>un fichier YAML de plus de 8 Mo</translation>
     </message>
     <message>
-        <source>a base by %1</source>
+        <source>a base from %1</source>
         <translation>une base donnée par %1</translation>
     </message>
     <message>
@@ -10223,36 +10323,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier binaire</translation>
     </message>
     <message>
-        <source>a block</source>
-        <translation>un bloc</translation>
+        <source>a bit shift by %1</source>
+        <translation>un décalage de %1</translation>
     </message>
     <message>
-        <source>a block behind the header</source>
-        <translation>un bloc après l'en-tête</translation>
+        <source>a block</source>
+        <translation>un bloc</translation>
     </message>
     <message>
         <source>a block of the macro, or a property with elements</source>
         <translation>un bloc de la macro, ou une propriété avec des éléments</translation>
     </message>
     <message>
-        <source>a body with a thickness</source>
+        <source>a body with thickness</source>
         <translation>un corps avec une épaisseur</translation>
-    </message>
-    <message>
-        <source>a bone of :bonedata, once</source>
-        <translation>un os de :bonedata, une seule fois</translation>
     </message>
     <message>
         <source>a bone of the skeleton</source>
         <translation>un os du squelette</translation>
     </message>
     <message>
-        <source>a box whose size is not three numbers</source>
+        <source>a box with a size that is not three numbers</source>
         <translation>un pavé dont la taille ne se compose pas de trois nombres</translation>
     </message>
     <message>
-        <source>a circle of symbolic links</source>
-        <translation>des liens symboliques qui tournent en rond</translation>
+        <source>a built-in part, such as a box, a table or a bench</source>
+        <translation>une pièce faite à partir de ses dimensions : un pavé, une table, un établi</translation>
+    </message>
+    <message>
+        <source>a chain that ends at an independent joint</source>
+        <translation>un axe indépendant au bout de la chaîne</translation>
     </message>
     <message>
         <source>a colour out of range</source>
@@ -10263,7 +10363,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>une couleur comme &quot;#ff6600&quot;</translation>
     </message>
     <message>
-        <source>a condition that the file decides</source>
+        <source>a complete archive</source>
+        <translation>une archive complète</translation>
+    </message>
+    <message>
+        <source>a complete file</source>
+        <translation>un fichier complet</translation>
+    </message>
+    <message>
+        <source>a condition with values that the file defines</source>
         <translation>une condition que le fichier détermine</translation>
     </message>
     <message>
@@ -10275,27 +10383,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une configuration</translation>
     </message>
     <message>
-        <source>a content of an unknown kind</source>
-        <translation>un contenu d'un type inconnu</translation>
-    </message>
-    <message>
-        <source>a content that is not of this format</source>
-        <translation>un contenu qui n'est pas de ce format</translation>
-    </message>
-    <message>
-        <source>a copy of it</source>
-        <translation>une copie de celui-ci</translation>
-    </message>
-    <message>
-        <source>a copy that can be moved</source>
-        <translation>une copie qui peut être déplacée</translation>
-    </message>
-    <message>
-        <source>a corner beyond the last of %1</source>
-        <translation>un sommet au-delà du dernier des %1</translation>
-    </message>
-    <message>
-        <source>a corner that is no vertex number</source>
+        <source>a corner that is not a vertex number</source>
         <translation>un coin qui n'est pas un numéro de sommet</translation>
     </message>
     <message>
@@ -10303,12 +10391,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre annoncé de %1 triangles</translation>
     </message>
     <message>
-        <source>a count that is larger than what the file holds, or more than an import may use</source>
+        <source>a count that is too large for the file or for the memory limit of an import</source>
         <translation>un nombre d'éléments supérieur à ce que le fichier contient, ou à ce qu'une importation peut utiliser</translation>
     </message>
     <message>
-        <source>a coupling without numbers</source>
+        <source>a coupling without finite numbers</source>
         <translation>un couplage sans valeurs numériques</translation>
+    </message>
+    <message>
+        <source>a damaged FlatBuffer</source>
+        <translation>un FlatBuffer endommagé</translation>
     </message>
     <message>
         <source>a damaged archive</source>
@@ -10319,12 +10411,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>un URI de données sans données</translation>
     </message>
     <message>
-        <source>a default without its closing quote in params</source>
+        <source>a default value without closing quote in params</source>
         <translation>une valeur par défaut sans guillemet fermant dans params</translation>
+    </message>
+    <message>
+        <source>a defined name</source>
+        <translation>un nom défini</translation>
     </message>
     <message>
         <source>a detent out of range</source>
         <translation>un cran hors limites</translation>
+    </message>
+    <message>
+        <source>a deviation of %1 m and %2 rad</source>
+        <translation>un écart de %1 m, %2 rad</translation>
     </message>
     <message>
         <source>a device</source>
@@ -10347,8 +10447,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>une direction</translation>
     </message>
     <message>
-        <source>a direction of no length, or axes that fall together</source>
-        <translation>une direction de longueur nulle, ou des axes confondus</translation>
+        <source>a direction of length zero, or parallel axes</source>
+        <translation>une direction de longueur nulle, ou des axes parallèles</translation>
     </message>
     <message>
         <source>a direction, such as &quot;0 0 1&quot;</source>
@@ -10383,32 +10483,52 @@ Voulez-vous le remplacer ?</translation>
         <translation>une division par zéro</translation>
     </message>
     <message>
-        <source>a document type with entities of its own (&lt;!ENTITY ...&gt;)</source>
+        <source>a divisor other than 0</source>
+        <translation>un autre diviseur</translation>
+    </message>
+    <message>
+        <source>a document type that defines entities (&lt;!ENTITY ...&gt;)</source>
         <translation>un type de document avec ses propres entités (&lt;!ENTITY ...&gt;)</translation>
+    </message>
+    <message>
+        <source>a drawn view</source>
+        <translation>une vue dessinée</translation>
     </message>
     <message>
         <source>a driver of HaptiCell</source>
         <translation>un pilote de HaptiCell</translation>
     </message>
     <message>
-        <source>a face with too few corners</source>
+        <source>a face with fewer than three vertices</source>
         <translation>une face avec trop peu de coins</translation>
     </message>
     <message>
-        <source>a figure out of its range</source>
-        <translation>une valeur hors de sa plage</translation>
-    </message>
-    <message>
-        <source>a figure that moves by a script</source>
-        <translation>un personnage animé par un script</translation>
+        <source>a field is missing</source>
+        <translation>un champ manque</translation>
     </message>
     <message>
         <source>a file</source>
         <translation>un fichier</translation>
     </message>
     <message>
-        <source>a file beside it</source>
-        <translation>un fichier à côté</translation>
+        <source>a file in the same folder</source>
+        <translation>un fichier dans le même dossier</translation>
+    </message>
+    <message>
+        <source>a file name</source>
+        <translation>le nom d'un fichier</translation>
+    </message>
+    <message>
+        <source>a file of points without a program</source>
+        <translation>des points sans programme</translation>
+    </message>
+    <message>
+        <source>a file or folder that only you and root can change</source>
+        <translation>un fichier ou un dossier que vous seul et root pouvez modifier</translation>
+    </message>
+    <message>
+        <source>a file or program that accepts all data</source>
+        <translation>une cible qui accepte toutes les données</translation>
     </message>
     <message>
         <source>a file that can be copied to %1</source>
@@ -10419,31 +10539,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier lisible</translation>
     </message>
     <message>
-        <source>a file that is read in the time that its size allows</source>
+        <source>a file that can be read in the time for its size</source>
         <translation>un fichier lu dans le temps que sa taille autorise</translation>
     </message>
     <message>
-        <source>a file that is whole</source>
-        <translation>un fichier complet</translation>
+        <source>a file that nobody else has open</source>
+        <translation>un fichier que personne d'autre n'a ouvert</translation>
     </message>
     <message>
-        <source>a file that is write-protected</source>
-        <translation>un fichier protégé en écriture</translation>
+        <source>a file that you can write</source>
+        <translation>un fichier accessible en écriture</translation>
     </message>
     <message>
-        <source>a file that nobody else is at work on</source>
-        <translation>un fichier sur lequel personne d'autre ne travaille</translation>
-    </message>
-    <message>
-        <source>a file that was not packed</source>
-        <translation>un fichier qui n'a pas été archivé</translation>
-    </message>
-    <message>
-        <source>a file that was not packed, or twice</source>
-        <translation>un fichier qui n'a pas été archivé, ou qui y est deux fois</translation>
-    </message>
-    <message>
-        <source>a file without them</source>
+        <source>a file without entity definitions</source>
         <translation>un fichier sans ces entités</translation>
     </message>
     <message>
@@ -10459,16 +10567,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre fini avec '.' comme séparateur décimal</translation>
     </message>
     <message>
-        <source>a finite pose</source>
-        <translation>une pose finie</translation>
+        <source>a finite pose within 1e12 m</source>
+        <translation>une pose finie à moins de 1e12 m</translation>
     </message>
     <message>
         <source>a finite result</source>
         <translation>un résultat fini</translation>
     </message>
     <message>
-        <source>a flatter list</source>
-        <translation>une liste moins imbriquée</translation>
+        <source>a first line that is too long</source>
+        <translation>une première ligne trop longue</translation>
     </message>
     <message>
         <source>a folder</source>
@@ -10483,7 +10591,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un dossier sur un disque local</translation>
     </message>
     <message>
-        <source>a folder that can be made</source>
+        <source>a folder that can be created</source>
         <translation>un dossier qui peut être créé</translation>
     </message>
     <message>
@@ -10495,20 +10603,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>un dossier qui existe et qui est accessible en écriture</translation>
     </message>
     <message>
-        <source>a folder that is there</source>
-        <translation>un dossier qui existe</translation>
+        <source>a format text with more % places than values</source>
+        <translation>un texte à compléter avec plus d'emplacements que de valeurs</translation>
+    </message>
+    <message>
+        <source>a frame number from 0 to less than %1</source>
+        <translation>un numéro d'image de 0 à moins de %1</translation>
+    </message>
+    <message>
+        <source>a frame number, 0 or more</source>
+        <translation>le numéro d'une image, à partir de 0</translation>
     </message>
     <message>
         <source>a frame of '%1'</source>
         <translation>un repère de '%1'</translation>
     </message>
     <message>
-        <source>a frame that is not understood</source>
-        <translation>un repère qui n'est pas compris</translation>
+        <source>a frame of an entity</source>
+        <translation>un repère d'une entité</translation>
     </message>
     <message>
         <source>a function</source>
         <translation>une fonction</translation>
+    </message>
+    <message>
+        <source>a function that docs/user/formats.md lists</source>
+        <translation>une des fonctions de docs/user/formats.md</translation>
     </message>
     <message>
         <source>a glTF file</source>
@@ -10523,7 +10643,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un serveur haptique</translation>
     </message>
     <message>
-        <source>a header line and at least one row</source>
+        <source>a header line and at least one line of values</source>
         <translation>une ligne d'en-tête et au moins une ligne de données</translation>
     </message>
     <message>
@@ -10539,11 +10659,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un risque élevé</translation>
     </message>
     <message>
-        <source>a home where the six legs hold the platform</source>
+        <source>a home position in which the six legs fix the platform</source>
         <translation>une position de repos où les six jambes tiennent la plateforme</translation>
     </message>
     <message>
-        <source>a job that comes to an end</source>
+        <source>a job that ends</source>
         <translation>un job qui se termine</translation>
     </message>
     <message>
@@ -10559,24 +10679,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>une articulation entre des modèles d'un monde</translation>
     </message>
     <message>
-        <source>a joint position that is no number</source>
+        <source>a joint position that is not a number</source>
         <translation>une position d'axe qui n'est pas un nombre</translation>
     </message>
     <message>
-        <source>a joint that moves by itself at the end</source>
-        <translation>un axe indépendant au bout de la chaîne</translation>
-    </message>
-    <message>
-        <source>a joint that only Drake knows</source>
+        <source>a joint type of Drake only</source>
         <translation>une articulation que seul Drake connaît</translation>
-    </message>
-    <message>
-        <source>a joint that the mannequin has not</source>
-        <translation>une articulation que le mannequin n'a pas</translation>
-    </message>
-    <message>
-        <source>a joint type that is not known</source>
-        <translation>un type d'axe inconnu</translation>
     </message>
     <message>
         <source>a joint value that is not finite</source>
@@ -10587,11 +10695,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un axe sans nom</translation>
     </message>
     <message>
-        <source>a jump back; what it repeats is read once.</source>
+        <source>a jump back; the repeated lines are read once.</source>
         <translation>un saut en arrière ; ce qu'il répète est lu une fois.</translation>
     </message>
     <message>
-        <source>a jump to a label that is not there</source>
+        <source>a jump to a label that does not exist</source>
         <translation>un saut vers une étiquette absente</translation>
     </message>
     <message>
@@ -10599,19 +10707,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>une clé comme %1</translation>
     </message>
     <message>
-        <source>a key that other users may read or change</source>
-        <translation>une clé que d'autres utilisateurs peuvent lire ou modifier</translation>
+        <source>a key of the dictionary</source>
+        <translation>une de ses clés</translation>
     </message>
     <message>
-        <source>a known pose</source>
-        <translation>une pose qui peut être déterminée</translation>
+        <source>a key that other users can read or change</source>
+        <translation>une clé que d'autres utilisateurs peuvent lire ou modifier</translation>
     </message>
     <message>
         <source>a known target</source>
         <translation>une cible connue</translation>
     </message>
     <message>
-        <source>a label of the job</source>
+        <source>a label in the job</source>
         <translation>une étiquette du job</translation>
     </message>
     <message>
@@ -10619,7 +10727,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un lambda à %1 paramètres appelé avec %2</translation>
     </message>
     <message>
-        <source>a leg with a length</source>
+        <source>a lattice of beams and balls</source>
+        <translation>un treillis de poutres et de billes</translation>
+    </message>
+    <message>
+        <source>a leg length above 0</source>
         <translation>une jambe de longueur non nulle</translation>
     </message>
     <message>
@@ -10631,7 +10743,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une longueur de %1 octets</translation>
     </message>
     <message>
-        <source>a length of %1 m at home</source>
+        <source>a length of %1 m at the home position</source>
         <translation>une longueur de %1 m au repos</translation>
     </message>
     <message>
@@ -10639,8 +10751,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>une longueur de 1 à 1 % près</translation>
     </message>
     <message>
-        <source>a length, a speed or a direction that is nought</source>
+        <source>a length, speed or direction that is zero</source>
         <translation>une longueur, une vitesse ou une direction nulle</translation>
+    </message>
+    <message>
+        <source>a library robot, such as hc6 or ur5e</source>
+        <translation>un nom du dossier robots/ fourni, tel que hc6 ou ur5e</translation>
     </message>
     <message>
         <source>a line 'format'</source>
@@ -10663,28 +10779,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>une ligne de plus de 200 caractères</translation>
     </message>
     <message>
-        <source>a link '%1' of other shapes</source>
-        <translation>un segment '%1' avec d'autres formes</translation>
-    </message>
-    <message>
-        <source>a link behind a joint</source>
-        <translation>un segment après un axe</translation>
-    </message>
-    <message>
         <source>a link of '%1'</source>
         <translation>un segment de '%1'</translation>
-    </message>
-    <message>
-        <source>a link of it</source>
-        <translation>un segment du modèle</translation>
     </message>
     <message>
         <source>a link of robot '%1'</source>
         <translation>un segment du robot '%1'</translation>
     </message>
     <message>
+        <source>a link of the model</source>
+        <translation>un segment du modèle</translation>
+    </message>
+    <message>
         <source>a link of the robot</source>
         <translation>un segment du robot</translation>
+    </message>
+    <message>
+        <source>a link that a joint moves</source>
+        <translation>un segment mû par un axe</translation>
     </message>
     <message>
         <source>a link without a name</source>
@@ -10693,10 +10805,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a list</source>
         <translation>une liste</translation>
-    </message>
-    <message>
-        <source>a list cut short</source>
-        <translation>une liste tronquée</translation>
     </message>
     <message>
         <source>a list in brackets</source>
@@ -10731,6 +10839,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une liste de textes</translation>
     </message>
     <message>
+        <source>a list of texts in quotes</source>
+        <translation>des textes entre guillemets</translation>
+    </message>
+    <message>
         <source>a list or a date</source>
         <translation>une liste ou une date</translation>
     </message>
@@ -10739,47 +10851,39 @@ Voulez-vous le remplacer ?</translation>
         <translation>une liste ou un texte</translation>
     </message>
     <message>
-        <source>a list too long</source>
+        <source>a list that is longer than the file</source>
+        <translation>une liste plus longue que le fichier ne le permet</translation>
+    </message>
+    <message>
+        <source>a list that is too long</source>
         <translation>une liste trop longue</translation>
     </message>
     <message>
-        <source>a list whose length the file cannot hold</source>
-        <translation>une liste plus longue que le fichier ne le permet</translation>
+        <source>a list with fewer nested levels</source>
+        <translation>une liste moins imbriquée</translation>
     </message>
     <message>
         <source>a list, a dictionary or a text</source>
         <translation>une liste, un dictionnaire ou un texte</translation>
     </message>
     <message>
-        <source>a list, a dictionary or a text behind 'in'</source>
+        <source>a list, a dictionary or a text after 'in'</source>
         <translation>une liste, un dictionnaire ou un texte après 'in'</translation>
     </message>
     <message>
-        <source>a loop that does not end</source>
-        <translation>une boucle qui ne se termine pas</translation>
-    </message>
-    <message>
-        <source>a loop that ends by %1; its moves are read so far.</source>
-        <translation>une boucle qui se termine selon %1 ; ses mouvements sont lus jusque-là.</translation>
-    </message>
-    <message>
-        <source>a loop while %1</source>
+        <source>a loop that depends on %1</source>
         <translation>une boucle qui dépend de %1</translation>
-    </message>
-    <message>
-        <source>a loop without end</source>
-        <translation>une boucle sans fin</translation>
     </message>
     <message>
         <source>a lower and an upper limit</source>
         <translation>une butée inférieure et une butée supérieure</translation>
     </message>
     <message>
-        <source>a lower stop above the upper one</source>
+        <source>a lower stop above the upper stop</source>
         <translation>une butée inférieure au-dessus de la butée supérieure</translation>
     </message>
     <message>
-        <source>a macro that is defined in front, or an element of xacro's</source>
+        <source>a macro that is defined earlier, or an element of xacro</source>
         <translation>une macro définie avant, ou un élément de xacro</translation>
     </message>
     <message>
@@ -10799,10 +10903,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un marqueur pour chacun d'eux</translation>
     </message>
     <message>
-        <source>a marker that is seen</source>
-        <translation>un marqueur qui est vu</translation>
-    </message>
-    <message>
         <source>a marker's name, or a list of names</source>
         <translation>le nom d'un marqueur, ou une liste de noms</translation>
     </message>
@@ -10819,16 +10919,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un maillage STL, OBJ, PLY ou OFF</translation>
     </message>
     <message>
-        <source>a mesh of the file</source>
-        <translation>un maillage du fichier</translation>
-    </message>
-    <message>
-        <source>a mesh that a picture raises</source>
+        <source>a mesh displaced by an image</source>
         <translation>un maillage mis en relief par une image</translation>
     </message>
     <message>
-        <source>a mesh that spans no volume</source>
-        <translation>un maillage sans volume</translation>
+        <source>a mesh of the file</source>
+        <translation>un maillage du fichier</translation>
     </message>
     <message>
         <source>a mesh with at least one triangle</source>
@@ -10843,12 +10939,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un maillage sans nom de fichier</translation>
     </message>
     <message>
-        <source>a message of the protocol</source>
-        <translation>un message du protocole</translation>
+        <source>a mesh without volume</source>
+        <translation>un maillage sans volume</translation>
     </message>
     <message>
-        <source>a mistyped sign (the check sum does not fit)</source>
-        <translation>une faute de frappe (la somme de contrôle ne convient pas)</translation>
+        <source>a message with content</source>
+        <translation>un message avec un contenu</translation>
+    </message>
+    <message>
+        <source>a missing argument</source>
+        <translation>un argument omis</translation>
     </message>
     <message>
         <source>a motion</source>
@@ -10859,11 +10959,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un mouvement en AMC</translation>
     </message>
     <message>
-        <source>a motion that is switched on</source>
-        <translation>un mouvement activé</translation>
+        <source>a motion of one hand only</source>
+        <translation>le mouvement d'une main seule</translation>
     </message>
     <message>
-        <source>a move relative to a target that the file does not give</source>
+        <source>a move relative to a target that the file does not define</source>
         <translation>un mouvement relatif à une cible que le fichier ne donne pas</translation>
     </message>
     <message>
@@ -10871,36 +10971,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>un mouvement sans cible</translation>
     </message>
     <message>
+        <source>a moving part or a carrying part is not set</source>
+        <translation>la pièce mobile ou la pièce qui la porte n'est pas définie</translation>
+    </message>
+    <message>
         <source>a name</source>
         <translation>un nom</translation>
-    </message>
-    <message>
-        <source>a name of its own</source>
-        <translation>un nom propre à cet élément</translation>
-    </message>
-    <message>
-        <source>a name of the shipped robots/, such as hc6 or ur5e</source>
-        <translation>un nom du dossier robots/ fourni, tel que hc6 ou ur5e</translation>
     </message>
     <message>
         <source>a name or link that leads out of the archive</source>
         <translation>un nom ou un lien qui mène hors de l'archive</translation>
     </message>
     <message>
-        <source>a name space</source>
-        <translation>un espace de noms</translation>
-    </message>
-    <message>
         <source>a name such as l_elbow_flexion</source>
         <translation>un nom tel que l_elbow_flexion</translation>
     </message>
     <message>
-        <source>a name that is no text</source>
+        <source>a name that exists on the controller</source>
+        <translation>un nom défini sur le contrôleur</translation>
+    </message>
+    <message>
+        <source>a name that is not text</source>
         <translation>un nom qui n'est pas un texte</translation>
     </message>
     <message>
-        <source>a name without points, other than call</source>
+        <source>a name without dots, other than call</source>
         <translation>un nom sans points, autre que call</translation>
+    </message>
+    <message>
+        <source>a namespace</source>
+        <translation>un espace de noms</translation>
     </message>
     <message>
         <source>a new or empty folder</source>
@@ -10911,6 +11011,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nœud du fichier</translation>
     </message>
     <message>
+        <source>a node that does not exist</source>
+        <translation>un nœud qui n'existe pas</translation>
+    </message>
+    <message>
+        <source>a non-empty separator</source>
+        <translation>un texte séparateur</translation>
+    </message>
+    <message>
+        <source>a non-empty text</source>
+        <translation>un texte non vide</translation>
+    </message>
+    <message>
         <source>a number</source>
         <translation>un nombre</translation>
     </message>
@@ -10919,28 +11031,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre supérieur à 0</translation>
     </message>
     <message>
+        <source>a number below %1, the number of vertices</source>
+        <translation>moins que les %1 sommets du fichier</translation>
+    </message>
+    <message>
         <source>a number of degrees</source>
         <translation>un nombre de degrés</translation>
+    </message>
+    <message>
+        <source>a number of joints that differs from the robot's</source>
+        <translation>des axes que le robot n'a pas</translation>
+    </message>
+    <message>
+        <source>a number that is negative or not finite</source>
+        <translation>un nombre non fini ou négatif</translation>
     </message>
     <message>
         <source>a number that is not finite</source>
         <translation>un nombre non fini</translation>
     </message>
     <message>
-        <source>a number that is not finite or negative</source>
-        <translation>un nombre non fini ou négatif</translation>
-    </message>
-    <message>
         <source>a number that is not finite or out of its range</source>
         <translation>un nombre non fini ou hors de sa plage</translation>
     </message>
     <message>
-        <source>a number that no computer can hold</source>
-        <translation>un nombre qu'aucun ordinateur ne peut représenter</translation>
-    </message>
-    <message>
-        <source>a number that no computer holds</source>
-        <translation>un nombre non représentable</translation>
+        <source>a number that is too large</source>
+        <translation>un nombre trop grand</translation>
     </message>
     <message>
         <source>a number within +-7 rad</source>
@@ -10959,32 +11075,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre de %1 à %2</translation>
     </message>
     <message>
-        <source>a number; the equation needs every field</source>
+        <source>a number; the equation needs all fields</source>
         <translation>un nombre ; l'équation a besoin de tous les champs</translation>
-    </message>
-    <message>
-        <source>a pair's rule</source>
-        <translation>une règle de paire</translation>
     </message>
     <message>
         <source>a pairing code</source>
         <translation>un code d'appairage</translation>
     </message>
     <message>
+        <source>a parameter block after the header</source>
+        <translation>un bloc après l'en-tête</translation>
+    </message>
+    <message>
         <source>a part</source>
         <translation>une pièce</translation>
-    </message>
-    <message>
-        <source>a part is missing</source>
-        <translation>il manque une partie</translation>
-    </message>
-    <message>
-        <source>a part of %1 s to %2 s</source>
-        <translation>une partie de %1 s à %2 s</translation>
-    </message>
-    <message>
-        <source>a part of it</source>
-        <translation>une partie de ce texte</translation>
     </message>
     <message>
         <source>a part of the mechanism</source>
@@ -10995,11 +11099,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un élément du paquet</translation>
     </message>
     <message>
-        <source>a part that is made from its sizes: a box, a table, a bench</source>
-        <translation>une pièce faite à partir de ses dimensions : un pavé, une table, un établi</translation>
+        <source>a part of the text</source>
+        <translation>une partie de ce texte</translation>
     </message>
     <message>
-        <source>a part that the file still holds</source>
+        <source>a part that the file still has</source>
         <translation>une pièce encore présente dans le fichier</translation>
     </message>
     <message>
@@ -11007,12 +11111,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>une trajectoire de moins de deux points</translation>
     </message>
     <message>
-        <source>a path of no length</source>
+        <source>a path of length zero</source>
         <translation>une trajectoire de longueur nulle</translation>
-    </message>
-    <message>
-        <source>a picture format that cannot be written</source>
-        <translation>un format d'image qui ne peut pas être écrit</translation>
     </message>
     <message>
         <source>a picture of %1 x %2</source>
@@ -11023,27 +11123,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>un tube, et non un fichier ordinaire</translation>
     </message>
     <message>
-        <source>a place below itself</source>
-        <translation>une place sous lui-même</translation>
-    </message>
-    <message>
-        <source>a place too far away</source>
-        <translation>une position trop éloignée</translation>
-    </message>
-    <message>
-        <source>a place within reach</source>
-        <translation>une position à portée</translation>
-    </message>
-    <message>
-        <source>a plane without end</source>
-        <translation>un plan infini</translation>
-    </message>
-    <message>
         <source>a point of the path that is not finite</source>
         <translation>un point non fini de la trajectoire</translation>
     </message>
     <message>
-        <source>a point that is no map</source>
+        <source>a point that is not a map</source>
         <translation>un point qui n'est pas une table</translation>
     </message>
     <message>
@@ -11067,47 +11151,35 @@ Voulez-vous le remplacer ?</translation>
         <translation>une pose de '%1'</translation>
     </message>
     <message>
-        <source>a pose that is not one</source>
-        <translation>une pose qui n'en est pas une</translation>
+        <source>a pose that can be resolved</source>
+        <translation>une pose qui peut être déterminée</translation>
     </message>
     <message>
-        <source>a pose that is not valid</source>
-        <translation>une pose non valide</translation>
-    </message>
-    <message>
-        <source>a pose that moves while the joints stand</source>
+        <source>a pose that changes while the joints do not</source>
         <translation>une pose qui bouge alors que les axes sont immobiles</translation>
     </message>
     <message>
-        <source>a position %1 from the middle of the workspace</source>
+        <source>a position %1 from the centre of the workspace</source>
         <translation>une position à %1 du centre de l'espace de travail</translation>
     </message>
     <message>
-        <source>a position by a register</source>
+        <source>a position from a register</source>
         <translation>une position donnée par un registre</translation>
+    </message>
+    <message>
+        <source>a position that is too far away</source>
+        <translation>une position trop éloignée</translation>
     </message>
     <message>
         <source>a position within the joint's limits</source>
         <translation>une position dans les limites de l'axe</translation>
     </message>
     <message>
-        <source>a positive one</source>
-        <translation>une valeur positive</translation>
-    </message>
-    <message>
-        <source>a positive one, at most ten million frames</source>
-        <translation>une valeur positive, dix millions d'images au plus</translation>
-    </message>
-    <message>
-        <source>a positive velocity and acceleration for each of %1 axes</source>
-        <translation>une vitesse et une accélération positives pour chacun des %1 axes</translation>
-    </message>
-    <message>
         <source>a posture</source>
         <translation>une posture</translation>
     </message>
     <message>
-        <source>a power that is no number (%1 ** %2)</source>
+        <source>a power that is not a number (%1 ** %2)</source>
         <translation>une puissance qui n'est pas un nombre (%1 ** %2)</translation>
     </message>
     <message>
@@ -11115,15 +11187,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>une puissance trop grande</translation>
     </message>
     <message>
-        <source>a printable name of 1 to 200 letters</source>
+        <source>a printable name of 1 to 200 characters</source>
         <translation>un nom imprimable de 1 à 200 lettres</translation>
     </message>
     <message>
-        <source>a program as text</source>
+        <source>a prismatic joint without limits</source>
+        <translation>une glissière sans butées</translation>
+    </message>
+    <message>
+        <source>a program in text format</source>
         <translation>un programme en texte</translation>
     </message>
     <message>
-        <source>a program that comes to an end</source>
+        <source>a program that ends</source>
         <translation>un programme qui se termine</translation>
     </message>
     <message>
@@ -11144,11 +11220,19 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>a quaternion of length %1</source>
-        <translation>un quaternion de longueur %1</translation>
+        <translation>un quaternion de norme %1</translation>
     </message>
     <message>
         <source>a quaternion w, x, y, z of length 1</source>
         <translation>un quaternion w, x, y, z de norme 1</translation>
+    </message>
+    <message>
+        <source>a range that leaves at least one frame</source>
+        <translation>une plage qui laisse au moins une image</translation>
+    </message>
+    <message>
+        <source>a range within %1 s to %2 s</source>
+        <translation>une partie de %1 s à %2 s</translation>
     </message>
     <message>
         <source>a ratio and an offset</source>
@@ -11159,23 +11243,23 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier CSV lisible</translation>
     </message>
     <message>
-        <source>a real number</source>
-        <translation>un nombre réel</translation>
-    </message>
-    <message>
         <source>a recorded device session (*.hdev)</source>
         <translation>une session de périphérique enregistrée (*.hdev)</translation>
-    </message>
-    <message>
-        <source>a recorded motion to read by them</source>
-        <translation>un mouvement enregistré à lire avec ces options</translation>
     </message>
     <message>
         <source>a recording in C3D</source>
         <translation>un enregistrement en C3D</translation>
     </message>
     <message>
-        <source>a reference or a count that points beyond what the file holds</source>
+        <source>a recording with at least one tick</source>
+        <translation>un enregistrement d'au moins un cycle</translation>
+    </message>
+    <message>
+        <source>a recovery copy that can be moved</source>
+        <translation>une copie de récupération qui peut être déplacée</translation>
+    </message>
+    <message>
+        <source>a reference or count beyond the end of the file's data</source>
         <translation>un renvoi ou un nombre d'éléments au-delà de ce que le fichier contient</translation>
     </message>
     <message>
@@ -11183,8 +11267,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>un renvoi à quelque chose qui n'est pas dans le fichier</translation>
     </message>
     <message>
+        <source>a result of comb() or perm() beyond 64 bits</source>
+        <translation>comb() ou perm() au-delà de 64 bits</translation>
+    </message>
+    <message>
+        <source>a road</source>
+        <translation>une route</translation>
+    </message>
+    <message>
         <source>a robot</source>
         <translation>un robot</translation>
+    </message>
+    <message>
+        <source>a robot attached to a moving link of a mechanism or robot that is not locked</source>
+        <translation>un robot porté par un segment mobile d'un mécanisme ou d'un robot non verrouillé</translation>
     </message>
     <message>
         <source>a robot file, or library:NAME</source>
@@ -11199,16 +11295,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>un robot ou un mécanisme</translation>
     </message>
     <message>
-        <source>a robot that hangs on a moving link of a mechanism or robot that is not locked</source>
-        <translation>un robot porté par un segment mobile d'un mécanisme ou d'un robot non verrouillé</translation>
-    </message>
-    <message>
         <source>a robot with a moving link</source>
         <translation>un robot avec un segment mobile</translation>
-    </message>
-    <message>
-        <source>a robot's trajectory</source>
-        <translation>la trajectoire d'un robot</translation>
     </message>
     <message>
         <source>a robot, which can have a tool</source>
@@ -11227,19 +11315,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>un robot.toml</translation>
     </message>
     <message>
-        <source>a scale that is no number</source>
-        <translation>une échelle qui n'est pas un nombre</translation>
+        <source>a saved simulation state; the models are placed as described</source>
+        <translation>des positions enregistrées pendant une simulation ; les modèles sont placés là où ils sont décrits</translation>
     </message>
     <message>
         <source>a scene without nodes</source>
         <translation>une scène sans nœuds</translation>
     </message>
     <message>
-        <source>a screw without pitch</source>
+        <source>a screw joint without pitch</source>
         <translation>une vis sans pas</translation>
     </message>
     <message>
-        <source>a search, which ends where a signal comes; it is read to its end point.</source>
+        <source>a search, which stops at a signal; it is read up to its end point.</source>
         <translation>une recherche, qui s'arrête à un signal ; elle est lue jusqu'à son point final.</translation>
     </message>
     <message>
@@ -11251,20 +11339,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>un second document</translation>
     </message>
     <message>
-        <source>a second element %1</source>
-        <translation>un deuxième élément %1</translation>
-    </message>
-    <message>
         <source>a second joint '%1' (the first is on %2)</source>
         <translation>un second axe '%1' (le premier : %2)</translation>
+    </message>
+    <message>
+        <source>a second left hand in the same step</source>
+        <translation>de nouveau la main gauche dans la même étape</translation>
     </message>
     <message>
         <source>a second link '%1' (the first is on %2)</source>
         <translation>un second segment '%1' (le premier : %2)</translation>
     </message>
     <message>
-        <source>a second one of that name</source>
-        <translation>un deuxième élément de ce nom</translation>
+        <source>a second right hand in the same step</source>
+        <translation>de nouveau la main droite dans la même étape</translation>
     </message>
     <message>
         <source>a second world is left out</source>
@@ -11275,28 +11363,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un serveur qui répond jusqu'à la fin du trajet de la main</translation>
     </message>
     <message>
-        <source>a session that was recorded</source>
-        <translation>une session enregistrée</translation>
-    </message>
-    <message>
         <source>a shape</source>
         <translation>une forme</translation>
     </message>
     <message>
-        <source>a shape given by a function</source>
-        <translation>une forme donnée par une fonction</translation>
-    </message>
-    <message>
-        <source>a shape of the kind it has</source>
-        <translation>une forme du même type</translation>
-    </message>
-    <message>
-        <source>a shape whose box is off by %1 m</source>
+        <source>a shape with a bounding box that differs by %1 m</source>
         <translation>une forme dont la boîte englobante s'écarte de %1 m</translation>
     </message>
     <message>
-        <source>a shift by %1</source>
-        <translation>un décalage de %1</translation>
+        <source>a shortened list</source>
+        <translation>une liste tronquée</translation>
     </message>
     <message>
         <source>a shorter list</source>
@@ -11315,6 +11391,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>un périphérique simulé</translation>
     </message>
     <message>
+        <source>a single frame, or frames that the file defines</source>
+        <translation>un seul repère, ou des repères dont le fichier donne la pose</translation>
+    </message>
+    <message>
         <source>a skeleton</source>
         <translation>un squelette</translation>
     </message>
@@ -11323,7 +11403,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un squelette en ASF</translation>
     </message>
     <message>
-        <source>a skeleton with its root</source>
+        <source>a skeleton with a root</source>
         <translation>un squelette avec sa racine</translation>
     </message>
     <message>
@@ -11337,10 +11417,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a slice with a step of 0</source>
         <translation>une tranche de pas 0</translation>
-    </message>
-    <message>
-        <source>a slide without limits</source>
-        <translation>une glissière sans butées</translation>
     </message>
     <message>
         <source>a smaller one</source>
@@ -11359,19 +11435,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>un solide</translation>
     </message>
     <message>
-        <source>a sound %1 file</source>
-        <translation>un fichier %1 valide</translation>
-    </message>
-    <message>
-        <source>a sound file</source>
-        <translation>un fichier valide</translation>
-    </message>
-    <message>
-        <source>a sound mesh</source>
-        <translation>un maillage valide</translation>
-    </message>
-    <message>
-        <source>a speed above 0, friction not below 0</source>
+        <source>a speed above 0 and a friction of 0 or more</source>
         <translation>une vitesse supérieure à 0, un frottement au moins égal à 0</translation>
     </message>
     <message>
@@ -11383,20 +11447,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>une spline ; elle est lue comme des droites entre ses points.</translation>
     </message>
     <message>
-        <source>a start or end speed that no motion within the limits has</source>
+        <source>a start or end speed that the limits do not allow</source>
         <translation>une vitesse de départ ou d'arrivée qu'aucun mouvement dans les limites n'atteint</translation>
     </message>
     <message>
-        <source>a stiffness, damping or load that is negative, not finite or too great</source>
+        <source>a step above 0 that gives at most 10 million frames</source>
+        <translation>un pas supérieur à 0 qui donne au plus 10 millions d'images</translation>
+    </message>
+    <message>
+        <source>a step of %1 s for a motion of %2 s</source>
+        <translation>un pas de %1 s pour un mouvement de %2 s</translation>
+    </message>
+    <message>
+        <source>a step other than 0</source>
+        <translation>un autre pas</translation>
+    </message>
+    <message>
+        <source>a stiffness, damping or load that is negative, not finite or too large</source>
         <translation>une raideur, un amortissement ou une charge négatifs, non finis ou trop grands</translation>
     </message>
     <message>
         <source>a stop out of range</source>
         <translation>une butée hors limites</translation>
-    </message>
-    <message>
-        <source>a strip along points</source>
-        <translation>une bande le long de points</translation>
     </message>
     <message>
         <source>a table</source>
@@ -11419,15 +11491,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>une table de marqueurs pour un squelette</translation>
     </message>
     <message>
-        <source>a table, a fixture</source>
-        <translation>une table, un montage</translation>
-    </message>
-    <message>
-        <source>a target before it</source>
+        <source>a target before the arc</source>
         <translation>une cible avant lui</translation>
     </message>
     <message>
-        <source>a target by %1</source>
+        <source>a target from %1</source>
         <translation>une cible donnée par %1</translation>
     </message>
     <message>
@@ -11439,15 +11507,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>une cible dans un registre de position que le programme ne définit pas</translation>
     </message>
     <message>
-        <source>a target that accepts all data</source>
-        <translation>une cible qui accepte toutes les données</translation>
-    </message>
-    <message>
         <source>a target that is neither p[...] nor six joints</source>
         <translation>une cible qui n'est ni p[...] ni six axes</translation>
     </message>
     <message>
-        <source>a target that is no robtarget or jointtarget</source>
+        <source>a target that is not a robtarget or jointtarget</source>
         <translation>une cible qui n'est ni robtarget ni jointtarget</translation>
     </message>
     <message>
@@ -11455,11 +11519,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>une cible qui n'est pas finie</translation>
     </message>
     <message>
-        <source>a target that the file gives</source>
+        <source>a target that the file defines</source>
         <translation>une cible que le fichier donne</translation>
     </message>
     <message>
-        <source>a target that the file gives, as moves follow it</source>
+        <source>a target that the file defines, because moves follow</source>
         <translation>une cible que le fichier donne, car des mouvements la suivent</translation>
     </message>
     <message>
@@ -11479,39 +11543,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>un texte entre guillemets</translation>
     </message>
     <message>
-        <source>a text of more than 1 MB</source>
+        <source>a text longer than 1 MB</source>
         <translation>un texte de plus de 1 Mo</translation>
-    </message>
-    <message>
-        <source>a text of two bytes a letter (UTF-16)</source>
-        <translation>un texte de deux octets par lettre (UTF-16)</translation>
     </message>
     <message>
         <source>a text or a number</source>
         <translation>un texte ou un nombre</translation>
     </message>
     <message>
-        <source>a text that is not empty</source>
-        <translation>un texte non vide</translation>
-    </message>
-    <message>
-        <source>a text to be filled with more places than values</source>
-        <translation>un texte à compléter avec plus d'emplacements que de valeurs</translation>
-    </message>
-    <message>
         <source>a text to replace</source>
         <translation>un texte à remplacer</translation>
     </message>
     <message>
-        <source>a text to split at</source>
-        <translation>un texte séparateur</translation>
-    </message>
-    <message>
-        <source>a text where a number belongs, or a number that no computer holds</source>
-        <translation>un texte à la place d'un nombre, ou un nombre non représentable</translation>
-    </message>
-    <message>
-        <source>a text without its closing quote in the expression</source>
+        <source>a text without closing quote in the expression</source>
         <translation>un texte sans guillemet fermant dans l'expression</translation>
     </message>
     <message>
@@ -11519,12 +11563,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>un texte, un nombre ou une liste</translation>
     </message>
     <message>
-        <source>a time after that of the row before, %1 s</source>
+        <source>a time after that of the line before, %1 s</source>
         <translation>un temps après celui de la ligne précédente, %1 s</translation>
     </message>
     <message>
         <source>a time after the one before, %1 s</source>
         <translation>un temps après le précédent, %1 s</translation>
+    </message>
+    <message>
+        <source>a time between the first and the last frame</source>
+        <translation>un temps entre la première et la dernière image</translation>
     </message>
     <message>
         <source>a time of %1 s</source>
@@ -11535,27 +11583,31 @@ Voulez-vous le remplacer ?</translation>
         <translation>un temps de 0 s ou plus</translation>
     </message>
     <message>
-        <source>a time that is no whole number</source>
+        <source>a time that is not a whole number</source>
         <translation>un temps qui n'est pas un nombre entier</translation>
     </message>
     <message>
-        <source>a time that is not after the one before</source>
+        <source>a time that is not after the time before</source>
         <translation>un instant qui n'est pas postérieur au précédent</translation>
+    </message>
+    <message>
+        <source>a time without a frame</source>
+        <translation>un temps sans image</translation>
     </message>
     <message>
         <source>a time_from_start of %1 s</source>
         <translation>un time_from_start de %1 s</translation>
     </message>
     <message>
-        <source>a tolerance that is no length</source>
-        <translation>une tolérance qui n'est pas une longueur</translation>
+        <source>a tip that moves</source>
+        <translation>une qui bouge</translation>
     </message>
     <message>
         <source>a tool of '%1'</source>
         <translation>un outil de '%1'</translation>
     </message>
     <message>
-        <source>a tool that moves, for a constant speed of it</source>
+        <source>a tool that moves, because its speed is to be constant</source>
         <translation>un outil qui bouge, pour qu'il ait une vitesse constante</translation>
     </message>
     <message>
@@ -11567,24 +11619,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier de trajectoire</translation>
     </message>
     <message>
-        <source>a tree</source>
-        <translation>un arbre</translation>
-    </message>
-    <message>
         <source>a tree from the root link '%1'</source>
         <translation>un arbre issu du segment racine '%1'</translation>
-    </message>
-    <message>
-        <source>a tree of components</source>
-        <translation>un arbre de composants</translation>
     </message>
     <message>
         <source>a tree with one root link</source>
         <translation>un arbre avec un seul segment racine</translation>
     </message>
     <message>
-        <source>a triangle with a corner that is not there</source>
+        <source>a tree without cycles</source>
+        <translation>un arbre sans cycle</translation>
+    </message>
+    <message>
+        <source>a triangle with a vertex that does not exist</source>
         <translation>un triangle dont un sommet n'existe pas</translation>
+    </message>
+    <message>
+        <source>a typing error (the checksum is wrong)</source>
+        <translation>une faute de frappe (somme de contrôle fausse)</translation>
     </message>
     <message>
         <source>a unique name</source>
@@ -11607,47 +11659,59 @@ Voulez-vous le remplacer ?</translation>
         <translation>une Envelope valide</translation>
     </message>
     <message>
+        <source>a valid pose and status</source>
+        <translation>une pose et un état valides</translation>
+    </message>
+    <message>
         <source>a value</source>
         <translation>une valeur</translation>
     </message>
     <message>
-        <source>a value after it</source>
+        <source>a value above 0</source>
+        <translation>une valeur positive</translation>
+    </message>
+    <message>
+        <source>a value after the option</source>
         <translation>une valeur à la suite</translation>
     </message>
     <message>
-        <source>a value for each</source>
+        <source>a value for each parameter</source>
         <translation>une valeur pour chacun</translation>
-    </message>
-    <message>
-        <source>a value for each %</source>
-        <translation>une valeur pour chaque %</translation>
-    </message>
-    <message>
-        <source>a value for it</source>
-        <translation>une valeur correspondante</translation>
     </message>
     <message>
         <source>a value in the expression</source>
         <translation>une valeur dans l'expression</translation>
     </message>
     <message>
+        <source>a value is out of range</source>
+        <translation>une valeur hors de sa plage</translation>
+    </message>
+    <message>
+        <source>a value of the list</source>
+        <translation>une de ses valeurs</translation>
+    </message>
+    <message>
         <source>a value outside its range</source>
         <translation>une valeur hors de sa plage</translation>
+    </message>
+    <message>
+        <source>a value that is not above 0</source>
+        <translation>une valeur qui n'est pas positive</translation>
     </message>
     <message>
         <source>a value that is not in the list</source>
         <translation>une valeur qui n'est pas dans la liste</translation>
     </message>
     <message>
-        <source>a value that is not positive</source>
-        <translation>une valeur qui n'est pas positive</translation>
-    </message>
-    <message>
-        <source>a value that the file does not give</source>
+        <source>a value that the file does not define</source>
         <translation>une valeur que le fichier ne donne pas</translation>
     </message>
     <message>
-        <source>a vertex number (1 is the first, -1 the last so far)</source>
+        <source>a velocity and an acceleration above 0 for each of %1 axes</source>
+        <translation>une vitesse et une accélération positives pour chacun des %1 axes</translation>
+    </message>
+    <message>
+        <source>a vertex number (1: the first, -1: the last one so far)</source>
         <translation>un numéro de sommet (1 pour le premier, -1 pour le dernier lu)</translation>
     </message>
     <message>
@@ -11655,16 +11719,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>un numéro de sommet inférieur à %1</translation>
     </message>
     <message>
-        <source>a vertex that is no point</source>
-        <translation>un sommet qui n'est pas un point</translation>
+        <source>a vertex number beyond the last of %1</source>
+        <translation>un numéro de sommet au-delà du dernier des %1</translation>
+    </message>
+    <message>
+        <source>a vertex with %1</source>
+        <translation>sommet avec %1</translation>
     </message>
     <message>
         <source>a vertex with fewer than three coordinates</source>
         <translation>un sommet de moins de trois coordonnées</translation>
     </message>
     <message>
-        <source>a video that can be written</source>
+        <source>a vertex with the coordinate %1</source>
+        <translation>sommet avec la coordonnée %1</translation>
+    </message>
+    <message>
+        <source>a video file that can be written</source>
         <translation>une vidéo qui peut être écrite</translation>
+    </message>
+    <message>
+        <source>a visible marker</source>
+        <translation>un marqueur qui est vu</translation>
     </message>
     <message>
         <source>a whole number</source>
@@ -11675,12 +11751,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre entier au-delà de 64 bits</translation>
     </message>
     <message>
-        <source>a whole number from 1</source>
-        <translation>un nombre entier à partir de 1</translation>
-    </message>
-    <message>
         <source>a whole number, %1 to %2</source>
         <translation>un nombre entier de %1 à %2</translation>
+    </message>
+    <message>
+        <source>a whole number, 1 or more</source>
+        <translation>un nombre entier à partir de 1</translation>
     </message>
     <message>
         <source>a workcell document</source>
@@ -11701,6 +11777,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>above 0 with driven_axes = 6, else 0</source>
         <translation>plus de 0 avec driven_axes = 6, sinon 0</translation>
+    </message>
+    <message>
+        <source>above 0, at most 100000</source>
+        <translation>plus de 0 et au plus 100000</translation>
     </message>
     <message>
         <source>acceleration</source>
@@ -11727,19 +11807,27 @@ Voulez-vous le remplacer ?</translation>
         <translation>âge : médiane %1 ms, 99e centile %2 ms ; %3</translation>
     </message>
     <message>
-        <source>all is read as solid bodies</source>
-        <translation>tout est lu comme des corps solides</translation>
+        <source>all parts are read as rigid bodies</source>
+        <translation>toutes les pièces sont lues comme des corps rigides</translation>
     </message>
     <message>
-        <source>all that was packed</source>
-        <translation>tout ce qui a été archivé</translation>
+        <source>all positions</source>
+        <translation>toutes les positions</translation>
+    </message>
+    <message>
+        <source>all triangles have zero area</source>
+        <translation>aucun triangle d'aire non nulle</translation>
     </message>
     <message>
         <source>all, translation, rotation, or some of x y z</source>
         <translation>all, translation, rotation, ou certains de x y z</translation>
     </message>
     <message>
-        <source>allowed up to %1, 80 is asked for</source>
+        <source>allowed for root</source>
+        <translation>root en a le droit</translation>
+    </message>
+    <message>
+        <source>allowed up to %1; 80 is needed</source>
         <translation>autorisée jusqu'à %1, 80 demandé</translation>
     </message>
     <message>
@@ -11783,40 +11871,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>une adresse de cette machine, par exemple 127.0.0.1</translation>
     </message>
     <message>
-        <source>an address that other machines can reach, where anybody could take the stylus</source>
+        <source>an address that other machines can reach, so anybody could control the stylus</source>
         <translation>une adresse joignable par d'autres machines, où n'importe qui pourrait prendre le stylet</translation>
     </message>
     <message>
-        <source>an angle up to 100 rad</source>
+        <source>an angle above 0, at most 100 rad</source>
         <translation>un angle de 100 rad au plus</translation>
     </message>
     <message>
-        <source>an arc from a place that is not known</source>
+        <source>an animated actor</source>
+        <translation>un acteur animé</translation>
+    </message>
+    <message>
+        <source>an arc from an unknown position</source>
         <translation>un arc depuis une position inconnue</translation>
     </message>
     <message>
-        <source>an arc of no or many turns</source>
-        <translation>un arc d'angle nul ou de trop de tours</translation>
-    </message>
-    <message>
-        <source>an arc or spline by single points; it is read as straight lines between them.</source>
+        <source>an arc or spline with one point per line; it is read as straight lines between the points.</source>
         <translation>un arc ou une spline par points isolés ; lu comme des droites entre eux.</translation>
     </message>
     <message>
-        <source>an arc whose three points lie on one line, or in another order</source>
+        <source>an arc with an angle of zero or of too many turns</source>
+        <translation>un arc d'angle nul ou de trop de tours</translation>
+    </message>
+    <message>
+        <source>an arc with three points on a line or in the wrong order</source>
         <translation>un arc dont les trois points sont alignés, ou dans un autre ordre</translation>
     </message>
     <message>
-        <source>an arc without known points</source>
+        <source>an arc with undefined points</source>
         <translation>un arc sans points connus</translation>
     </message>
     <message>
-        <source>an archive that is whole</source>
-        <translation>une archive complète</translation>
-    </message>
-    <message>
-        <source>an argument that is left out</source>
-        <translation>un argument omis</translation>
+        <source>an assembly inside itself</source>
+        <translation>un assemblage à l'intérieur de lui-même</translation>
     </message>
     <message>
         <source>an attempt</source>
@@ -11839,60 +11927,56 @@ Voulez-vous le remplacer ?</translation>
         <translation>un élément 'vertex' avec x, y et z</translation>
     </message>
     <message>
-        <source>an element beyond the last</source>
-        <translation>un élément au-delà du dernier</translation>
-    </message>
-    <message>
-        <source>an element inside of the call for each block</source>
-        <translation>un élément dans l'appel pour chaque bloc</translation>
-    </message>
-    <message>
-        <source>an element of '%1' that has no value</source>
-        <translation>un élément de '%1' qui n'a pas de valeur</translation>
-    </message>
-    <message>
-        <source>an element that is neither true nor false</source>
-        <translation>un élément qui n'est ni true ni false</translation>
-    </message>
-    <message>
-        <source>an element that the list does not have</source>
+        <source>an element beyond the end of the list</source>
         <translation>un élément que la liste n'a pas</translation>
+    </message>
+    <message>
+        <source>an element that is not true or false</source>
+        <translation>un élément qui n'est ni true ni false</translation>
     </message>
     <message>
         <source>an element with more than %1 attributes</source>
         <translation>un élément de plus de %1 attributs</translation>
     </message>
     <message>
-        <source>an empty %1</source>
-        <translation>un %1 vide</translation>
+        <source>an empty &lt;geometry&gt;</source>
+        <translation>un &lt;geometry&gt; vide</translation>
     </message>
     <message>
         <source>an empty file</source>
         <translation>un fichier vide</translation>
     </message>
     <message>
-        <source>an endless first line</source>
-        <translation>une première ligne sans fin</translation>
+        <source>an empty message</source>
+        <translation>un message vide</translation>
+    </message>
+    <message>
+        <source>an empty picture</source>
+        <translation>une image vide</translation>
+    </message>
+    <message>
+        <source>an endless loop</source>
+        <translation>une boucle sans fin</translation>
     </message>
     <message>
         <source>an entity (the workcell is empty)</source>
         <translation>une entité (la cellule est vide)</translation>
     </message>
     <message>
-        <source>an entity and a link of it</source>
-        <translation>une entité et un de ses segments</translation>
-    </message>
-    <message>
         <source>an entity of the cell</source>
         <translation>une entité de la cellule</translation>
     </message>
     <message>
-        <source>an entity that may be moved</source>
-        <translation>une entité qui peut être déplacée</translation>
+        <source>an entity of the document</source>
+        <translation>une entité du document</translation>
     </message>
     <message>
-        <source>an envelope without a body</source>
-        <translation>une enveloppe sans contenu</translation>
+        <source>an entity of the workcell</source>
+        <translation>un élément de la cellule</translation>
+    </message>
+    <message>
+        <source>an entity that can be moved</source>
+        <translation>une entité qui peut être déplacée</translation>
     </message>
     <message>
         <source>an error</source>
@@ -11903,8 +11987,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>une largeur et une hauteur paires</translation>
     </message>
     <message>
-        <source>an expert's motion</source>
-        <translation>le mouvement d'un expert</translation>
+        <source>an exact copy</source>
+        <translation>une copie exacte</translation>
+    </message>
+    <message>
+        <source>an existing entity or link</source>
+        <translation>une entité ou un segment qui existe</translation>
+    </message>
+    <message>
+        <source>an existing folder</source>
+        <translation>un dossier qui existe</translation>
+    </message>
+    <message>
+        <source>an existing name</source>
+        <translation>un nom qui existe</translation>
     </message>
     <message>
         <source>an expression</source>
@@ -11923,12 +12019,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>une expression de plus de 64 ko</translation>
     </message>
     <message>
-        <source>an expression of too many brackets</source>
+        <source>an expression that ends too early</source>
+        <translation>une expression qui se termine trop tôt</translation>
+    </message>
+    <message>
+        <source>an expression with too many brackets</source>
         <translation>une expression avec trop de parenthèses</translation>
     </message>
     <message>
-        <source>an expression that ends too early</source>
-        <translation>une expression qui se termine trop tôt</translation>
+        <source>an extruded outline</source>
+        <translation>un contour extrudé</translation>
+    </message>
+    <message>
+        <source>an implicit shape</source>
+        <translation>une forme implicite</translation>
     </message>
     <message>
         <source>an increased risk for some</source>
@@ -11943,28 +12047,48 @@ Voulez-vous le remplacer ?</translation>
         <translation>un indice appliqué à %1</translation>
     </message>
     <message>
-        <source>an index within</source>
-        <translation>un indice valable</translation>
+        <source>an index within the range</source>
+        <translation>un indice dans les limites</translation>
+    </message>
+    <message>
+        <source>an infinite plane</source>
+        <translation>un plan infini</translation>
     </message>
     <message>
         <source>an integer type for the list's length</source>
         <translation>un type entier pour la longueur de la liste</translation>
     </message>
     <message>
+        <source>an invalid '%' in a format text</source>
+        <translation>un '%' non valide dans un texte de format</translation>
+    </message>
+    <message>
+        <source>an invalid FOR</source>
+        <translation>un FOR non valide</translation>
+    </message>
+    <message>
         <source>an invalid answer of the importer</source>
         <translation>une réponse de l'importateur qui n'est pas valable</translation>
     </message>
     <message>
+        <source>an invalid frame</source>
+        <translation>un repère non valide</translation>
+    </message>
+    <message>
         <source>an invalid length</source>
-        <translation>une longueur qui n'en est pas une</translation>
+        <translation>une longueur non valide</translation>
     </message>
     <message>
         <source>an invalid mass</source>
-        <translation>une masse qui n'en est pas une</translation>
+        <translation>une masse non valide</translation>
     </message>
     <message>
         <source>an invalid number in the expression</source>
         <translation>un nombre mal écrit dans l'expression</translation>
+    </message>
+    <message>
+        <source>an invalid origin (&quot;%1&quot;)</source>
+        <translation>une origine non valide (&quot;%1&quot;)</translation>
     </message>
     <message>
         <source>an invalid placement</source>
@@ -11976,63 +12100,99 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>an invalid quaternion</source>
-        <translation>un quaternion qui n'en est pas un</translation>
+        <translation>un quaternion non valide</translation>
     </message>
     <message>
         <source>an invalid radius</source>
         <translation>un rayon qui n'est pas valable</translation>
     </message>
     <message>
+        <source>an invalid tolerance</source>
+        <translation>une tolérance non valide</translation>
+    </message>
+    <message>
         <source>an invalid transform</source>
-        <translation>une transformation qui n'en est pas une</translation>
+        <translation>une transformation non valide</translation>
+    </message>
+    <message>
+        <source>an invalid vertex</source>
+        <translation>un sommet non valide</translation>
     </message>
     <message>
         <source>an object</source>
         <translation>un objet</translation>
     </message>
     <message>
-        <source>an object in braces</source>
-        <translation>un objet entre accolades</translation>
-    </message>
-    <message>
         <source>an object of more than %1 members</source>
         <translation>un objet de plus de %1 membres</translation>
     </message>
     <message>
-        <source>an object of that part</source>
+        <source>an object of this part</source>
         <translation>un objet de cet élément</translation>
+    </message>
+    <message>
+        <source>an object that does not exist</source>
+        <translation>un objet qui n'existe pas</translation>
     </message>
     <message>
         <source>an object with fields</source>
         <translation>un objet avec des champs</translation>
     </message>
     <message>
-        <source>an operator '%1' between lists</source>
-        <translation>un opérateur '%1' entre des listes</translation>
+        <source>an open chain of joints</source>
+        <translation>une chaîne ouverte d'axes</translation>
     </message>
     <message>
-        <source>an operator '%1' of a list</source>
-        <translation>un opérateur '%1' sur une liste</translation>
+        <source>an option that --help lists</source>
+        <translation>l'une de celles que --help énumère</translation>
     </message>
     <message>
-        <source>an operator '%1' that is not understood</source>
-        <translation>un opérateur '%1' qui n'est pas compris</translation>
+        <source>an undamaged %1 file</source>
+        <translation>un fichier %1 intact</translation>
     </message>
     <message>
-        <source>an origin that is not a pose (&quot;%1&quot;)</source>
-        <translation>une origine qui n'est pas une pose (&quot;%1&quot;)</translation>
+        <source>an undamaged file</source>
+        <translation>un fichier intact</translation>
     </message>
     <message>
-        <source>an outline that is pulled up</source>
-        <translation>un contour extrudé</translation>
+        <source>an undamaged mesh</source>
+        <translation>un maillage intact</translation>
     </message>
     <message>
-        <source>an unforeseen fault: %1</source>
+        <source>an undefined element of '%1'</source>
+        <translation>un élément de '%1' qui n'a pas de valeur</translation>
+    </message>
+    <message>
+        <source>an unexpected error: %1</source>
         <translation>une erreur imprévue : %1</translation>
     </message>
     <message>
-        <source>an unknown kind or no gradient</source>
+        <source>an unexpected file</source>
+        <translation>un fichier inattendu</translation>
+    </message>
+    <message>
+        <source>an unexpected or repeated file</source>
+        <translation>un fichier inattendu ou répété</translation>
+    </message>
+    <message>
+        <source>an unknown compression</source>
+        <translation>il est compressé d'une façon inconnue</translation>
+    </message>
+    <message>
+        <source>an unknown joint type</source>
+        <translation>un type d'axe inconnu</translation>
+    </message>
+    <message>
+        <source>an unknown kind, or the gradient is missing</source>
         <translation>un type inconnu ou aucun gradient</translation>
+    </message>
+    <message>
+        <source>an unknown user</source>
+        <translation>un utilisateur inconnu</translation>
+    </message>
+    <message>
+        <source>an unsupported picture format</source>
+        <translation>un format d'image qui ne peut pas être écrit</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -12043,12 +12203,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>angle</translation>
     </message>
     <message>
-        <source>angles of the motion are degrees, as the AMC says; those of the skeleton are not</source>
-        <translation>les angles du mouvement sont en degrés, comme l'indique l'AMC ; ceux du squelette ne le sont pas</translation>
+        <source>angles of the motion are in degrees, as the AMC states; angles of the skeleton are in radians</source>
+        <translation>les angles du mouvement sont en degrés, comme l'indique l'AMC ; ceux du squelette sont en radians</translation>
     </message>
     <message>
-        <source>angles of the motion are radians, as the AMC says; those of the skeleton are not</source>
-        <translation>les angles du mouvement sont en radians, comme l'indique l'AMC ; ceux du squelette ne le sont pas</translation>
+        <source>angles of the motion are in radians, as the AMC states; angles of the skeleton are in degrees</source>
+        <translation>les angles du mouvement sont en radians, comme l'indique l'AMC ; ceux du squelette sont en degrés</translation>
+    </message>
+    <message>
+        <source>animation; all parts are shown at rest</source>
+        <translation>du mouvement ; tout est affiché au repos</translation>
     </message>
     <message>
         <source>another assembly</source>
@@ -12059,10 +12223,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un autre cliqué</translation>
     </message>
     <message>
-        <source>another divisor</source>
-        <translation>un autre diviseur</translation>
-    </message>
-    <message>
         <source>another entity</source>
         <translation>une autre entité</translation>
     </message>
@@ -12071,28 +12231,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>une autre entité ou d'autres axes</translation>
     </message>
     <message>
-        <source>another entity to hang it on</source>
+        <source>another entity to attach it to</source>
         <translation>une autre entité à laquelle l'attacher</translation>
+    </message>
+    <message>
+        <source>another format</source>
+        <translation>un autre format</translation>
     </message>
     <message>
         <source>another joint</source>
         <translation>un autre axe</translation>
     </message>
     <message>
-        <source>another kind of thing</source>
-        <translation>un élément d'un autre type</translation>
-    </message>
-    <message>
-        <source>another step</source>
-        <translation>un autre pas</translation>
-    </message>
-    <message>
-        <source>another time</source>
-        <translation>un autre temps</translation>
-    </message>
-    <message>
-        <source>another type than is needed there, or none</source>
-        <translation>un autre type que celui qu'il faut là, ou aucun</translation>
+        <source>another kind of entity</source>
+        <translation>une entité d'un autre type</translation>
     </message>
     <message>
         <source>another version</source>
@@ -12111,7 +12263,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>arguments</translation>
     </message>
     <message>
-        <source>arms, legs and a trunk that have lengths</source>
+        <source>arms, legs and a trunk with lengths above 0</source>
         <translation>des bras, des jambes et un tronc de longueur non nulle</translation>
     </message>
     <message>
@@ -12119,16 +12271,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>celui de la commande</translation>
     </message>
     <message>
-        <source>as many</source>
-        <translation>le même nombre</translation>
-    </message>
-    <message>
         <source>as many as in the recording</source>
         <translation>autant que dans l'enregistrement</translation>
-    </message>
-    <message>
-        <source>as many scenes as files</source>
-        <translation>autant de scènes que de fichiers</translation>
     </message>
     <message>
         <source>assembly '%1'</source>
@@ -12143,7 +12287,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>à l'image %1</translation>
     </message>
     <message>
-        <source>at its beginning</source>
+        <source>at its start</source>
         <translation>à son début</translation>
     </message>
     <message>
@@ -12167,8 +12311,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>au moins un marqueur</translation>
     </message>
     <message>
+        <source>at least one motion that is switched on</source>
+        <translation>au moins un mouvement activé</translation>
+    </message>
+    <message>
         <source>at least one part that can be read</source>
         <translation>au moins une pièce lisible</translation>
+    </message>
+    <message>
+        <source>at least one part, such as a table or a fixture</source>
+        <translation>au moins une pièce, par exemple une table ou un montage</translation>
     </message>
     <message>
         <source>at least one solid</source>
@@ -12191,8 +12343,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>au moins les 84 octets de l'en-tête d'un STL binaire</translation>
     </message>
     <message>
+        <source>at least the time of the line before</source>
+        <translation>au moins la valeur de la ligne précédente</translation>
+    </message>
+    <message>
         <source>at least two</source>
         <translation>au moins deux</translation>
+    </message>
+    <message>
+        <source>at least two different frames</source>
+        <translation>au moins deux images différentes</translation>
     </message>
     <message>
         <source>at most %1</source>
@@ -12207,7 +12367,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus %1 octets</translation>
     </message>
     <message>
-        <source>at most %1 independent ones</source>
+        <source>at most %1 independent actuated joints</source>
         <translation>au plus %1 axes indépendants</translation>
     </message>
     <message>
@@ -12215,19 +12375,23 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus %1 niveaux</translation>
     </message>
     <message>
-        <source>at most %1 m, %2 rad</source>
+        <source>at most %1 m and %2 rad</source>
         <translation>au plus %1 m, %2 rad</translation>
     </message>
     <message>
-        <source>at most %1, as a job of INFORM can hold</source>
+        <source>at most %1, the limit of an INFORM job</source>
         <translation>au plus %1, ce qu'un job INFORM peut contenir</translation>
     </message>
     <message>
-        <source>at most 1 GB, and 200 times its own size</source>
-        <translation>au plus 1 Go, et 200 fois sa propre taille</translation>
+        <source>at most %1, the number that fits the file size</source>
+        <translation>au plus les %1 que permet la longueur du fichier</translation>
     </message>
     <message>
-        <source>at most 1, the newest that this program knows</source>
+        <source>at most 1 GB and 200 times the packed size</source>
+        <translation>au plus 1 Go et 200 fois la taille compressée</translation>
+    </message>
+    <message>
+        <source>at most 1, the newest version that this program can read</source>
         <translation>au plus 1, la plus récente que ce programme connaît</translation>
     </message>
     <message>
@@ -12247,6 +12411,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus 1e12 m</translation>
     </message>
     <message>
+        <source>at most 2 GB</source>
+        <translation>au plus 2 Go</translation>
+    </message>
+    <message>
         <source>at most 2 m/s</source>
         <translation>au plus 2 m/s</translation>
     </message>
@@ -12263,11 +12431,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus 24</translation>
     </message>
     <message>
-        <source>at most 4 GB, and 200 times its own size</source>
-        <translation>au plus 4 Go, et 200 fois sa propre taille</translation>
+        <source>at most 4 GB and 200 times the packed size</source>
+        <translation>au plus 4 Go et 200 fois la taille compressée</translation>
     </message>
     <message>
-        <source>at most 50 within each other</source>
+        <source>at most 50 nested calls</source>
         <translation>au plus 50 imbriquées</translation>
     </message>
     <message>
@@ -12279,8 +12447,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>au plus 9e9 s</translation>
     </message>
     <message>
-        <source>at most the %1 that the file's length can hold</source>
-        <translation>au plus les %1 que permet la longueur du fichier</translation>
+        <source>at most peak_force, %1</source>
+        <translation>au plus peak_force, %1</translation>
     </message>
     <message>
         <source>at work</source>
@@ -12293,10 +12461,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>axes</source>
         <translation>axes</translation>
-    </message>
-    <message>
-        <source>axes relative to a target that has none</source>
-        <translation>des axes relatifs à une cible qui n'en a pas</translation>
     </message>
     <message>
         <source>back</source>
@@ -12315,10 +12479,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>bash, zsh ou fish</translation>
     </message>
     <message>
-        <source>beams and balls</source>
-        <translation>des poutres et des billes</translation>
-    </message>
-    <message>
         <source>beginning</source>
         <translation>début</translation>
     </message>
@@ -12335,20 +12495,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>rayon de raccordement</translation>
     </message>
     <message>
-        <source>bodies for a simulation</source>
-        <translation>des corps pour une simulation</translation>
-    </message>
-    <message>
-        <source>bones and blends; the mesh is shown as modelled</source>
+        <source>bones and shape morphing; the mesh is shown as modelled</source>
         <translation>des os et des mélanges de formes ; le maillage est affiché tel que modélisé</translation>
     </message>
     <message>
-        <source>bones that slide or grow are taken as they are at rest</source>
-        <translation>les os qui glissent ou s'allongent sont pris comme au repos</translation>
+        <source>bones of length zero</source>
+        <translation>des os de longueur nulle</translation>
     </message>
     <message>
-        <source>bones without length</source>
-        <translation>des os de longueur nulle</translation>
+        <source>bones that slide or change length are kept as in the rest pose</source>
+        <translation>les os qui glissent ou s'allongent sont pris comme au repos</translation>
     </message>
     <message>
         <source>bones; the mesh is shown as modelled</source>
@@ -12367,12 +12523,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>les deux sont donnés</translation>
     </message>
     <message>
-        <source>box:, table:, fence: or another of them</source>
-        <translation>box:, table:, fence: ou une autre pièce paramétrique</translation>
+        <source>both joints of the leg are at the same point</source>
+        <translation>les deux articulations de la jambe sont au même point</translation>
     </message>
     <message>
-        <source>boxes from a picture</source>
-        <translation>des pavés tirés d'une image</translation>
+        <source>box:, table:, fence: or another built-in part</source>
+        <translation>box:, table:, fence: ou une autre pièce paramétrique</translation>
     </message>
     <message>
         <source>buffer %1</source>
@@ -12391,11 +12547,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>octet %1</translation>
     </message>
     <message>
-        <source>byte %1 of its JSON</source>
-        <translation>octet %1 de son JSON</translation>
-    </message>
-    <message>
-        <source>bytes that are no text</source>
+        <source>bytes that are not text</source>
         <translation>des octets qui ne sont pas un texte</translation>
     </message>
     <message>
@@ -12403,7 +12555,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>annulé</translation>
     </message>
     <message>
-        <source>cannot listen there: %1</source>
+        <source>cannot listen at this address: %1</source>
         <translation>écoute impossible à cette adresse : %1</translation>
     </message>
     <message>
@@ -12427,11 +12579,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>changée</translation>
     </message>
     <message>
-        <source>changes of shape; the mesh is shown as modelled</source>
-        <translation>des changements de forme ; le maillage est affiché tel que modélisé</translation>
-    </message>
-    <message>
-        <source>changes to the model that is taken in</source>
+        <source>changes to the included model</source>
         <translation>des changements du modèle inclus</translation>
     </message>
     <message>
@@ -12441,6 +12589,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>check cancelled</source>
         <translation>vérification interrompue</translation>
+    </message>
+    <message>
+        <source>check of the written program</source>
+        <translation>contrôle du programme écrit</translation>
     </message>
     <message>
         <source>checked</source>
@@ -12471,10 +12623,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>colonnes x, y, z</translation>
     </message>
     <message>
-        <source>comb() or perm() beyond 64 bits</source>
-        <translation>comb() ou perm() au-delà de 64 bits</translation>
-    </message>
-    <message>
         <source>comb() or perm() of a negative number</source>
         <translation>comb() ou perm() appliqué à un nombre négatif</translation>
     </message>
@@ -12483,8 +12631,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>completion</translation>
     </message>
     <message>
-        <source>components in a circle</source>
-        <translation>des composants en boucle</translation>
+        <source>components that contain each other</source>
+        <translation>des composants qui se contiennent l'un l'autre</translation>
+    </message>
+    <message>
+        <source>components without cycles</source>
+        <translation>des composants sans cycle</translation>
+    </message>
+    <message>
+        <source>consecutive frame numbers</source>
+        <translation>des images qui se suivent</translation>
     </message>
     <message>
         <source>constant, contact or dynamics</source>
@@ -12511,28 +12667,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>contacts : %1</translation>
     </message>
     <message>
-        <source>content at which its reader breaks down</source>
-        <translation>un contenu qui bloque le lecteur</translation>
+        <source>content of an unknown type</source>
+        <translation>un contenu d'un type inconnu</translation>
     </message>
     <message>
-        <source>content that contradicts itself</source>
-        <translation>un contenu contradictoire</translation>
+        <source>content that is not of this format</source>
+        <translation>un contenu qui n'est pas de ce format</translation>
     </message>
     <message>
-        <source>content that contradicts itself (%1)</source>
-        <translation>un contenu contradictoire (%1)</translation>
+        <source>content that makes the SDF library crash</source>
+        <translation>un contenu qui fait échouer la bibliothèque SDF</translation>
     </message>
     <message>
-        <source>content that the SDF library does not get through</source>
-        <translation>un contenu que la bibliothèque SDF ne parvient pas à lire</translation>
-    </message>
-    <message>
-        <source>corners from 0 to %1</source>
-        <translation>des sommets de 0 à %1</translation>
-    </message>
-    <message>
-        <source>corners of the mesh</source>
-        <translation>des sommets du maillage</translation>
+        <source>content that makes the reader crash</source>
+        <translation>un contenu qui fait échouer le lecteur</translation>
     </message>
     <message>
         <source>counts that fit the file</source>
@@ -12551,10 +12699,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des courbes</translation>
     </message>
     <message>
-        <source>curves and surfaces that exist</source>
-        <translation>des courbes et des surfaces qui existent</translation>
-    </message>
-    <message>
         <source>d MMM yyyy, HH:mm</source>
         <translation>d MMM yyyy, HH:mm</translation>
     </message>
@@ -12567,15 +12711,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>d MMMM, HH:mm</translation>
     </message>
     <message>
-        <source>data of EXT_meshopt_compression that cannot be unpacked</source>
+        <source>data of EXT_meshopt_compression that cannot be decompressed</source>
         <translation>des données de EXT_meshopt_compression impossibles à décompresser</translation>
     </message>
     <message>
-        <source>data that cannot be unpacked (%1)</source>
+        <source>data that cannot be decompressed (%1)</source>
         <translation>des données impossibles à décompresser (%1)</translation>
     </message>
     <message>
-        <source>data that the database does not have</source>
+        <source>data that is not in the database</source>
         <translation>des données que la base de données n'a pas</translation>
     </message>
     <message>
@@ -12583,7 +12727,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>deg ou rad</translation>
     </message>
     <message>
-        <source>degrees, or a length</source>
+        <source>degrees or a length</source>
         <translation>des degrés, ou une longueur</translation>
     </message>
     <message>
@@ -12595,19 +12739,23 @@ Voulez-vous le remplacer ?</translation>
         <translation>périphérique</translation>
     </message>
     <message>
-        <source>dict() of what are no pairs</source>
+        <source>dict() of values that are not pairs</source>
         <translation>dict() appliqué à autre chose que des paires</translation>
+    </message>
+    <message>
+        <source>different content</source>
+        <translation>un contenu différent</translation>
     </message>
     <message>
         <source>digit %1 (%2) is '%3'</source>
         <translation>le chiffre %1 (%2) est '%3'</translation>
     </message>
     <message>
-        <source>directions that differ</source>
-        <translation>des directions différentes</translation>
+        <source>directions of non-zero length that are not parallel</source>
+        <translation>des directions de longueur non nulle et non parallèles</translation>
     </message>
     <message>
-        <source>dist() of points of unequal dimension</source>
+        <source>dist() of points with different dimensions</source>
         <translation>dist() appliqué à des points de dimensions différentes</translation>
     </message>
     <message>
@@ -12619,8 +12767,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>dessin</translation>
     </message>
     <message>
+        <source>duplicate triangles, kept once in a workcell</source>
+        <translation>triangles en double, laissés de côté une fois dans une cellule</translation>
+    </message>
+    <message>
         <source>dwell</source>
         <translation>temporisation</translation>
+    </message>
+    <message>
+        <source>each bone of :bonedata once</source>
+        <translation>chaque os de :bonedata une fois</translation>
     </message>
     <message>
         <source>each bone once</source>
@@ -12631,15 +12787,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>chaque élément une seule fois</translation>
     </message>
     <message>
-        <source>each entity once: nothing is checked against itself</source>
+        <source>each entity on one side only: an entity is not checked against itself</source>
         <translation>chaque entité une seule fois : rien n'est vérifié par rapport à soi-même</translation>
     </message>
     <message>
-        <source>each hand once a step</source>
+        <source>each hand once per step</source>
         <translation>chaque main une fois par étape</translation>
     </message>
     <message>
-        <source>each key once</source>
+        <source>each key at most once</source>
         <translation>chaque clé une fois</translation>
     </message>
     <message>
@@ -12647,16 +12803,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>chaque nom une seule fois</translation>
     </message>
     <message>
-        <source>each of them written once</source>
-        <translation>chacun écrit une seule fois</translation>
-    </message>
-    <message>
         <source>each once</source>
         <translation>chacun une seule fois</translation>
     </message>
     <message>
-        <source>each option once</source>
+        <source>each option at most once</source>
         <translation>chaque option une fois</translation>
+    </message>
+    <message>
+        <source>each wrist has one marker; neither pronation nor supination of the forearms is assumed</source>
+        <translation>les poignets ont un seul marqueur ; les avant-bras sont supposés ni en pronation ni en supination</translation>
     </message>
     <message>
         <source>elements nested deeper than %1</source>
@@ -12665,6 +12821,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>elements, macros or expressions nested too deeply</source>
         <translation>des éléments, macros ou expressions trop imbriqués</translation>
+    </message>
+    <message>
+        <source>endless jumps</source>
+        <translation>des sauts sans fin</translation>
     </message>
     <message>
         <source>enter the grip in Task data.</source>
@@ -12695,7 +12855,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>entité '%1'</translation>
     </message>
     <message>
-        <source>entity '%1' is packed without its file, which could not be read</source>
+        <source>entity '%1' is packed without its file, because the file could not be read</source>
         <translation>l'entité '%1' est archivée sans son fichier, qui n'a pas pu être lu</translation>
     </message>
     <message>
@@ -12703,7 +12863,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>entité '%1', segment '%2'</translation>
     </message>
     <message>
-        <source>entity '%1': its &quot;placement&quot; is not where it hangs on '%2'; it is placed where it hangs</source>
+        <source>entity '%1': its &quot;placement&quot; does not match its attachment to '%2'; the attachment is used</source>
         <translation>entité '%1' : son &quot;placement&quot; n'est pas là où elle est attachée à '%2' ; elle est placée là où elle est attachée</translation>
     </message>
     <message>
@@ -12711,12 +12871,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>entrée '%1'</translation>
     </message>
     <message>
-        <source>every position</source>
-        <translation>toutes les positions</translation>
+        <source>everything that was packed</source>
+        <translation>tout ce qui a été archivé</translation>
     </message>
     <message>
         <source>exact surfaces</source>
         <translation>des surfaces exactes</translation>
+    </message>
+    <message>
+        <source>exactly one robot in a URDF</source>
+        <translation>un seul, car un URDF n'en contient pas plus</translation>
     </message>
     <message>
         <source>excluded</source>
@@ -12755,12 +12919,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre plus petit</translation>
     </message>
     <message>
-        <source>fewer bytes</source>
-        <translation>moins d'octets</translation>
+        <source>fewer nested levels</source>
+        <translation>moins de niveaux</translation>
     </message>
     <message>
-        <source>fewer levels</source>
-        <translation>moins de niveaux</translation>
+        <source>fewer repeated nodes</source>
+        <translation>moins de nœuds répétés</translation>
     </message>
     <message>
         <source>fewer than a million</source>
@@ -12775,32 +12939,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>ffmpeg</translation>
     </message>
     <message>
-        <source>ffmpeg, which writes videos</source>
-        <translation>ffmpeg, qui écrit les vidéos</translation>
-    </message>
-    <message>
         <source>field '%1'</source>
         <translation>champ '%1'</translation>
     </message>
     <message>
-        <source>figures from 0 up</source>
-        <translation>des valeurs à partir de 0</translation>
+        <source>file %1: %2</source>
+        <translation>fichier %1 : %2</translation>
     </message>
     <message>
         <source>file missing</source>
         <translation>fichier manquant</translation>
     </message>
     <message>
-        <source>files in %1</source>
-        <translation>des fichiers dans %1</translation>
+        <source>files in this folder cannot be locked</source>
+        <translation>aucun fichier ne peut y être verrouillé</translation>
     </message>
     <message>
         <source>files inside %1</source>
         <translation>des fichiers à l'intérieur de %1</translation>
-    </message>
-    <message>
-        <source>files inside it</source>
-        <translation>des fichiers à l'intérieur</translation>
     </message>
     <message>
         <source>final %1. A value on a class boundary belongs to the lower class.</source>
@@ -12809,10 +12965,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>fine</source>
         <translation>fine</translation>
-    </message>
-    <message>
-        <source>finite figures and a true box</source>
-        <translation>des valeurs finies et un volume réel</translation>
     </message>
     <message>
         <source>finite numbers</source>
@@ -12827,7 +12979,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>des nombres finis et un quaternion unitaire</translation>
     </message>
     <message>
-        <source>finite numbers of a believable size</source>
+        <source>finite numbers of a plausible size</source>
         <translation>des nombres finis d'une grandeur vraisemblable</translation>
     </message>
     <message>
@@ -12835,12 +12987,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>des nombres finis séparés par des virgules</translation>
     </message>
     <message>
-        <source>finite numbers within a million metres and a unit quaternion</source>
-        <translation>des nombres finis à moins d'un million de mètres et un quaternion unitaire</translation>
+        <source>finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a zone above 0, and no negative stiffness, damping or friction</source>
+        <translation>des nombres finis dans les limites de docs/library/protocol.md, un quaternion unitaire, une zone positive, ni raideur, ni amortissement, ni frottement négatifs</translation>
     </message>
     <message>
-        <source>finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a positive zone, no negative stiffness, damping or friction</source>
-        <translation>des nombres finis dans les limites de docs/library/protocol.md, un quaternion unitaire, une zone positive, ni raideur, ni amortissement, ni frottement négatifs</translation>
+        <source>finite numbers, 0 or more</source>
+        <translation>des nombres finis, 0 ou plus</translation>
+    </message>
+    <message>
+        <source>finite numbers, and a minimum below the maximum</source>
+        <translation>des nombres finis, et un minimum inférieur au maximum</translation>
+    </message>
+    <message>
+        <source>finite numbers, at most 1 000 000 m, and a unit quaternion</source>
+        <translation>des nombres finis à moins d'un million de mètres et un quaternion unitaire</translation>
     </message>
     <message>
         <source>finite numbers, within 1e12 m</source>
@@ -12911,16 +13071,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>images</translation>
     </message>
     <message>
-        <source>frames a second above 0</source>
+        <source>frames per second above 0</source>
         <translation>un nombre d'images par seconde supérieur à 0</translation>
-    </message>
-    <message>
-        <source>frames that follow each other</source>
-        <translation>des images qui se suivent</translation>
-    </message>
-    <message>
-        <source>frames that move</source>
-        <translation>des images qui se déplacent</translation>
     </message>
     <message>
         <source>frames: %1</source>
@@ -12933,6 +13085,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>free space and permission to write the file</source>
         <translation>de l'espace libre et le droit d'écrire le fichier</translation>
+    </message>
+    <message>
+        <source>free space in the folder TMPDIR</source>
+        <translation>de l'espace libre dans le dossier TMPDIR</translation>
     </message>
     <message>
         <source>free space, and the name of a new or empty folder</source>
@@ -12971,10 +13127,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>grille</translation>
     </message>
     <message>
-        <source>ground from a picture</source>
-        <translation>un terrain tiré d'une image</translation>
-    </message>
-    <message>
         <source>guide %1</source>
         <translation>guide virtuel %1</translation>
     </message>
@@ -12995,18 +13147,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>hand:left ou hand:right, et :SEX:PERCENTILE</translation>
     </message>
     <message>
-        <source>hapticell-cli devices shows what is plugged in.</source>
-        <translation>Lancez hapticell-cli devices pour voir ce qui est branché.</translation>
-    </message>
-    <message>
-        <source>hapticell-cli library lists them.</source>
-        <translation>Affichez-en la liste par hapticell-cli library.</translation>
-    </message>
-    <message>
-        <source>hapticell-cli mannequin lists all 56.</source>
-        <translation>Exécutez hapticell-cli mannequin, qui les énumère toutes les 56.</translation>
-    </message>
-    <message>
         <source>hapticell-haptic-server --help lists the options.</source>
         <translation>Lancez hapticell-haptic-server --help pour la liste des options.</translation>
     </message>
@@ -13019,12 +13159,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>en-tête</translation>
     </message>
     <message>
-        <source>header and parameters disagree on the kind of numbers; real ones fill the file</source>
+        <source>header and parameters disagree on the number format; integers match the file size and are read</source>
+        <translation>l'en-tête et les paramètres indiquent des types de nombres différents ; les nombres entiers remplissent le fichier</translation>
+    </message>
+    <message>
+        <source>header and parameters disagree on the number format; real numbers match the file size and are read</source>
         <translation>l'en-tête et les paramètres indiquent des types de nombres différents ; les nombres réels remplissent le fichier</translation>
     </message>
     <message>
-        <source>header and parameters disagree on the kind of numbers; whole ones fill the file</source>
-        <translation>l'en-tête et les paramètres indiquent des types de nombres différents ; les nombres entiers remplissent le fichier</translation>
+        <source>header and parameters disagree on where the points begin; they are read from byte %1</source>
+        <translation>le début des points n'est pas indiqué deux fois de la même façon ; ils sont lus à partir de l'octet %1</translation>
     </message>
     <message>
         <source>held</source>
@@ -13041,10 +13185,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>hidden</source>
         <translation>caché</translation>
-    </message>
-    <message>
-        <source>hinges that fall together</source>
-        <translation>des articulations confondues</translation>
     </message>
     <message>
         <source>hold</source>
@@ -13067,7 +13207,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>au repos</translation>
     </message>
     <message>
-        <source>in %1 of %2 frames no marker of the person is seen; it is taken to stand still or to go straight on there, and these frames count like others</source>
+        <source>in %1 of %2 frames, no marker is visible; the person is assumed to stand still or to move straight, and these frames count like others</source>
         <translation>dans %1 images sur %2, aucun marqueur de la personne n'est vu ; elle y est supposée immobile ou en ligne droite, et ces images comptent comme les autres</translation>
     </message>
     <message>
@@ -13075,8 +13215,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>en équilibre</translation>
     </message>
     <message>
+        <source>in the file, %1 points up; the model was rotated so that z points up</source>
+        <translation>le fichier a %1 vers le haut ; il a été tourné pour que z soit vers le haut</translation>
+    </message>
+    <message>
         <source>inch</source>
         <translation>pouce</translation>
+    </message>
+    <message>
+        <source>inconsistent content</source>
+        <translation>un contenu contradictoire</translation>
+    </message>
+    <message>
+        <source>inconsistent content (%1)</source>
+        <translation>un contenu contradictoire (%1)</translation>
+    </message>
+    <message>
+        <source>increasing times in seconds</source>
+        <translation>des temps croissants, en s</translation>
     </message>
     <message>
         <source>int(&quot;%1&quot;)</source>
@@ -13085,6 +13241,30 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>int(%1)</source>
         <translation>int(%1)</translation>
+    </message>
+    <message>
+        <source>invalid JSON</source>
+        <translation>JSON non valide</translation>
+    </message>
+    <message>
+        <source>invalid XML (%1)</source>
+        <translation>XML non valide (%1)</translation>
+    </message>
+    <message>
+        <source>invalid YAML</source>
+        <translation>YAML non valide</translation>
+    </message>
+    <message>
+        <source>invalid YAML (%1)</source>
+        <translation>YAML non valide (%1)</translation>
+    </message>
+    <message>
+        <source>invalid dimensions '%1'</source>
+        <translation>des dimensions inutilisables : '%1'</translation>
+    </message>
+    <message>
+        <source>invalid number for '%1': '%2'</source>
+        <translation>pas un nombre pour '%1' : '%2'</translation>
     </message>
     <message>
         <source>invalid positions</source>
@@ -13115,16 +13295,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>il appartient à l'utilisateur %1</translation>
     </message>
     <message>
-        <source>it beside the other programs of HaptiCell</source>
-        <translation>ce programme à côté des autres programmes de HaptiCell</translation>
-    </message>
-    <message>
         <source>it cannot be loaded</source>
         <translation>il ne peut pas être chargé</translation>
-    </message>
-    <message>
-        <source>it cannot be moved by that</source>
-        <translation>elle ne peut pas être déplacée ainsi</translation>
     </message>
     <message>
         <source>it cannot be read</source>
@@ -13147,6 +13319,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>écriture impossible</translation>
     </message>
     <message>
+        <source>it contains itself</source>
+        <translation>il se contient lui-même</translation>
+    </message>
+    <message>
+        <source>it contains no shape that can be built</source>
+        <translation>aucune forme n'a pu en être tirée</translation>
+    </message>
+    <message>
+        <source>it contains only tessellated shapes (%1, triangles as in AP242), which are not supported</source>
+        <translation>il ne contient que des formes tessellées (%1, triangles selon AP242), qui ne sont pas lues</translation>
+    </message>
+    <message>
         <source>it could not be started</source>
         <translation>il n'a pas pu être lancé</translation>
     </message>
@@ -13155,152 +13339,120 @@ Voulez-vous le remplacer ?</translation>
         <translation>impossible d'y écrire</translation>
     </message>
     <message>
-        <source>it does not end</source>
-        <translation>il ne se termine pas</translation>
+        <source>it did not finish</source>
+        <translation>il ne s'est pas terminé</translation>
     </message>
     <message>
         <source>it does not speak TLS 1.3</source>
         <translation>il ne parle pas TLS 1.3</translation>
     </message>
     <message>
-        <source>it ended without a pairing code</source>
-        <translation>fin sans code d'appairage</translation>
+        <source>it ended too early</source>
+        <translation>il s'est terminé trop tôt</translation>
+    </message>
+    <message>
+        <source>it ended with an error</source>
+        <translation>il s'est terminé par une erreur</translation>
+    </message>
+    <message>
+        <source>it expands to more than %1 nodes</source>
+        <translation>une fois déplié, il compte plus de %1 nœuds</translation>
     </message>
     <message>
         <source>it exports no function hapticell_driver</source>
         <translation>il n'exporte pas de fonction hapticell_driver</translation>
     </message>
     <message>
-        <source>it hangs on more than %1 entities in a row</source>
-        <translation>elle est attachée à plus de %1 entités à la suite</translation>
-    </message>
-    <message>
         <source>it has closed loops</source>
         <translation>il a des boucles fermées</translation>
-    </message>
-    <message>
-        <source>it has ended early</source>
-        <translation>il s'est terminé trop tôt</translation>
-    </message>
-    <message>
-        <source>it has ended with a fault</source>
-        <translation>il s'est terminé par une erreur</translation>
     </message>
     <message>
         <source>it has no joints</source>
         <translation>elle n'a pas d'axes</translation>
     </message>
     <message>
+        <source>it has no model</source>
+        <translation>aucun modèle dans le fichier</translation>
+    </message>
+    <message>
+        <source>it has no part '%1'</source>
+        <translation>aucune pièce '%1' dans le fichier</translation>
+    </message>
+    <message>
         <source>it has no trunk to lock</source>
         <translation>elle n'a pas de tronc à verrouiller</translation>
     </message>
     <message>
-        <source>it holds itself: a circle</source>
-        <translation>il se contient lui-même : une boucle</translation>
+        <source>it includes itself</source>
+        <translation>il s'inclut lui-même</translation>
     </message>
     <message>
-        <source>it holds tessellated shapes only (%1, triangles as of AP242), which are not read</source>
-        <translation>il ne contient que des formes tessellées (%1, triangles selon AP242), qui ne sont pas lues</translation>
+        <source>it is attached through a chain of more than %1 entities</source>
+        <translation>elle est attachée à plus de %1 entités à la suite</translation>
     </message>
     <message>
-        <source>it is attached to '%1', link '%2', which is not there</source>
+        <source>it is attached to '%1', link '%2', which does not exist</source>
         <translation>elle est attachée à '%1', segment '%2', qui n'existe pas</translation>
     </message>
     <message>
-        <source>it is attached to '%1', which is not there</source>
+        <source>it is attached to '%1', which does not exist</source>
         <translation>elle est attachée à '%1', qui n'existe pas</translation>
     </message>
     <message>
-        <source>it is attached to itself by way of '%1'</source>
+        <source>it is attached to itself through '%1'</source>
         <translation>elle est attachée à elle-même par l'intermédiaire de '%1'</translation>
     </message>
     <message>
-        <source>it is coupled to '%1', which is not there</source>
+        <source>it is coupled to '%1', which does not exist</source>
         <translation>il est couplé à '%1', qui n'existe pas</translation>
     </message>
     <message>
-        <source>it is coupled to itself in a circle</source>
-        <translation>il est couplé à lui-même en boucle</translation>
-    </message>
-    <message>
-        <source>it is in none of the folders of shipped files</source>
-        <translation>absent de tous les dossiers de fichiers livrés</translation>
+        <source>it is empty</source>
+        <translation>c'est vide</translation>
     </message>
     <message>
         <source>it is locked</source>
         <translation>elle est verrouillée</translation>
     </message>
     <message>
-        <source>it is no mechanism</source>
+        <source>it is missing</source>
+        <translation>absent</translation>
+    </message>
+    <message>
+        <source>it is missing or has the wrong type</source>
+        <translation>absent, ou pas ce qui est attendu</translation>
+    </message>
+    <message>
+        <source>it is missing or invalid</source>
+        <translation>absent ou non valide</translation>
+    </message>
+    <message>
+        <source>it is not a mechanism</source>
         <translation>ce n'est pas un mécanisme</translation>
-    </message>
-    <message>
-        <source>it is no solid</source>
-        <translation>ce n'est pas un solide</translation>
-    </message>
-    <message>
-        <source>it is not JSON</source>
-        <translation>ce n'est pas du JSON</translation>
     </message>
     <message>
         <source>it is not a robot</source>
         <translation>ce n'est pas un robot</translation>
     </message>
     <message>
-        <source>it is not given</source>
-        <translation>valeur non donnée</translation>
+        <source>it is not a solid</source>
+        <translation>ce n'est pas un solide</translation>
     </message>
     <message>
-        <source>it is not in the pack</source>
-        <translation>il n'est pas dans l'archive</translation>
-    </message>
-    <message>
-        <source>it is not readable as %1</source>
-        <translation>illisible en tant que %1</translation>
-    </message>
-    <message>
-        <source>it is not there</source>
-        <translation>introuvable</translation>
-    </message>
-    <message>
-        <source>it is not there, or its buffer is not</source>
-        <translation>elle n'existe pas, ou son tampon n'existe pas</translation>
-    </message>
-    <message>
-        <source>it is open in HaptiCell: %1</source>
-        <translation>il est ouvert dans HaptiCell : %1</translation>
-    </message>
-    <message>
-        <source>it is packed in a way that is not known</source>
-        <translation>il est compressé d'une façon inconnue</translation>
+        <source>it is not attached to anything that moves</source>
+        <translation>elle ne repose sur rien de mobile</translation>
     </message>
     <message>
         <source>it joins part '%1' to itself</source>
         <translation>il relie la pièce '%1' à elle-même</translation>
     </message>
     <message>
-        <source>it lies outside of the pack</source>
-        <translation>il se trouve en dehors de l'archive</translation>
-    </message>
-    <message>
-        <source>it makes the pack larger than 2 GB</source>
-        <translation>avec lui, l'archive dépasse 2 Go</translation>
-    </message>
-    <message>
-        <source>it names the link '%1', which is not in the model</source>
-        <translation>il cite le segment '%1', qui n'est pas dans le modèle</translation>
-    </message>
-    <message>
         <source>it needs a good, fair or poor grip.</source>
         <translation>il lui faut une prise bonne, moyenne ou mauvaise.</translation>
     </message>
     <message>
-        <source>it needs a part that moves and one that it moves on</source>
-        <translation>il faut une pièce mobile et une pièce qui la porte</translation>
-    </message>
-    <message>
-        <source>it needs more memory than an import may use</source>
-        <translation>il demande plus de mémoire qu'une importation ne peut en utiliser</translation>
+        <source>it or its buffer does not exist</source>
+        <translation>elle n'existe pas, ou son tampon n'existe pas</translation>
     </message>
     <message>
         <source>it reaches %1 km from the origin</source>
@@ -13311,112 +13463,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>elle s'étend jusqu'à %1 m de l'origine</translation>
     </message>
     <message>
-        <source>it stands on nothing that moves</source>
-        <translation>elle ne repose sur rien de mobile</translation>
-    </message>
-    <message>
-        <source>it takes itself in</source>
-        <translation>il s'inclut lui-même</translation>
-    </message>
-    <message>
-        <source>it takes no more pictures</source>
-        <translation>il ne prend plus d'images</translation>
-    </message>
-    <message>
-        <source>it unfolds to more than %1 nodes</source>
-        <translation>une fois déplié, il compte plus de %1 nœuds</translation>
+        <source>it stopped accepting pictures</source>
+        <translation>il n'accepte plus d'images</translation>
     </message>
     <message>
         <source>it was built for another version of HaptiCell's driver interface</source>
         <translation>il a été compilé pour une autre version de l'interface de pilote de HaptiCell</translation>
     </message>
     <message>
-        <source>it was connected to anew</source>
-        <translation>la connexion a été rétablie entre-temps</translation>
+        <source>its *.hexercise file in the same folder</source>
+        <translation>son fichier *.hexercise dans le même dossier</translation>
     </message>
     <message>
-        <source>its *.hexercise file beside the results</source>
-        <translation>son fichier *.hexercise à côté des résultats</translation>
-    </message>
-    <message>
-        <source>its JSON</source>
-        <translation>son JSON</translation>
-    </message>
-    <message>
-        <source>its beginning</source>
-        <translation>son début</translation>
-    </message>
-    <message>
-        <source>its colours are missing: the material file %1 is not beside it</source>
+        <source>its colours are missing: the material file %1 is not in the same folder</source>
         <translation>ses couleurs manquent : le fichier de matériaux %1 n'est pas à côté de lui</translation>
     </message>
     <message>
-        <source>its file %1: %2</source>
-        <translation>son fichier %1 : %2</translation>
+        <source>its coupling leads back to itself</source>
+        <translation>il est couplé à lui-même en boucle</translation>
     </message>
     <message>
         <source>its file cannot be read</source>
         <translation>son fichier ne peut pas être lu</translation>
     </message>
     <message>
-        <source>its folder cannot be entered</source>
-        <translation>son dossier est inaccessible</translation>
+        <source>its link '%1' is not in the model</source>
+        <translation>il cite le segment '%1', qui n'est pas dans le modèle</translation>
     </message>
     <message>
-        <source>its header</source>
-        <translation>son en-tête</translation>
-    </message>
-    <message>
-        <source>its home is singular</source>
-        <translation>sa position de repos est singulière</translation>
-    </message>
-    <message>
-        <source>its joints are left out; all is read as solid bodies</source>
-        <translation>ses articulations sont laissées de côté ; tout est lu comme corps solides</translation>
-    </message>
-    <message>
-        <source>its joints' names</source>
-        <translation>les noms de ses axes</translation>
-    </message>
-    <message>
-        <source>its key is another one</source>
-        <translation>sa clé est différente</translation>
-    </message>
-    <message>
-        <source>its lower limit %1 is over the upper %2</source>
+        <source>its lower limit %1 is above its upper limit %2</source>
         <translation>sa butée inférieure %1 dépasse la butée supérieure %2</translation>
     </message>
     <message>
-        <source>its name is there twice</source>
+        <source>its name is used twice</source>
         <translation>son nom apparaît deux fois</translation>
-    </message>
-    <message>
-        <source>its number on the controller, %1 to %2</source>
-        <translation>son numéro sur le contrôleur, de %1 à %2</translation>
-    </message>
-    <message>
-        <source>its positions reach %1: taken as millimetres</source>
-        <translation>ses positions vont jusqu'à %1 : prises pour des millimètres</translation>
-    </message>
-    <message>
-        <source>its times are whole numbers up to %1: taken as milliseconds</source>
-        <translation>ses temps sont des nombres entiers jusqu'à %1 : pris pour des millisecondes</translation>
-    </message>
-    <message>
-        <source>its times begin at %1: counted from the first row</source>
-        <translation>ses temps commencent à %1 : comptés depuis la première ligne</translation>
-    </message>
-    <message>
-        <source>its times begin at %1: taken as a clock's microseconds and counted from the first row</source>
-        <translation>ses temps commencent à %1 : pris pour les microsecondes d'une horloge et comptés depuis la première ligne</translation>
-    </message>
-    <message>
-        <source>its times begin at %1: taken as a clock's milliseconds and counted from the first row</source>
-        <translation>ses temps commencent à %1 : pris pour les millisecondes d'une horloge et comptés depuis la première ligne</translation>
-    </message>
-    <message>
-        <source>its times begin at %1: taken as a clock's nanoseconds and counted from the first row</source>
-        <translation>ses temps commencent à %1 : pris pour les nanosecondes d'une horloge et comptés depuis la première ligne</translation>
     </message>
     <message>
         <source>join() of %1</source>
@@ -13431,8 +13511,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>axe '%1'</translation>
     </message>
     <message>
-        <source>joint '%1' has its lower limit over the upper</source>
+        <source>joint '%1' has a lower limit above its upper limit</source>
         <translation>la butée inférieure de l'axe '%1' dépasse la butée supérieure</translation>
+    </message>
+    <message>
+        <source>joint '%1' has no child link</source>
+        <translation>l'axe '%1' ne cite pas de segment enfant</translation>
+    </message>
+    <message>
+        <source>joint '%1' has no parent link</source>
+        <translation>l'axe '%1' ne cite pas de segment parent</translation>
     </message>
     <message>
         <source>joint '%1' has the axis &quot;%2&quot;</source>
@@ -13443,16 +13531,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'axe '%1' est de type '%2'</translation>
     </message>
     <message>
-        <source>joint '%1' mimics itself in a circle</source>
+        <source>joint '%1' mimics itself through other joints</source>
         <translation>l'axe '%1' se suit lui-même en boucle</translation>
-    </message>
-    <message>
-        <source>joint '%1' names no child link</source>
-        <translation>l'axe '%1' ne cite pas de segment enfant</translation>
-    </message>
-    <message>
-        <source>joint '%1' names no parent link</source>
-        <translation>l'axe '%1' ne cite pas de segment parent</translation>
     </message>
     <message>
         <source>joint '%1' names the link '%2', which is not in the file</source>
@@ -13463,12 +13543,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>axe '%1' deux fois</translation>
     </message>
     <message>
-        <source>joint names that are no list</source>
+        <source>joint names</source>
+        <translation>des noms d'axes</translation>
+    </message>
+    <message>
+        <source>joint names that are not a list</source>
         <translation>des noms d'axes qui ne sont pas une liste</translation>
     </message>
     <message>
         <source>joint names with angles</source>
         <translation>des noms d'articulations avec des angles</translation>
+    </message>
+    <message>
+        <source>joint positions in the channels are near zero; they are added to the offsets</source>
+        <translation>les positions d'articulations dans les canaux restent proches de zéro ; elles sont ajoutées aux décalages</translation>
     </message>
     <message>
         <source>joint positions near an assembled pose</source>
@@ -13479,56 +13567,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>vitesse articulaire</translation>
     </message>
     <message>
+        <source>joint values without poses</source>
+        <translation>des valeurs d'axes sans poses</translation>
+    </message>
+    <message>
+        <source>joint values without poses, so the program has no targets</source>
+        <translation>des axes seuls, qui ne donnent pas de cibles à un programme</translation>
+    </message>
+    <message>
         <source>joints</source>
         <translation>axes</translation>
     </message>
     <message>
-        <source>joints alone</source>
-        <translation>des axes seulement</translation>
-    </message>
-    <message>
-        <source>joints alone, which give a program no targets</source>
-        <translation>des axes seuls, qui ne donnent pas de cibles à un programme</translation>
-    </message>
-    <message>
-        <source>joints alone, without poses</source>
-        <translation>des axes seuls, sans poses</translation>
-    </message>
-    <message>
-        <source>joints named as CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens or SMPL name them</source>
-        <translation>des articulations nommées comme par CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens ou SMPL</translation>
+        <source>joints are left out; all parts are read as rigid bodies</source>
+        <translation>les articulations sont ignorées ; toutes les pièces sont lues comme des corps rigides</translation>
     </message>
     <message>
         <source>joints relative to the target before</source>
         <translation>des axes relatifs à la cible précédente</translation>
     </message>
     <message>
-        <source>joints that follow one another</source>
-        <translation>des axes qui se suivent</translation>
-    </message>
-    <message>
-        <source>joints that move while the tool stands</source>
+        <source>joints that move while the tool does not</source>
         <translation>des axes qui bougent alors que l'outil est immobile</translation>
     </message>
     <message>
-        <source>joints that move, for limits of theirs</source>
+        <source>joints that move, because their limits set the speed</source>
         <translation>des axes qui bougent, pour que leurs limites s'appliquent</translation>
-    </message>
-    <message>
-        <source>joints that the robot does not have</source>
-        <translation>des axes que le robot n'a pas</translation>
     </message>
     <message>
         <source>joints: %1</source>
         <translation>articulations : %1</translation>
     </message>
     <message>
-        <source>joints; all is read as solid bodies</source>
-        <translation>des articulations ; tout est lu comme des corps solides</translation>
-    </message>
-    <message>
-        <source>jumps without end</source>
-        <translation>des sauts sans fin</translation>
+        <source>joints; all parts are read as rigid bodies</source>
+        <translation>des articulations ; toutes les pièces sont lues comme des corps rigides</translation>
     </message>
     <message>
         <source>keep or merge</source>
@@ -13595,7 +13667,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>omis, car avant la première cible connue : %1.</translation>
     </message>
     <message>
-        <source>left out, because they hold no shape: %1 nodes (%2)</source>
+        <source>left out, because they have no shape: %1 nodes (%2)</source>
         <translation>omis, faute de forme : %1 nœuds (%2)</translation>
     </message>
     <message>
@@ -13611,7 +13683,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>left, right ou both</translation>
     </message>
     <message>
-        <source>legs without length</source>
+        <source>legs of length zero</source>
         <translation>des jambes de longueur nulle</translation>
     </message>
     <message>
@@ -13627,19 +13699,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>des longueurs qui peuvent être assemblées</translation>
     </message>
     <message>
-        <source>less</source>
-        <translation>moins</translation>
-    </message>
-    <message>
-        <source>less than the %1 vertices of the file</source>
-        <translation>moins que les %1 sommets du fichier</translation>
-    </message>
-    <message>
         <source>less than the file's %1</source>
         <translation>moins que les %1 du fichier</translation>
     </message>
     <message>
-        <source>letters, digits and _, no word of Python's, no __ in front</source>
+        <source>letters, digits and _, no Python keyword, no __ at the start</source>
         <translation>des lettres, des chiffres et _, pas un mot de Python, pas de __ au début</translation>
     </message>
     <message>
@@ -13659,11 +13723,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>limites dépassées : %1</translation>
     </message>
     <message>
-        <source>limits that are missing or not positive</source>
+        <source>limits that are missing or not above 0</source>
         <translation>des limites absentes ou non positives</translation>
     </message>
     <message>
-        <source>limits that are no numbers</source>
+        <source>limits that are not numbers</source>
         <translation>des butées qui ne sont pas des nombres</translation>
     </message>
     <message>
@@ -13687,7 +13751,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>ligne %1, colonnes qw,qx,qy,qz</translation>
     </message>
     <message>
-        <source>line %1: text that is no UTF-8; %2 bytes were taken for Latin-1</source>
+        <source>line %1: text that is not UTF-8; %2 bytes were read as Latin-1</source>
         <translation>ligne %1 : du texte qui n'est pas en UTF-8 ; %2 octets ont été lus comme du Latin-1</translation>
     </message>
     <message>
@@ -13695,7 +13759,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>des lignes seulement, ou un fichier manquant</translation>
     </message>
     <message>
-        <source>lines that run in their order</source>
+        <source>lines that run one after the other</source>
         <translation>des lignes exécutées dans leur ordre</translation>
     </message>
     <message>
@@ -13705,6 +13769,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>link '%1' does not move</source>
         <translation>le segment '%1' ne bouge pas</translation>
+    </message>
+    <message>
+        <source>link '%1' has different shapes</source>
+        <translation>un segment '%1' avec d'autres formes</translation>
     </message>
     <message>
         <source>link '%1' is the child of two joints, '%2' and '%3'</source>
@@ -13731,6 +13799,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>des listes de longueurs différentes</translation>
     </message>
     <message>
+        <source>lists that contain themselves</source>
+        <translation>des listes imbriquées sans fin</translation>
+    </message>
+    <message>
         <source>loading…</source>
         <translation>chargement…</translation>
     </message>
@@ -13747,8 +13819,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>log() appliqué à %1</translation>
     </message>
     <message>
-        <source>loops and branches</source>
-        <translation>des boucles et des branches</translation>
+        <source>loops and branches instead of jumps</source>
+        <translation>des boucles et des branches au lieu de sauts</translation>
     </message>
     <message>
         <source>m, mm or in</source>
@@ -13775,7 +13847,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>marqueurs</translation>
     </message>
     <message>
-        <source>markers that lie on each other</source>
+        <source>markers at the same point</source>
         <translation>des marqueurs confondus</translation>
     </message>
     <message>
@@ -13783,7 +13855,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>masse</translation>
     </message>
     <message>
-        <source>max() of nothing</source>
+        <source>max() without values</source>
         <translation>max() sans valeurs</translation>
     </message>
     <message>
@@ -13791,7 +13863,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>mesure '%1'</translation>
     </message>
     <message>
-        <source>measures of one body</source>
+        <source>measures that fit one body</source>
         <translation>les mesures d'un même corps</translation>
     </message>
     <message>
@@ -13807,7 +13879,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>membre de dialout</translation>
     </message>
     <message>
-        <source>mesh %1, which is not there</source>
+        <source>mesh %1, which does not exist</source>
         <translation>le maillage %1, qui n'existe pas</translation>
     </message>
     <message>
@@ -13825,10 +13897,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>metre</source>
         <translation>mètre</translation>
-    </message>
-    <message>
-        <source>metres a turn, not 0</source>
-        <translation>des mètres par tour, différents de 0</translation>
     </message>
     <message>
         <source>metres above 0</source>
@@ -13853,6 +13921,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>metres or radians</source>
         <translation>des mètres ou des radians</translation>
+    </message>
+    <message>
+        <source>metres per turn, not 0</source>
+        <translation>des mètres par tour, différents de 0</translation>
     </message>
     <message>
         <source>metres per unit, 1e-9 to 1e9</source>
@@ -13887,7 +13959,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>millimètre</translation>
     </message>
     <message>
-        <source>min() of nothing</source>
+        <source>min() without values</source>
         <translation>min() sans valeurs</translation>
     </message>
     <message>
@@ -13927,11 +13999,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>modèle '%1'</translation>
     </message>
     <message>
-        <source>more bytes than its buffer holds</source>
+        <source>more bytes than its buffer has</source>
         <translation>plus d'octets que son tampon n'en contient</translation>
     </message>
     <message>
-        <source>more elements than its buffer views hold</source>
+        <source>more elements than its buffer views have</source>
         <translation>plus d'éléments que ses vues de tampon n'en contiennent</translation>
     </message>
     <message>
@@ -13939,19 +14011,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus de %1 Mo une fois décompressé</translation>
     </message>
     <message>
-        <source>more than %1 assemblies within each other</source>
-        <translation>plus de %1 assemblages les uns dans les autres</translation>
-    </message>
-    <message>
         <source>more than %1 instances</source>
         <translation>plus de %1 instances</translation>
     </message>
     <message>
-        <source>more than %1 levels below each other</source>
-        <translation>plus de %1 niveaux les uns sous les autres</translation>
+        <source>more than %1 nested assemblies</source>
+        <translation>plus de %1 assemblages les uns dans les autres</translation>
     </message>
     <message>
-        <source>more than 100 blocks within each other</source>
+        <source>more than %1 nested levels</source>
+        <translation>plus de %1 niveaux imbriqués</translation>
+    </message>
+    <message>
+        <source>more than 100 nested blocks</source>
         <translation>plus de 100 blocs imbriqués</translation>
     </message>
     <message>
@@ -13967,7 +14039,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus de 2 000 000 de cibles</translation>
     </message>
     <message>
-        <source>more than 200 000 elements with all that it includes</source>
+        <source>more than 200 000 elements, including all included files</source>
         <translation>plus de 200 000 éléments avec tout ce qu'il inclut</translation>
     </message>
     <message>
@@ -13975,16 +14047,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>plus de 2000000 d'images</translation>
     </message>
     <message>
-        <source>more than 3 million steps of evaluation</source>
+        <source>more than 3 million evaluation steps</source>
         <translation>plus de 3 millions d'étapes d'évaluation</translation>
     </message>
     <message>
-        <source>more than 500 levels below each other</source>
+        <source>more than 500 nested levels</source>
         <translation>plus de 500 niveaux imbriqués</translation>
-    </message>
-    <message>
-        <source>more than it may unpack to</source>
-        <translation>plus que la taille permise après décompression</translation>
     </message>
     <message>
         <source>more than one robot ('%1', '%2')</source>
@@ -14001,10 +14069,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>motion.path point %1</source>
         <translation>motion.path, point %1</translation>
-    </message>
-    <message>
-        <source>motion; all is shown at rest</source>
-        <translation>du mouvement ; tout est affiché au repos</translation>
     </message>
     <message>
         <source>motions</source>
@@ -14035,28 +14099,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom '%1' n'est pas défini</translation>
     </message>
     <message>
-        <source>name '%1' is not defined in the name space</source>
+        <source>name '%1' is not defined in the namespace</source>
         <translation>le nom '%1' n'est pas défini dans l'espace de noms</translation>
     </message>
     <message>
-        <source>named arguments behind the others</source>
+        <source>named arguments after the others</source>
         <translation>des arguments nommés après les autres</translation>
+    </message>
+    <message>
+        <source>names and links inside the archive</source>
+        <translation>des fichiers à l'intérieur</translation>
     </message>
     <message>
         <source>names of entities of the cell</source>
         <translation>des noms d'entités de la cellule</translation>
     </message>
     <message>
-        <source>names of its joints, or q1, q2, ...</source>
+        <source>names of the robot's joints</source>
+        <translation>les noms de ses axes</translation>
+    </message>
+    <message>
+        <source>names of the robot's joints, or q1, q2, ...</source>
         <translation>les noms de ses axes, ou q1, q2, ...</translation>
-    </message>
-    <message>
-        <source>names of joints</source>
-        <translation>des noms d'axes</translation>
-    </message>
-    <message>
-        <source>names that are all different</source>
-        <translation>des noms tous différents</translation>
     </message>
     <message>
         <source>near a singularity %1 would have to swing round</source>
@@ -14071,140 +14135,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun des deux n'est donné</translation>
     </message>
     <message>
+        <source>neither the file nor its markers show which axis is up; z is assumed; to change this, use --up</source>
+        <translation>ni le fichier ni ses marqueurs n'indiquent quel axe est vers le haut ; son axe z est utilisé ; --up en indique un autre</translation>
+    </message>
+    <message>
         <source>no</source>
         <translation>non</translation>
     </message>
     <message>
-        <source>no &quot;%1&quot;</source>
-        <translation>pas de &quot;%1&quot;</translation>
-    </message>
-    <message>
-        <source>no %1</source>
-        <translation>pas de %1</translation>
-    </message>
-    <message>
-        <source>no 'ply'</source>
-        <translation>pas de 'ply'</translation>
-    </message>
-    <message>
-        <source>no :hierarchy</source>
-        <translation>pas de :hierarchy</translation>
-    </message>
-    <message>
-        <source>no :root</source>
-        <translation>pas de :root</translation>
+        <source>no --unit: robot files are in metres</source>
+        <translation>pas d'unité : les fichiers de robots sont en mètres</translation>
     </message>
     <message>
         <source>no &lt;COLLADA&gt;</source>
         <translation>pas de &lt;COLLADA&gt;</translation>
     </message>
     <message>
-        <source>no &lt;item&gt; in its &lt;build&gt;</source>
-        <translation>pas de &lt;item&gt; dans son &lt;build&gt;</translation>
-    </message>
-    <message>
         <source>no &lt;model&gt;</source>
         <translation>pas de &lt;model&gt;</translation>
     </message>
     <message>
-        <source>no &lt;robot&gt;</source>
-        <translation>pas de &lt;robot&gt;</translation>
-    </message>
-    <message>
-        <source>no &lt;sdf&gt;</source>
-        <translation>pas de &lt;sdf&gt;</translation>
-    </message>
-    <message>
-        <source>no C3D header</source>
-        <translation>pas d'en-tête C3D</translation>
-    </message>
-    <message>
-        <source>no CHANNELS</source>
-        <translation>pas de CHANNELS</translation>
-    </message>
-    <message>
-        <source>no DEF</source>
-        <translation>pas de DEF</translation>
-    </message>
-    <message>
-        <source>no Frame Time:</source>
-        <translation>pas de Frame Time:</translation>
-    </message>
-    <message>
-        <source>no HIERARCHY</source>
-        <translation>pas de HIERARCHY</translation>
-    </message>
-    <message>
-        <source>no HaptiCell trajectory</source>
-        <translation>pas une trajectoire HaptiCell</translation>
-    </message>
-    <message>
-        <source>no JSON object</source>
-        <translation>pas d'objet JSON</translation>
-    </message>
-    <message>
-        <source>no MOTION with Frames:</source>
-        <translation>pas de MOTION avec Frames:</translation>
-    </message>
-    <message>
-        <source>no OpenGL 3.3 on this display</source>
-        <translation>pas d'OpenGL 3.3 sur cet affichage</translation>
-    </message>
-    <message>
-        <source>no PROC</source>
-        <translation>pas de PROC</translation>
-    </message>
-    <message>
-        <source>no PROC with moves</source>
+        <source>no PROC has moves</source>
         <translation>pas de PROC avec des mouvements</translation>
-    </message>
-    <message>
-        <source>no ROOT</source>
-        <translation>pas de ROOT</translation>
     </message>
     <message>
         <source>no XML element</source>
         <translation>pas d'élément XML</translation>
     </message>
     <message>
-        <source>no YAML</source>
-        <translation>pas du YAML</translation>
-    </message>
-    <message>
-        <source>no ZIP archive</source>
-        <translation>ce n'est pas une archive ZIP</translation>
-    </message>
-    <message>
-        <source>no [markers]</source>
-        <translation>pas de [markers]</translation>
-    </message>
-    <message>
-        <source>no absolute path</source>
-        <translation>pas un chemin absolu</translation>
-    </message>
-    <message>
-        <source>no angle</source>
-        <translation>pas un angle</translation>
-    </message>
-    <message>
         <source>no answer</source>
         <translation>pas de réponse</translation>
     </message>
     <message>
-        <source>no axis</source>
-        <translation>pas de direction d'axe</translation>
-    </message>
-    <message>
-        <source>no begin</source>
-        <translation>pas de begin</translation>
-    </message>
-    <message>
-        <source>no built-in part</source>
-        <translation>ce n'est pas une pièce paramétrique</translation>
-    </message>
-    <message>
-        <source>no capabilities</source>
-        <translation>pas de caractéristiques</translation>
+        <source>no body size</source>
+        <translation>pas de taille</translation>
     </message>
     <message>
         <source>no clearance</source>
@@ -14223,63 +14187,31 @@ Voulez-vous le remplacer ?</translation>
         <translation>sans contact</translation>
     </message>
     <message>
-        <source>no count of channels</source>
-        <translation>pas de nombre de canaux</translation>
-    </message>
-    <message>
-        <source>no count of frames</source>
-        <translation>pas de nombre d'images</translation>
-    </message>
-    <message>
-        <source>no counts</source>
-        <translation>pas de nombres d'éléments</translation>
-    </message>
-    <message>
-        <source>no data</source>
-        <translation>pas de données</translation>
-    </message>
-    <message>
         <source>no device</source>
         <translation>pas de périphérique</translation>
     </message>
     <message>
-        <source>no end of lists within lists</source>
-        <translation>des listes imbriquées sans fin</translation>
-    </message>
-    <message>
-        <source>no ending</source>
-        <translation>pas d'extension</translation>
-    </message>
-    <message>
-        <source>no entity</source>
-        <translation>aucune entité</translation>
-    </message>
-    <message>
-        <source>no entity %1</source>
+        <source>no entity has the number %1</source>
         <translation>pas d'entité %1</translation>
-    </message>
-    <message>
-        <source>no entity '%1'</source>
-        <translation>pas d'entité '%1'</translation>
     </message>
     <message>
         <source>no entity is named '%1'</source>
         <translation>aucune entité ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no exercise</source>
-        <translation>pas un exercice</translation>
+        <source>no entity with a shape</source>
+        <translation>rien qui ait une forme</translation>
+    </message>
+    <message>
+        <source>no extension</source>
+        <translation>pas d'extension</translation>
     </message>
     <message>
         <source>no field has this name</source>
         <translation>aucun champ n'a ce nom</translation>
     </message>
     <message>
-        <source>no file can be locked there</source>
-        <translation>aucun fichier ne peut y être verrouillé</translation>
-    </message>
-    <message>
-        <source>no file is like %1</source>
+        <source>no file matches %1</source>
         <translation>aucun fichier ne correspond à %1</translation>
     </message>
     <message>
@@ -14287,204 +14219,140 @@ Voulez-vous le remplacer ?</translation>
         <translation>non ret.</translation>
     </message>
     <message>
-        <source>no folder can be made beside it</source>
+        <source>no folder can be created next to it</source>
         <translation>aucun dossier ne peut être créé à côté</translation>
     </message>
     <message>
-        <source>no folder for temporary files can be made</source>
+        <source>no folder for temporary files can be created</source>
         <translation>aucun dossier temporaire ne peut être créé</translation>
     </message>
     <message>
-        <source>no frame %1, where the file ends</source>
-        <translation>pas d'image %1, là où le fichier se termine</translation>
+        <source>no frame is named '%1'</source>
+        <translation>aucun repère ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no frame number: '%1'</source>
-        <translation>pas un numéro d'image : '%1'</translation>
+        <source>no frame of the entity is named '%1'</source>
+        <translation>aucun repère de l'entité ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no frame rate</source>
-        <translation>pas de fréquence d'images</translation>
+        <source>no free space for a copy</source>
+        <translation>pas assez d'espace pour une copie</translation>
     </message>
     <message>
         <source>no further arguments</source>
         <translation>pas d'autres arguments</translation>
     </message>
     <message>
-        <source>no guide '%1'</source>
-        <translation>pas de guide virtuel '%1'</translation>
-    </message>
-    <message>
-        <source>no instructions</source>
-        <translation>pas d'instructions</translation>
+        <source>no guide is named '%1'</source>
+        <translation>aucun guide virtuel ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no joint connects it to the root link '%1'</source>
         <translation>aucune liaison ne le relie au segment racine '%1'</translation>
     </message>
     <message>
-        <source>no joint names</source>
-        <translation>pas de noms d'axes</translation>
+        <source>no joint is named '%1'</source>
+        <translation>aucun axe ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no key %1 in the dictionary</source>
-        <translation>pas de clé %1 dans le dictionnaire</translation>
-    </message>
-    <message>
-        <source>no key '%1' in the dictionary</source>
-        <translation>pas de clé '%1' dans le dictionnaire</translation>
+        <source>no joint limits</source>
+        <translation>pas de limites pour les axes</translation>
     </message>
     <message>
         <source>no key is named '%1'</source>
         <translation>aucune clé ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no length</source>
-        <translation>pas de longueur</translation>
-    </message>
-    <message>
-        <source>no length unit</source>
-        <translation>pas d'unité de longueur</translation>
-    </message>
-    <message>
-        <source>no less than the line before</source>
-        <translation>au moins la valeur de la ligne précédente</translation>
-    </message>
-    <message>
-        <source>no limits for the joints</source>
-        <translation>pas de limites pour les axes</translation>
-    </message>
-    <message>
-        <source>no lines</source>
-        <translation>pas de lignes</translation>
-    </message>
-    <message>
-        <source>no link '%1'</source>
-        <translation>pas de segment '%1'</translation>
+        <source>no line after the header</source>
+        <translation>pas de ligne après l'en-tête</translation>
     </message>
     <message>
         <source>no link is named '%1'</source>
         <translation>aucun segment ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no links</source>
-        <translation>aucun segment</translation>
-    </message>
-    <message>
-        <source>no list</source>
-        <translation>pas une liste</translation>
-    </message>
-    <message>
-        <source>no list of numbers</source>
-        <translation>pas une liste de nombres</translation>
-    </message>
-    <message>
         <source>no load is acceptable</source>
         <translation>aucune charge n'est acceptable</translation>
+    </message>
+    <message>
+        <source>no lock, because %1 moves no part of a mannequin</source>
+        <translation>aucun blocage, car %1 ne déplace aucune partie d'un mannequin</translation>
     </message>
     <message>
         <source>no mannequin</source>
         <translation>pas un mannequin</translation>
     </message>
     <message>
-        <source>no mannequin '%1'</source>
-        <translation>pas de mannequin '%1'</translation>
-    </message>
-    <message>
         <source>no mannequin in the cell</source>
         <translation>pas de mannequin dans la cellule</translation>
+    </message>
+    <message>
+        <source>no mannequin is named '%1'</source>
+        <translation>aucun mannequin ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no marker for %1</source>
         <translation>aucun marqueur pour %1</translation>
     </message>
     <message>
-        <source>no marker on %1 by the names of %2 (the markers are %3)</source>
+        <source>no marker on %1 by the names of %2 (the file has %3)</source>
         <translation>aucun marqueur sur %1 selon les noms de %2 (les marqueurs sont %3)</translation>
     </message>
     <message>
-        <source>no memory to import into: %1</source>
+        <source>no memory for the import: %1</source>
         <translation>pas de mémoire pour l'importation : %1</translation>
     </message>
     <message>
-        <source>no mesh</source>
-        <translation>pas de maillage</translation>
+        <source>no mesh for the collision check</source>
+        <translation>aucun maillage pour le contrôle de collision</translation>
     </message>
     <message>
-        <source>no model</source>
-        <translation>aucun modèle</translation>
+        <source>no message of these types</source>
+        <translation>aucun message de ce type</translation>
     </message>
     <message>
-        <source>no model in it</source>
-        <translation>aucun modèle dans le fichier</translation>
-    </message>
-    <message>
-        <source>no more than peak_force, %1</source>
-        <translation>au plus peak_force, %1</translation>
-    </message>
-    <message>
-        <source>no more than the file's length can hold</source>
+        <source>no more than the file size allows</source>
         <translation>pas plus que la longueur du fichier ne permet</translation>
     </message>
     <message>
-        <source>no moves</source>
-        <translation>pas de mouvements</translation>
+        <source>no motion at start and end</source>
+        <translation>l'arrêt aux deux extrémités</translation>
     </message>
     <message>
-        <source>no moving joint carries it</source>
+        <source>no motion is switched on</source>
+        <translation>aucun mouvement n'est activé</translation>
+    </message>
+    <message>
+        <source>no moving joint is named '%1'</source>
+        <translation>aucun axe mobile ne s'appelle '%1'</translation>
+    </message>
+    <message>
+        <source>no moving joint moves this link</source>
         <translation>aucun axe mobile ne le porte</translation>
-    </message>
-    <message>
-        <source>no name</source>
-        <translation>pas de nom</translation>
-    </message>
-    <message>
-        <source>no number</source>
-        <translation>pas un nombre</translation>
-    </message>
-    <message>
-        <source>no number for '%1': '%2'</source>
-        <translation>pas un nombre pour '%1' : '%2'</translation>
-    </message>
-    <message>
-        <source>no number in OFFSET: '%1'</source>
-        <translation>pas un nombre dans OFFSET : '%1'</translation>
-    </message>
-    <message>
-        <source>no number in frame %1: '%2'</source>
-        <translation>pas un nombre dans l'image %1 : '%2'</translation>
-    </message>
-    <message>
-        <source>no object</source>
-        <translation>pas un objet</translation>
     </message>
     <message>
         <source>no option is named '%1'</source>
         <translation>aucune option ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no pair set '%1'</source>
-        <translation>pas de jeu de paires '%1'</translation>
+        <source>no pair set is named '%1'</source>
+        <translation>aucun jeu de paires ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no pairing code</source>
         <translation>pas un code d'appairage</translation>
     </message>
     <message>
-        <source>no part '%1'</source>
-        <translation>aucune pièce '%1'</translation>
-    </message>
-    <message>
         <source>no part '%1' in %2</source>
         <translation>pas de pièce '%1' dans %2</translation>
     </message>
     <message>
-        <source>no part '%1' in it</source>
-        <translation>aucune pièce '%1' dans le fichier</translation>
+        <source>no part is named '%1'</source>
+        <translation>aucune pièce ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no parts</source>
-        <translation>aucune pièce</translation>
+        <source>no parts to move</source>
+        <translation>aucune pièce à déplacer</translation>
     </message>
     <message>
         <source>no path</source>
@@ -14495,71 +14363,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas de points</translation>
     </message>
     <message>
-        <source>no pose</source>
-        <translation>pas de pose</translation>
-    </message>
-    <message>
-        <source>no pose or no status</source>
-        <translation>pas de pose ou pas d'état</translation>
-    </message>
-    <message>
-        <source>no position</source>
-        <translation>pas une position</translation>
-    </message>
-    <message>
-        <source>no positions in it</source>
-        <translation>pas de positions à l'intérieur</translation>
-    </message>
-    <message>
-        <source>no reference pose</source>
-        <translation>pas de pose de référence</translation>
-    </message>
-    <message>
-        <source>no regular file</source>
-        <translation>ce n'est pas un fichier ordinaire</translation>
-    </message>
-    <message>
-        <source>no robot</source>
-        <translation>aucun robot</translation>
-    </message>
-    <message>
-        <source>no robot of that name is built in</source>
-        <translation>aucun robot de ce nom n'est fourni</translation>
-    </message>
-    <message>
-        <source>no room for a copy</source>
-        <translation>pas assez d'espace pour une copie</translation>
-    </message>
-    <message>
-        <source>no room for its text</source>
-        <translation>pas assez de place pour son texte</translation>
-    </message>
-    <message>
-        <source>no room to hand it over</source>
-        <translation>pas assez de place pour le transmettre</translation>
-    </message>
-    <message>
-        <source>no row after the header</source>
-        <translation>pas de ligne après l'en-tête</translation>
-    </message>
-    <message>
-        <source>no row behind the header</source>
-        <translation>pas de ligne après l'en-tête</translation>
-    </message>
-    <message>
         <source>no shape</source>
         <translation>aucune forme</translation>
-    </message>
-    <message>
-        <source>no shape could be made of it</source>
-        <translation>aucune forme n'a pu en être tirée</translation>
     </message>
     <message>
         <source>no shape in it</source>
         <translation>pas de forme à l'intérieur</translation>
     </message>
     <message>
-        <source>no shape with an area</source>
+        <source>no shape with an area above 0</source>
         <translation>aucune forme ayant une surface</translation>
     </message>
     <message>
@@ -14571,104 +14383,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>aucun périphérique simulé ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no size</source>
-        <translation>pas de taille</translation>
-    </message>
-    <message>
-        <source>no state of the stylus came any more</source>
-        <translation>l'état du stylet n'arrive plus</translation>
-    </message>
-    <message>
         <source>no such column</source>
         <translation>cette colonne n'existe pas</translation>
     </message>
     <message>
-        <source>no such message</source>
-        <translation>aucun message de ce type</translation>
-    </message>
-    <message>
-        <source>no such node</source>
-        <translation>ce nœud n'existe pas</translation>
-    </message>
-    <message>
-        <source>no such object</source>
-        <translation>cet objet n'existe pas</translation>
-    </message>
-    <message>
-        <source>no surface</source>
-        <translation>aucune surface</translation>
-    </message>
-    <message>
-        <source>no table</source>
-        <translation>pas une table</translation>
-    </message>
-    <message>
-        <source>no table that says how it moves</source>
+        <source>no table defines how the robot moves</source>
         <translation>aucune table qui décrit sa cinématique</translation>
+    </message>
+    <message>
+        <source>no tag, or one of !degrees, !radians, !meters, !millimeters, !foot, !inches</source>
+        <translation>aucune, ou une parmi !degrees, !radians, !meters, !millimeters, !foot, !inches</translation>
     </message>
     <message>
         <source>no target</source>
         <translation>pas de cible</translation>
     </message>
     <message>
-        <source>no task '%1'</source>
-        <translation>pas de tâche '%1'</translation>
+        <source>no task is named '%1'</source>
+        <translation>aucune tâche ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no text</source>
-        <translation>aucun texte</translation>
+        <source>no ticks</source>
+        <translation>aucun cycle</translation>
     </message>
     <message>
-        <source>no tool '%1'</source>
-        <translation>pas d'outil '%1'</translation>
+        <source>no tool is named '%1'</source>
+        <translation>aucun outil ne s'appelle '%1'</translation>
     </message>
     <message>
-        <source>no training session</source>
-        <translation>pas une session d'entraînement</translation>
-    </message>
-    <message>
-        <source>no trajectory '%1'</source>
-        <translation>pas de trajectoire '%1'</translation>
-    </message>
-    <message>
-        <source>no triangle with an area</source>
-        <translation>aucun triangle d'aire non nulle</translation>
-    </message>
-    <message>
-        <source>no triangles</source>
-        <translation>aucun triangle</translation>
-    </message>
-    <message>
-        <source>no two numbers</source>
-        <translation>pas deux nombres</translation>
-    </message>
-    <message>
-        <source>no unit quaternion</source>
-        <translation>pas un quaternion unitaire</translation>
+        <source>no trajectory is named '%1'</source>
+        <translation>aucune trajectoire ne s'appelle '%1'</translation>
     </message>
     <message>
         <source>no unit: robot files are in metres</source>
-        <translation>pas d'unité : les fichiers de robots sont en mètres</translation>
-    </message>
-    <message>
-        <source>no version number</source>
-        <translation>ce n'est pas un numéro de version</translation>
-    </message>
-    <message>
-        <source>no vertices</source>
-        <translation>aucun sommet</translation>
-    </message>
-    <message>
-        <source>no whole number</source>
-        <translation>pas un nombre entier</translation>
-    </message>
-    <message>
-        <source>no workspace</source>
-        <translation>pas d'espace de travail</translation>
-    </message>
-    <message>
-        <source>no { after '%1'</source>
-        <translation>pas de { après '%1'</translation>
+        <translation>aucune : les fichiers de robots sont en mètres</translation>
     </message>
     <message>
         <source>node %1</source>
@@ -14699,40 +14447,84 @@ Voulez-vous le remplacer ?</translation>
         <translation>rien à proximité</translation>
     </message>
     <message>
-        <source>none, as no part of a mannequin is moved by %1</source>
-        <translation>none, car aucune partie d'un mannequin n'est déplacée par %1</translation>
-    </message>
-    <message>
-        <source>none, or not what it should be</source>
-        <translation>absent, ou pas ce qui est attendu</translation>
-    </message>
-    <message>
-        <source>none, or one of !degrees, !radians, !meters, !millimeters, !foot, !inches</source>
-        <translation>aucune, ou une parmi !degrees, !radians, !meters, !millimeters, !foot, !inches</translation>
-    </message>
-    <message>
-        <source>none: robot files are in metres</source>
-        <translation>aucune : les fichiers de robots sont en mètres</translation>
-    </message>
-    <message>
         <source>none; e.g. %1</source>
         <translation>aucun ; p. ex. %1</translation>
     </message>
     <message>
-        <source>not 22 numbers each of gain and offset</source>
+        <source>not 22 numbers each for gain and offset</source>
         <translation>pas 22 nombres de gain et 22 de décalage</translation>
+    </message>
+    <message>
+        <source>not a HaptiCell trajectory</source>
+        <translation>pas une trajectoire HaptiCell</translation>
+    </message>
+    <message>
+        <source>not a JSON object</source>
+        <translation>pas d'objet JSON</translation>
+    </message>
+    <message>
+        <source>not a ZIP archive</source>
+        <translation>ce n'est pas une archive ZIP</translation>
+    </message>
+    <message>
+        <source>not a built-in part</source>
+        <translation>ce n'est pas une pièce paramétrique</translation>
+    </message>
+    <message>
+        <source>not a list</source>
+        <translation>pas une liste</translation>
+    </message>
+    <message>
+        <source>not a list of numbers</source>
+        <translation>pas une liste de nombres</translation>
+    </message>
+    <message>
+        <source>not a list of three numbers</source>
+        <translation>pas trois nombres</translation>
     </message>
     <message>
         <source>not a member of dialout</source>
         <translation>pas membre de dialout</translation>
     </message>
     <message>
+        <source>not a number</source>
+        <translation>pas un nombre</translation>
+    </message>
+    <message>
         <source>not a regular file</source>
         <translation>ce n'est pas un fichier ordinaire</translation>
     </message>
     <message>
+        <source>not a table</source>
+        <translation>pas une table</translation>
+    </message>
+    <message>
+        <source>not a training session</source>
+        <translation>pas une session d'entraînement</translation>
+    </message>
+    <message>
+        <source>not a unit quaternion</source>
+        <translation>pas un quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>not a whole number</source>
+        <translation>pas un nombre entier</translation>
+    </message>
+    <message>
         <source>not an IP address</source>
         <translation>pas une adresse IP</translation>
+    </message>
+    <message>
+        <source>not an absolute path</source>
+        <translation>pas un chemin absolu</translation>
+    </message>
+    <message>
+        <source>not an angle</source>
+        <translation>pas un angle</translation>
+    </message>
+    <message>
+        <source>not an exercise</source>
+        <translation>pas un exercice</translation>
     </message>
     <message>
         <source>not an option</source>
@@ -14743,28 +14535,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>non vérifié</translation>
     </message>
     <message>
-        <source>not done after %1 s</source>
-        <translation>pas terminé après %1 s</translation>
-    </message>
-    <message>
         <source>not enough memory</source>
         <translation>pas assez de mémoire</translation>
+    </message>
+    <message>
+        <source>not enough memory for the text of the file</source>
+        <translation>pas assez de mémoire pour le texte du fichier</translation>
+    </message>
+    <message>
+        <source>not enough memory for this file</source>
+        <translation>pas assez de mémoire pour ce fichier</translation>
+    </message>
+    <message>
+        <source>not enough memory or disk space to transfer the result</source>
+        <translation>pas assez de mémoire ou de place sur le disque pour transmettre le résultat</translation>
+    </message>
+    <message>
+        <source>not found in the folders of shipped files</source>
+        <translation>absent de tous les dossiers de fichiers livrés</translation>
     </message>
     <message>
         <source>not given</source>
         <translation>valeur non donnée</translation>
     </message>
     <message>
-        <source>not known to this reader</source>
-        <translation>inconnu de ce lecteur</translation>
-    </message>
-    <message>
         <source>not needed</source>
         <translation>inutile</translation>
-    </message>
-    <message>
-        <source>not one tick</source>
-        <translation>aucun cycle</translation>
     </message>
     <message>
         <source>not picked</source>
@@ -14775,48 +14571,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>pas encore enregistrée</translation>
     </message>
     <message>
-        <source>not three numbers</source>
-        <translation>pas trois nombres</translation>
+        <source>not supported by this reader</source>
+        <translation>inconnu de ce lecteur</translation>
+    </message>
+    <message>
+        <source>not two numbers</source>
+        <translation>pas deux nombres</translation>
     </message>
     <message>
         <source>nothing</source>
         <translation>rien</translation>
-    </message>
-    <message>
-        <source>nothing for %1</source>
-        <translation>rien pour %1</translation>
-    </message>
-    <message>
-        <source>nothing in it</source>
-        <translation>rien dedans</translation>
-    </message>
-    <message>
-        <source>nothing is recorded</source>
-        <translation>rien n'est enregistré</translation>
-    </message>
-    <message>
-        <source>nothing tells how the hands are turned about the forearms (no fingers, no rest position); taken to be neither pronated nor supinated on the whole</source>
-        <translation>rien n'indique la rotation des mains autour des avant-bras (ni doigts, ni position de repos) ; supposées en moyenne ni en pronation ni en supination</translation>
-    </message>
-    <message>
-        <source>nothing tells where the top of the head is; the head's own frame is taken</source>
-        <translation>rien n'indique où est le sommet de la tête ; le repère propre de la tête est utilisé</translation>
-    </message>
-    <message>
-        <source>nothing that has a shape</source>
-        <translation>rien qui ait une forme</translation>
-    </message>
-    <message>
-        <source>nothing that is played</source>
-        <translation>rien qui soit joué</translation>
-    </message>
-    <message>
-        <source>nothing that may be moved</source>
-        <translation>rien qui puisse être déplacé</translation>
-    </message>
-    <message>
-        <source>nothing to check it by</source>
-        <translation>rien avec quoi le contrôler</translation>
     </message>
     <message>
         <source>now</source>
@@ -14831,12 +14595,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>des nombres</translation>
     </message>
     <message>
-        <source>numbers or registers that are set</source>
-        <translation>des nombres ou des registres définis</translation>
+        <source>numbers of vertices of the mesh</source>
+        <translation>des numéros de sommets du maillage</translation>
     </message>
     <message>
-        <source>numbers that make no shape</source>
+        <source>numbers that define no valid shape</source>
         <translation>des nombres qui ne donnent pas de forme</translation>
+    </message>
+    <message>
+        <source>numbers, or registers that the program sets</source>
+        <translation>des nombres ou des registres définis</translation>
     </message>
     <message>
         <source>object '%1'</source>
@@ -14883,36 +14651,32 @@ Voulez-vous le remplacer ?</translation>
         <translation>on ou off</translation>
     </message>
     <message>
-        <source>once</source>
-        <translation>une seule fois</translation>
-    </message>
-    <message>
         <source>one</source>
         <translation>un</translation>
     </message>
     <message>
-        <source>one a joint</source>
-        <translation>un par axe</translation>
-    </message>
-    <message>
-        <source>one between the first and the last frame</source>
-        <translation>un temps entre la première et la dernière image</translation>
+        <source>one character</source>
+        <translation>un seul caractère</translation>
     </message>
     <message>
         <source>one document</source>
         <translation>un seul document</translation>
     </message>
     <message>
-        <source>one frame, or frames whose places the file gives</source>
-        <translation>un seul repère, ou des repères dont le fichier donne la pose</translation>
+        <source>one element inside the call for each block</source>
+        <translation>un élément dans l'appel pour chaque bloc</translation>
     </message>
     <message>
-        <source>one link that is no joint's child</source>
+        <source>one link that is not the child of a joint</source>
         <translation>un seul segment qui ne soit l'enfant d'aucun axe</translation>
     </message>
     <message>
+        <source>one name per joint</source>
+        <translation>un nom par axe</translation>
+    </message>
+    <message>
         <source>one of %1</source>
-        <translation>l'un de %1</translation>
+        <translation>une valeur parmi %1</translation>
     </message>
     <message>
         <source>one of --percentile and --stature</source>
@@ -14923,36 +14687,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'un de [opw], [dh], [[chain]], [delta], [hexapod], [urdf]</translation>
     </message>
     <message>
-        <source>one of an entity</source>
-        <translation>un repère d'une entité</translation>
-    </message>
-    <message>
-        <source>one of its keys</source>
-        <translation>une de ses clés</translation>
-    </message>
-    <message>
-        <source>one of its links</source>
-        <translation>l'un de ses segments</translation>
-    </message>
-    <message>
-        <source>one of its values</source>
-        <translation>une de ses valeurs</translation>
-    </message>
-    <message>
         <source>one of the %1 vertices</source>
         <translation>un des %1 sommets</translation>
-    </message>
-    <message>
-        <source>one of the cell</source>
-        <translation>un élément de la cellule</translation>
-    </message>
-    <message>
-        <source>one of the document</source>
-        <translation>un élément du document</translation>
-    </message>
-    <message>
-        <source>one of the functions in docs/user/formats.md</source>
-        <translation>une des fonctions de docs/user/formats.md</translation>
     </message>
     <message>
         <source>one of the landmarks %1</source>
@@ -14963,104 +14699,84 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'un des deux</translation>
     </message>
     <message>
-        <source>one of the workcell</source>
-        <translation>un élément de la cellule</translation>
-    </message>
-    <message>
         <source>one of them</source>
         <translation>un seul d'entre eux</translation>
-    </message>
-    <message>
-        <source>one of those that --help lists</source>
-        <translation>l'une de celles que --help énumère</translation>
     </message>
     <message>
         <source>one point</source>
         <translation>un seul point</translation>
     </message>
     <message>
+        <source>one robot for a URDF</source>
+        <translation>un robot, pour un URDF</translation>
+    </message>
+    <message>
+        <source>one scene per file</source>
+        <translation>une scène par fichier</translation>
+    </message>
+    <message>
         <source>one shape cut out of another</source>
         <translation>une forme découpée dans une autre</translation>
     </message>
     <message>
-        <source>one sign</source>
-        <translation>un seul caractère</translation>
-    </message>
-    <message>
-        <source>one skeleton a file</source>
+        <source>one skeleton per file</source>
         <translation>un squelette par fichier</translation>
     </message>
     <message>
-        <source>one that is</source>
-        <translation>un nom défini</translation>
+        <source>one that exists in the cell</source>
+        <translation>un élément de la cellule</translation>
     </message>
     <message>
-        <source>one that is in the document</source>
+        <source>one that exists in the document</source>
         <translation>une entité du document</translation>
-    </message>
-    <message>
-        <source>one that may be written</source>
-        <translation>un fichier accessible en écriture</translation>
-    </message>
-    <message>
-        <source>one that moves</source>
-        <translation>une qui bouge</translation>
     </message>
     <message>
         <source>one value</source>
         <translation>une seule valeur</translation>
     </message>
     <message>
-        <source>one within 64 bits</source>
-        <translation>un nombre sur 64 bits</translation>
+        <source>one value for each %</source>
+        <translation>une valeur pour chaque %</translation>
     </message>
     <message>
-        <source>one, for a URDF</source>
-        <translation>un robot, pour un URDF</translation>
-    </message>
-    <message>
-        <source>one, or %1</source>
+        <source>one value, or %1</source>
         <translation>un seul, ou %1</translation>
     </message>
     <message>
-        <source>one, which is all a URDF holds</source>
-        <translation>un seul, car un URDF n'en contient pas plus</translation>
+        <source>only files in %1</source>
+        <translation>seulement des fichiers dans %1</translation>
     </message>
     <message>
         <source>only one hand carries the load; it covers lifts with both hands. Use RULA or REBA.</source>
         <translation>une seule main porte la charge ; elle vaut pour les levages à deux mains. Utilisez RULA ou REBA.</translation>
     </message>
     <message>
-        <source>only triangles without area</source>
+        <source>only zero-area triangles</source>
         <translation>seulement des triangles sans aire</translation>
+    </message>
+    <message>
+        <source>operator '%1' between lists</source>
+        <translation>un opérateur '%1' entre des listes</translation>
+    </message>
+    <message>
+        <source>operator '%1' on a list</source>
+        <translation>un opérateur '%1' sur une liste</translation>
+    </message>
+    <message>
+        <source>operator '%1', which is not supported</source>
+        <translation>un opérateur '%1' qui n'est pas compris</translation>
     </message>
     <message>
         <source>origin</source>
         <translation>origine</translation>
     </message>
     <message>
-        <source>other bytes</source>
-        <translation>d'autres octets</translation>
-    </message>
-    <message>
-        <source>other bytes than in %1</source>
-        <translation>d'autres octets que dans %1</translation>
-    </message>
-    <message>
-        <source>other bytes than were written</source>
-        <translation>d'autres octets que ceux écrits</translation>
-    </message>
-    <message>
         <source>other joints</source>
         <translation>d'autres axes</translation>
     </message>
     <message>
-        <source>other users may write to it</source>
+        <source>other users can write to it</source>
         <translation>d'autres utilisateurs peuvent y écrire</translation>
-    </message>
-    <message>
-        <source>others than those that were packed</source>
-        <translation>d'autres que celles qui ont été archivées</translation>
     </message>
     <message>
         <source>out of balance</source>
@@ -15071,20 +14787,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>hors limites</translation>
     </message>
     <message>
-        <source>outside: %1</source>
+        <source>outside the folder: %1</source>
         <translation>hors du dossier : %1</translation>
     </message>
     <message>
-        <source>over 0 and at most 100000</source>
-        <translation>plus de 0 et au plus 100000</translation>
-    </message>
-    <message>
-        <source>own measures</source>
-        <translation>mesures propres</translation>
-    </message>
-    <message>
-        <source>packages that are not found: put the package's folder beside the robot file or above it, or name its place in ROS_PACKAGE_PATH</source>
+        <source>packages that are not found: put the package folder next to the robot file or above it, or add its path to ROS_PACKAGE_PATH</source>
         <translation>paquets introuvables : placez le dossier du paquet à côté ou au-dessus du fichier du robot, ou indiquez son emplacement dans ROS_PACKAGE_PATH</translation>
+    </message>
+    <message>
+        <source>pair rule</source>
+        <translation>une règle de paire</translation>
     </message>
     <message>
         <source>pair rule %1</source>
@@ -15103,7 +14815,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>jeu de paires '%1'</translation>
     </message>
     <message>
-        <source>pair set '%1' names '%2', which is not there</source>
+        <source>pair set '%1' names '%2', which does not exist</source>
         <translation>le jeu de paires '%1' nomme '%2', qui n'existe pas</translation>
     </message>
     <message>
@@ -15119,15 +14831,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>clé d'appairage</translation>
     </message>
     <message>
-        <source>pairs of key and value</source>
+        <source>pairs of a key and a value</source>
         <translation>des paires de clé et de valeur</translation>
     </message>
     <message>
-        <source>parameters that are not in the file</source>
-        <translation>des paramètres qui ne sont pas dans le fichier</translation>
-    </message>
-    <message>
-        <source>parents first</source>
+        <source>parents before their children</source>
         <translation>les parents d'abord</translation>
     </message>
     <message>
@@ -15147,15 +14855,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>pièces</translation>
     </message>
     <message>
-        <source>parts from 0 to 1</source>
-        <translation>des composantes de 0 à 1</translation>
-    </message>
-    <message>
         <source>parts of the cell, not the mannequin itself</source>
         <translation>des pièces de la cellule, pas le mannequin lui-même</translation>
     </message>
     <message>
-        <source>parts within 2 km of it, where a tenth of a millimetre can still be drawn</source>
+        <source>parts within 2 km of the origin, where 0.1 mm can still be drawn</source>
         <translation>des pièces à moins de 2 km, où un dixième de millimètre se dessine encore</translation>
     </message>
     <message>
@@ -15175,10 +14879,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>phantom_desktop, touch, touch_x, premium ou premium_6dof</translation>
     </message>
     <message>
-        <source>places saved from a run; the models stand where they are described</source>
-        <translation>des positions enregistrées pendant une simulation ; les modèles sont placés là où ils sont décrits</translation>
-    </message>
-    <message>
         <source>plain URDF</source>
         <translation>de l'URDF simple</translation>
     </message>
@@ -15195,16 +14895,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>points</translation>
     </message>
     <message>
+        <source>points and lines</source>
+        <translation>des points et des lignes</translation>
+    </message>
+    <message>
         <source>points reordered</source>
         <translation>points réordonnés</translation>
     </message>
     <message>
-        <source>points that are no list</source>
+        <source>points that are not a list</source>
         <translation>des points qui ne sont pas une liste</translation>
-    </message>
-    <message>
-        <source>points without a program</source>
-        <translation>des points sans programme</translation>
     </message>
     <message>
         <source>points without faces</source>
@@ -15215,7 +14915,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>poses</translation>
     </message>
     <message>
-        <source>poses, for an edit of them</source>
+        <source>poses, because this edit changes them</source>
         <translation>des poses, pour les modifier</translation>
     </message>
     <message>
@@ -15223,20 +14923,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>positions et time_from_start</translation>
     </message>
     <message>
-        <source>positions of joints in the channels stay near zero; they are added to the offsets</source>
-        <translation>les positions d'articulations dans les canaux restent proches de zéro ; elles sont ajoutées aux décalages</translation>
+        <source>positions reach %1: millimetres are assumed</source>
+        <translation>les positions vont jusqu'à %1 : l'unité supposée est le millimètre</translation>
     </message>
     <message>
-        <source>positions that are no list</source>
+        <source>positions that are not a list</source>
         <translation>des positions qui ne sont pas une liste</translation>
-    </message>
-    <message>
-        <source>positive ones</source>
-        <translation>des valeurs positives</translation>
-    </message>
-    <message>
-        <source>positive speeds, a joint speed up to 1, a blend from 0</source>
-        <translation>des vitesses positives, une vitesse articulaire de 1 au plus, un rayon de raccordement de 0 ou plus</translation>
     </message>
     <message>
         <source>positive values</source>
@@ -15247,7 +14939,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>practice, retention ou transfer</translation>
     </message>
     <message>
-        <source>printable, at most 200 letters</source>
+        <source>printable text of at most 200 characters</source>
         <translation>des caractères imprimables, 200 au plus</translation>
     </message>
     <message>
@@ -15255,7 +14947,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>processeur %1</translation>
     </message>
     <message>
-        <source>properties without a circle</source>
+        <source>properties that do not depend on themselves</source>
         <translation>des propriétés sans boucle</translation>
     </message>
     <message>
@@ -15271,20 +14963,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>range() avec un pas de 0</translation>
     </message>
     <message>
-        <source>read back</source>
-        <translation>relecture</translation>
+        <source>reading took longer than %1 s</source>
+        <translation>la lecture a duré plus de %1 s</translation>
     </message>
     <message>
         <source>recording</source>
         <translation>enregistrement</translation>
     </message>
     <message>
+        <source>red, green and blue from 0 to 1</source>
+        <translation>rouge, vert et bleu de 0 à 1</translation>
+    </message>
+    <message>
         <source>reference to '%1'</source>
         <translation>renvoi à '%1'</translation>
     </message>
     <message>
-        <source>references to what is there</source>
+        <source>references to existing elements</source>
         <translation>des renvois à ce qui existe</translation>
+    </message>
+    <message>
+        <source>relative axis values after a target without axis values</source>
+        <translation>des axes relatifs à une cible qui n'en a pas</translation>
     </message>
     <message>
         <source>relative chord</source>
@@ -15315,16 +15015,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>ressource introuvable : %1 (%2)</translation>
     </message>
     <message>
-        <source>rest at both ends</source>
-        <translation>l'arrêt aux deux extrémités</translation>
-    </message>
-    <message>
         <source>results.pdf</source>
         <translation>resultats.pdf</translation>
     </message>
     <message>
-        <source>retention: this exercise was practised</source>
-        <translation>retention : cet exercice a été pratiqué</translation>
+        <source>retention: an exercise that the trainee practised</source>
+        <translation>retention : un exercice que l'apprenant a pratiqué</translation>
     </message>
     <message>
         <source>retimed</source>
@@ -15375,28 +15071,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>poignet droit</translation>
     </message>
     <message>
-        <source>rising times, s</source>
-        <translation>des temps croissants, en s</translation>
-    </message>
-    <message>
         <source>robot '%1', link '%2'</source>
         <translation>robot '%1', segment '%2'</translation>
-    </message>
-    <message>
-        <source>room and permission</source>
-        <translation>de la place et le droit d'écrire</translation>
-    </message>
-    <message>
-        <source>room and permission to write</source>
-        <translation>de l'espace libre et le droit d'écriture</translation>
-    </message>
-    <message>
-        <source>room in the folder TMPDIR</source>
-        <translation>de l'espace libre dans le dossier TMPDIR</translation>
-    </message>
-    <message>
-        <source>root may</source>
-        <translation>root en a le droit</translation>
     </message>
     <message>
         <source>rough</source>
@@ -15411,7 +15087,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>round(%1)</translation>
     </message>
     <message>
-        <source>routines that call each other without end</source>
+        <source>routines that call each other endlessly</source>
         <translation>des routines qui s'appellent sans fin</translation>
     </message>
     <message>
@@ -15431,11 +15107,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>échelle</translation>
     </message>
     <message>
-        <source>scenes beside the main one</source>
+        <source>scenes other than the main one</source>
         <translation>des scènes en plus de la principale</translation>
     </message>
     <message>
-        <source>scope=&quot;%1&quot; is not known; the property '%2' is set where it stands</source>
+        <source>scope=&quot;%1&quot; is unknown; the property '%2' is set in the current scope</source>
         <translation>scope=&quot;%1&quot; n'est pas connu ; la propriété '%2' est définie là où elle se trouve</translation>
     </message>
     <message>
@@ -15447,8 +15123,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>screen, cell ou frame:NAME</translation>
     </message>
     <message>
-        <source>sdformat: %1 more complaints</source>
-        <translation>sdformat : %1 autres erreurs</translation>
+        <source>sdformat: %1 more messages</source>
+        <translation>sdformat : %1 autres messages</translation>
     </message>
     <message>
         <source>seconds</source>
@@ -15459,16 +15135,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>des secondes et nanosecondes : {sec, nanosec} ou {secs, nsecs}</translation>
     </message>
     <message>
-        <source>seconds from 0 (for ever) up</source>
-        <translation>des secondes à partir de 0 (sans fin)</translation>
+        <source>seconds or metres above 0</source>
+        <translation>des secondes ou des mètres, plus que 0</translation>
+    </message>
+    <message>
+        <source>seconds, 0 or more (0: no limit)</source>
+        <translation>des secondes, 0 ou plus (0 : sans limite)</translation>
     </message>
     <message>
         <source>seconds, above 0</source>
         <translation>des secondes, plus de 0</translation>
-    </message>
-    <message>
-        <source>seconds, metres</source>
-        <translation>des secondes, des mètres</translation>
     </message>
     <message>
         <source>self_origin, geometric_center or frame:NAME of an entity</source>
@@ -15479,12 +15155,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>sept nombres x,y,z,qw,qx,qy,qz avec un quaternion de norme 1</translation>
     </message>
     <message>
-        <source>shapes that cannot be had</source>
-        <translation>formes indisponibles</translation>
+        <source>shape morphing; the mesh is shown as modelled</source>
+        <translation>des changements de forme ; le maillage est affiché tel que modélisé</translation>
     </message>
     <message>
-        <source>shapes that cannot be had (%1)</source>
-        <translation>formes indisponibles (%1)</translation>
+        <source>shapes that cannot be read</source>
+        <translation>formes qui ne peuvent pas être lues</translation>
+    </message>
+    <message>
+        <source>shapes that cannot be read (%1)</source>
+        <translation>formes qui ne peuvent pas être lues (%1)</translation>
     </message>
     <message>
         <source>share of the limit</source>
@@ -15495,7 +15175,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>parts du cycle</translation>
     </message>
     <message>
-        <source>shares of the cycle that add up to at most 1</source>
+        <source>shares of the cycle with a sum of at most 1</source>
         <translation>des parts du cycle dont la somme est au plus 1</translation>
     </message>
     <message>
@@ -15507,6 +15187,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>simplifié</translation>
     </message>
     <message>
+        <source>simulation bodies</source>
+        <translation>des corps de simulation</translation>
+    </message>
+    <message>
         <source>singularities, configuration changes: %1</source>
         <translation>singularités, changements de configuration : %1</translation>
     </message>
@@ -15515,32 +15199,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>assis</translation>
     </message>
     <message>
-        <source>six joints of the robot</source>
-        <translation>six axes du robot</translation>
+        <source>six joint values</source>
+        <translation>six valeurs d'axes</translation>
     </message>
     <message>
-        <source>six of true or false</source>
-        <translation>six fois true ou false</translation>
+        <source>six joints, or none</source>
+        <translation>six, ou aucun</translation>
     </message>
     <message>
-        <source>six times 1 or -1</source>
+        <source>six numbers, each 1 or -1</source>
         <translation>six fois 1 ou -1</translation>
     </message>
     <message>
-        <source>six, or none</source>
-        <translation>six, ou aucun</translation>
+        <source>six values, each true or false</source>
+        <translation>six fois true ou false</translation>
     </message>
     <message>
         <source>size</source>
         <translation>dimension</translation>
     </message>
     <message>
-        <source>sizes that cannot be used: '%1'</source>
-        <translation>des dimensions inutilisables : '%1'</translation>
-    </message>
-    <message>
-        <source>slices beside the mesh</source>
-        <translation>des tranches en plus du maillage</translation>
+        <source>slices</source>
+        <translation>des tranches</translation>
     </message>
     <message>
         <source>smaller numbers</source>
@@ -15559,28 +15239,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>des solides ou des surfaces aux faces exactes</translation>
     </message>
     <message>
-        <source>some that leave one at least</source>
-        <translation>des images qui en laissent au moins une</translation>
-    </message>
-    <message>
-        <source>somebody</source>
-        <translation>quelqu'un</translation>
-    </message>
-    <message>
-        <source>something else</source>
-        <translation>autre chose</translation>
-    </message>
-    <message>
-        <source>something else, or nothing</source>
-        <translation>autre chose, ou rien</translation>
-    </message>
-    <message>
-        <source>something stands there already</source>
-        <translation>l'emplacement est déjà occupé</translation>
-    </message>
-    <message>
-        <source>something that is drawn</source>
-        <translation>quelque chose de dessiné</translation>
+        <source>some of the markers C7, T10, CLAV and STRN are missing; the chest is derived from shoulders and hips</source>
+        <translation>C7, T10, CLAV et STRN ne sont pas tous présents ; l'orientation du thorax est déduite des épaules et des hanches</translation>
     </message>
     <message>
         <source>sparse accessor</source>
@@ -15599,11 +15259,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>vitesse, accélération, rayon de raccordement</translation>
     </message>
     <message>
+        <source>speeds above 0, a joint speed of at most 1, a blend of 0 or more</source>
+        <translation>des vitesses positives, une vitesse articulaire de 1 au plus, un rayon de raccordement de 0 ou plus</translation>
+    </message>
+    <message>
         <source>split</source>
         <translation>coupé</translation>
     </message>
     <message>
-        <source>split() at an empty text</source>
+        <source>split() with an empty separator</source>
         <translation>split() avec un texte séparateur vide</translation>
     </message>
     <message>
@@ -15615,7 +15279,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>debout</translation>
     </message>
     <message>
-        <source>statements that are run without end</source>
+        <source>start of file</source>
+        <translation>début du fichier</translation>
+    </message>
+    <message>
+        <source>statements that run endlessly</source>
         <translation>des instructions exécutées sans fin</translation>
     </message>
     <message>
@@ -15651,6 +15319,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>sudo usermod -aG dialout %1, puis reconnectez-vous</translation>
     </message>
     <message>
+        <source>symbolic links that refer to each other</source>
+        <translation>des liens symboliques qui renvoient l'un à l'autre</translation>
+    </message>
+    <message>
         <source>tables [[%1]]</source>
         <translation>des tables [[%1]]</translation>
     </message>
@@ -15659,12 +15331,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>des tables et des listes imbriquées sur plus de %1 niveaux</translation>
     </message>
     <message>
-        <source>targets as they stand</source>
-        <translation>des cibles telles quelles</translation>
-    </message>
-    <message>
         <source>targets in several frames: %1</source>
         <translation>des cibles dans plusieurs repères : %1</translation>
+    </message>
+    <message>
+        <source>targets without a shift</source>
+        <translation>des cibles sans décalage</translation>
     </message>
     <message>
         <source>task</source>
@@ -15695,8 +15367,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand, both_hands ou head</translation>
     </message>
     <message>
+        <source>terrain from an image</source>
+        <translation>un terrain tiré d'une image</translation>
+    </message>
+    <message>
         <source>text in quotes</source>
         <translation>un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>text instead of a number, or a number that is too large</source>
+        <translation>un texte au lieu d'un nombre, ou un nombre trop grand</translation>
     </message>
     <message>
         <source>text that is not JSON</source>
@@ -15711,20 +15391,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>des textes</translation>
     </message>
     <message>
-        <source>texts and lists of more than 64 MB</source>
+        <source>texts and lists with more than 64 MB in total</source>
         <translation>des textes et des listes de plus de 64 Mo</translation>
-    </message>
-    <message>
-        <source>texts in quotes</source>
-        <translation>des textes entre guillemets</translation>
-    </message>
-    <message>
-        <source>that part is not in the package</source>
-        <translation>cet élément n'est pas dans le paquet</translation>
-    </message>
-    <message>
-        <source>the %1 elements %2 were not used</source>
-        <translation>les %1 éléments %2 n'ont pas été utilisés</translation>
     </message>
     <message>
         <source>the %1 that were packed</source>
@@ -15735,11 +15403,27 @@ Voulez-vous le remplacer ?</translation>
         <translation>les 20 octets de l'en-tête d'un fichier glTF binaire et davantage</translation>
     </message>
     <message>
+        <source>the C3D header is missing</source>
+        <translation>pas d'en-tête C3D</translation>
+    </message>
+    <message>
+        <source>the JSON header of a recording</source>
+        <translation>l'en-tête JSON d'un enregistrement</translation>
+    </message>
+    <message>
+        <source>the active frame</source>
+        <translation>le repère actif</translation>
+    </message>
+    <message>
+        <source>the actuated joints block each other</source>
+        <translation>les axes actionnés se bloquent mutuellement</translation>
+    </message>
+    <message>
         <source>the angle CA</source>
         <translation>l'angle CA</translation>
     </message>
     <message>
-        <source>the angle's unit '%1'</source>
+        <source>the angle unit '%1'</source>
         <translation>l'unité d'angle '%1'</translation>
     </message>
     <message>
@@ -15753,6 +15437,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the axis '%1'</source>
         <translation>l'axe '%1'</translation>
+    </message>
+    <message>
+        <source>the axis is missing</source>
+        <translation>pas de direction d'axe</translation>
     </message>
     <message>
         <source>the ball joint of rod %1</source>
@@ -15771,6 +15459,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>la base du crâne</translation>
     </message>
     <message>
+        <source>the best place and its four postures</source>
+        <translation>l'emplacement et ses quatre postures</translation>
+    </message>
+    <message>
         <source>the block '%1' is not defined</source>
         <translation>le bloc '%1' n'est pas défini</translation>
     </message>
@@ -15779,7 +15471,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'os '%1'</translation>
     </message>
     <message>
-        <source>the bone '%1' has no numbers in %2 of %3 frames; it is taken at rest there</source>
+        <source>the bone '%1' has no values in %2 of %3 frames; its rest pose is used there</source>
         <translation>l'os '%1' n'a pas de nombres dans %2 images sur %3 ; il y est pris au repos</translation>
     </message>
     <message>
@@ -15787,20 +15479,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'os '%1' deux fois dans une image</translation>
     </message>
     <message>
-        <source>the box of the workcell's shape within 1e-9 m</source>
+        <source>the bounding box of the shape in the workcell, within 1e-9 m</source>
         <translation>la boîte englobante de la forme dans la cellule, à 1e-9 m près</translation>
     </message>
     <message>
-        <source>the bytes of the file that was packed</source>
-        <translation>les octets du fichier archivé</translation>
+        <source>the call of macro '%1' does not set %2</source>
+        <translation>la macro '%1' sans ses paramètres %2</translation>
+    </message>
+    <message>
+        <source>the call of macro '%1' has no block for %2</source>
+        <translation>la macro '%1' sans son bloc %2</translation>
+    </message>
+    <message>
+        <source>the capabilities are missing</source>
+        <translation>pas de caractéristiques</translation>
+    </message>
+    <message>
+        <source>the cell has no robot</source>
+        <translation>aucun robot</translation>
     </message>
     <message>
         <source>the channel '%1'</source>
         <translation>le canal '%1'</translation>
     </message>
     <message>
-        <source>the code in one line</source>
-        <translation>le code sur une ligne</translation>
+        <source>the character '%1'</source>
+        <translation>le caractère '%1'</translation>
+    </message>
+    <message>
+        <source>the character '%1' in the expression</source>
+        <translation>le caractère '%1' dans l'expression</translation>
     </message>
     <message>
         <source>the column is missing</source>
@@ -15819,8 +15527,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>la condition &quot;%1&quot;, qui donne &quot;%2&quot;</translation>
     </message>
     <message>
-        <source>the connection ended before the keys were compared</source>
+        <source>the connection ended before the keys were checked</source>
         <translation>la connexion s'est terminée avant la comparaison des clés</translation>
+    </message>
+    <message>
+        <source>the connection was interrupted</source>
+        <translation>la connexion a été interrompue</translation>
+    </message>
+    <message>
+        <source>the content differs from %1</source>
+        <translation>le contenu diffère de %1</translation>
     </message>
     <message>
         <source>the content of %1</source>
@@ -15839,16 +15555,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier copié</translation>
     </message>
     <message>
-        <source>the counts</source>
-        <translation>les nombres d'éléments</translation>
+        <source>the current position of the robot</source>
+        <translation>la position du robot</translation>
     </message>
     <message>
-        <source>the device '%1' is held by a real hand</source>
-        <translation>le périphérique '%1' est tenu par une vraie main</translation>
+        <source>the data is missing</source>
+        <translation>pas de données</translation>
+    </message>
+    <message>
+        <source>the dictionary has no key %1</source>
+        <translation>le dictionnaire n'a pas de clé %1</translation>
+    </message>
+    <message>
+        <source>the dictionary has no key '%1'</source>
+        <translation>le dictionnaire n'a pas de clé '%1'</translation>
     </message>
     <message>
         <source>the document</source>
         <translation>le document</translation>
+    </message>
+    <message>
+        <source>the element %1 twice</source>
+        <translation>un deuxième élément %1</translation>
     </message>
     <message>
         <source>the encoding is guessed</source>
@@ -15863,16 +15591,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>la fin du fichier</translation>
     </message>
     <message>
-        <source>the end of the file in a bone</source>
-        <translation>la fin du fichier dans un os</translation>
+        <source>the end of the loop depends on %1; the moves up to here are read.</source>
+        <translation>une boucle qui se termine selon %1 ; ses mouvements sont lus jusque-là.</translation>
     </message>
     <message>
-        <source>the ending '%1'</source>
-        <translation>l'extension '%1'</translation>
+        <source>the entity cannot be moved in this way</source>
+        <translation>elle ne peut pas être déplacée ainsi</translation>
+    </message>
+    <message>
+        <source>the entity does not exist</source>
+        <translation>cette entité n'existe pas</translation>
     </message>
     <message>
         <source>the entity is locked</source>
         <translation>l'entité est verrouillée</translation>
+    </message>
+    <message>
+        <source>the entity is missing</source>
+        <translation>aucune entité</translation>
     </message>
     <message>
         <source>the entity's name</source>
@@ -15891,11 +15627,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'exercice '%1' de ces résultats est introuvable</translation>
     </message>
     <message>
-        <source>the expression ends</source>
-        <translation>l'expression s'arrête</translation>
+        <source>the expression ends too early</source>
+        <translation>l'expression se termine trop tôt</translation>
     </message>
     <message>
-        <source>the extension %1, which is not read</source>
+        <source>the extension %1, which is not supported</source>
         <translation>l'extension %1, qui n'est pas lue</translation>
     </message>
     <message>
@@ -15903,7 +15639,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'extension '%1'</translation>
     </message>
     <message>
-        <source>the extension '%1' (%2), which is not read</source>
+        <source>the extension '%1' (%2), which is not supported</source>
         <translation>l'extension '%1' (%2), qui n'est pas lue</translation>
     </message>
     <message>
@@ -15923,8 +15659,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier</translation>
     </message>
     <message>
-        <source>the file %1 is not there</source>
+        <source>the file %1 does not exist</source>
         <translation>le fichier %1 n'existe pas</translation>
+    </message>
+    <message>
+        <source>the file cannot be read as %1</source>
+        <translation>illisible en tant que %1</translation>
     </message>
     <message>
         <source>the file cannot be written</source>
@@ -15935,43 +15675,55 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier n'a pas pu être lu</translation>
     </message>
     <message>
-        <source>the file does not say which axis is up, nor do its markers; its z axis is taken; --up says another</source>
-        <translation>ni le fichier ni ses marqueurs n'indiquent quel axe est vers le haut ; son axe z est utilisé ; --up en indique un autre</translation>
+        <source>the file differs from what was written</source>
+        <translation>le fichier diffère de ce qui a été écrit</translation>
     </message>
     <message>
-        <source>the file does not say which axis is up; the body stands along %1, which is taken</source>
+        <source>the file does not exist</source>
+        <translation>ce fichier n'existe pas</translation>
+    </message>
+    <message>
+        <source>the file does not state how the hands are turned about the forearms (no fingers, no rest pose); on average, neither pronation nor supination is assumed</source>
+        <translation>rien n'indique la rotation des mains autour des avant-bras (ni doigts, ni position de repos) ; supposées en moyenne ni en pronation ni en supination</translation>
+    </message>
+    <message>
+        <source>the file does not state the top of the head; the frame of the head is used</source>
+        <translation>rien n'indique où est le sommet de la tête ; le repère propre de la tête est utilisé</translation>
+    </message>
+    <message>
+        <source>the file does not state which axis is up; the body stands along %1, which is used</source>
         <translation>le fichier n'indique pas quel axe est vers le haut ; le corps se tient selon %1, qui est utilisé</translation>
     </message>
     <message>
-        <source>the file does not say which axis is up; the markers stand highest along %1, which is taken; --up says another</source>
+        <source>the file does not state which axis is up; the markers extend furthest along %1, which is used; to change this, use --up</source>
         <translation>le fichier n'indique pas quel axe est vers le haut ; les marqueurs s'étendent le plus selon %1, qui est utilisé ; --up en indique un autre</translation>
-    </message>
-    <message>
-        <source>the file ends</source>
-        <translation>le fichier s'arrête</translation>
     </message>
     <message>
         <source>the file ends after %1 bytes</source>
         <translation>le fichier s'arrête après %1 octets</translation>
     </message>
     <message>
-        <source>the file ends within a vertex</source>
+        <source>the file ends before frame %1</source>
+        <translation>le fichier se termine avant l'image %1</translation>
+    </message>
+    <message>
+        <source>the file ends inside a bone</source>
+        <translation>le fichier se termine au milieu d'un os</translation>
+    </message>
+    <message>
+        <source>the file ends inside a vertex</source>
         <translation>le fichier s'arrête au milieu d'un sommet</translation>
     </message>
     <message>
-        <source>the file has %1 solids; they were taken as one</source>
+        <source>the file ends too early</source>
+        <translation>le fichier se termine trop tôt</translation>
+    </message>
+    <message>
+        <source>the file has %1 solids; they were joined to one</source>
         <translation>le fichier a %1 solides ; ils ont été pris comme un seul</translation>
     </message>
     <message>
-        <source>the file has %1 up; it was turned so that z is up</source>
-        <translation>le fichier a %1 vers le haut ; il a été tourné pour que z soit vers le haut</translation>
-    </message>
-    <message>
-        <source>the file has %1; what is made of it is missing or wrong. Export it again.</source>
-        <translation>le fichier a %1 ; ce qui en dépend manque ou est faux. Exportez-le à nouveau.</translation>
-    </message>
-    <message>
-        <source>the file has more than 64 colours; each solid is shown in their mean</source>
+        <source>the file has more than 64 colours; each solid is shown in its average colour</source>
         <translation>le fichier a plus de 64 couleurs ; chaque solide est affiché dans leur moyenne</translation>
     </message>
     <message>
@@ -15979,64 +15731,92 @@ Voulez-vous le remplacer ?</translation>
         <translation>le fichier n'a pas d'argument '%1' ; sa valeur %2 n'a pas été utilisée</translation>
     </message>
     <message>
-        <source>the file has no rest position of a standing person; how its joints' frames lie is found from where the joints are in the motion</source>
+        <source>the file has no model</source>
+        <translation>aucun modèle</translation>
+    </message>
+    <message>
+        <source>the file has no rest pose of a standing person; the joint frames are derived from the joint positions in the motion</source>
         <translation>le fichier n'a pas de position de repos d'une personne debout ; l'orientation des repères de ses articulations est déduite de leurs positions dans le mouvement</translation>
+    </message>
+    <message>
+        <source>the file has no triangles</source>
+        <translation>aucun triangle</translation>
+    </message>
+    <message>
+        <source>the file has no unit; %1 is assumed</source>
+        <translation>le fichier n'indique pas d'unité ; l'unité supposée est %1</translation>
+    </message>
+    <message>
+        <source>the file has no unit; %1 is assumed from its size (to change this, use --unit)</source>
+        <translation>le fichier n'indique pas d'unité ; d'après sa taille, l'unité supposée est %1 (--unit pour une autre)</translation>
+    </message>
+    <message>
+        <source>the file has no unit; in metres it measures %1 m, so the unit is probably mm</source>
+        <translation>le fichier n'indique pas d'unité ; lu en mètres, il mesure %1 m : il s'agit sans doute de millimètres (unité mm)</translation>
+    </message>
+    <message>
+        <source>the file has no unit; it was read in metres and measures %1 m; if it measures %1 mm, set the unit mm</source>
+        <translation>le fichier n'indique pas d'unité ; il a été lu en mètres et mesure %1 m ; s'il mesure %1 millimètres, indiquez l'unité mm</translation>
+    </message>
+    <message>
+        <source>the file has no unit; millimetres are assumed</source>
+        <translation>le fichier n'indique pas d'unité ; l'unité supposée est le millimètre</translation>
+    </message>
+    <message>
+        <source>the file has no vertices</source>
+        <translation>aucun sommet</translation>
     </message>
     <message>
         <source>the file is UTF-16 text</source>
         <translation>le fichier est un texte UTF-16</translation>
     </message>
     <message>
+        <source>the file is already open in HaptiCell: %1</source>
+        <translation>il est ouvert dans HaptiCell : %1</translation>
+    </message>
+    <message>
         <source>the file is empty</source>
         <translation>le fichier est vide</translation>
     </message>
     <message>
-        <source>the file is no xacro; the value of '%1' was not used</source>
+        <source>the file is missing in the pack</source>
+        <translation>il n'est pas dans l'archive</translation>
+    </message>
+    <message>
+        <source>the file is not xacro; the value of '%1' was not used</source>
         <translation>le fichier n'est pas un xacro ; la valeur de '%1' n'a pas été utilisée</translation>
     </message>
     <message>
-        <source>the file leaves the places of its models to chance; they are spread evenly</source>
+        <source>the file is outside the pack</source>
+        <translation>il se trouve en dehors de l'archive</translation>
+    </message>
+    <message>
+        <source>the file is too short</source>
+        <translation>le fichier est trop court</translation>
+    </message>
+    <message>
+        <source>the file is write-protected</source>
+        <translation>un fichier protégé en écriture</translation>
+    </message>
+    <message>
+        <source>the file places its models at random; they are spread evenly</source>
         <translation>le fichier laisse au hasard les positions de ses modèles ; ils sont répartis régulièrement</translation>
-    </message>
-    <message>
-        <source>the file names no unit; by its size it is taken as %1 (--unit says otherwise)</source>
-        <translation>le fichier n'indique pas d'unité ; d'après sa taille, l'unité supposée est %1 (--unit pour une autre)</translation>
-    </message>
-    <message>
-        <source>the file names no unit; it is taken as %1</source>
-        <translation>le fichier n'indique pas d'unité ; l'unité supposée est %1</translation>
-    </message>
-    <message>
-        <source>the file names no unit; it was read in metres and measures %1 m; if it measures %1 millimetres, say unit mm</source>
-        <translation>le fichier n'indique pas d'unité ; il a été lu en mètres et mesure %1 m ; s'il mesure %1 millimètres, indiquez l'unité mm</translation>
-    </message>
-    <message>
-        <source>the file names no unit; its numbers are taken as millimetres</source>
-        <translation>le fichier n'indique pas d'unité ; ses nombres sont pris en millimètres</translation>
-    </message>
-    <message>
-        <source>the file names no unit; read in metres it measures %1 m, so millimetres seem to be meant (unit mm)</source>
-        <translation>le fichier n'indique pas d'unité ; lu en mètres, il mesure %1 m : il s'agit sans doute de millimètres (unité mm)</translation>
-    </message>
-    <message>
-        <source>the file refuses itself: %1</source>
-        <translation>le fichier se refuse lui-même : %1</translation>
     </message>
     <message>
         <source>the file reports an error: %1</source>
         <translation>le fichier signale une erreur : %1</translation>
     </message>
     <message>
-        <source>the file says that %1 is up (Y_SCREEN), but the body stands along %2, which is taken; --up says another</source>
-        <translation>le fichier indique que %1 est vers le haut (Y_SCREEN), mais le corps se tient selon %2, qui est utilisé ; --up en indique un autre</translation>
-    </message>
-    <message>
-        <source>the file states %1 frames and has %2; all are read</source>
+        <source>the file states %1 frames but has %2; all %2 are read</source>
         <translation>le fichier annonce %1 images et en a %2 ; toutes sont lues</translation>
     </message>
     <message>
-        <source>the file that it was imported from, unchanged</source>
-        <translation>le fichier dont elle a été importée, inchangé</translation>
+        <source>the file states that %1 is up (Y_SCREEN), but the body stands along %2, which is used; to change this, use --up</source>
+        <translation>le fichier indique que %1 est vers le haut (Y_SCREEN), mais le corps se tient selon %2, qui est utilisé ; --up en indique un autre</translation>
+    </message>
+    <message>
+        <source>the file stops with the error: %1</source>
+        <translation>le fichier s'arrête avec l'erreur : %1</translation>
     </message>
     <message>
         <source>the file warns: %1</source>
@@ -16047,39 +15827,43 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'axe %1 du fichier</translation>
     </message>
     <message>
-        <source>the file's end</source>
-        <translation>la fin du fichier</translation>
+        <source>the folder already exists and is not empty</source>
+        <translation>le dossier existe déjà et n'est pas vide</translation>
     </message>
     <message>
         <source>the folder cannot be created</source>
         <translation>impossible de créer le dossier</translation>
     </message>
     <message>
-        <source>the folder of kept states</source>
+        <source>the folder of saved states</source>
         <translation>le dossier des états conservés</translation>
-    </message>
-    <message>
-        <source>the folder of own plug-ins</source>
-        <translation>le dossier des modules personnels</translation>
     </message>
     <message>
         <source>the folder of settings</source>
         <translation>le dossier des réglages</translation>
     </message>
     <message>
+        <source>the folder of the file cannot be opened</source>
+        <translation>son dossier est inaccessible</translation>
+    </message>
+    <message>
+        <source>the folder of your plug-ins</source>
+        <translation>le dossier des modules personnels</translation>
+    </message>
+    <message>
         <source>the format &quot;%1&quot;</source>
         <translation>le format &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>the frame rate is %1 Hz in the parameters and %2 Hz in the header; the parameters' is taken</source>
-        <translation>la fréquence d'images est de %1 Hz dans les paramètres et de %2 Hz dans l'en-tête ; celle des paramètres est utilisée</translation>
+        <source>the frame rate is %1 Hz in the parameters and %2 Hz in the header; %1 Hz is used</source>
+        <translation>la fréquence d'images est de %1 Hz dans les paramètres et de %2 Hz dans l'en-tête ; %1 Hz est utilisé</translation>
     </message>
     <message>
-        <source>the frame that is chosen</source>
-        <translation>le repère choisi</translation>
+        <source>the frame rate is missing</source>
+        <translation>pas de fréquence d'images</translation>
     </message>
     <message>
-        <source>the frames of %1 do not lie as at the rest position; found from where the joints are</source>
+        <source>the frames of %1 do not match the rest pose; they are derived from the joint positions</source>
         <translation>les repères de %1 ne sont pas orientés comme à la position de repos ; ils sont déduits des positions des articulations</translation>
     </message>
     <message>
@@ -16099,19 +15883,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>le serveur haptique a été perdu après %1 s : %2</translation>
     </message>
     <message>
-        <source>the head's markers are taken to be level when the head is held straight</source>
+        <source>the head markers are assumed to be level when the head is upright</source>
         <translation>les marqueurs de la tête sont supposés horizontaux quand la tête est droite</translation>
     </message>
     <message>
-        <source>the head's markers lean back by %1 deg on the whole; taken as their place, the head being level on the whole</source>
+        <source>the head markers lean back by %1 deg on average; this is assumed to be how they were attached, with the head level on average</source>
         <translation>les marqueurs de la tête penchent en moyenne de %1 deg vers l'arrière ; cela est pris comme leur placement, la tête étant horizontale en moyenne</translation>
     </message>
     <message>
-        <source>the header states %1 analog samples a frame; %2 fill the file (channels by samples)</source>
+        <source>the header states %1 analog samples per frame; %2 (channels × samples) match the file size and are read</source>
         <translation>l'en-tête annonce %1 échantillons analogiques par image ; %2 remplissent le fichier (canaux fois échantillons)</translation>
     </message>
     <message>
-        <source>the header states %1 frames; %2 stand in the file and are read</source>
+        <source>the header states %1 frames; the file has %2, which are read</source>
         <translation>l'en-tête annonce %1 images ; %2 sont dans le fichier et sont lues</translation>
     </message>
     <message>
@@ -16123,20 +15907,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>le dossier personnel de cet utilisateur</translation>
     </message>
     <message>
+        <source>the home position is singular</source>
+        <translation>sa position de repos est singulière</translation>
+    </message>
+    <message>
+        <source>the import needs more memory than its limit allows</source>
+        <translation>il demande plus de mémoire qu'une importation ne peut en utiliser</translation>
+    </message>
+    <message>
         <source>the import was cancelled</source>
         <translation>l'importation a été annulée</translation>
     </message>
     <message>
-        <source>the importer sent something that is not a scene</source>
-        <translation>l'importateur a envoyé autre chose qu'une scène</translation>
+        <source>the imported file, unchanged</source>
+        <translation>le fichier dont elle a été importée, inchangé</translation>
+    </message>
+    <message>
+        <source>the importer sent invalid data</source>
+        <translation>l'importateur a envoyé des données non valides</translation>
     </message>
     <message>
         <source>the index %1 of %2 items</source>
         <translation>l'indice %1 parmi %2 éléments</translation>
     </message>
     <message>
-        <source>the joint '%1' to be mimicked is not in the file</source>
-        <translation>l'axe '%1' à suivre n'est pas dans le fichier</translation>
+        <source>the input ended without a pairing code</source>
+        <translation>fin sans code d'appairage</translation>
+    </message>
+    <message>
+        <source>the job has no instructions</source>
+        <translation>le job n'a pas d'instructions</translation>
     </message>
     <message>
         <source>the joint C4</source>
@@ -16159,6 +15959,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'articulation T6</translation>
     </message>
     <message>
+        <source>the joint names are missing</source>
+        <translation>pas de noms d'axes</translation>
+    </message>
+    <message>
         <source>the joint type '%1'</source>
         <translation>le type d'axe '%1'</translation>
     </message>
@@ -16167,40 +15971,36 @@ Voulez-vous le remplacer ?</translation>
         <translation>les axes forment un cycle : chaque segment est l'enfant d'un autre</translation>
     </message>
     <message>
-        <source>the joints form a cycle: link '%1' (joint '%2') hangs on itself</source>
+        <source>the joints form a cycle: link '%1' (joint '%2') is attached to itself</source>
         <translation>les axes forment un cycle : le segment '%1' (axe '%2') est rattaché à lui-même</translation>
     </message>
     <message>
-        <source>the joints that are set hold each other</source>
-        <translation>les axes actionnés se bloquent mutuellement</translation>
-    </message>
-    <message>
-        <source>the key '%1', which is not known here</source>
-        <translation>la clé '%1', inconnue ici</translation>
-    </message>
-    <message>
-        <source>the key was not used</source>
-        <translation>la clé n'a pas été utilisée</translation>
+        <source>the joints of the first message</source>
+        <translation>les axes du premier message</translation>
     </message>
     <message>
         <source>the knee</source>
         <translation>le genou</translation>
     </message>
     <message>
-        <source>the left hand again in the same step</source>
-        <translation>de nouveau la main gauche dans la même étape</translation>
-    </message>
-    <message>
         <source>the length %1</source>
         <translation>la norme %1</translation>
+    </message>
+    <message>
+        <source>the length is missing</source>
+        <translation>pas de longueur</translation>
+    </message>
+    <message>
+        <source>the library has no robot of this name</source>
+        <translation>aucun robot de ce nom n'est fourni</translation>
     </message>
     <message>
         <source>the lift and the forces</source>
         <translation>le levage et les efforts</translation>
     </message>
     <message>
-        <source>the link of the workcell</source>
-        <translation>le segment de la cellule</translation>
+        <source>the link does not exist</source>
+        <translation>ce segment n'existe pas</translation>
     </message>
     <message>
         <source>the loops of robot '%1'</source>
@@ -16211,7 +16011,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'articulation inférieure de la jambe %1</translation>
     </message>
     <message>
-        <source>the lower one first</source>
+        <source>the lower stop first</source>
         <translation>d'abord la butée inférieure</translation>
     </message>
     <message>
@@ -16219,12 +16019,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>la macro '%1' n'a pas de paramètre '%2'</translation>
     </message>
     <message>
-        <source>the macro '%1' without its block %2</source>
-        <translation>la macro '%1' sans son bloc %2</translation>
+        <source>the mannequin does not exist</source>
+        <translation>ce mannequin n'existe pas</translation>
     </message>
     <message>
-        <source>the macro '%1' without its parameters %2</source>
-        <translation>la macro '%1' sans ses paramètres %2</translation>
+        <source>the mannequin has no such joint</source>
+        <translation>le mannequin n'a pas cette articulation</translation>
     </message>
     <message>
         <source>the mannequin sits or kneels; it covers lifts while standing. Use RULA or REBA.</source>
@@ -16235,19 +16035,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>le marqueur '%1', qui n'est pas dans l'enregistrement</translation>
     </message>
     <message>
-        <source>the marker on %1 is never seen</source>
+        <source>the marker on %1 is never visible</source>
         <translation>le marqueur sur %1 n'est jamais vu</translation>
     </message>
     <message>
-        <source>the marker on %1 is never seen; it is left out</source>
+        <source>the marker on %1 is never visible; it is left out</source>
         <translation>le marqueur sur %1 n'est jamais vu ; il est omis</translation>
     </message>
     <message>
-        <source>the marker on %1 is not seen in %2 of %3 frames, %4 s at the longest; it is taken on the straight way between</source>
+        <source>the marker on %1 is not visible in %2 of %3 frames, for at most %4 s; its position is interpolated</source>
         <translation>le marqueur sur %1 n'est pas vu dans %2 images sur %3, au plus %4 s de suite ; il est placé sur la droite entre les deux</translation>
     </message>
     <message>
-        <source>the markers are read as %1; joints are found from them with our own offsets</source>
+        <source>the markers are read as %1; joints are computed from them with HaptiCell's own offsets</source>
         <translation>les marqueurs sont lus comme %1 ; les articulations en sont déduites avec nos propres décalages</translation>
     </message>
     <message>
@@ -16255,7 +16055,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>les marqueurs de Plug-in Gait (corps entier) ou Helen Hayes avec épaules, coudes et poignets</translation>
     </message>
     <message>
-        <source>the material file %1 is longer than 16 MB; not read</source>
+        <source>the material file %1 is larger than 16 MB; it was not read</source>
         <translation>le fichier de matériaux %1 dépasse 16 Mo ; il n'a pas été lu</translation>
     </message>
     <message>
@@ -16263,28 +16063,44 @@ Voulez-vous le remplacer ?</translation>
         <translation>le mécanisme n'a pas d'articulation</translation>
     </message>
     <message>
+        <source>the mechanism has no parts</source>
+        <translation>aucune pièce</translation>
+    </message>
+    <message>
         <source>the mechanism is no longer in the cell</source>
         <translation>le mécanisme n'est plus dans la cellule</translation>
+    </message>
+    <message>
+        <source>the mesh %1 does not exist; the shape is left out</source>
+        <translation>le maillage %1 est introuvable ; la forme est omise</translation>
     </message>
     <message>
         <source>the mesh %1 is left out: a scale of 0</source>
         <translation>le maillage %1 est omis : une échelle de 0</translation>
     </message>
     <message>
-        <source>the mesh %1 is not there; the shape is left out</source>
-        <translation>le maillage %1 est introuvable ; la forme est omise</translation>
-    </message>
-    <message>
-        <source>the mesh %1 leads out of the package; the shape is left out</source>
+        <source>the mesh %1 is outside the package; the shape is left out</source>
         <translation>le maillage %1 sort du paquet ; la forme est omise</translation>
     </message>
     <message>
-        <source>the mesh %1 with scale=&quot;%2&quot;, expected three numbers other than zero</source>
+        <source>the mesh %1 with scale=&quot;%2&quot; instead of three numbers other than 0</source>
         <translation>le maillage %1 avec scale=&quot;%2&quot; au lieu de trois nombres non nuls</translation>
     </message>
     <message>
-        <source>the motion of a hand alone</source>
-        <translation>le mouvement d'une main seule</translation>
+        <source>the mesh is missing</source>
+        <translation>pas de maillage</translation>
+    </message>
+    <message>
+        <source>the mimicked joint '%1' is not in the file</source>
+        <translation>l'axe '%1' à suivre n'est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>the model has no links</source>
+        <translation>aucun segment</translation>
+    </message>
+    <message>
+        <source>the motion of an expert</source>
+        <translation>le mouvement d'un expert</translation>
     </message>
     <message>
         <source>the name '%1' is taken</source>
@@ -16295,16 +16111,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>deux fois le nom '%1'</translation>
     </message>
     <message>
-        <source>the name is there twice or not allowed; this &lt;%1&gt; is called '%2'</source>
+        <source>the name is missing</source>
+        <translation>aucun nom</translation>
+    </message>
+    <message>
+        <source>the name is used twice</source>
+        <translation>le nom est utilisé deux fois</translation>
+    </message>
+    <message>
+        <source>the name is used twice or not allowed; this &lt;%1&gt; is renamed '%2'</source>
         <translation>le nom est en double ou n'est pas permis ; ce &lt;%1&gt; s'appelle '%2'</translation>
     </message>
     <message>
-        <source>the name is there twice; it is called '%1'</source>
+        <source>the name is used twice; it is renamed '%1'</source>
         <translation>le nom est en double ; l'élément s'appelle '%1'</translation>
-    </message>
-    <message>
-        <source>the name of a file</source>
-        <translation>le nom d'un fichier</translation>
     </message>
     <message>
         <source>the name of a joint</source>
@@ -16319,6 +16139,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom d'un segment de l'URDF</translation>
     </message>
     <message>
+        <source>the name of a link of the robot</source>
+        <translation>l'un de ses segments</translation>
+    </message>
+    <message>
         <source>the name of a mannequin of the cell</source>
         <translation>le nom d'un mannequin de la cellule</translation>
     </message>
@@ -16331,32 +16155,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom d'une entité ou d'un repère d'entité</translation>
     </message>
     <message>
-        <source>the name of one</source>
-        <translation>un nom qui existe</translation>
-    </message>
-    <message>
         <source>the name of one of its tools</source>
         <translation>le nom d'un de ses outils</translation>
     </message>
     <message>
-        <source>the name of one on the controller</source>
-        <translation>un nom défini sur le contrôleur</translation>
-    </message>
-    <message>
-        <source>the name of the entity whose surface is followed</source>
+        <source>the name of the entity whose surface the guide follows</source>
         <translation>le nom de l'entité dont la surface est suivie</translation>
     </message>
     <message>
-        <source>the name of what it guides</source>
+        <source>the name of the guided entity</source>
         <translation>le nom de l'entité guidée</translation>
     </message>
     <message>
-        <source>the number of a frame, from 0</source>
-        <translation>le numéro d'une image, à partir de 0</translation>
+        <source>the number of an element that does not exist</source>
+        <translation>un élément au-delà du dernier</translation>
+    </message>
+    <message>
+        <source>the number of channels is missing</source>
+        <translation>pas de nombre de canaux</translation>
+    </message>
+    <message>
+        <source>the number of frames is missing</source>
+        <translation>pas de nombre d'images</translation>
     </message>
     <message>
         <source>the number of the face's corners</source>
         <translation>le nombre de coins de la face</translation>
+    </message>
+    <message>
+        <source>the number on the controller, %1 to %2</source>
+        <translation>son numéro sur le contrôleur, de %1 à %2</translation>
+    </message>
+    <message>
+        <source>the numbers are missing</source>
+        <translation>pas de nombres d'éléments</translation>
     </message>
     <message>
         <source>the numbers of vertices, faces and edges</source>
@@ -16367,11 +16199,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'ouverture a été annulée</translation>
     </message>
     <message>
-        <source>the order of turns '%1'</source>
-        <translation>l'ordre de rotation '%1'</translation>
+        <source>the other side did not use the pairing key</source>
+        <translation>l'autre côté n'a pas utilisé la clé d'appairage</translation>
     </message>
     <message>
-        <source>the package of %1 is not found by its name; the folder %2, which holds the rest of the path, is taken for it</source>
+        <source>the other side has a different pairing key</source>
+        <translation>l'autre côté a une autre clé d'appairage</translation>
+    </message>
+    <message>
+        <source>the package of %1 is not found by name; the folder %2 is used, because it contains the rest of the path</source>
         <translation>le paquet de %1 est introuvable par son nom ; le dossier %2, qui contient le reste du chemin, est pris à sa place</translation>
     </message>
     <message>
@@ -16383,12 +16219,24 @@ Voulez-vous le remplacer ?</translation>
         <translation>le nom du jeu de paires</translation>
     </message>
     <message>
+        <source>the pairing code on one line</source>
+        <translation>le code sur une ligne</translation>
+    </message>
+    <message>
         <source>the parameter '%1'</source>
         <translation>le paramètre '%1'</translation>
     </message>
     <message>
-        <source>the parameters state %1 points and the header %2, which fills the file</source>
+        <source>the parameters are missing</source>
+        <translation>les paramètres manquent</translation>
+    </message>
+    <message>
+        <source>the parameters state %1 points and the header %2; the header matches the file size and is used</source>
         <translation>les paramètres annoncent %1 points et l'en-tête %2, ce qui remplit le fichier</translation>
+    </message>
+    <message>
+        <source>the part does not exist</source>
+        <translation>cette pièce n'existe pas</translation>
     </message>
     <message>
         <source>the part that &lt;submesh&gt; names</source>
@@ -16399,14 +16247,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>les pièces ne peuvent pas être écrites en STEP</translation>
     </message>
     <message>
-        <source>the place and its four postures</source>
-        <translation>l'emplacement et ses quatre postures</translation>
-    </message>
-    <message>
-        <source>the place and the joints of the workcell</source>
-        <translation>la pose et les axes de la cellule</translation>
-    </message>
-    <message>
         <source>the placements of the imported files</source>
         <translation>les places des fichiers importés</translation>
     </message>
@@ -16415,15 +16255,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>la plateforme</translation>
     </message>
     <message>
-        <source>the population is left out: a grid of no or more than 5000 models</source>
-        <translation>la population est omise : une grille vide ou de plus de 5000 modèles</translation>
-    </message>
-    <message>
-        <source>the population is left out: it has no region, or no or more than 5000 models</source>
+        <source>the population is left out: it has no region, no models or more than 5000 models</source>
         <translation>la population est omise : elle n'a pas de région, ou aucun modèle, ou plus de 5000</translation>
     </message>
     <message>
-        <source>the pose '%1' has %2 numbers instead of %3; the others are taken as 0</source>
+        <source>the population is left out: its grid has no models or more than 5000</source>
+        <translation>la population est omise : une grille vide ou de plus de 5000 modèles</translation>
+    </message>
+    <message>
+        <source>the pose '%1' has %2 numbers instead of %3; 0 is assumed for the others</source>
         <translation>la pose '%1' a %2 nombres au lieu de %3 ; les autres sont pris égaux à 0</translation>
     </message>
     <message>
@@ -16431,23 +16271,55 @@ Voulez-vous le remplacer ?</translation>
         <translation>la pose '%1' a un quaternion de longueur nulle ; l'absence de rotation est supposée</translation>
     </message>
     <message>
-        <source>the posture does not tell which axis is up (the person lies, or turns over); the file's y axis is taken, as BVH and ASF have it; --up says another</source>
-        <translation>la posture n'indique pas quel axe est vers le haut (la personne est allongée, ou se retourne) ; l'axe y du fichier est utilisé, comme en BVH et ASF ; --up en indique un autre</translation>
+        <source>the pose and joint values of the workcell</source>
+        <translation>la pose et les axes de la cellule</translation>
     </message>
     <message>
-        <source>the program</source>
-        <translation>le programme</translation>
+        <source>the pose is missing</source>
+        <translation>pas de pose</translation>
+    </message>
+    <message>
+        <source>the pose or the status is missing or invalid</source>
+        <translation>la pose ou l'état manque ou n'est pas valide</translation>
+    </message>
+    <message>
+        <source>the position is missing or invalid</source>
+        <translation>la position manque ou n'est pas valide</translation>
+    </message>
+    <message>
+        <source>the positions are missing</source>
+        <translation>les positions manquent</translation>
+    </message>
+    <message>
+        <source>the posture does not show which axis is up (the person lies or turns over); y is assumed, as usual in BVH and ASF; to change this, use --up</source>
+        <translation>la posture n'indique pas quel axe est vers le haut (la personne est allongée, ou se retourne) ; l'axe y du fichier est utilisé, comme en BVH et ASF ; --up en indique un autre</translation>
     </message>
     <message>
         <source>the program %1 could not be started: %2</source>
         <translation>le programme %1 n'a pas pu être lancé : %2</translation>
     </message>
     <message>
+        <source>the program as written</source>
+        <translation>le programme tel qu'il a été écrit</translation>
+    </message>
+    <message>
         <source>the program ffmpeg is not installed</source>
         <translation>le programme ffmpeg n'est pas installé</translation>
     </message>
     <message>
-        <source>the property '%1' needs itself (%2)</source>
+        <source>the program ffmpeg, to write videos</source>
+        <translation>ffmpeg, qui écrit les vidéos</translation>
+    </message>
+    <message>
+        <source>the program has no lines</source>
+        <translation>le programme n'a pas de lignes</translation>
+    </message>
+    <message>
+        <source>the program has no moves</source>
+        <translation>le programme n'a pas de mouvements</translation>
+    </message>
+    <message>
+        <source>the property '%1' depends on itself (%2)</source>
         <translation>la propriété '%1' dépend d'elle-même (%2)</translation>
     </message>
     <message>
@@ -16455,7 +16327,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>la propriété '%1' avec plus d'un parmi value, default et remove</translation>
     </message>
     <message>
-        <source>the reader refused it (%1)</source>
+        <source>the reader rejected the file (%1)</source>
         <translation>le lecteur l'a refusé (%1)</translation>
     </message>
     <message>
@@ -16463,19 +16335,23 @@ Voulez-vous le remplacer ?</translation>
         <translation>la lecture a été annulée</translation>
     </message>
     <message>
+        <source>the reference pose is missing</source>
+        <translation>pas de pose de référence</translation>
+    </message>
+    <message>
+        <source>the result of %1() is too large or undefined</source>
+        <translation>%1() trop grand ou non défini</translation>
+    </message>
+    <message>
         <source>the result of '%1'</source>
         <translation>le résultat de '%1'</translation>
     </message>
     <message>
-        <source>the right hand again in the same step</source>
-        <translation>de nouveau la main droite dans la même étape</translation>
-    </message>
-    <message>
-        <source>the robot file gives no speed</source>
+        <source>the robot file has no speed limits</source>
         <translation>le fichier du robot ne donne pas de vitesse</translation>
     </message>
     <message>
-        <source>the robot has no such joint</source>
+        <source>the robot has no joint of this name</source>
         <translation>le robot n'a pas d'axe de ce nom</translation>
     </message>
     <message>
@@ -16483,7 +16359,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>le robot n'a pas d'extrémité</translation>
     </message>
     <message>
-        <source>the robot whose joints they are</source>
+        <source>the robot of these joints</source>
         <translation>le robot auquel appartiennent ces axes</translation>
     </message>
     <message>
@@ -16491,12 +16367,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>la base du robot</translation>
     </message>
     <message>
-        <source>the robot's place</source>
-        <translation>la position du robot</translation>
-    </message>
-    <message>
-        <source>the rods do not meet at the home position</source>
-        <translation>les barres ne se rejoignent pas à la position de repos</translation>
+        <source>the rods do not reach the platform at the home position</source>
+        <translation>les barres n'atteignent pas la plateforme à la position de repos</translation>
     </message>
     <message>
         <source>the root element &lt;%1&gt;</source>
@@ -16507,6 +16379,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le format de rotation '%1' est inconnu ; roulis, tangage, lacet est supposé</translation>
     </message>
     <message>
+        <source>the rotation order '%1'</source>
+        <translation>l'ordre de rotation '%1'</translation>
+    </message>
+    <message>
         <source>the rule for '%1' and '%2' is left out: %3</source>
         <translation>la règle pour '%1' et '%2' est ignorée : %3</translation>
     </message>
@@ -16515,27 +16391,51 @@ Voulez-vous le remplacer ?</translation>
         <translation>les mêmes</translation>
     </message>
     <message>
-        <source>the scale of the points is %1 in the header and %2 in the parameters; the header's is taken</source>
-        <translation>l'échelle des points est de %1 dans l'en-tête et de %2 dans les paramètres ; celle de l'en-tête est utilisée</translation>
+        <source>the same as in the first</source>
+        <translation>ceux du premier</translation>
     </message>
     <message>
-        <source>the sign '%1'</source>
-        <translation>le caractère '%1'</translation>
+        <source>the same content as the packed file</source>
+        <translation>le même contenu que le fichier archivé</translation>
     </message>
     <message>
-        <source>the sign '%1' in the expression</source>
-        <translation>le caractère '%1' dans l'expression</translation>
+        <source>the same kind of entity as before</source>
+        <translation>le même type d'entité qu'avant</translation>
     </message>
     <message>
-        <source>the start of joint '%1' is no number</source>
+        <source>the same link as in the workcell</source>
+        <translation>le segment de la cellule</translation>
+    </message>
+    <message>
+        <source>the same number</source>
+        <translation>le même nombre</translation>
+    </message>
+    <message>
+        <source>the scale factor is not a number</source>
+        <translation>une échelle qui n'est pas un nombre</translation>
+    </message>
+    <message>
+        <source>the scale of the points is %1 in the header and %2 in the parameters; %1 is used</source>
+        <translation>l'échelle des points est de %1 dans l'en-tête et de %2 dans les paramètres ; %1 est utilisé</translation>
+    </message>
+    <message>
+        <source>the server stopped sending the state of the stylus</source>
+        <translation>l'état du stylet n'arrive plus</translation>
+    </message>
+    <message>
+        <source>the start value of joint '%1' is not a number</source>
         <translation>la valeur initiale de l'axe '%1' n'est pas un nombre</translation>
     </message>
     <message>
-        <source>the surface is not closed, so the volume means little</source>
+        <source>the surface is missing</source>
+        <translation>aucune surface</translation>
+    </message>
+    <message>
+        <source>the surface is not closed, so the volume is not reliable</source>
         <translation>la surface n'est pas fermée, donc le volume n'est qu'indicatif</translation>
     </message>
     <message>
-        <source>the system gives no random numbers</source>
+        <source>the system did not provide random numbers</source>
         <translation>le système ne fournit pas de nombres aléatoires</translation>
     </message>
     <message>
@@ -16559,8 +16459,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>le sommet de la tête</translation>
     </message>
     <message>
-        <source>the trajectory does not say what moves</source>
+        <source>the trajectory does not name the entity that moves</source>
         <translation>la trajectoire ne dit pas ce qui bouge</translation>
+    </message>
+    <message>
+        <source>the trajectory of a robot</source>
+        <translation>la trajectoire d'un robot</translation>
     </message>
     <message>
         <source>the trajectory's name</source>
@@ -16575,24 +16479,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>les triangles sont tournés vers l'intérieur, donc le volume est négatif</translation>
     </message>
     <message>
-        <source>the triangles face inward; they are checked and felt as facing outward</source>
-        <translation>les triangles sont tournés vers l'intérieur ; ils sont contrôlés et ressentis comme tournés vers l'extérieur</translation>
+        <source>the triangles face inward; they are treated as facing outward</source>
+        <translation>les triangles sont tournés vers l'intérieur ; ils sont traités comme tournés vers l'extérieur</translation>
     </message>
     <message>
-        <source>the triangles of %1 bodies face inward; they are checked and felt as facing outward</source>
-        <translation>les triangles de %1 corps sont tournés vers l'intérieur ; ils sont contrôlés et ressentis comme tournés vers l'extérieur</translation>
+        <source>the triangles of %1 bodies face inward; they are treated as facing outward</source>
+        <translation>les triangles de %1 corps sont tournés vers l'intérieur ; ils sont traités comme tournés vers l'extérieur</translation>
+    </message>
+    <message>
+        <source>the type is wrong or missing</source>
+        <translation>le type est faux ou manque</translation>
     </message>
     <message>
         <source>the unit '%1'</source>
         <translation>l'unité '%1'</translation>
     </message>
     <message>
-        <source>the unit '%1' is cut; taken as %2</source>
+        <source>the unit '%1' is incomplete; %2 is assumed</source>
         <translation>l'unité '%1' est tronquée ; lue comme %2</translation>
     </message>
     <message>
         <source>the unit '%1' is not known; millimetres are assumed</source>
         <translation>l'unité '%1' n'est pas connue ; le millimètre est supposé</translation>
+    </message>
+    <message>
+        <source>the unit of length is missing</source>
+        <translation>pas d'unité de longueur</translation>
+    </message>
+    <message>
+        <source>the unknown key '%1'</source>
+        <translation>la clé inconnue '%1'</translation>
+    </message>
+    <message>
+        <source>the unpacked size exceeds the limit</source>
+        <translation>la taille décompressée dépasse la limite</translation>
     </message>
     <message>
         <source>the upper joint of leg %1</source>
@@ -16603,6 +16523,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le repère utilisateur %1</translation>
     </message>
     <message>
+        <source>the version number is missing</source>
+        <translation>le numéro de version manque</translation>
+    </message>
+    <message>
         <source>the whole number %1</source>
         <translation>le nombre entier %1</translation>
     </message>
@@ -16611,31 +16535,31 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'objet de travail '%1'</translation>
     </message>
     <message>
-        <source>the work object of which the file has no value</source>
+        <source>the work object, which the file does not define</source>
         <translation>l'objet de travail dont le fichier n'a pas de valeur</translation>
     </message>
     <message>
-        <source>the wrists have one marker; the forearms are taken to be neither pronated nor supinated</source>
-        <translation>les poignets ont un seul marqueur ; les avant-bras sont supposés ni en pronation ni en supination</translation>
+        <source>the workspace is missing</source>
+        <translation>pas d'espace de travail</translation>
     </message>
     <message>
-        <source>there are no joints for the toes; feet follow their ankles</source>
+        <source>there are no joints for the toes; the feet follow the ankles</source>
         <translation>il n'y a pas d'articulations pour les orteils ; les pieds suivent leurs chevilles</translation>
     </message>
     <message>
-        <source>there are no markers on the fingers; wrists are taken as straight</source>
+        <source>there are no markers on the fingers; straight wrists are assumed</source>
         <translation>il n'y a pas de marqueurs sur les doigts ; les poignets sont supposés droits</translation>
     </message>
     <message>
-        <source>there are no markers on the head; it follows the chest, and the neck's score with it</source>
+        <source>there are no markers on the head; it follows the chest, which also affects the neck score</source>
         <translation>il n'y a pas de marqueurs sur la tête ; elle suit le thorax, et le score du cou avec elle</translation>
     </message>
     <message>
-        <source>there are no markers on the heels; feet are taken as straight</source>
+        <source>there are no markers on the heels; straight feet are assumed</source>
         <translation>il n'y a pas de marqueurs sur les talons ; les pieds sont supposés droits</translation>
     </message>
     <message>
-        <source>there are no markers on the toes; feet are taken as straight</source>
+        <source>there are no markers on the toes; straight feet are assumed</source>
         <translation>il n'y a pas de marqueurs sur les orteils ; les pieds sont supposés droits</translation>
     </message>
     <message>
@@ -16643,100 +16567,48 @@ Voulez-vous le remplacer ?</translation>
         <translation>il y a une image à %1 s</translation>
     </message>
     <message>
-        <source>there is no entity '%1'</source>
-        <translation>il n'y a pas d'entité '%1'</translation>
-    </message>
-    <message>
-        <source>there is no frame '%1'</source>
-        <translation>il n'y a pas de repère '%1'</translation>
-    </message>
-    <message>
-        <source>there is no frame '%1' to move it by</source>
-        <translation>il n'y a pas de repère '%1' pour la déplacer</translation>
-    </message>
-    <message>
-        <source>there is no joint '%1'</source>
-        <translation>il n'y a pas d'axe '%1'</translation>
-    </message>
-    <message>
-        <source>there is no joint for the neck; its base is taken midway between the collars</source>
+        <source>there is no joint for the neck; its base is assumed midway between the collars</source>
         <translation>il n'y a pas d'articulation pour le cou ; sa base est placée au milieu entre les clavicules</translation>
     </message>
     <message>
-        <source>there is no joint for the neck; its base is taken midway between the shoulders</source>
+        <source>there is no joint for the neck; its base is assumed midway between the shoulders</source>
         <translation>il n'y a pas d'articulation pour le cou ; sa base est placée au milieu entre les épaules</translation>
     </message>
     <message>
-        <source>there is no joint for the spine; the trunk is one piece</source>
+        <source>there is no joint for the spine; the trunk moves as one piece</source>
         <translation>il n'y a pas d'articulation pour la colonne ; le tronc est d'un seul tenant</translation>
-    </message>
-    <message>
-        <source>there is no link '%1'</source>
-        <translation>il n'y a pas de segment '%1'</translation>
-    </message>
-    <message>
-        <source>there is no moving joint '%1'</source>
-        <translation>il n'y a pas d'axe mobile '%1'</translation>
-    </message>
-    <message>
-        <source>there is no part '%1'</source>
-        <translation>il n'y a pas de pièce '%1'</translation>
-    </message>
-    <message>
-        <source>there is no picture</source>
-        <translation>il n'y a pas d'image</translation>
-    </message>
-    <message>
-        <source>there is no row</source>
-        <translation>il n'y a aucune ligne</translation>
-    </message>
-    <message>
-        <source>there is no such entity</source>
-        <translation>cette entité n'existe pas</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>ce fichier n'existe pas</translation>
-    </message>
-    <message>
-        <source>there is no such key</source>
-        <translation>cette clé n'existe pas</translation>
-    </message>
-    <message>
-        <source>there is no such link</source>
-        <translation>ce segment n'existe pas</translation>
-    </message>
-    <message>
-        <source>there is no such mannequin</source>
-        <translation>ce mannequin n'existe pas</translation>
-    </message>
-    <message>
-        <source>there is no such part</source>
-        <translation>cette pièce n'existe pas</translation>
-    </message>
-    <message>
-        <source>there is none</source>
-        <translation>il n'y en a pas</translation>
-    </message>
-    <message>
-        <source>there is not enough memory for it</source>
-        <translation>la mémoire est insuffisante</translation>
     </message>
     <message>
         <source>theta, d, a, alpha and types of one length, 1 to 16</source>
         <translation>theta, d, a, alpha et types d'une même longueur, de 1 à 16</translation>
     </message>
     <message>
-        <source>they cannot be closed from the start; a gap of %1 is left</source>
+        <source>they cannot be closed from the start values; a gap of %1 remains</source>
         <translation>elles ne peuvent pas être fermées depuis le départ ; il reste un écart de %1</translation>
     </message>
     <message>
-        <source>those of the first</source>
-        <translation>ceux du premier</translation>
+        <source>they differ from the packed ones</source>
+        <translation>elles diffèrent de celles qui ont été archivées</translation>
     </message>
     <message>
-        <source>those of the first message</source>
-        <translation>ceux du premier message</translation>
+        <source>this display has no OpenGL 3.3</source>
+        <translation>pas d'OpenGL 3.3 sur cet affichage</translation>
+    </message>
+    <message>
+        <source>this frame does not exist</source>
+        <translation>cette image n'existe pas</translation>
+    </message>
+    <message>
+        <source>this key does not exist</source>
+        <translation>cette clé n'existe pas</translation>
+    </message>
+    <message>
+        <source>this part is not in the package</source>
+        <translation>cet élément n'est pas dans le paquet</translation>
+    </message>
+    <message>
+        <source>this program next to the other programs of HaptiCell</source>
+        <translation>ce programme à côté des autres programmes de HaptiCell</translation>
     </message>
     <message>
         <source>three coordinates</source>
@@ -16747,20 +16619,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>trois nombres</translation>
     </message>
     <message>
+        <source>three numbers in metres</source>
+        <translation>trois nombres, en mètres</translation>
+    </message>
+    <message>
         <source>three numbers with '.' as decimal point</source>
         <translation>trois nombres avec '.' comme séparateur décimal</translation>
     </message>
     <message>
-        <source>three numbers, metres</source>
-        <translation>trois nombres, en mètres</translation>
-    </message>
-    <message>
-        <source>three points of a circle</source>
+        <source>three points of a circle in order</source>
         <translation>trois points d'un cercle</translation>
-    </message>
-    <message>
-        <source>three, five, ... points of arcs</source>
-        <translation>trois, cinq, ... points d'arcs</translation>
     </message>
     <message>
         <source>tick %1</source>
@@ -16781,6 +16649,26 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>times</source>
         <translation>fois</translation>
+    </message>
+    <message>
+        <source>times are whole numbers up to %1: milliseconds are assumed</source>
+        <translation>les temps sont des nombres entiers jusqu'à %1 : l'unité supposée est la milliseconde</translation>
+    </message>
+    <message>
+        <source>times start at %1: clock times in microseconds are assumed; the first line is time 0</source>
+        <translation>les temps commencent à %1 : temps d'horloge supposés en microsecondes ; la première ligne est le temps 0</translation>
+    </message>
+    <message>
+        <source>times start at %1: clock times in milliseconds are assumed; the first line is time 0</source>
+        <translation>les temps commencent à %1 : temps d'horloge supposés en millisecondes ; la première ligne est le temps 0</translation>
+    </message>
+    <message>
+        <source>times start at %1: clock times in nanoseconds are assumed; the first line is time 0</source>
+        <translation>les temps commencent à %1 : temps d'horloge supposés en nanosecondes ; la première ligne est le temps 0</translation>
+    </message>
+    <message>
+        <source>times start at %1: the first line is time 0</source>
+        <translation>les temps commencent à %1 : la première ligne est le temps 0</translation>
     </message>
     <message>
         <source>times that increase</source>
@@ -16823,28 +16711,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>la trajectoire '%1' n'est pas lue : %2</translation>
     </message>
     <message>
-        <source>transfer: this exercise was not practised</source>
-        <translation>transfer : cet exercice n'a pas été pratiqué</translation>
+        <source>transfer: an exercise that the trainee did not practise</source>
+        <translation>transfer : un exercice que l'apprenant n'a pas pratiqué</translation>
     </message>
     <message>
         <source>triangle %1 of %2</source>
         <translation>triangle %1 sur %2</translation>
     </message>
     <message>
-        <source>triangles as of AP242</source>
+        <source>triangles as in AP242</source>
         <translation>des triangles selon AP242</translation>
     </message>
     <message>
-        <source>triangles at an edge of more than two faces, or turned over</source>
+        <source>triangles that share an edge with more than two faces, or are flipped</source>
         <translation>triangles à une arête de plus de deux faces, ou retournés</translation>
-    </message>
-    <message>
-        <source>triangles that are there twice, left out once in a workcell</source>
-        <translation>triangles en double, laissés de côté une fois dans une cellule</translation>
-    </message>
-    <message>
-        <source>triangles without area, left out in a workcell</source>
-        <translation>triangles d'aire nulle, laissés de côté dans une cellule</translation>
     </message>
     <message>
         <source>trimmed</source>
@@ -16859,7 +16739,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>true, false ou un nombre</translation>
     </message>
     <message>
-        <source>true, or false for a motion of joints</source>
+        <source>true, or false for a motion that has only joints</source>
         <translation>true, ou false pour un mouvement d'axes</translation>
     </message>
     <message>
@@ -16887,6 +16767,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>deux colonnes '%1'</translation>
     </message>
     <message>
+        <source>two different parts</source>
+        <translation>deux pièces</translation>
+    </message>
+    <message>
         <source>two documents, or one with --since-import</source>
         <translation>deux documents, ou un seul avec --since-import</translation>
     </message>
@@ -16907,7 +16791,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>deux nombres ou deux textes</translation>
     </message>
     <message>
-        <source>two numbers, or none at all</source>
+        <source>two numbers, or no limits</source>
         <translation>deux nombres, ou aucun</translation>
     </message>
     <message>
@@ -16915,11 +16799,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>deux ou plus</translation>
     </message>
     <message>
-        <source>two parts</source>
-        <translation>deux pièces</translation>
-    </message>
-    <message>
-        <source>two points</source>
+        <source>two points of the same dimension</source>
         <translation>deux points</translation>
     </message>
     <message>
@@ -16947,6 +16827,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>erreur inattendue : %1</translation>
     </message>
     <message>
+        <source>unique names</source>
+        <translation>des noms tous différents</translation>
+    </message>
+    <message>
         <source>unit</source>
         <translation>unité</translation>
     </message>
@@ -16959,26 +16843,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>haut</translation>
     </message>
     <message>
-        <source>up is %1, as given</source>
-        <translation>le haut est %1, comme demandé</translation>
-    </message>
-    <message>
-        <source>up is %1, as given; the body stands along %2</source>
-        <translation>le haut est %1, comme demandé ; le corps se tient selon %2</translation>
-    </message>
-    <message>
-        <source>up is %1, as given; the file says %2</source>
-        <translation>le haut est %1, comme demandé ; le fichier indique %2</translation>
-    </message>
-    <message>
-        <source>up is %1, as given; the head is over the feet along %2</source>
-        <translation>le haut est %1, comme demandé ; la tête est au-dessus des pieds selon %2</translation>
-    </message>
-    <message>
-        <source>up is %1: the head is over the feet along it</source>
-        <translation>le haut est %1 : la tête est au-dessus des pieds selon cet axe</translation>
-    </message>
-    <message>
         <source>usb </source>
         <translation>usb </translation>
     </message>
@@ -16987,8 +16851,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>du SDF valide</translation>
     </message>
     <message>
+        <source>valid curves and surfaces</source>
+        <translation>des courbes et des surfaces valides</translation>
+    </message>
+    <message>
         <source>valid poses, finite numbers</source>
         <translation>des poses valides, des nombres finis</translation>
+    </message>
+    <message>
+        <source>values above 0</source>
+        <translation>des valeurs positives</translation>
     </message>
     <message>
         <source>version %1</source>
@@ -17007,32 +16879,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>numéro de sommet %1</translation>
     </message>
     <message>
-        <source>vertex with %1</source>
-        <translation>sommet avec %1</translation>
+        <source>vertex numbers from 0 to %1</source>
+        <translation>des numéros de sommets de 0 à %1</translation>
     </message>
     <message>
-        <source>vertex with the coordinate %1</source>
-        <translation>sommet avec la coordonnée %1</translation>
-    </message>
-    <message>
-        <source>w, x, y, z of length 1</source>
+        <source>w, x, y, z with length 1</source>
         <translation>w, x, y, z de norme 1</translation>
     </message>
     <message>
         <source>well-formed XML</source>
         <translation>du XML bien formé</translation>
-    </message>
-    <message>
-        <source>what has no triangles</source>
-        <translation>ce qui n'a pas de triangles</translation>
-    </message>
-    <message>
-        <source>what is no YAML (%1)</source>
-        <translation>un texte qui n'est pas du YAML (%1)</translation>
-    </message>
-    <message>
-        <source>what only you (and root) may write</source>
-        <translation>ce que vous seul (et root) pouvez écrire</translation>
     </message>
     <message>
         <source>what the motion moves</source>
@@ -17045,10 +16901,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>where it is held</source>
         <translation>là où elle est tenue</translation>
-    </message>
-    <message>
-        <source>where the points begin is not said twice alike; they are read from byte %1 on</source>
-        <translation>le début des points n'est pas indiqué deux fois de la même façon ; ils sont lus à partir de l'octet %1</translation>
     </message>
     <message>
         <source>whole seconds and nanoseconds</source>
@@ -17075,6 +16927,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>avec dégagement</translation>
     </message>
     <message>
+        <source>with this file, the pack is larger than 2 GB</source>
+        <translation>avec lui, l'archive dépasse 2 Go</translation>
+    </message>
+    <message>
         <source>without a frame</source>
         <translation>sans une image</translation>
     </message>
@@ -17089,10 +16945,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>worst RULA %1 (P5 woman %2, P50 woman %3, P50 man %4, P95 man %5).</source>
         <translation>pire RULA %1 (femme P5 %2, femme P50 %3, homme P50 %4, homme P95 %5).</translation>
-    </message>
-    <message>
-        <source>write the path in metres from the middle of the device's workspace</source>
-        <translation>Écrivez le trajet en mètres depuis le centre de l'espace de travail du périphérique.</translation>
     </message>
     <message>
         <source>x, y and z</source>
@@ -17121,6 +16973,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>yes</source>
         <translation>oui</translation>
+    </message>
+    <message>
+        <source>your own measures</source>
+        <translation>mesures propres</translation>
+    </message>
+    <message>
+        <source>zero-area triangles, left out in a workcell</source>
+        <translation>triangles d'aire nulle, laissés de côté dans une cellule</translation>
     </message>
     <message>
         <source>zfill(%1)</source>
@@ -17182,7 +17042,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>.pdf, .html, .csv ou .json</translation>
     </message>
     <message>
-        <source>0 to 120 a minute</source>
+        <source>0 to 120 per minute</source>
         <translation>0 à 120 par minute</translation>
     </message>
     <message>
@@ -17206,10 +17066,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>1.3.6, esquisse de la posture</translation>
     </message>
     <message>
-        <source>15 a minute at most, fewer in longer shifts</source>
-        <translation>15 par minute au plus, moins pour un poste plus long</translation>
-    </message>
-    <message>
         <source>Acceptable</source>
         <translation>Acceptable</translation>
     </message>
@@ -17220,6 +17076,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>As it stands in the cell.</source>
         <translation>Comme elle se tient dans la cellule.</translation>
+    </message>
+    <message>
+        <source>Assess the task with another method, such as RULA, REBA or EN 1005-2.</source>
+        <translation>Évaluez la tâche avec une autre méthode, par exemple RULA, REBA ou EN 1005-2.</translation>
     </message>
     <message>
         <source>Assessed by</source>
@@ -17292,10 +17152,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Joint angles</source>
         <translation>Angles des articulations</translation>
-    </message>
-    <message>
-        <source>Judge the task with another method, e.g. RULA, REBA or EN 1005-2.</source>
-        <translation>Évaluez la tâche avec une autre méthode, par exemple RULA, REBA ou EN 1005-2.</translation>
     </message>
     <message>
         <source>Level</source>
@@ -17474,19 +17330,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>une colonne limit_n en newtons</translation>
     </message>
     <message>
-        <source>a force in newtons</source>
-        <translation>une force en newtons</translation>
+        <source>a force above 0, at most 5000 N</source>
+        <translation>une force supérieure à 0 et d'au plus 5000 N</translation>
     </message>
     <message>
-        <source>a force over 0 and up to 5000 N</source>
-        <translation>une force supérieure à 0 et d'au plus 5000 N</translation>
+        <source>a force in newtons</source>
+        <translation>une force en newtons</translation>
     </message>
     <message>
         <source>a motion</source>
         <translation>un mouvement</translation>
     </message>
     <message>
-        <source>a report that can be drawn</source>
+        <source>a report that can be rendered</source>
         <translation>un rapport qui peut être dessiné</translation>
     </message>
     <message>
@@ -17498,7 +17354,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>une tâche dont le poids limite recommandé est 0</translation>
     </message>
     <message>
-        <source>a value of the task's data</source>
+        <source>a value for this field of the task data</source>
         <translation>une valeur des données de la tâche</translation>
     </message>
     <message>
@@ -17516,6 +17372,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>activity</source>
         <translation>activité</translation>
+    </message>
+    <message>
+        <source>all tasks together have more lifts per minute than the table covers</source>
+        <translation>en tout, plus de levages par minute que la table n'en couvre</translation>
     </message>
     <message>
         <source>arm supported</source>
@@ -17542,16 +17402,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>au moins une tâche de levage</translation>
     </message>
     <message>
-        <source>at least one limit below the names</source>
-        <translation>au moins une limite sous les noms</translation>
+        <source>at least one limit after the header line</source>
+        <translation>au moins une limite après la ligne d'en-tête</translation>
     </message>
     <message>
         <source>at most %1</source>
         <translation>au plus %1</translation>
     </message>
     <message>
-        <source>at most 8192 either way</source>
-        <translation>au plus 8192 dans chaque sens</translation>
+        <source>at most 15 per minute, fewer in longer shifts</source>
+        <translation>15 par minute au plus, moins pour un poste plus long</translation>
+    </message>
+    <message>
+        <source>at most 8192 pixels in width and height</source>
+        <translation>au plus 8192 pixels en largeur et en hauteur</translation>
     </message>
     <message>
         <source>at once</source>
@@ -17666,7 +17530,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>bonne prise</translation>
     </message>
     <message>
-        <source>good, fair or poor: the equation knows no other</source>
+        <source>good, fair or poor: the equation has no other classes</source>
         <translation>bonne, moyenne ou mauvaise : l'équation n'en connaît pas d'autre</translation>
     </message>
     <message>
@@ -17706,19 +17570,15 @@ Voulez-vous le remplacer ?</translation>
         <translation>il ne peut pas être lu comme une image</translation>
     </message>
     <message>
-        <source>it ends before it begins</source>
-        <translation>la fin précède le début</translation>
-    </message>
-    <message>
         <source>it is empty</source>
-        <translation>valeur vide</translation>
+        <translation>c'est vide</translation>
     </message>
     <message>
         <source>it is missing</source>
-        <translation>colonne absente</translation>
+        <translation>absent</translation>
     </message>
     <message>
-        <source>it stands there twice</source>
+        <source>it is there twice</source>
         <translation>présent deux fois</translation>
     </message>
     <message>
@@ -17782,7 +17642,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>levages par minute</translation>
     </message>
     <message>
-        <source>limit_n, and as wanted hand, height_from_m ...</source>
+        <source>limit_n, and optionally hand, height_from_m ...</source>
         <translation>limit_n et, au choix, hand, height_from_m ...</translation>
     </message>
     <message>
@@ -17878,15 +17738,19 @@ Voulez-vous le remplacer ?</translation>
         <translation>non</translation>
     </message>
     <message>
-        <source>no ending</source>
+        <source>no column has this name</source>
+        <translation>il n'y a pas de colonne de ce nom</translation>
+    </message>
+    <message>
+        <source>no extension</source>
         <translation>pas d'extension</translation>
     </message>
     <message>
-        <source>no line of names</source>
-        <translation>pas de ligne de noms</translation>
+        <source>no header line</source>
+        <translation>pas de ligne d'en-tête</translation>
     </message>
     <message>
-        <source>no row</source>
+        <source>no line of values</source>
         <translation>aucune ligne de valeurs</translation>
     </message>
     <message>
@@ -18086,24 +17950,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>tâches</translation>
     </message>
     <message>
-        <source>tasks that may be done at all</source>
-        <translation>des tâches réalisables</translation>
+        <source>tasks with a limit above 0</source>
+        <translation>des tâches dont la limite est supérieure à 0</translation>
     </message>
     <message>
-        <source>the ending %1</source>
+        <source>the end of the range is below its start</source>
+        <translation>la fin précède le début</translation>
+    </message>
+    <message>
+        <source>the extension %1</source>
         <translation>l'extension %1</translation>
     </message>
     <message>
         <source>the lifting equation is not valid for this</source>
         <translation>l'équation de levage ne s'applique pas à ce cas</translation>
-    </message>
-    <message>
-        <source>there is no column of this name</source>
-        <translation>il n'y a pas de colonne de ce nom</translation>
-    </message>
-    <message>
-        <source>together more lifts a minute than the table covers</source>
-        <translation>en tout, plus de levages par minute que la table n'en couvre</translation>
     </message>
     <message>
         <source>too many rows</source>

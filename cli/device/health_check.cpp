@@ -77,7 +77,9 @@ HealthCheck openGlCheck() {
   if (answer.value("software", false)) {
     check.health = Health::kNote;
     check.found += ": drawn by the processor";
-    check.fix = "It works, with less detail while you turn the view. Install a graphics card driver for full speed.";
+    check.fix =
+        "It works, but the view shows less detail while it turns. For full speed, install the driver of the graphics "
+        "card.";
   }
   return check;
 }

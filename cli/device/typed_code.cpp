@@ -61,9 +61,9 @@ Expected<std::string> readLine() {
   }
   if (!line.empty() && sign != kInterrupt) return line;
   return makeError({.place = "standard input",
-                    .found = "it ended without a pairing code",
-                    .expected = "the code in one line",
-                    .fix = "Type what hapticell-haptic-server --pair shows."});
+                    .found = "the input ended without a pairing code",
+                    .expected = "the pairing code on one line",
+                    .fix = "Type the code that hapticell-haptic-server --pair shows."});
 }
 
 }  // namespace

@@ -85,9 +85,8 @@ Expected<ordered_json> result(const std::string& method, const ErgonomicsOptions
   }
   if (!options.motion.empty()) return judgeMotion(method, options);
   if (!options.up.empty() || !options.markers.empty())
-    return makeError({.place = "--up, --markers",
-                      .found = "given without --motion",
-                      .expected = "a recorded motion to read by them"});
+    return makeError(
+        {.place = "--up, --markers", .found = "given without --motion", .expected = "--motion with a recorded motion"});
   const auto input = readErgonomicsInput(options.input);
   HAPTICELL_TRY(input);
   auto judged = judge(method, *input);

@@ -205,7 +205,7 @@ Expected<LiftingTask> liftingTask(const json& object) {
   }
   // What is there and wrong is told before what is not there.
   HAPTICELL_TRY(checkLiftingRanges(task));
-  if (missing) return refused(missing, Text("it is not given"), Text("a number; the equation needs every field"));
+  if (missing) return refused(missing, Text("it is missing"), Text("a number; the equation needs all fields"));
   const json coupling = object.value("coupling", json());
   if (coupling == "good") {
     task.coupling = Coupling::kGood;
@@ -214,7 +214,7 @@ Expected<LiftingTask> liftingTask(const json& object) {
   } else if (coupling == "poor") {
     task.coupling = Coupling::kPoor;
   } else {
-    return refused("coupling", coupling.is_null() ? Text("it is not given") : Text(shortText(coupling)),
+    return refused("coupling", coupling.is_null() ? Text("it is missing") : Text(shortText(coupling)),
                    Text("good, fair or poor"));
   }
   return task;
@@ -231,7 +231,7 @@ Expected<json> readErgonomicsInput(const std::string& input) {
   } else if (!is_in_place) {
     auto content = geometry::readRegularFile(input);
     if (!content)
-      return makeError({.file = input, .found = content.error().found, .expected = "a JSON file, or JSON in place"});
+      return makeError({.file = input, .found = content.error().found, .expected = "a JSON file or JSON text"});
     text = std::move(*content);
   }
   const std::string name = is_in_place || input == "-" ? "--input" : input;
@@ -239,7 +239,7 @@ Expected<json> readErgonomicsInput(const std::string& input) {
   HAPTICELL_TRY(flat);
   json parsed = json::parse(text, nullptr, false);
   if (parsed.is_discarded()) {
-    return makeError({.file = name, .found = "it is not JSON", .expected = "an object in braces"});
+    return makeError({.file = name, .found = "invalid JSON", .expected = "a JSON object in braces"});
   }
   return parsed;
 }
@@ -284,7 +284,7 @@ Expected<ScoredInput> owasInput(const json& input) {
   if (code.is_string()) digits = code.get<std::string>();
   if (code.is_number_integer()) digits = code.dump();
   if (digits.size() != 4) {
-    return refused("code", code.is_null() ? Text("it is not given") : Text(shortText(code)),
+    return refused("code", code.is_null() ? Text("it is missing") : Text(shortText(code)),
                    Text("four digits: back, arms, legs, load"));
   }
   ScoredInput result;

@@ -91,7 +91,7 @@ Expected<Subject> subjectOfFigure(const PostureOptions& options) {
     return makeError({.place = "--sex", .found = "'" + options.sex + "'", .expected = "male or female"});
   request.sex = options.sex == "male" ? mannequin::Sex::kMale : mannequin::Sex::kFemale;
   if (options.percentile.has_value() == options.stature.has_value())
-    return makeError({.found = options.stature ? Text("both --percentile and --stature") : Text("no size"),
+    return makeError({.found = options.stature ? Text("both --percentile and --stature") : Text("no body size"),
                       .expected = "--cell, or one of --percentile and --stature"});
   const auto stature = options.stature ? Expected<double>(*options.stature)
                                        : mannequin::statureOfPercentile(request.sex, *options.percentile);

@@ -288,8 +288,8 @@ Expected<ordered_json> eawsReport(const json& input) {
   for (const double share : shares) sum += share;
   if (sum > 1.0 + 1e-9) {
     return makeError({.place = "shares",
-                      .found = Text("%1 in all", std::to_string(sum)),
-                      .expected = "shares of the cycle that add up to at most 1"});
+                      .found = Text("%1 in total", std::to_string(sum)),
+                      .expected = "shares of the cycle with a sum of at most 1"});
   }
   const double points = eawsPosturePoints(shares);
   ordered_json report{{"method", "EAWS posture section (outline)"},
@@ -377,8 +377,8 @@ Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& f
   } catch (const json::exception&) {
     return makeError({.file = file.string(),
                       .place = "best",
-                      .found = "something else, or nothing",
-                      .expected = "the place and its four postures"});
+                      .found = "it is missing or invalid",
+                      .expected = "the best place and its four postures"});
   }
   return place;
 }

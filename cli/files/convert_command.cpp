@@ -109,7 +109,7 @@ double takeLikelyUnit(workcell::ImportedScene& scene, Diagnostics& notes) {
   }
   const workcell::LengthUnit unit = workcell::guessUnit(bounds);
   notes.warn(
-      Text("the file names no unit; by its size it is taken as %1 (--unit says otherwise)", workcell::unitName(unit)));
+      Text("the file has no unit; %1 is assumed from its size (to change this, use --unit)", workcell::unitName(unit)));
   if (unit != workcell::LengthUnit::kMetre) rescale(scene, workcell::metresPer(unit));
   return workcell::metresPer(unit);
 }
@@ -158,7 +158,7 @@ Expected<Promises> simplifyPromises(const geometry::TriangleMesh& given, const w
   const std::string place =
       "at x " + std::to_string(most.p.x) + ", y " + std::to_string(most.p.y) + ", z " + std::to_string(most.p.z) + " m";
   Promises promises;
-  promises.help = "Take a larger --simplify.";
+  promises.help = "Use a larger --simplify.";
   promises.list.push_back({"surface", options.simplify, most.distance, "m", place, false,
                            kFloats * (glm::length(bounds.max - bounds.min) + glm::length(bounds.center()))});
   return promises;

@@ -71,11 +71,11 @@ void warnAboutTriangles(const std::vector<workcell::MeshPart>& parts, Diagnostic
   const auto say = [&](std::size_t count, const char* what) {
     if (count > 0) notes.warn(Text("%1: %2", Text(what), count));
   };
-  say(degenerate, HAPTICELL_TRANSLATED("triangles without area, left out in a workcell"));
-  say(duplicate, HAPTICELL_TRANSLATED("triangles that are there twice, left out once in a workcell"));
-  say(rejected, HAPTICELL_TRANSLATED("triangles at an edge of more than two faces, or turned over"));
+  say(degenerate, HAPTICELL_TRANSLATED("zero-area triangles, left out in a workcell"));
+  say(duplicate, HAPTICELL_TRANSLATED("duplicate triangles, kept once in a workcell"));
+  say(rejected, HAPTICELL_TRANSLATED("triangles that share an edge with more than two faces, or are flipped"));
   say(holes, HAPTICELL_TRANSLATED("holes in the surface"));
-  if (open) notes.warn("the surface is not closed, so the volume means little");
+  if (open) notes.warn("the surface is not closed, so the volume is not reliable");
   if (inward) {
     notes.warn("the triangles face inward, so the volume is negative");
   } else {
@@ -95,7 +95,7 @@ Expected<double> unitOf(const InspectOptions& options, const workcell::MeshFileP
   for (const workcell::MeshPart& part : file.parts) bounds.add(part.mesh.bounds());
   const workcell::LengthUnit unit = workcell::guessUnit(bounds);
   notes.warn(
-      Text("the file names no unit; by its size it is taken as %1 (--unit says otherwise)", workcell::unitName(unit)));
+      Text("the file has no unit; %1 is assumed from its size (to change this, use --unit)", workcell::unitName(unit)));
   return workcell::metresPer(unit);
 }
 
@@ -145,10 +145,10 @@ Expected<ordered_json> inspectCad(const InspectOptions& options, Diagnostics& no
   const auto scene = workcell::readScene(options.file, reading, &progress.monitor());
   HAPTICELL_TRY(scene);
   notes.warnings = scene->warnings;
-  if (!scene->unit_is_stated)
-    notes.warn(Text("the file names no unit; it is taken as %1", unitWord(scene->metres_per_unit)));
+  if (!scene->unit_is_stated) notes.warn(Text("the file has no unit; %1 is assumed", unitWord(scene->metres_per_unit)));
   if (scene->up_axis != workcell::UpAxis::kZ) {
-    notes.warn(Text("the file has %1 up; it was turned so that z is up", workcell::axisName(scene->up_axis)));
+    notes.warn(Text("in the file, %1 points up; the model was rotated so that z points up",
+                    workcell::axisName(scene->up_axis)));
   }
   const std::string unit = unitWord(scene->metres_per_unit);
   ordered_json result = inspection(scene->format.c_str(), unit.c_str(), sceneReport(*scene), notes);
@@ -165,7 +165,7 @@ Expected<ordered_json> inspectRobot(const InspectOptions& options, Diagnostics& 
     return makeError({.file = options.file,
                       .place = "--unit",
                       .found = "'" + options.unit + "'",
-                      .expected = "no unit: robot files are in metres"});
+                      .expected = "no --unit: robot files are in metres"});
   }
   const auto arguments = parseXacroArguments(options.arguments);
   HAPTICELL_TRY(arguments);

@@ -24,8 +24,9 @@ Expected<void> ResultWriter::put(const nlohmann::ordered_json& result, int inden
   if (toFile()) return writeFileAtomically(json_file_, text);
   std::cout << text << std::flush;
   if (!std::cout)
-    return makeError(
-        {.file = "standard output", .found = "it could not be written", .fix = "Check the pipe or the disk."});
+    return makeError({.file = "standard output",
+                      .found = "it could not be written",
+                      .fix = "Check the disk or the receiving program."});
   return {};
 }
 

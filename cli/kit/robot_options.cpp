@@ -80,7 +80,7 @@ Expected<Carrier> readCarrier(const std::string& option, const std::string& text
     return makeError({.file = mounting->what,
                       .place = option,
                       .found = Text("link '%1' does not move", link),
-                      .expected = "a link behind a joint"});
+                      .expected = "a link that a joint moves"});
   }
   return Carrier{std::move(carrier->model), carrier->tip, mounting->X_LE};
 }

@@ -145,7 +145,7 @@ Expected<Mounting> parseMounting(const std::string& option, const std::string& t
   mounting.what = arguments.head;
   if (mounting.what.empty()) return makeError(wrong(option, text, Text("a file, or library:NAME, first")));
   if (const std::string twice = saidTwice(arguments); !twice.empty()) {
-    return makeError(wrong(option + ", " + twice, text, Text("each option once")));
+    return makeError(wrong(option + ", " + twice, text, Text("each option at most once")));
   }
   for (const auto& [key, value] : arguments.options) {
     if (key == "link") {
@@ -173,7 +173,7 @@ Expected<Addition> parseAddition(const std::string& text) {
                       .expected = Text("one of %1", listed(kKeys))});
   }
   if (const std::string twice = saidTwice(arguments); !twice.empty()) {
-    return makeError(wrong("--add, " + twice, text, Text("each option once")));
+    return makeError(wrong("--add, " + twice, text, Text("each option at most once")));
   }
   for (const auto& [key, value] : arguments.options) {
     HAPTICELL_TRY(readOption(key, value, addition));
@@ -185,23 +185,26 @@ Expected<workcell::PairSet> parseCheck(const std::string& text) {
   const Arguments arguments = splitOptions(text, {"near_miss", "safety"});
   const std::size_t colon = arguments.head.find(':');
   if (colon == std::string::npos || arguments.head.find(':', colon + 1) != std::string::npos) {
-    return makeError(wrong("--check", arguments.head, Text("A+B:C+D, names of entities on either side of one colon")));
+    return makeError(
+        wrong("--check", arguments.head, Text("A+B:C+D: names of entities, one colon between the two sides")));
   }
   workcell::PairSet set;
   set.first = namesOf(arguments.head.substr(0, colon));
   set.second = namesOf(arguments.head.substr(colon + 1));
   if (set.first.empty() && set.second.empty()) {
-    return makeError(wrong("--check", arguments.head, Text("A+B:C+D, names of entities on either side of one colon")));
+    return makeError(
+        wrong("--check", arguments.head, Text("A+B:C+D: names of entities, one colon between the two sides")));
   }
   std::set<std::string> seen;
   for (const auto* side : {&set.first, &set.second}) {
     for (const std::string& name : *side) {
       if (seen.insert(name).second) continue;
-      return makeError(wrong("--check", arguments.head, Text("each entity once: nothing is checked against itself")));
+      return makeError(wrong("--check", arguments.head,
+                             Text("each entity on one side only: an entity is not checked against itself")));
     }
   }
   if (const std::string twice = saidTwice(arguments); !twice.empty()) {
-    return makeError(wrong("--check, " + twice, text, Text("each option once")));
+    return makeError(wrong("--check, " + twice, text, Text("each option at most once")));
   }
   for (const auto& [key, value] : arguments.options) {
     const auto number = trajectory::parseNumber(value);

@@ -48,7 +48,7 @@ class TargetReader {
       HAPTICELL_TRY(done);
     }
     if (header_.empty()) return fail("", Text("an empty file"), Text("a header line hand,x,y,z,qw,qx,qy,qz"));
-    if (targets_.empty()) return fail("", Text("no row after the header"), Text("at least one target"));
+    if (targets_.empty()) return fail("", Text("no line after the header"), Text("at least one target"));
     return std::move(targets_);
   }
 
@@ -108,8 +108,8 @@ class TargetReader {
     if (target)
       return fail(
           "hand",
-          hand == "left" ? Text("the left hand again in the same step") : Text("the right hand again in the same step"),
-          Text("each hand once a step"));
+          hand == "left" ? Text("a second left hand in the same step") : Text("a second right hand in the same step"),
+          Text("each hand once per step"));
     target = Pose{{values[0], values[1], values[2]}, glm::normalize(q)};
     return {};
   }

@@ -60,7 +60,7 @@ Expected<Figure> figureFor(const MannequinOptions& options) {
   }
   request.sex = options.sex == "male" ? Sex::kMale : Sex::kFemale;
   if (options.percentile.has_value() == options.stature.has_value()) {
-    return makeError({.found = options.stature ? Text("both --percentile and --stature") : Text("no size"),
+    return makeError({.found = options.stature ? Text("both --percentile and --stature") : Text("no body size"),
                       .expected = "one of --percentile and --stature"});
   }
   if (options.stature) request.stature = *options.stature;
@@ -196,7 +196,7 @@ Expected<void> checkWords(const MannequinOptions& options) {
   if (known || pipe) return {};
   return makeError({.file = options.output,
                     .place = "--output",
-                    .found = ending.empty() ? Text("no ending") : Text("the ending '%1'", ending),
+                    .found = ending.empty() ? Text("no extension") : Text("the extension '%1'", ending),
                     .expected = ".json (the posture), .obj (the body), .x3d (H-Anim) or .bvh (the motion)"});
 }
 

@@ -77,8 +77,8 @@ Expected<void> readRecording(const SessionWords& words, SessionOptions& options)
   if (words.record.empty()) {
     if (!words.record_interval && !words.record_distance) return {};
     return makeError({.place = "--record-interval, --record-distance",
-                      .found = "nothing is recorded",
-                      .expected = "--record with it"});
+                      .found = "--record is missing",
+                      .expected = "--record together with this option"});
   }
   if (words.record_interval && words.record_distance) {
     return makeError(
@@ -97,8 +97,8 @@ Expected<void> readRecording(const SessionWords& words, SessionOptions& options)
   }
   if (!(recording.interval_s > 0.0) || !(recording.spacing.position > 0.0)) {
     return makeError({.place = "--record-interval, --record-distance",
-                      .found = "a value that is not positive",
-                      .expected = "seconds, metres"});
+                      .found = "a value that is not above 0",
+                      .expected = "seconds or metres above 0"});
   }
   options.recording = recording;
   return {};
@@ -106,7 +106,7 @@ Expected<void> readRecording(const SessionWords& words, SessionOptions& options)
 
 Expected<void> saveRecording(const SessionWords& words, const SessionReport& session) {
   if (words.record.empty()) return {};
-  if (session.recording.empty()) warn("Nothing was held and moved, so the recording has no frames.");
+  if (session.recording.empty()) warn("No entity was held and moved, so the recording has no frames.");
   const bool is_csv = words.record.ends_with(".csv");
   // What moved beside it, on the same clock, stands beside its file.
   const std::filesystem::path place(words.record);
@@ -131,8 +131,8 @@ void tellOfHand(const SessionWords& words, const SessionOptions& options) {
     outside = std::max({outside, over.x, over.y, over.z});
   }
   if (outside < kStopsGive) return;
-  warn(Text("%1: the path leaves the workspace of the %2 by %3 mm; its stops hold the stylus.", words.hand,
-            options.device.name.substr(0, 60), plainNumber(1e3 * outside, std::chars_format::fixed, 0)));
+  warn(Text("%1: the path leaves the workspace of the %2 by %3 mm; the stylus stops at its mechanical limits.",
+            words.hand, options.device.name.substr(0, 60), plainNumber(1e3 * outside, std::chars_format::fixed, 0)));
 }
 
 Expected<SessionOptions> readOptions(const SessionWords& words) {
@@ -158,7 +158,7 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   for (const std::string& setting : words.set) {
     const std::string key = setting.substr(0, setting.find('='));
     if (!seen.insert(key).second)
-      return makeError({.place = "--set", .found = Text("'%1' twice", key), .expected = "each key once"});
+      return makeError({.place = "--set", .found = Text("'%1' twice", key), .expected = "each key at most once"});
     HAPTICELL_TRY(applySessionSetting(setting, options));
   }
   HAPTICELL_TRY(readRates(words, options));

@@ -33,8 +33,8 @@ Expected<ToolPoses> ToolPoses::create(const std::string& name, const Trajectory&
       at = names.begin() + static_cast<std::ptrdiff_t>(j);
     if (at == names.end())
       return makeError({.place = Text("joint '%1'", joint),
-                        .found = "the robot has no such joint",
-                        .expected = "its joints' names"});
+                        .found = "the robot has no joint of this name",
+                        .expected = "names of the robot's joints"});
     tool.columns_.push_back(static_cast<std::size_t>(robot->variables[static_cast<std::size_t>(at - names.begin())]));
   }
   tool.robot_ = std::make_shared<const RobotWithTip>(std::move(*robot));

@@ -93,8 +93,9 @@ Expected<Cell> cellFor(const trajectory::Trajectory& trajectory, const Trajector
   HAPTICELL_TRY(path);
   const std::string& name = options.entity.empty() ? trajectory.entity : options.entity;
   if (name.empty())
-    return makeError(
-        {.place = "--entity", .found = "the trajectory does not say what moves", .expected = "the name of an entity"});
+    return makeError({.place = "--entity",
+                      .found = "the trajectory does not name the entity that moves",
+                      .expected = "the name of an entity"});
   auto axes = motionsTogether(trajectory, *document, options);
   HAPTICELL_TRY(axes);
   path->axes = std::move(*axes);

@@ -197,9 +197,9 @@ Expected<ordered_json> run(const EditOptions& options, Edit edit) {
     if (!given->has_poses && !motion.hasJoints()) {
       return makeError({.file = options.files.file,
                         .place = "poses",
-                        .found = "joints alone",
-                        .expected = "poses, for an edit of them",
-                        .fix = "Export it with its poses first: trajectory export --to csv --robot."});
+                        .found = "joint values without poses",
+                        .expected = "poses, because this edit changes them",
+                        .fix = "First export it with poses: trajectory export --to csv --robot."});
     }
     HAPTICELL_TRY(findJoints(*given, options, motion, result));
     const std::string& path = i == 0 ? options.files.output : options.files.rest;

@@ -40,7 +40,7 @@ void noteFileName(const std::string& name, const std::string& file, trajectory::
   using trajectory::ProgramFormat;
   const bool is_found_by_name = format != ProgramFormat::kUrScript && format != ProgramFormat::kRapid;
   if (is_found_by_name && !sameButForCase(name, file))
-    notes.push_back(Text("On the controller the file must be named '%1', as its program.", name));
+    notes.push_back(Text("On the controller, name the file '%1', like its program.", name));
 }
 
 /// What stands in the program's files on the disk, written aside, of which nothing is left.
@@ -53,7 +53,7 @@ Expected<std::vector<trajectory::ProgramFile>> readBack(const std::vector<trajec
     return makeError({.file = beside.string(),
                       .found = "the folder cannot be created",
                       .expected = problem.message(),
-                      .fix = "Write it somewhere else."});
+                      .fix = "Choose another folder."});
   const auto folder = ScratchFolder::make(beside);
   HAPTICELL_TRY(folder);
   std::vector<trajectory::ProgramFile> read;

@@ -27,10 +27,10 @@ Expected<trajectory::RetimingOptions> retimingOf(const Trajectory& given, const 
   retiming.sample_s = options.sample;
   retiming.speed = options.speed;
   if (!(options.sample > 0.0))
-    return makeError({.place = "--sample", .found = "a value that is not positive", .expected = "seconds"});
+    return makeError({.place = "--sample", .found = "a value that is not above 0", .expected = "seconds"});
   if (!(options.passing > 0.0) || !(options.angle_passing > 0.0))
     return makeError({.place = "--tolerance, --angle-tolerance",
-                      .found = "a value that is not positive",
+                      .found = "a value that is not above 0",
                       .expected = "metres and radians"});
   retiming.tolerance = {options.passing, options.angle_passing, options.angle_passing};
   if (options.mode == "constant-speed") {

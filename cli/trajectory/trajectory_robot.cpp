@@ -25,8 +25,9 @@ constexpr std::array<double, 2> kSolidSpeed{0.5, 2.0};
 Expected<std::vector<double>> spread(const std::vector<double>& given, std::size_t count, const char* option) {
   if (given.size() == 1) return std::vector<double>(count, given.front());
   if (given.size() != count) {
-    return makeError(
-        {.place = Text(option), .found = Text("%1 numbers", given.size()), .expected = Text("one, or %1", count)});
+    return makeError({.place = Text(option),
+                      .found = Text("%1 numbers", given.size()),
+                      .expected = Text("one value, or %1", count)});
   }
   return given;
 }
@@ -40,12 +41,13 @@ Expected<std::vector<double>> speedsOf(const RobotWithTip& robot, const Trajecto
     int index = robot.model.findJoint(name);
     if (index < 0 && name == "q" + std::to_string(j + 1) && j < names.size()) index = robot.model.findJoint(names[j]);
     if (index < 0)
-      return makeError(
-          {.place = Text("joint '%1'", name), .found = "the robot has no such joint", .expected = "its joints' names"});
+      return makeError({.place = Text("joint '%1'", name),
+                        .found = "the robot has no joint of this name",
+                        .expected = "names of the robot's joints"});
     const double speed = robot.model.joints[static_cast<std::size_t>(index)].velocity;
     if (!(speed > 0.0)) {
       return makeError(
-          {.place = Text("joint '%1'", name), .found = "the robot file gives no speed", .expected = "--velocity"});
+          {.place = Text("joint '%1'", name), .found = "the robot file has no speed limits", .expected = "--velocity"});
     }
     speeds.push_back(speed);
   }
@@ -62,7 +64,7 @@ Expected<std::vector<double>> velocitiesFor(const Trajectory& trajectory, const 
     return std::vector<double>{linear, linear, linear, angular, angular, angular};
   }
   if (options.robot.empty()) {
-    return makeError({.place = "--velocity", .found = "no limits for the joints", .expected = "--robot or --velocity"});
+    return makeError({.place = "--velocity", .found = "no joint limits", .expected = "--robot or --velocity"});
   }
   const auto robot = readRobotWithTip(options.robot, "");
   HAPTICELL_TRY(robot);
@@ -101,7 +103,8 @@ Expected<void> addConfigurations(const Trajectory& trajectory, const std::string
       format == ProgramFormat::kKrl || format == ProgramFormat::kRapid || format == ProgramFormat::kFanuc;
   if (!has_flags || !trajectory.hasJoints()) return {};
   if (robot_name.empty()) {
-    notes.push_back(Text("No --robot: configuration data are the format's defaults; check them on the controller."));
+    notes.push_back(
+        Text("Without --robot, the configuration data are the format's defaults. Check them on the controller."));
     return {};
   }
   const auto robot = readRobotWithTip(robot_name, "");
@@ -109,7 +112,7 @@ Expected<void> addConfigurations(const Trajectory& trajectory, const std::string
   const auto chain = kinematics::Chain::create(robot->model, robot->tip, Pose::identity());
   HAPTICELL_TRY(chain);
   if (chain->size() != 6) {
-    notes.push_back(Text("The robot has no six-axis configuration; configuration data are the format's defaults."));
+    notes.push_back(Text("The robot has no six-axis configuration. The configuration data are the format's defaults."));
     return {};
   }
   const auto shared = std::make_shared<const kinematics::Chain>(*chain);

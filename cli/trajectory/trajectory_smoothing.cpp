@@ -26,7 +26,7 @@ using trajectory::Trajectory;
 Expected<trajectory::PathTolerance> toleranceOf(const TrajectoryOptions& options) {
   if (!(options.tolerance > 0.0) || !(options.angle_tolerance > 0.0) || !(options.joint_tolerance >= 0.0)) {
     return makeError({.place = "--tolerance, --angle-tolerance",
-                      .found = "a value that is not positive",
+                      .found = "a value that is not above 0",
                       .expected = "metres and radians"});
   }
   const double joint = options.joint_tolerance > 0.0 ? options.joint_tolerance : options.tolerance;

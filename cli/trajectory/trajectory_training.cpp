@@ -90,7 +90,7 @@ Expected<ordered_json> score(const TrainingOptions& options) {
   const auto run = readMotionFile(options.run);
   HAPTICELL_TRY(run);
   if (expert->empty())
-    return makeError({.file = options.file, .place = "frames", .found = "none", .expected = "an expert's motion"});
+    return makeError({.file = options.file, .place = "frames", .found = "none", .expected = "the motion of an expert"});
   return toJson(trajectory::scoreRun(*expert, *run));
 }
 
@@ -129,8 +129,10 @@ Expected<ordered_json> train(const TrainingOptions& options) {
   auto expert = trajectory::readTrajectory(exercise->recording);
   HAPTICELL_TRY(expert);
   if (expert->empty())
-    return makeError(
-        {.file = exercise->recording.string(), .place = "frames", .found = "none", .expected = "an expert's motion"});
+    return makeError({.file = exercise->recording.string(),
+                      .place = "frames",
+                      .found = "none",
+                      .expected = "the motion of an expert"});
   // From reading to writing: two runs at once would lose one.
   workcell::DocumentLock lock;
   if (!options.results.empty()) {
@@ -153,8 +155,8 @@ Expected<ordered_json> train(const TrainingOptions& options) {
     return makeError({.file = options.results,
                       .place = "--kind",
                       .found = options.kind,
-                      .expected = practised ? Text("retention: this exercise was practised")
-                                            : Text("transfer: this exercise was not practised")});
+                      .expected = practised ? Text("retention: an exercise that the trainee practised")
+                                            : Text("transfer: an exercise that the trainee did not practise")});
   double help = 0.0;
   if (led) help = options.help >= 0.0 ? std::min(1.0, options.help) : book.nextHelp();
   const manipulation::TrainingRun scorer(*exercise, *expert, help);

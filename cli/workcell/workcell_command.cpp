@@ -53,7 +53,7 @@ Expected<void> hang(workcell::EntityId id, const Addition& addition, workcell::D
     return makeError({.file = "--add " + addition.what,
                       .place = "on",
                       .found = Text("no entity is named '%1'", addition.on),
-                      .expected = "NAME or NAME:LINK of an entity that was added before"});
+                      .expected = "NAME or NAME:LINK of an entity that an earlier --add added"});
   }
   const std::string link = whole ? "" : addition.on.substr(colon + 1);
   const auto hung = document.execute(workcell::Attach{id, carrier->id, link});

@@ -62,10 +62,10 @@ Expected<ordered_json> pack(const PackOptions& options, Diagnostics& notes) {
   ordered_json outside = ordered_json::array();
   for (const fs::path& file : packed->outside) outside.push_back(file.string());
   if (!packed->isWritten()) {
-    for (const fs::path& file : packed->outside) notes.warn(Text("outside: %1", file.string()));
+    for (const fs::path& file : packed->outside) notes.warn(Text("outside the folder: %1", file.string()));
     return makeError({.file = options.file,
                       .found = Text("%1 files are outside its folder", packed->outside.size()),
-                      .expected = Text("files in %1", scope.folder.string()),
+                      .expected = Text("only files in %1", scope.folder.string()),
                       .fix = "Nothing was written. A workcell from someone else can name any file of this machine. "
                              "Check the list, then pack with --allow-outside, or move the files into the folder."});
   }

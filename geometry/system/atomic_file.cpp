@@ -46,7 +46,8 @@ Expected<void> writeInto(const fs::path& path, std::string_view content) {
   if (file >= 0 && fault == 0) fault = flushFile(file);
   if (file >= 0 && ::close(file) != 0 && fault == 0) fault = errno;
   if (fault == 0) return {};
-  return makeError({.file = path.string(), .found = systemText(fault), .expected = "a target that accepts all data"});
+  return makeError(
+      {.file = path.string(), .found = systemText(fault), .expected = "a file or program that accepts all data"});
 }
 
 /// What writeInto() takes.
@@ -112,7 +113,7 @@ Expected<fs::path> placeOfFile(const fs::path& path) {
   for (int links = 0; fs::is_symlink(target, fault); ++links) {
     if (links == kMostLinks)
       return makeError(
-          {.file = path.string(), .found = "a circle of symbolic links", .expected = "the name of a file"});
+          {.file = path.string(), .found = "symbolic links that refer to each other", .expected = "a file name"});
     const fs::path named = fs::read_symlink(target, fault);
     if (fault) break;
     target = named.is_absolute() ? named : target.parent_path() / named;
@@ -121,7 +122,7 @@ Expected<fs::path> placeOfFile(const fs::path& path) {
   if (!fs::exists(status) || fs::is_regular_file(status)) return target;
   return makeError({.file = path.string(),
                     .found = fs::is_directory(status) ? Text("a folder") : Text("not a regular file"),
-                    .expected = "the name of a file"});
+                    .expected = "a file name"});
 }
 
 Expected<AtomicFile> AtomicFile::begin(const fs::path& path, const Options& options) {
@@ -132,13 +133,13 @@ Expected<AtomicFile> AtomicFile::begin(const fs::path& path, const Options& opti
   made.options_ = options;
   std::error_code fault;
   made.target_ = fs::absolute(*place, fault);
-  if (fault) return makeError({.file = path.string(), .found = fault.message(), .expected = "a folder that is there"});
+  if (fault) return makeError({.file = path.string(), .found = fault.message(), .expected = "an existing folder"});
   if (::faccessat(AT_FDCWD, made.target_.c_str(), W_OK, AT_EACCESS) != 0 && errno == EACCES &&
       fs::exists(made.target_, fault)) {
     return makeError({.file = path.string(),
-                      .found = "a file that is write-protected",
-                      .expected = "one that may be written",
-                      .fix = "Allow writing to it, or choose another name."});
+                      .found = "the file is write-protected",
+                      .expected = "a file that you can write",
+                      .fix = "Remove the write protection, or choose another name."});
   }
   const fs::path folder = folderOf(made.target_);
   unfinished::tidyOnce(folder);

@@ -56,7 +56,7 @@ Error Promises::missed(const std::string& file) const {
   const Promise* promise = worst();
   HAPTICELL_DEMAND(promise != nullptr);
   const Text asked = withUnit(promise->asked, promise->unit);
-  const Text unwritten = "Nothing is written without --allow-miss.";
+  const Text unwritten = "Nothing was written. To write the file anyway, use --allow-miss.";
   return {.file = file,
           .place = promise->place,
           .found = Text("%1 %2", promise->name, withUnit(promise->measured, promise->unit)),

@@ -39,7 +39,7 @@ std::optional<Error> faultOf(const fs::path& path, const struct stat& state, std
 }
 
 Error unreadable(const fs::path& path, int fault) {
-  if (fault == ENOENT || fault == ENOTDIR) return {.file = path.string(), .found = "there is no such file"};
+  if (fault == ENOENT || fault == ENOTDIR) return {.file = path.string(), .found = "the file does not exist"};
   return {.file = path.string(),
           .found = Text("it cannot be read (%1)", std::strerror(fault)),
           .fix = fault == EACCES ? Text("Check its permissions.") : Text()};
@@ -91,8 +91,9 @@ Expected<std::string> readRegularFile(const fs::path& path, std::uintmax_t most_
   const std::size_t have = readUpTo(file->descriptor, content.data(), content.size());
   ::close(file->descriptor);
   if (have == content.size()) return content;
-  return makeError(
-      {.file = path.string(), .found = "the file could not be read", .fix = "Check that you may read it."});
+  return makeError({.file = path.string(),
+                    .found = "the file could not be read",
+                    .fix = "Check that you have permission to read it."});
 }
 
 std::string headOfFile(const fs::path& path, std::size_t most) {

@@ -54,18 +54,18 @@ Expected<void> checkUnfolding(const std::vector<std::vector<std::uint32_t>>& bel
           node.depth = std::max(node.depth, nodes[child].depth);
         }
         if (++node.depth > limits.deepest)
-          return refuse(step.node, Text("more than %1 levels below each other", limits.deepest), Text("a tree"));
+          return refuse(step.node, Text("more than %1 nested levels", limits.deepest), Text("a tree without cycles"));
         way.pop_back();
         continue;
       }
       const std::uint32_t child = below[step.node][step.next++];
       if (child >= nodes.size() || nodes[child].state == State::kDone) continue;
-      if (nodes[child].state == State::kOpen) return refuse(child, Text("it holds itself: a circle"), Text("a tree"));
+      if (nodes[child].state == State::kOpen)
+        return refuse(child, Text("it contains itself"), Text("a tree without cycles"));
       way.push_back({child, 0});
     }
     all = std::min(kEndless, all + nodes[root].count);
-    if (all > most)
-      return refuse(root, Text("it unfolds to more than %1 nodes", most), Text("each of them written once"));
+    if (all > most) return refuse(root, Text("it expands to more than %1 nodes", most), Text("fewer repeated nodes"));
   }
   return {};
 }

@@ -63,7 +63,7 @@ Expected<driver::Driver*> findDriver(const std::string& name, const DriverSettin
   return makeError({.place = "device",
                     .found = "'" + name + "'",
                     .expected = Text("one of %1", namesOf(drivers)),
-                    .fix = "hapticell-cli devices shows what is plugged in."});
+                    .fix = "To list the connected devices, run hapticell-cli devices."});
 }
 
 Expected<std::unique_ptr<Device>> makeDevice(const std::string& name, const config::Configuration& configuration,

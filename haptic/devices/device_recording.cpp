@@ -128,7 +128,7 @@ Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file)
   stream.read(magic, sizeof magic);
   stream.read(reinterpret_cast<char*>(&length), sizeof length);
   if (!stream || std::memcmp(magic, kMagic, kMagicSize) != 0 || length > kMostHeader) {
-    return refuse(Text("its beginning"), Text("something else"), Text("a recorded device session (*.hdev)"));
+    return refuse(Text("start of file"), Text("another format"), Text("a recorded device session (*.hdev)"));
   }
   std::string header(length, '\0');
   stream.read(header.data(), length);
@@ -136,14 +136,15 @@ Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file)
   if (auto flat = geometry::checkNesting(header, geometry::NestedText::kJson, file.string()); !flat)
     return makeError(flat.error());
   if (!stream || !fromJson(json::parse(header, nullptr, false), recording.capabilities)) {
-    return refuse(Text("its header"), Text("no capabilities"), Text("JSON as a recording writes it"));
+    return refuse(Text("header"), Text("the capabilities are missing"), Text("the JSON header of a recording"));
   }
   TickBytes bytes{};
   while (stream.read(bytes.data(), bytes.size())) {
     recording.ticks.push_back(unpack(bytes.data()));
     const RecordedTick& tick = recording.ticks.back();
     if (!tick.X_DS.isValid() || statusOf(tick) > static_cast<std::uint32_t>(DeviceStatus::kVanished)) {
-      return refuse(Text("tick %1", recording.ticks.size()), Text("no pose or no status"), Text("a finite pose"));
+      return refuse(Text("tick %1", recording.ticks.size()), Text("the pose or the status is missing or invalid"),
+                    Text("a valid pose and status"));
     }
   }
   return recording;
@@ -282,7 +283,7 @@ ReplayDevice::ReplayDevice(DeviceRecording recording) : recording_(std::move(rec
 
 Expected<void> ReplayDevice::open() {
   if (recording_.ticks.empty())
-    return makeError({.place = "recording", .found = "not one tick", .expected = "a session that was recorded"});
+    return makeError({.place = "recording", .found = "no ticks", .expected = "a recording with at least one tick"});
   next_ = 0;
   open_ = true;
   return {};

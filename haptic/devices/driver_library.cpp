@@ -33,14 +33,14 @@ tl::unexpected<Error> notADriver(const fs::path& file, Text found, Text fix) {
 }  // namespace
 
 Expected<driver::Driver*> loadDriver(const fs::path& file) {
-  if (!file.is_absolute()) return notADriver(file, Text("no absolute path"), Text("Name it by its whole path."));
+  if (!file.is_absolute()) return notADriver(file, Text("not an absolute path"), Text("Use its absolute path."));
   HAPTICELL_TRY(config::checkPlugIn(file));
   // RTLD_NOW: a function that is missing is told now, not in the middle of a force.
   void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* const why = dlerror();
     return notADriver(file, why != nullptr ? Text(std::string(why)) : Text("it cannot be loaded"),
-                      Text("Install the library that it names, or remove the file."));
+                      Text("Install the library that this message names, or remove the file."));
   }
   void* const symbol = dlsym(library, "hapticell_driver");
   if (symbol == nullptr) {
@@ -50,7 +50,7 @@ Expected<driver::Driver*> loadDriver(const fs::path& file) {
   driver::Driver* const driver = reinterpret_cast<HapticellDriverEntry>(symbol)(driver::kInterfaceVersion);
   if (driver == nullptr) {
     return notADriver(file, Text("it was built for another version of HaptiCell's driver interface"),
-                      Text("Build it anew with version %1.", driver::kInterfaceVersion));
+                      Text("Rebuild it for version %1.", driver::kInterfaceVersion));
   }
   return driver;
 }

@@ -61,7 +61,9 @@ class Parser {
       HAPTICELL_TRY(done);
     }
     if (samples_.empty())
-      return makeError({.file = name_, .found = "there is no row", .expected = "a header line and at least one row"});
+      return makeError({.file = name_,
+                        .found = "no line after the header",
+                        .expected = "a header line and at least one line of values"});
     auto assumed = recogniseHandUnits(samples_, name_);
     HAPTICELL_TRY(assumed);
     return HandPath(std::move(samples_), std::move(*assumed));
@@ -110,11 +112,11 @@ class Parser {
           error("qw", Text("a quaternion of length %1", std::to_string(length)), Text("a length of 1 within 1 %")));
     }
     if (!samples_.empty() && value[0] < samples_.back().t) {
-      return makeError(error("t", std::to_string(value[0]), Text("no less than the line before")));
+      return makeError(error("t", std::to_string(value[0]), Text("at least the time of the line before")));
     }
     if (value[8] != 0.0 && value[8] != 1.0 && value[8] != 2.0 && value[8] != 3.0) {
-      return makeError(
-          error("button", std::to_string(value[8]), Text("0, 1 while pressed, 2 for a second one, 3 for both")));
+      return makeError(error("button", std::to_string(value[8]),
+                             Text("0 (not pressed), 1 (first button), 2 (second button) or 3 (both)")));
     }
     samples_.push_back({value[0], {{value[1], value[2], value[3]}, q / length}, static_cast<std::uint32_t>(value[8])});
     return {};

@@ -27,9 +27,9 @@ struct ClockUnit {
 };
 // What the time since 1970 is in each, from 1973 on. %1 is the first time.
 constexpr ClockUnit kClockUnits[] = {HAPTICELL_TRANSLATED(
-    {1e17, 1e-9, "its times begin at %1: taken as a clock's nanoseconds and counted from the first row"},
-    {1e14, 1e-6, "its times begin at %1: taken as a clock's microseconds and counted from the first row"},
-    {1e11, 1e-3, "its times begin at %1: taken as a clock's milliseconds and counted from the first row"})};
+    {1e17, 1e-9, "times start at %1: clock times in nanoseconds are assumed; the first line is time 0"},
+    {1e14, 1e-6, "times start at %1: clock times in microseconds are assumed; the first line is time 0"},
+    {1e11, 1e-3, "times start at %1: clock times in milliseconds are assumed; the first line is time 0"})};
 
 std::string digits(const char* format, double number) {
   char text[400];
@@ -67,13 +67,13 @@ void recogniseTimes(std::vector<HandSample>& samples, std::vector<Text>& assumed
   const bool milliseconds = isInMilliseconds(samples);
   if (begin < 0.0 || begin > std::max(kLongestWait, length)) {
     countFromFirst(samples, milliseconds ? 1e-3 : 1.0);
-    assumed.push_back(Text("its times begin at %1: counted from the first row", digits("%.3f", begin)));
+    assumed.push_back(Text("times start at %1: the first line is time 0", digits("%.3f", begin)));
   } else if (milliseconds) {
     for (HandSample& sample : samples) sample.t *= 1e-3;
   }
   if (milliseconds)
     assumed.push_back(
-        Text("its times are whole numbers up to %1: taken as milliseconds", digits("%.0f", begin + length)));
+        Text("times are whole numbers up to %1: milliseconds are assumed", digits("%.0f", begin + length)));
 }
 
 double farthestOf(const std::vector<HandSample>& samples) {
@@ -96,12 +96,12 @@ Expected<std::vector<Text>> recogniseHandUnits(std::vector<HandSample>& samples,
     return makeError(
         {.file = name,
          .place = "columns x, y, z",
-         .found = Text("a position %1 from the middle of the workspace", digits("%.6g", farthest)),
+         .found = Text("a position %1 from the centre of the workspace", digits("%.6g", farthest)),
          .expected = Text("metres in the device frame, within %1 (or millimetres)", digits("%.1f", kFarthestStylus)),
-         .fix = "write the path in metres from the middle of the device's workspace"});
+         .fix = "Write the path in metres from the centre of the device's workspace."});
   }
   for (HandSample& sample : samples) sample.X_DH.p *= kMillimetre;
-  assumed.push_back(Text("its positions reach %1: taken as millimetres", digits("%.6g", farthest)));
+  assumed.push_back(Text("positions reach %1: millimetres are assumed", digits("%.6g", farthest)));
   return assumed;
 }
 

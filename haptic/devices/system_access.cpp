@@ -26,7 +26,8 @@ SystemGrant priorityGrant() {
   rlimit limit{};
   getrlimit(RLIMIT_RTPRIO, &limit);
   SystemGrant grant{"real-time priority", geteuid() == 0 || limit.rlim_cur >= kPriority, "", ""};
-  grant.found = english(geteuid() == 0 ? Text("root may") : Text("allowed up to %1, 80 is asked for", limit.rlim_cur));
+  grant.found =
+      english(geteuid() == 0 ? Text("allowed for root") : Text("allowed up to %1; 80 is needed", limit.rlim_cur));
   if (!grant.granted) grant.fix = limitFix("rtprio 80");
   return grant;
 }
@@ -58,7 +59,7 @@ SystemGrant serialGrant() {
         getegid() == dialout->gr_gid || std::find(groups.begin(), groups.end(), dialout->gr_gid) != groups.end();
   }
   grant.found = grant.granted ? "member of dialout" : "not a member of dialout";
-  if (geteuid() == 0) grant.found = "root may";
+  if (geteuid() == 0) grant.found = "allowed for root";
   if (!grant.granted) grant.fix = english(Text("sudo usermod -aG dialout %1, then log in again", driver::userName()));
   return grant;
 }

@@ -36,7 +36,7 @@ Expected<std::string> text(const flatbuffers::String* text, const std::string& p
 Expected<ClientKind> clientKind(wire::ClientKind kind, const std::string& place) {
   if (kind == wire::ClientKind_Controller) return ClientKind::kController;
   if (kind == wire::ClientKind_Watcher) return ClientKind::kWatcher;
-  return refuse(place, Text("client kind %1", static_cast<int>(kind)), Text("0 (controller) or 1 (watcher)"));
+  return refuse(place, Text("client kind %1", static_cast<int>(kind)), Text("0 (controller) or 1 (observer)"));
 }
 
 /// A struct that must be there: a pose, a vector.
@@ -60,7 +60,7 @@ Expected<void> read(const wire::Device& from, DeviceDescription& to) {
   auto name = text(from.name(), "Device.name");
   HAPTICELL_TRY(name);
   if (!copy(from.workspace_min(), to.workspace_min) || !copy(from.workspace_max(), to.workspace_max)) {
-    return refuse("Device", Text("no workspace"), Text("workspace_min and workspace_max"));
+    return refuse("Device", Text("the workspace is missing"), Text("workspace_min and workspace_max"));
   }
   to.name = std::move(*name);
   to.simulated = from.simulated();
@@ -74,7 +74,7 @@ Expected<void> read(const wire::Device& from, DeviceDescription& to) {
   to.buttons = from.buttons();
   to.peak_torque = from.peak_torque();
   if (!isWellFormed(to))
-    return refuse("Device", Text("a figure out of its range"), Text("finite figures and a true box"));
+    return refuse("Device", Text("a value is out of range"), Text("finite numbers, and a minimum below the maximum"));
   return {};
 }
 
@@ -86,7 +86,7 @@ Expected<void> read(const wire::Welcome& from, Welcome& to) {
   to.kind = *kind;
   to.tick_rate_hz = from.tick_rate_hz();
   if (!(to.tick_rate_hz > 0.0 && to.tick_rate_hz <= 1e5)) {
-    return refuse("Welcome.tick_rate_hz", std::to_string(to.tick_rate_hz), Text("over 0 and at most 100000"));
+    return refuse("Welcome.tick_rate_hz", std::to_string(to.tick_rate_hz), Text("above 0, at most 100000"));
   }
   return read(*from.device(), to.device);
 }
@@ -127,7 +127,8 @@ bool read(const wire::Constraint& from, Constraint& to) {
 }
 
 Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
-  if (!copy(from.reference(), to.X_DR)) return refuse("ConstraintSet", Text("no reference pose"), Text("a pose"));
+  if (!copy(from.reference(), to.X_DR))
+    return refuse("ConstraintSet", Text("the reference pose is missing"), Text("a pose"));
   to.sequence = from.sequence();
   to.stamp_ns = from.stamp_ns();
   to.zone_radius = from.zone_radius();
@@ -138,15 +139,14 @@ Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
   for (std::size_t i = 0; i < to.count; ++i) {
     const wire::Constraint* entry = from.constraints()->Get(static_cast<flatbuffers::uoffset_t>(i));
     if (!read(*entry, to.constraints[i])) {
-      return refuse(Text("constraint %1", i), Text("an unknown kind or no gradient"),
+      return refuse(Text("constraint %1", i), Text("an unknown kind, or the gradient is missing"),
                     Text("kind 0, 1 or 2 and a gradient"));
     }
   }
   if (!isWellFormed(to)) {
     return refuse("ConstraintSet", Text("a number that is not finite or out of its range"),
-                  Text("finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a positive "
-                       "zone, no negative "
-                       "stiffness, damping or friction"));
+                  Text("finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a zone above "
+                       "0, and no negative stiffness, damping or friction"));
   }
   return {};
 }
@@ -154,7 +154,7 @@ Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
 Expected<void> read(const wire::State& from, HapticState& to) {
   if (!copy(from.stylus(), to.X_DS) || !copy(from.proxy(), to.X_DP) || !copy(from.velocity(), to.v_DS) ||
       !copy(from.force(), to.force_D)) {
-    return refuse("State", Text("a part is missing"), Text("stylus, proxy, velocity and force"));
+    return refuse("State", Text("a field is missing"), Text("stylus, proxy, velocity and force"));
   }
   to.torque_D = from.torque() != nullptr ? fromWire(*from.torque()) : dvec3(0.0);
   to.tick = from.tick();
@@ -178,7 +178,7 @@ Expected<void> read(const wire::Statistics& from, ServerStatistics& to) {
         from.refused_sets(), from.dropped_sets(),  std::nullopt};
   if (from.clock_known()) to.clock_offset_ms = from.clock_offset_ms();
   if (!isWellFormed(to))
-    return refuse("Statistics", Text("a number that is not finite or negative"), Text("figures from 0 up"));
+    return refuse("Statistics", Text("a number that is negative or not finite"), Text("finite numbers, 0 or more"));
   return {};
 }
 
@@ -189,18 +189,18 @@ Expected<void> read(const wire::Control& from, HapticControl& to) {
   to.load.friction = from.load_friction();
   if (from.load_weight() != nullptr) to.load.weight_D = fromWire(*from.load_weight());
   if (!isWellFormed(to))
-    return refuse("Control", Text("a stiffness, damping or load that is negative, not finite or too great"),
+    return refuse("Control", Text("a stiffness, damping or load that is negative, not finite or too large"),
                   Text("0 or more, within the bounds of docs/library/protocol.md"));
   return {};
 }
 
 Expected<void> read(const wire::HandTarget& from, HandTarget& to) {
-  if (!copy(from.pose(), to.X_DH)) return refuse("HandTarget", Text("no pose"), Text("a pose"));
+  if (!copy(from.pose(), to.X_DH)) return refuse("HandTarget", Text("the pose is missing"), Text("a pose"));
   to.holding = from.holding();
   to.buttons = from.buttons();
   if (!isWellFormed(to))
-    return refuse("HandTarget", Text("a pose that is not valid"),
-                  Text("finite numbers within a million metres and a unit quaternion"));
+    return refuse("HandTarget", Text("an invalid pose"),
+                  Text("finite numbers, at most 1 000 000 m, and a unit quaternion"));
   return {};
 }
 
@@ -239,8 +239,7 @@ Expected<void> readInto(const wire::Envelope& envelope, Message& message) {
 }
 
 Expected<void> readBody(const wire::Envelope& envelope, Message& message) {
-  if (envelope.body() == nullptr)
-    return refuse({}, Text("an envelope without a body"), Text("a message of the protocol"));
+  if (envelope.body() == nullptr) return refuse({}, Text("an empty message"), Text("a message with content"));
   switch (envelope.body_type()) {
     case wire::Body_Hello:
       return readInto<Hello>(envelope, message);
@@ -277,7 +276,7 @@ Expected<void> decodeAligned(const std::uint8_t* bytes, std::size_t size, Messag
     return refuse({}, Text("%1 bytes without the identifier", size), Text("a FlatBuffer with the identifier HCEL"));
   }
   if (!wire::VerifyEnvelopeBuffer(verifier)) {
-    return refuse({}, Text("a FlatBuffer that points outside itself"), Text("a valid Envelope"));
+    return refuse({}, Text("a damaged FlatBuffer"), Text("a valid Envelope"));
   }
   return readBody(*wire::GetEnvelope(bytes), message);
 }

@@ -81,8 +81,8 @@ void writeFaults(ForceLoop& loop, FaultFiles& files) {
   const auto written = files.write(record, RealClock().now());
   if (written && !*written) return;
   if (written)
-    spdlog::warn("Fault ({}) at tick {}: its ticks are in {}; {} others have no file", toString(record.kind),
-                 record.tick, plainText((*written)->string(), kLongestLine), files.leftOut());
+    spdlog::warn("Fault ({}) at tick {}: the ticks around it are in {}; {} more faults have no file",
+                 toString(record.kind), record.tick, plainText((*written)->string(), kLongestLine), files.leftOut());
   else
     spdlog::warn("Fault ({}) at tick {}: {}", toString(record.kind), record.tick, written.error().message());
 }

@@ -48,17 +48,17 @@ Expected<tcp::endpoint> endpointOf(const NetworkOptions& options) {
   }
   if (!address.is_loopback() && !options.key) {
     return makeError({.file = endpointText(options),
-                      .found = "an address that other machines can reach, where anybody could take the stylus",
+                      .found = "an address that other machines can reach, so anybody could control the stylus",
                       .expected = "an address of this machine only (127.0.0.1 or ::1)",
-                      .fix = "Make a key first: hapticell-haptic-server --pair."});
+                      .fix = "First create a key: hapticell-haptic-server --pair."});
   }
   return tcp::endpoint(address, options.port);
 }
 
 Error cannotListen(const NetworkOptions& options, const std::error_code& failed) {
   return {.file = endpointText(options),
-          .found = Text("cannot listen there: %1", failed.message()),
-          .fix = "Is another haptic server running? Give another --port, or 0 for any."};
+          .found = Text("cannot listen at this address: %1", failed.message()),
+          .fix = "Another haptic server may be running. Stop it, or set another --port (0: any free port)."};
 }
 
 }  // namespace

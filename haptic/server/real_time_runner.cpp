@@ -28,9 +28,8 @@ Text askForPriority(int priority) {
   const int refused = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter);
   if (refused == 0) return {};
   return Text(
-      "The force loop runs without real-time priority (SCHED_FIFO %1: %2), so ticks come late when the machine is "
-      "busy. "
-      "Write the line \"NAME - rtprio %1\" with your user name into %3 and log in again.",
+      "The force loop runs without real-time priority (SCHED_FIFO %1: %2), so ticks are late when the computer is "
+      "busy. Add the line \"NAME - rtprio %1\" with your user name to %3 and log in again.",
       priority, systemText(refused), kLimitsFile);
 }
 
@@ -41,8 +40,8 @@ Text askForLockedMemory() {
   const bool unlimited = limit.rlim_cur == RLIM_INFINITY || geteuid() == 0;
   if (mlockall(unlimited ? MCL_CURRENT | MCL_FUTURE : MCL_CURRENT) == 0) return {};
   return Text(
-      "Memory is not locked (mlockall: %1), so a tick may wait for a page. Write the line \"NAME - memlock unlimited\" "
-      "with your user name into %2 and log in again.",
+      "Memory is not locked (mlockall: %1), so ticks can be late while memory is swapped in. Add the line \"NAME - "
+      "memlock unlimited\" with your user name to %2 and log in again.",
       systemText(errno), kLimitsFile);
 }
 

@@ -50,7 +50,7 @@ Expected<void> setValue(ServerOptions& options, std::string_view option, std::st
   }
   if (option == "--seconds") {
     const auto seconds = number(value, 0.0, 1e9);
-    if (!seconds) return refuse(option, found, Text("seconds from 0 (for ever) up"));
+    if (!seconds) return refuse(option, found, Text("seconds, 0 or more (0: no limit)"));
     options.seconds = *seconds;
   }
   if (option == "--state-rate") {
@@ -77,9 +77,9 @@ Expected<ServerOptions> parseServerOptions(std::span<const std::string_view> wor
     const std::size_t equals = words[i].find('=');
     const std::string_view option = words[i].substr(0, equals);
     if (setSwitch(options, words[i])) continue;
-    if (!takesValue(option)) return refuse(words[i], Text("not an option"), Text("one of those that --help lists"));
+    if (!takesValue(option)) return refuse(words[i], Text("not an option"), Text("an option that --help lists"));
     const bool joined = equals != std::string_view::npos;
-    if (!joined && i + 1 == words.size()) return refuse(option, Text("nothing"), Text("a value after it"));
+    if (!joined && i + 1 == words.size()) return refuse(option, Text("nothing"), Text("a value after the option"));
     const std::string_view value = joined ? words[i].substr(equals + 1) : words[++i];
     HAPTICELL_TRY(setValue(options, option, value));
   }

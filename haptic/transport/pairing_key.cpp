@@ -71,7 +71,7 @@ fs::path inSettings(const fs::path& name) {
 /// Why inSettings() gave no path.
 tl::unexpected<Error> nowhere() {
   const auto folder = config::userSettingsFolder();
-  return folder ? makeError({.place = "key file", .found = "no name", .expected = "the name of a file"})
+  return folder ? makeError({.place = "key file", .found = "the name is missing", .expected = "a file name"})
                 : makeError(folder.error());
 }
 
@@ -84,7 +84,8 @@ tl::unexpected<Error> fileError(const fs::path& file, Text found, Text fix) {
 Expected<PairingKey> PairingKey::make() {
   std::array<std::uint8_t, kEntropyBytes> entropy{};
   if (RAND_bytes(entropy.data(), static_cast<int>(entropy.size())) != 1) {
-    return makeError({.place = "pairing key", .found = "the system gives no random numbers", .fix = "Try again."});
+    return makeError(
+        {.place = "pairing key", .found = "the system did not provide random numbers", .fix = "Try again."});
   }
   return PairingKey(entropy);
 }
@@ -95,17 +96,17 @@ Expected<PairingKey> PairingKey::parse(std::string_view code) {
   for (const char sign : code) {
     if (sign == '-' || sign == ' ' || sign == '\n' || sign == '\r' || sign == '\t') continue;
     const std::size_t value = valueOf(sign);
-    if (value == kDigits.size()) return refuseCode(Text("the sign '%1'", std::string(1, sign)));
+    if (value == kDigits.size()) return refuseCode(Text("the character '%1'", std::string(1, sign)));
     for (std::size_t bit = 0; bit < 5 && signs < kSigns; ++bit) {
       const std::size_t at = 5 * signs + bit;
       if (value >> (4 - bit) & 1) bits[at / 8] = static_cast<std::uint8_t>(bits[at / 8] | 0x80 >> at % 8);
     }
     ++signs;
   }
-  if (signs != kSigns) return refuseCode(Text("%1 signs", signs));
+  if (signs != kSigns) return refuseCode(Text("%1 characters", signs));
   std::array<std::uint8_t, kEntropyBytes> entropy{};
   std::copy_n(bits.begin(), kEntropyBytes, entropy.begin());
-  if (withCheckSum(entropy) != bits) return refuseCode(Text("a mistyped sign (the check sum does not fit)"));
+  if (withCheckSum(entropy) != bits) return refuseCode(Text("a typing error (the checksum is wrong)"));
   return PairingKey(entropy);
 }
 
@@ -164,8 +165,9 @@ Expected<PairingKey> loadKey(const fs::path& file) {
   struct stat facts {};
   if (stat(file.c_str(), &facts) != 0) return fileError(file, systemText(errno), {});
   if ((facts.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
-    return fileError(file, Text("a key that other users may read or change"),
-                     Text("Make a new one (hapticell-haptic-server --pair), or chmod 600 if nobody has read it."));
+    return fileError(
+        file, Text("a key that other users can read or change"),
+        Text("Create a new key (hapticell-haptic-server --pair). If nobody has read this one, run chmod 600 on it."));
   }
   std::error_code ignored;
   HAPTICELL_TRY(config::checkUserFile(fs::absolute(file, ignored)));

@@ -167,10 +167,10 @@ HandshakeFailure handshakeFailure(const std::error_code& failed) {
 }
 
 Text handshakeProblem(const std::error_code& failed) {
-  if (failed == std::errc::permission_denied) return Text("the key was not used");
+  if (failed == std::errc::permission_denied) return Text("the other side did not use the pairing key");
   switch (handshakeFailure(failed)) {
     case HandshakeFailure::kEnded:
-      return Text("the connection ended before the keys were compared");
+      return Text("the connection ended before the keys were checked");
     case HandshakeFailure::kOtherSpeech:
       return Text("it does not speak TLS 1.3");
     case HandshakeFailure::kOtherKey:
@@ -183,7 +183,7 @@ Text handshakeProblem(const std::error_code& failed) {
     case SSL_R_SSLV3_ALERT_HANDSHAKE_FAILURE:
     case SSL_R_SSLV3_ALERT_ILLEGAL_PARAMETER:
     case SSL_R_TLSV1_ALERT_DECRYPT_ERROR:
-      return Text("its key is another one");
+      return Text("the other side has a different pairing key");
     default:
       return failed.message();
   }

@@ -85,7 +85,7 @@ Expected<std::unique_ptr<InverseModel>> ClosureInverse::create(const RobotModel&
   if (tip_link == 0 || model.dof() == 0) {
     return makeError(
         {.place = Text("robot '%1', link '%2'", model.name, model.links[static_cast<std::size_t>(tip_link)].name),
-         .found = "no moving joint carries it",
+         .found = "no moving joint moves this link",
          .expected = "at least one",
          .fix = "Choose another tip link."});
   }

@@ -204,7 +204,7 @@ Expected<RobotModel> buildDelta(const std::string& name, const DeltaGeometry& ge
   }
   if (joints.size() != 3 && joints.size() != 4)
     return makeError(
-        {.place = place, .found = Text("%1 joints", joints.size()), .expected = "3, or 4 with the turn of the tool"});
+        {.place = place, .found = Text("%1 joints", joints.size()), .expected = "3 joints, or 4 if the tool turns"});
   RobotModel model;
   model.name = name;
   const auto addLink = [&](const std::string& link, int parent, bool moving, const std::string& joint_name) {
@@ -243,7 +243,7 @@ Expected<RobotModel> buildDelta(const std::string& name, const DeltaGeometry& ge
   std::vector<Pose> X_BL;
   if (!closure->pose(restPositions(model), X_BL))
     return makeError({.place = place,
-                      .found = "the rods do not meet at the home position",
+                      .found = "the rods do not reach the platform at the home position",
                       .expected = "lengths that can be assembled"});
   for (int k = 1; k <= 9; ++k) model.disabled_pairs.push_back({0, k, "Adjacent"});
   // Every rod hangs on the platform, whichever of them carries it in the tree.

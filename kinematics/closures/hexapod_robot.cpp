@@ -233,12 +233,13 @@ Expected<RobotModel> buildHexapod(const std::string& name, const HexapodGeometry
     addLink(leg + "_upper", static_cast<int>(model.links.size()) - 1, slide);
     const Text at("hexapod '%1', %2", name, leg);
     if (!(home[i] > 1e-9))
-      return makeError({.place = at, .found = "hinges that fall together", .expected = "a leg with a length"});
-    if (home[i] < slide.lower || home[i] > slide.upper) {
       return makeError(
-          {.place = at,
-           .found = Text("a length of %1 m at home", std::to_string(home[i])),
-           .expected = Text("%1 to %2 m, its limits", std::to_string(slide.lower), std::to_string(slide.upper))});
+          {.place = at, .found = "both joints of the leg are at the same point", .expected = "a leg length above 0"});
+    if (home[i] < slide.lower || home[i] > slide.upper) {
+      return makeError({.place = at,
+                        .found = Text("a length of %1 m at the home position", std::to_string(home[i])),
+                        .expected = Text("%1 to %2 m, the limits of the leg", std::to_string(slide.lower),
+                                         std::to_string(slide.upper))});
     }
   }
   Joint top, flange;
@@ -248,9 +249,9 @@ Expected<RobotModel> buildHexapod(const std::string& name, const HexapodGeometry
   addLink("tool0", static_cast<int>(kHexapodPlatform), flange);
   if (std::abs(closure->regularHome()) < 1e-6)
     return makeError({.place = place,
-                      .found = "its home is singular",
-                      .expected = "a home where the six legs hold the platform",
-                      .fix = "Move the hinges apart, or turn the platform against the base."});
+                      .found = "the home position is singular",
+                      .expected = "a home position in which the six legs fix the platform",
+                      .fix = "Move the joints of the legs apart, or rotate the platform relative to the base."});
   model.tip = static_cast<int>(kHexapodTool);
   model.home.assign(home.begin(), home.end());
   model.closure = closure;

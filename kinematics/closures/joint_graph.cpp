@@ -52,7 +52,7 @@ class TreeMaker {
                         .found = Text("no joint connects it to the root link '%1'",
                                       graph_.links[static_cast<std::size_t>(graph_.root)].link.name),
                         .expected = "a joint",
-                        .fix = "Join it, if only by a fixed joint."});
+                        .fix = "Connect it with a joint, for example a fixed joint."});
     }
     for (std::size_t j = 0; j < graph_.joints.size(); ++j) setMimic(j);
     if (!loops_.empty()) {

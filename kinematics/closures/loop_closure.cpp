@@ -226,7 +226,7 @@ Expected<int> variableNamed(const RobotModel& tree, const std::string& name) {
   const int joint = tree.findJoint(name);
   const int variable = joint < 0 ? -1 : tree.joints[static_cast<std::size_t>(joint)].variable;
   if (variable >= 0) return variable;
-  return makeError(refusal(tree, Text("there is no moving joint '%1'", name), Text("the name of one"), ""));
+  return makeError(refusal(tree, Text("no moving joint is named '%1'", name), Text("an existing name"), ""));
 }
 
 /// Leaves only the set joints as variables of the model.
@@ -287,8 +287,9 @@ Expected<void> LoopClosure::close(RobotModel& tree, std::vector<LoopConstraint> 
   if (!closed) {
     char gap[64];
     std::snprintf(gap, sizeof gap, "%.3g mm", 1e3 * closure->gap(home));
-    return makeError(refusal(tree, Text("they cannot be closed from the start; a gap of %1 is left", std::string(gap)),
-                             Text("joint positions near an assembled pose"), Text("State a start nearer to it.")));
+    return makeError(
+        refusal(tree, Text("they cannot be closed from the start values; a gap of %1 remains", std::string(gap)),
+                Text("joint positions near an assembled pose"), Text("Set start values nearer to an assembled pose.")));
   }
   closure->home_ = std::move(home);
   const Eigen::MatrixXd J = genericJacobian(solver, closure->home_);
@@ -300,8 +301,8 @@ Expected<void> LoopClosure::close(RobotModel& tree, std::vector<LoopConstraint> 
   if (options.actuated.empty()) closure->actuated_ = chooseActuated(tree, J);
   closure->passive_ = allBut(tree.dof(), closure->actuated_);
   if (rankOf(columnsOf(J, closure->passive_)) < rankOf(J)) {
-    return makeError(refusal(tree, Text("the joints that are set hold each other"),
-                             Text("at most %1 independent ones", J.cols() - rankOf(J)),
+    return makeError(refusal(tree, Text("the actuated joints block each other"),
+                             Text("at most %1 independent actuated joints", J.cols() - rankOf(J)),
                              Text("Name fewer or other joints as actuated.")));
   }
   keepVariables(tree, closure->actuated_);

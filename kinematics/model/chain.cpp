@@ -50,9 +50,10 @@ Expected<Chain> Chain::create(const RobotModel& model, int tip_link, const Pose&
   Chain chain;
   chain.variables_ = variablesOfChain(model, tip_link);
   const std::size_t count = chain.variables_.size();
-  if (count == 0) return makeError(refusal(model, tip_link, Text("no moving joint carries it"), Text("at least one")));
+  if (count == 0)
+    return makeError(refusal(model, tip_link, Text("no moving joint moves this link"), Text("at least one")));
   if (count > kMaxChainVariables) {
-    return makeError(refusal(model, tip_link, Text("%1 moving joints carry it", count), Text("at most 16")));
+    return makeError(refusal(model, tip_link, Text("%1 moving joints move this link", count), Text("at most 16")));
   }
   for (std::size_t i = 0; i < count; ++i) {
     const Joint& joint =
@@ -72,7 +73,8 @@ Expected<Chain> Chain::create(const RobotModel& model, int tip_link, const Pose&
     X_PJ = Pose::identity();
   }
   if (chain.elements_.size() > kMaxChainJoints) {
-    return makeError(refusal(model, tip_link, Text("%1 joints move it", chain.elements_.size()), Text("at most 24")));
+    return makeError(refusal(model, tip_link, Text("%1 joints are on the path to this link", chain.elements_.size()),
+                             Text("at most 24")));
   }
   X_PJ = X_PJ * X_LT;
   chain.R_LT_ = X_PJ.R();

@@ -12,13 +12,13 @@ namespace {
 
 Expected<void> checkTree(const RobotModel& model, int link) {
   if (model.closure) {
-    return makeError({.place = Text("'%1'", model.name),
-                      .found = "it has closed loops",
-                      .expected = "joints that follow one another"});
+    return makeError(
+        {.place = Text("'%1'", model.name), .found = "it has closed loops", .expected = "an open chain of joints"});
   }
   if (link < 0 || static_cast<std::size_t>(link) >= model.links.size()) {
-    return makeError(
-        {.place = Text("'%1'", model.name), .found = "there is no such link", .expected = "one of its links"});
+    return makeError({.place = Text("'%1'", model.name),
+                      .found = "the link does not exist",
+                      .expected = "the name of a link of the robot"});
   }
   return {};
 }

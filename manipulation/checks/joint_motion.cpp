@@ -24,15 +24,15 @@ Expected<const workcell::Entity*> robotOf(const PreparedScene& scene, workcell::
                                           const std::vector<double>& joints) {
   const workcell::Entity* entity = scene.find(id);
   if (entity == nullptr)
-    return makeError(jointRefusal({}, Text("there is no such entity"), Text("one of the document")));
+    return makeError(jointRefusal({}, Text("the entity does not exist"), Text("one that exists in the document")));
   const Text place("entity '%1'", entity->name);
   if (!entity->robot) return makeError(jointRefusal(place, Text("it has no joints"), Text("a robot or a mechanism")));
   if (joints.size() != entity->robot->dof()) {
-    return makeError(
-        jointRefusal(place, Text("%1 joint positions", joints.size()), Text("%1 of them", entity->robot->dof())));
+    return makeError(jointRefusal(place, Text("%1 joint positions", joints.size()),
+                                  Text("%1 joint positions", entity->robot->dof())));
   }
   if (!std::all_of(joints.begin(), joints.end(), [](double q) { return std::isfinite(q); }))
-    return makeError(jointRefusal(place, Text("a joint position that is no number"), Text("finite numbers")));
+    return makeError(jointRefusal(place, Text("a joint position that is not a number"), Text("finite numbers")));
   return entity;
 }
 

@@ -224,13 +224,15 @@ Expected<WorkplaceMap> searchWorkplace(const WorkplaceQuestion& question, const 
   };
   const auto shown = find(question.mannequin);
   if (shown == question.entities.end() || !shown->figure)
-    return makeError(refusal(Text("mannequin"), Text("there is no such mannequin"), Text("one of the cell")));
+    return makeError(
+        refusal(Text("mannequin"), Text("the mannequin does not exist"), Text("one that exists in the cell")));
   if (question.station.empty())
-    return makeError(refusal(Text("station"), Text("nothing that may be moved"), Text("a table, a fixture")));
+    return makeError(
+        refusal(Text("station"), Text("no parts to move"), Text("at least one part, such as a table or a fixture")));
   for (const EntityId id : question.station) {
     if (find(id) == question.entities.end() || id == question.mannequin)
-      return makeError(
-          refusal(Text("station"), Text("there is no such part"), Text("parts of the cell, not the mannequin itself")));
+      return makeError(refusal(Text("station"), Text("the part does not exist"),
+                               Text("parts of the cell, not the mannequin itself")));
   }
   const bool good_steps = question.rise_step > 0.0 && question.away_step > 0.0;
   WorkplaceMap map;
@@ -241,7 +243,7 @@ Expected<WorkplaceMap> searchWorkplace(const WorkplaceQuestion& question, const 
   const std::size_t stances = (question.may_stand ? 1u : 0u) + (question.may_sit ? 1u : 0u);
   const std::size_t count = map.rises.size() * map.aways.size() * stances;
   if (count == 0 || count > kMostCells)
-    return makeError(refusal(Text("grid"), Text("%1 placements", count), Text("1 to 10000 of them")));
+    return makeError(refusal(Text("grid"), Text("%1 placements", count), Text("1 to 10000 placements")));
   for (const bool seated : {false, true}) {
     if (!(seated ? question.may_sit : question.may_stand)) continue;
     for (const double rise : map.rises) {

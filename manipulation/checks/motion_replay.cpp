@@ -30,7 +30,8 @@ Expected<std::optional<Pose>> namedFrame(const std::vector<std::shared_ptr<const
       if (frame.name == name) return std::optional<Pose>(X_EO * frame.X_EF);
     }
   }
-  return makeError(replayRefusal(std::string("moved"), Text("there is no frame '%1'", name), Text("one of an entity")));
+  return makeError(
+      replayRefusal(std::string("moved"), Text("no frame is named '%1'", name), Text("a frame of an entity")));
 }
 
 /// Where the moved frame is fixed in the entity; nothing where its joints move it.
@@ -40,7 +41,7 @@ Expected<std::optional<Pose>> fixedFrame(const std::vector<std::shared_ptr<const
   const auto fixed = [](const Pose& X_EM) { return Fixed(std::optional<Pose>(X_EM)); };
   const auto by_joints = [] { return Fixed(std::optional<Pose>()); };
   const auto of_a_body = [](const auto&) -> Fixed {
-    return makeError(replayRefusal(std::string("moved"), Text("the motion of a hand alone"),
+    return makeError(replayRefusal(std::string("moved"), Text("a motion of one hand only"),
                                    Text("a mannequin's whole posture (moved: whole)")));
   };
   return std::visit(
@@ -76,7 +77,7 @@ Expected<std::unique_ptr<RobotManipulator>> armOf(const Entity& entity) {
   int tip = entity.robot->findLink(entity.tip_link);
   if (tip < 0) tip = entity.robot->defaultTip();
   if (tip < 0)
-    return makeError(replayRefusal("'" + entity.name + "'", Text("the robot has no tip"), Text("one that moves")));
+    return makeError(replayRefusal("'" + entity.name + "'", Text("the robot has no tip"), Text("a tip that moves")));
   auto inverse = kinematics::createInverse(*entity.robot, tip, entity.X_LT);
   HAPTICELL_TRY(inverse);
   return std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, entity.X_LT}, std::move(*inverse),
@@ -147,7 +148,7 @@ Expected<std::vector<std::size_t>> jointColumns(const Entity& entity, const Traj
     const bool is_counted = joint < 0 && name == "q" + std::to_string(j + 1) && j < entity.robot->dof();
     if (variable < 0 && !is_counted) {
       return makeError(replayRefusal(Text("joint '%1'", name), Text("'%1' has no such joint", entity.name),
-                                     Text("names of its joints, or q1, q2, ...")));
+                                     Text("names of the robot's joints, or q1, q2, ...")));
     }
     columns.push_back(is_counted ? j : static_cast<std::size_t>(variable));
   }
@@ -159,7 +160,8 @@ Expected<MotionReplay> MotionReplay::create(const std::vector<std::shared_ptr<co
                                             const std::vector<double>& start) {
   const auto found = std::find_if(entities.begin(), entities.end(), [&](const auto& e) { return e->name == name; });
   if (found == entities.end())
-    return makeError(replayRefusal(Text("entity"), Text("'%1' does not exist", name), Text("one of the cell")));
+    return makeError(
+        replayRefusal(Text("entity"), Text("'%1' does not exist", name), Text("one that exists in the cell")));
   if (trajectory->empty()) return makeError(replayRefusal(Text("frames"), Text("none"), Text("a motion")));
   auto columns = jointColumns(**found, *trajectory);
   HAPTICELL_TRY(columns);

@@ -248,7 +248,7 @@ class JointTrack {
 
 Expected<void> checkArguments(const Entity* entity, const std::string& name, const Trajectory& trajectory) {
   if (entity == nullptr)
-    return makeError({.found = Text("there is no entity '%1'", name), .expected = "one of the workcell"});
+    return makeError({.found = Text("no entity is named '%1'", name), .expected = "an entity of the workcell"});
   if (trajectory.empty()) return makeError({.place = "frames", .found = "none", .expected = "a motion"});
   return {};
 }

@@ -5,10 +5,10 @@
 
 #include "collision/queries/proximity_query.h"
 #include "manipulation/scene/prepared_scene.h"
-#include "mannequin/shape/body_shape.h"
 #include "mannequin/ergonomics/advice/body_sizes.h"
-#include "mannequin/shape/figure_model.h"
 #include "mannequin/posture/forward_kinematics.h"
+#include "mannequin/shape/body_shape.h"
+#include "mannequin/shape/figure_model.h"
 
 namespace hapticell::manipulation {
 namespace {
@@ -108,7 +108,7 @@ std::vector<Entity> movedCell(const WorkplaceQuestion& question, const Workplace
 Promises workplacePromises(const WorkplaceQuestion& question, const WorkplaceCell& place,
                            const std::vector<Entity>& after) {
   Promises promises;
-  promises.help = "Search again with the cell as it stands.";
+  promises.help = "The cell has changed: search again.";
   const Entity* shown = entityOf(question.entities, question.mannequin);
   const auto bodies = mannequin::boundaryFigures();
   if (!shown || !shown->figure || place.postures.size() != bodies.size()) {

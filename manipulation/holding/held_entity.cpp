@@ -50,8 +50,9 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
                                                        const HoldOptions& options,
                                                        const config::Configuration& configuration) {
   const Entity* found = scene->find(entity);
-  if (found == nullptr) return makeError({.found = "there is no such entity", .expected = "one of the document"});
-  if (found->locked) return makeError(takingRefused(*found, Text("it is locked"), Text("an entity that may be moved")));
+  if (found == nullptr)
+    return makeError({.found = "the entity does not exist", .expected = "one that exists in the document"});
+  if (found->locked) return makeError(takingRefused(*found, Text("it is locked"), Text("an entity that can be moved")));
   std::vector<Text> notes;
   HeldModel model(std::move(scene), *found, placements, goesAlongWithAxes(options.moved_by), notes);
   auto manipulator = manipulatorOf(model, options, configuration);

@@ -180,7 +180,7 @@ bool isAny(const Taking&) {
 Expected<Pose> frameOfWhole(const Taking& taking) {
   const Entity& entity = taking.entity;
   const auto refused = [&](const auto&) -> Expected<Pose> {
-    return makeError(takingRefused(entity, Text("it cannot be moved by that"), choicesOf(entity)));
+    return makeError(takingRefused(entity, Text("the entity cannot be moved in this way"), choicesOf(entity)));
   };
   const auto by_origin = [&](const auto& way) -> Expected<Pose> {
     return isRobot(entity) ? refused(way) : Pose::identity();
@@ -196,7 +196,7 @@ Expected<Pose> frameOfWhole(const Taking& taking) {
                         [&](const by::Frame& way) -> Expected<Pose> {
                           const PreparedScene::FoundFrame frame = taking.scene.findFrame(way.name);
                           if (frame.entity != nullptr) return entity.X_WE.inverse() * frame.entity->X_WE * frame.X_EF;
-                          return makeError(takingRefused(entity, Text("there is no frame '%1' to move it by", way.name),
+                          return makeError(takingRefused(entity, Text("no frame of the entity is named '%1'", way.name),
                                                          choicesOf(entity)));
                         },
                         [&](const by::Whole& way) { return by_origin(way); },
@@ -252,7 +252,8 @@ MovedBy resolved(const MovedBy& moved_by, const Entity& entity) {
 Made makeManipulator(const Taking& taking, std::span<const ManipulatorKind> kinds) {
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.suits(taking); });
   if (kind != kinds.end()) return kind->make(taking);
-  return makeError(takingRefused(taking.entity, Text("it cannot be moved by that"), choicesOf(taking.entity)));
+  return makeError(
+      takingRefused(taking.entity, Text("the entity cannot be moved in this way"), choicesOf(taking.entity)));
 }
 
 Error takingRefused(const Entity& entity, Text found, Text expected) {

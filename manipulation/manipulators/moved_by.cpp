@@ -121,7 +121,7 @@ Expected<void> setLocks(MovedBy& moved_by, const BodyLocks& locks) {
   } else if (locks.any() && !isOfBody(moved_by)) {
     std::string lock = locks.pelvis ? "pelvis" : "seat";
     if (locks.trunk) lock = "trunk";
-    return unknownWord("lock", lock, Text("none, as no part of a mannequin is moved by %1", wordOf(moved_by, false)));
+    return unknownWord("lock", lock, Text("no lock, because %1 moves no part of a mannequin", wordOf(moved_by, false)));
   }
   return {};
 }

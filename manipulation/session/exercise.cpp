@@ -53,7 +53,7 @@ Expected<Exercise> readExercise(const fs::path& file) {
                       .expected = std::move(expected)});
   };
   if (!document.is_object() || document.value("format", json()) != kFormat) {
-    return wrong("format", Text("no exercise"), std::string("\"") + kFormat + "\"");
+    return wrong("format", Text("not an exercise"), std::string("\"") + kFormat + "\"");
   }
   const json version = document.value("version", json());
   if (!version.is_number_integer() || version.get<std::int64_t>() != kVersion) {
@@ -111,7 +111,7 @@ Expected<void> checkExercise(const Exercise& wanted, const fs::path& written) {
   const auto differs = [&](const std::string& field, const std::string& found, const std::string& expected) {
     return makeError({.file = written.string(),
                       .place = Text("field '%1'", field),
-                      .found = Text("'%1' read back", found),
+                      .found = Text("'%1' after saving", found),
                       .expected = "'" + expected + "'"});
   };
   const auto text = [](const fs::path& file) { return file.lexically_normal().string(); };

@@ -41,7 +41,7 @@ Expected<workcell::EntityId> findEntity(const SessionOptions& options) {
     if (entity.name == options.entity) return entity.id;
   const std::string names = listed(options.entities, &workcell::Entity::name);
   return makeError({.place = "--entity",
-                    .found = Text("there is no entity '%1'", options.entity),
+                    .found = Text("no entity is named '%1'", options.entity),
                     .expected = names.empty() ? Text("an entity (the workcell is empty)") : Text("one of %1", names)});
 }
 
@@ -159,7 +159,7 @@ class WatchedEngine {
     const workcell::Entity* entity = engine_.scene()->find(entity_);
     if (options_.axes.mode == AxesMode::kFrame && engine_.scene()->findFrame(options_.axes.frame).entity == nullptr) {
       return makeError({.place = "axes",
-                        .found = Text("there is no frame '%1'", options_.axes.frame),
+                        .found = Text("no frame is named '%1'", options_.axes.frame),
                         .expected = "the name of an entity or of a frame of one"});
     }
     auto taken = HeldEntity::take(engine_.sharedScene(), entity_, {},
@@ -171,8 +171,8 @@ class WatchedEngine {
     if (tool != nullptr && tool->with_axes && (*taken)->axes().empty()) {
       const auto& notes = (*taken)->notes();
       return makeError({.place = Text("entity '%1'", entity->name),
-                        .found = notes.empty() ? Text("it stands on nothing that moves") : notes.front(),
-                        .expected = "a robot that hangs on a moving link of a mechanism or robot that is not locked"});
+                        .found = notes.empty() ? Text("it is not attached to anything that moves") : notes.front(),
+                        .expected = "a robot attached to a moving link of a mechanism or robot that is not locked"});
     }
     return std::shared_ptr<HeldEntity>(std::move(*taken));
   }
@@ -306,9 +306,8 @@ Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std
   }
   const haptic::DeviceDescription device = *link.device();
   if (device.simulated) return device;
-  return makeError({.file = address,
-                    .found = Text("the device '%1' is held by a real hand", device.name),
-                    .expected = "a simulated device"});
+  return makeError(
+      {.file = address, .found = Text("'%1' is real hardware", device.name), .expected = "a simulated device"});
 }
 
 /// s for the state that shows that the server lived to the end, over TcpLink's 1 s. Half: as long as that; twice:
@@ -324,7 +323,7 @@ class WatchedLink {
 
   Expected<void> check(double t) const {
     if (link_.linkState() != haptic::LinkState::kConnected) return lost(t, wholeText(link_.problem()));
-    if (link_.connections() != connection_) return lost(t, Text("it was connected to anew"));
+    if (link_.connections() != connection_) return lost(t, Text("the connection was interrupted"));
     return {};
   }
 
@@ -334,7 +333,8 @@ class WatchedLink {
     const SteadyClock::time_point begin = SteadyClock::now();
     while (!link_.latestState()) {
       if (auto there = check(t); !there) return there;
-      if (secondsSince(begin) > kLastPatience) return lost(t, Text("no state of the stylus came any more"));
+      if (secondsSince(begin) > kLastPatience)
+        return lost(t, Text("the server stopped sending the state of the stylus"));
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     return check(t);
@@ -349,7 +349,7 @@ class WatchedLink {
                       .found = why.empty() ? Text("the haptic server was lost after %1 s", seconds)
                                            : Text("the haptic server was lost after %1 s: %2", seconds, why),
                       .expected = "a server that answers until the hand path ends",
-                      .fix = "Nothing was written. Look at what the server says, and run the session again."});
+                      .fix = "Nothing was written. Check the messages of the server, then run the session again."});
   }
 
   haptic::TcpLink& link_;

@@ -111,7 +111,7 @@ Expected<void> checkOwn(Dimension dimension, double value, double expectation) {
   if (std::isfinite(value) && value > 0.6 * expectation && value < 1.4 * expectation) return {};
   return makeError({.place = Text("measure '%1'", nameOf(dimension)),
                     .found = inWords("%.4g", value),
-                    .expected = Text("%1 to %2 (40 % about its expectation)", inWords("%.4g", 0.6 * expectation),
+                    .expected = Text("%1 to %2 (the expected value ± 40 %)", inWords("%.4g", 0.6 * expectation),
                                      inWords("%.4g", 1.4 * expectation))});
 }
 
@@ -173,7 +173,7 @@ Expected<BodyDimensions> bodyDimensions(const BodyRequest& request) {
     return makeError({.place = "stature",
                       .found = inWords("%g m", request.stature),
                       .expected = "1.2 to 2.3 m",
-                      .fix = "The measures are of grown persons; beyond that the regressions mean nothing."});
+                      .fix = "The body measures are of adults; outside this range, the regressions are not valid."});
   }
   const auto& measured = kMeasured[indexOf(request.sex)];
   const double known = std::clamp(request.stature, measured[0], measured[1]), grown = request.stature / known;

@@ -207,10 +207,10 @@ Expected<void> checkOrder(const std::array<dvec3, kSegmentCount>& p, double stat
       {"the base of the skull", p[indexOf(S::kHead)].z}, {"the top of the head", stature})}};
   for (std::size_t i = 1; i < heights.size(); ++i) {
     if (heights[i].second - heights[i - 1].second > 0.01) continue;
-    return makeError({.place = "own measures",
+    return makeError({.place = "your own measures",
                       .found = Text("%1 is not above %2", heights[i].first, heights[i - 1].first),
-                      .expected = "measures of one body",
-                      .fix = "Change the own measures together, or leave some to the regressions."});
+                      .expected = "measures that fit one body",
+                      .fix = "Change your own measures together, or leave some of them to the regressions."});
   }
   return {};
 }

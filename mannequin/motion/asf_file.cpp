@@ -51,7 +51,7 @@ class AsfReader {
       if (word == ":hierarchy") done = readHierarchy();
       if (!done) return done;
     }
-    if (order_.empty()) return fail(Text("no :hierarchy"), Text("a skeleton in ASF"));
+    if (order_.empty()) return fail(Text(":hierarchy is missing"), Text("a skeleton in ASF"));
     return {};
   }
 
@@ -71,12 +71,12 @@ class AsfReader {
       const std::string_view word = words_.next();
       if (word == "length") {
         const auto value = words_.number();
-        if (!value || !(*value > 0.0)) return fail(Text("no length unit"), Text("a number above 0"));
+        if (!value || !(*value > 0.0)) return fail(Text("the unit of length is missing"), Text("a number above 0"));
         metres_per_unit = 0.0254 / *value;
       } else if (word == "angle") {
         const std::string_view unit = words_.next();
         if (!unit.starts_with("deg") && !unit.starts_with("rad"))
-          return fail(Text("the angle's unit '%1'", unit.substr(0, 40)), Text("deg or rad"));
+          return fail(Text("the angle unit '%1'", unit.substr(0, 40)), Text("deg or rad"));
         degrees_per_unit = unit.starts_with("rad") ? 180.0 / std::numbers::pi : 1.0;
       }
     }
@@ -86,10 +86,10 @@ class AsfReader {
   /// "XYZ" turns about x first: Rz Ry Rx.
   Expected<dquat> axesOf(const dvec3& degrees, std::string_view order) const {
     dquat axes(1.0, 0.0, 0.0, 0.0);
-    if (order.size() != 3) return fail(Text("the order of turns '%1'", order.substr(0, 40)), Text::plain("XYZ"));
+    if (order.size() != 3) return fail(Text("the rotation order '%1'", order.substr(0, 40)), Text::plain("XYZ"));
     for (const char letter : order) {
       const int axis = std::toupper(static_cast<unsigned char>(letter)) - 'X';
-      if (axis < 0 || axis > 2) return fail(Text("the order of turns '%1'", order), Text::plain("XYZ"));
+      if (axis < 0 || axis > 2) return fail(Text("the rotation order '%1'", order), Text::plain("XYZ"));
       axes = about(axis, degrees[axis]) * axes;
     }
     return axes;
@@ -98,7 +98,7 @@ class AsfReader {
     dvec3 values(0.0);
     for (int k = 0; k < 3; ++k) {
       const auto value = words_.number();
-      if (!value) return fail(Text("no number"), Text("three numbers"));
+      if (!value) return fail(Text("not a number"), Text("three numbers"));
       values[k] = *value;
     }
     return values;
@@ -147,11 +147,11 @@ class AsfReader {
 
   Expected<void> readBone(Bone& bone) {
     for (std::string_view word = words_.next(); word != "end"; word = words_.next()) {
-      if (word.empty()) return fail(Text("the end of the file in a bone"), Text::plain("end"));
+      if (word.empty()) return fail(Text("the file ends inside a bone"), Text::plain("end"));
       if (word == "name") bone.name = std::string(words_.next());
       if (word == "length") {
         const auto value = words_.number();
-        if (!value) return fail(Text("no length"), Text("a number"));
+        if (!value) return fail(Text("the length is missing"), Text("a number"));
         bone.length = *value;
       }
       if (word == "direction" || word == "axis") {
@@ -183,7 +183,7 @@ class AsfReader {
 
   Expected<void> readHierarchy() {
     order_.push_back("root");
-    if (words_.next() != "begin") return fail(Text("no begin"), Text::plain("begin"));
+    if (words_.next() != "begin") return fail(Text("'begin' is missing"), Text::plain("begin"));
     words_.restOfLine();
     while (words_.peek() != "end") {
       if (words_.atEnd()) return fail(Text("the end of the file"), Text::plain("end"));
@@ -192,7 +192,7 @@ class AsfReader {
       for (std::string_view child = children.next(); !child.empty(); child = children.next()) {
         const auto bone = bones.find(std::string(child));
         if (bone == bones.end() || !bone->second.parent.empty() || child == "root") {
-          return fail(Text("the bone '%1'", child.substr(0, 40)), Text("a bone of :bonedata, once"));
+          return fail(Text("the bone '%1'", child.substr(0, 40)), Text("each bone of :bonedata once"));
         }
         bone->second.parent = parent;
         order_.push_back(bone->first);
@@ -213,7 +213,7 @@ class ClipBuilder {
   Expected<void> build(const std::string& name) {
     clip.metres_per_unit = skeleton_.metres_per_unit;
     if (!skeleton_.bones.contains("root"))
-      return makeError({.file = name, .found = "no :root", .expected = "a skeleton with its root"});
+      return makeError({.file = name, .found = ":root is missing", .expected = "a skeleton with a root"});
     for (const std::string& bone_name : skeleton_.order_) {
       const Bone& bone = skeleton_.bones.at(bone_name);
       ClipJoint joint;
@@ -223,8 +223,8 @@ class ClipBuilder {
         if (parent == index.end())
           return makeError({.file = name,
                             .place = Text::plain(":hierarchy"),
-                            .found = Text("'%1' before its parent", bone.parent),
-                            .expected = "parents first"});
+                            .found = Text("'%1' comes before its parent", bone.parent),
+                            .expected = "parents before their children"});
         joint.parent = static_cast<int>(parent->second);
         joint.p_Parent = endOf(skeleton_.bones.at(bone.parent));
       }
@@ -265,20 +265,21 @@ class AmcReader {
     while (!words_.atEnd()) {
       const std::string_view word = words_.next();
       const auto number = WordReader::numberOf(word);
-      if (!number) return fail(Text("no frame number: '%1'", word.substr(0, 40)), Text("a number"));
+      if (!number) return fail(Text("'%1' instead of a frame number", word.substr(0, 40)), Text("a number"));
       if (last && *number != *last + 1.0) {
-        return fail(Text("frame %1 after frame %2", word, std::llround(*last)), Text("frames that follow each other"),
-                    Text("Frames are missing or doubled; write the file anew."));
+        return fail(Text("frame %1 after frame %2", word, std::llround(*last)), Text("consecutive frame numbers"),
+                    Text("Frames are missing or repeated: export the file again."));
       }
       last = number;
       if (auto done = readFrame(); !done) return done;
     }
     for (const auto& [bone, frames] : missing_) {
       builder_.clip.warnings.push_back(
-          Text("the bone '%1' has no numbers in %2 of %3 frames; it is taken at rest there", bone, frames,
+          Text("the bone '%1' has no values in %2 of %3 frames; its rest pose is used there", bone, frames,
                builder_.clip.frames.size()));
     }
-    if (stretched_) builder_.clip.warnings.push_back(Text("bones that slide or grow are taken as they are at rest"));
+    if (stretched_)
+      builder_.clip.warnings.push_back(Text("bones that slide or change length are kept as in the rest pose"));
     return {};
   }
 
@@ -305,8 +306,9 @@ class AmcReader {
     unit_ = degrees.value_or(skeleton_.degrees_per_unit);
     if (degrees && *degrees != skeleton_.degrees_per_unit) {
       builder_.clip.warnings.push_back(
-          *degrees > 1.0 ? Text("angles of the motion are radians, as the AMC says; those of the skeleton are not")
-                         : Text("angles of the motion are degrees, as the AMC says; those of the skeleton are not"));
+          *degrees > 1.0
+              ? Text("angles of the motion are in radians, as the AMC states; angles of the skeleton are in degrees")
+              : Text("angles of the motion are in degrees, as the AMC states; angles of the skeleton are in radians"));
     }
     return {};
   }
@@ -343,7 +345,7 @@ class AmcReader {
       const std::string_view word = words_.next();
       const auto value = WordReader::numberOf(word);
       if (!value) {
-        return fail(Text("no number for '%1': '%2'", bone.name.substr(0, 40), word.substr(0, 40)),
+        return fail(Text("invalid number for '%1': '%2'", bone.name.substr(0, 40), word.substr(0, 40)),
                     Text("%1 numbers", bone.dofs.size()));
       }
       if (dof < 3) M = about(dof, unit_ * *value) * M;

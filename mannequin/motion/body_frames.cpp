@@ -377,26 +377,26 @@ class BodyFrames::Finder {
     std::vector<Text>& said = frames_.assumptions_;
     if (!rest_) {
       said.push_back(
-          Text("the file has no rest position of a standing person; how its joints' frames lie is found from where "
-               "the joints are in the motion"));
+          Text("the file has no rest pose of a standing person; the joint frames are derived from the joint positions "
+               "in the motion"));
     } else if (!turned_.empty()) {
-      said.push_back(Text("the frames of %1 do not lie as at the rest position; found from where the joints are",
+      said.push_back(Text("the frames of %1 do not match the rest pose; they are derived from the joint positions",
                           listed(turned_)));
     }
     if (map_.neck < 0) {
       said.push_back(map_.collar[0] >= 0 && map_.collar[1] >= 0
-                         ? Text("there is no joint for the neck; its base is taken midway between the collars")
-                         : Text("there is no joint for the neck; its base is taken midway between the shoulders"));
+                         ? Text("there is no joint for the neck; its base is assumed midway between the collars")
+                         : Text("there is no joint for the neck; its base is assumed midway between the shoulders"));
     }
-    if (map_.thorax == map_.root) said.push_back(Text("there is no joint for the spine; the trunk is one piece"));
+    if (map_.thorax == map_.root) said.push_back(Text("there is no joint for the spine; the trunk moves as one piece"));
     if (map_.toe[0] < 0 || map_.toe[1] < 0)
-      said.push_back(Text("there are no joints for the toes; feet follow their ankles"));
+      said.push_back(Text("there are no joints for the toes; the feet follow the ankles"));
     if (map_.head_end < 0)
-      said.push_back(Text("nothing tells where the top of the head is; the head's own frame is taken"));
+      said.push_back(Text("the file does not state the top of the head; the frame of the head is used"));
     if (guessed_hands_) {
       said.push_back(
-          Text("nothing tells how the hands are turned about the forearms (no fingers, no rest position); taken to "
-               "be neither pronated nor supinated on the whole"));
+          Text("the file does not state how the hands are turned about the forearms (no fingers, no rest pose); on "
+               "average, neither pronation nor supination is assumed"));
     }
   }
 

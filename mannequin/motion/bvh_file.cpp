@@ -33,8 +33,8 @@ class BvhReader {
     if (const Text why = whyNoText(text_); !why.empty())
       return makeError(
           {.file = name_, .found = why, .expected = "a BVH file in UTF-8", .fix = "Save it as plain text (UTF-8)."});
-    if (!sameButForCase(words_.next(), "HIERARCHY")) return fail(Text("no HIERARCHY"), Text("a BVH file"));
-    if (!sameButForCase(words_.next(), "ROOT")) return fail(Text("no ROOT"), Text("ROOT and a name"));
+    if (!sameButForCase(words_.next(), "HIERARCHY")) return fail(Text("HIERARCHY is missing"), Text("a BVH file"));
+    if (!sameButForCase(words_.next(), "ROOT")) return fail(Text("ROOT is missing"), Text("ROOT and a name"));
     HAPTICELL_TRY(readTree());
     clip_.metres_per_unit = metres_per_unit > 0.0 ? metres_per_unit : guessedUnit();
     HAPTICELL_TRY(readMotion());
@@ -57,7 +57,7 @@ class BvhReader {
     std::string point(word);
     std::replace(point.begin(), point.end(), ',', '.');
     const bool comma = point != word && WordReader::numberOf(point);
-    return comma ? Text("Write the file with decimal points; this one has commas.") : Text();
+    return comma ? Text("Export the file with decimal points; it has decimal commas.") : Text();
   }
 
   /// The root's name up to its closing brace; without recursion, so that a deep file does no harm.
@@ -77,7 +77,8 @@ class BvhReader {
           const std::string_view number = words_.next();
           const auto value = WordReader::numberOf(number);
           if (!value)
-            return fail(Text("no number in OFFSET: '%1'", number.substr(0, 40)), Text("three numbers"), fixOf(number));
+            return fail(Text("'%1' instead of a number in OFFSET", number.substr(0, 40)), Text("three numbers"),
+                        fixOf(number));
           offset[k] = *value;
         }
       } else if (sameButForCase(word, "CHANNELS")) {
@@ -97,7 +98,7 @@ class BvhReader {
     joint.is_end = end;
     joint.parent = open.empty() ? -1 : open.back();
     if (end) joint.name = clip_.joints[static_cast<std::size_t>(joint.parent)].name + "_end";
-    if (!words_.take('{')) return fail(Text("no { after '%1'", joint.name.substr(0, 40)), Text::plain("{"));
+    if (!words_.take('{')) return fail(Text("'{' is missing after '%1'", joint.name.substr(0, 40)), Text::plain("{"));
     open.push_back(static_cast<int>(clip_.joints.size()));
     clip_.joints.push_back(std::move(joint));
     return {};
@@ -105,7 +106,8 @@ class BvhReader {
 
   Expected<void> readChannels(std::size_t joint) {
     const auto count = words_.number();
-    if (!count || !(*count >= 0.0 && *count <= 6.0)) return fail(Text("no count of channels"), Text("0 to 6"));
+    if (!count || !(*count >= 0.0 && *count <= 6.0))
+      return fail(Text("the number of channels is missing"), Text("0 to 6"));
     for (int i = 0; i < static_cast<int>(*count); ++i) {
       const std::string_view word = words_.next();
       const std::string_view kind = word.empty() ? word : word.substr(1);
@@ -152,35 +154,35 @@ class BvhReader {
   Expected<void> readMotion() {
     const std::string_view motion = words_.next();
     if (sameButForCase(motion, "ROOT"))
-      return fail(Text("a second ROOT '%1'", words_.nextLine().substr(0, 40)), Text("one skeleton a file"),
-                  Text("Export one person a file."));
+      return fail(Text("a second ROOT '%1'", words_.nextLine().substr(0, 40)), Text("one skeleton per file"),
+                  Text("Export one person per file."));
     if (!sameButForCase(motion, "MOTION") || !sameButForCase(words_.next(), "Frames:"))
-      return fail(Text("no MOTION with Frames:"), Text::plain("MOTION"));
+      return fail(Text("MOTION with Frames: is missing"), Text::plain("MOTION"));
     const auto count = words_.number();
     if (!count || *count < 0.0 || *count > static_cast<double>(kMostFrames))
-      return fail(Text("no count of frames"), Text("a number"));
+      return fail(Text("the number of frames is missing"), Text("a number"));
     const bool timed = sameButForCase(words_.next(), "Frame") && sameButForCase(words_.next(), "Time:");
     const std::string_view time = timed ? words_.next() : std::string_view();
     const auto period = WordReader::numberOf(time);
-    if (!period || !(*period > 0.0)) return fail(Text("no Frame Time:"), Text("seconds, above 0"), fixOf(time));
+    if (!period || !(*period > 0.0)) return fail(Text("Frame Time: is missing"), Text("seconds, above 0"), fixOf(time));
     clip_.frame_time = *period;
     return readRows(static_cast<std::size_t>(*count));
   }
 
   Expected<void> readRows(std::size_t stated) {
     if (channels_.empty())
-      return stated == 0 ? Expected<void>() : fail(Text("no CHANNELS"), Text("channels of the joints"));
+      return stated == 0 ? Expected<void>() : fail(Text("CHANNELS is missing"), Text("channels of the joints"));
     for (std::string_view line = words_.nextLine(); !line.empty(); line = words_.nextLine()) {
       if (clip_.frames.size() >= kMostFrames) return fail(Text("more than 2000000 frames"), Text("a motion"));
       if (auto done = readRow(line); !done) return done;
     }
     const std::size_t found = clip_.frames.size();
     if (found < stated) {
-      return fail(Text("no frame %1, where the file ends", found + 1), Text("%1 frames, as the file states", stated),
-                  Text("The file is cut; write it anew, or correct the number behind Frames:."));
+      return fail(Text("the file ends before frame %1", found + 1), Text("%1 frames, as the file states", stated),
+                  Text("The file is incomplete: export it again, or correct the number after Frames:."));
     }
     if (found > stated) {
-      clip_.warnings.push_back(Text("the file states %1 frames and has %2; all are read", stated, found));
+      clip_.warnings.push_back(Text("the file states %1 frames but has %2; all %2 are read", stated, found));
     }
     return {};
   }
@@ -197,12 +199,13 @@ class BvhReader {
     for (std::string_view word = words.next(); !word.empty(); word = words.next(), ++read) {
       const auto value = WordReader::numberOf(word);
       if (!value)
-        return fail(Text("no number in frame %1: '%2'", row, word.substr(0, 40)), Text("numbers"), fixOf(word));
+        return fail(Text("'%2' instead of a number in frame %1", row, word.substr(0, 40)), Text("numbers"),
+                    fixOf(word));
       if (read < channels_.size()) apply(channels_[read], *value, frame);
     }
     if (read != channels_.size()) {
-      return fail(Text("%1 numbers in frame %2", read, row), Text("%1 numbers, one a channel", channels_.size()),
-                  Text("A frame is one line; the file is cut or was changed."));
+      return fail(Text("%1 numbers in frame %2", read, row), Text("%1 numbers, one per channel", channels_.size()),
+                  Text("Each frame is one line. The file is incomplete or was edited: export it again."));
     }
     clip_.frames.push_back(std::move(frame));
     return {};
@@ -242,8 +245,7 @@ class BvhReader {
       clip_.joints[j].p_Parent = mean;
     }
     if (added_) {
-      clip_.warnings.push_back(
-          Text("positions of joints in the channels stay near zero; they are added to the offsets"));
+      clip_.warnings.push_back(Text("joint positions in the channels are near zero; they are added to the offsets"));
     }
     if (still) {
       for (ClipFrame& frame : clip_.frames) frame.p_Parent.clear();

@@ -68,12 +68,12 @@ class C3dReader {
   Expected<void> readRate() {
     const auto sound = [](std::optional<double> rate) { return rate && *rate > 0.0 && *rate < 1e6; };
     const auto parameter = parameters_.number("POINT:RATE"), header = parameters_.bytes().real(20);
-    if (!sound(parameter) && !sound(header)) return fail(20, Text("no frame rate"), Text("frames a second above 0"));
+    if (!sound(parameter) && !sound(header))
+      return fail(20, Text("the frame rate is missing"), Text("frames per second above 0"));
     const double rate = sound(parameter) ? *parameter : *header;
     if (sound(parameter) && sound(header) && std::abs(*parameter - *header) > 1e-3 * *header) {
-      clip_.warnings.push_back(
-          Text("the frame rate is %1 Hz in the parameters and %2 Hz in the header; the parameters' is taken",
-               std::to_string(*parameter), std::to_string(*header)));
+      clip_.warnings.push_back(Text("the frame rate is %1 Hz in the parameters and %2 Hz in the header; %1 Hz is used",
+                                    std::to_string(*parameter), std::to_string(*header)));
     }
     clip_.frame_time = 1.0 / rate;
     return {};
@@ -83,7 +83,7 @@ class C3dReader {
     const std::vector<std::string> words = parameters_.texts("POINT:UNITS");
     const std::string unit = words.empty() ? "" : lowerCase(words.front());
     if (unit.empty()) {
-      clip_.warnings.push_back(Text("the file names no unit; its numbers are taken as millimetres"));
+      clip_.warnings.push_back(Text("the file has no unit; millimetres are assumed"));
       return {};
     }
     for (const C3dUnit& known : kC3dUnits) {
@@ -91,7 +91,8 @@ class C3dReader {
       const bool whole = unit == word || (word.size() > 2 && unit + "s" == word);
       if (!whole && (word.size() <= 3 || unit.size() < 3 || !word.starts_with(unit))) continue;
       clip_.metres_per_unit = known.metres;
-      if (!whole) clip_.warnings.push_back(Text("the unit '%1' is cut; taken as %2", words.front(), known.word));
+      if (!whole)
+        clip_.warnings.push_back(Text("the unit '%1' is incomplete; %2 is assumed", words.front(), known.word));
       return {};
     }
     return fail(parameters_.placeOf("POINT:UNITS"), Text("the unit '%1'", words.front()), Text("mm, cm, m, in or ft"));

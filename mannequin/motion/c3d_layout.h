@@ -87,7 +87,7 @@ class LayoutFinder {
     collectAnalog();
     collectStarts();
     collectFrames();
-    if (kinds_.values.empty()) return fail(12, Text("a scale that is no number"), Text("a real number"));
+    if (kinds_.values.empty()) return fail(12, Text("the scale factor is not a number"), Text("a finite number"));
     return {};
   }
 
@@ -196,21 +196,26 @@ class LayoutFinder {
     const auto warn = [&](Text text) { l.warnings.push_back(std::move(text)); };
     const std::size_t stated = *b_.word(16);
     if (stated < 2 || l.data_at != first.data_at)
-      warn(Text("where the points begin is not said twice alike; they are read from byte %1 on", l.data_at));
+      warn(Text("header and parameters disagree on where the points begin; they are read from byte %1", l.data_at));
     if (l.real != first.real)
-      warn(l.real ? Text("header and parameters disagree on the kind of numbers; real ones fill the file")
-                  : Text("header and parameters disagree on the kind of numbers; whole ones fill the file"));
+      warn(
+          l.real
+              ? Text("header and parameters disagree on the number format; real numbers match the file size and are "
+                     "read")
+              : Text("header and parameters disagree on the number format; integers match the file size and are read"));
     if (l.markers != first.markers)
-      warn(Text("the parameters state %1 points and the header %2, which fills the file", first.markers, l.markers));
+      warn(Text("the parameters state %1 points and the header %2; the header matches the file size and is used",
+                first.markers, l.markers));
     if (l.analog != first.analog)
-      warn(Text("the header states %1 analog samples a frame; %2 fill the file (channels by samples)", first.analog,
-                l.analog));
+      warn(Text(
+          "the header states %1 analog samples per frame; %2 (channels × samples) match the file size and are read",
+          first.analog, l.analog));
     const std::size_t header = static_cast<std::size_t>(static_cast<std::uint16_t>(*b_.word(8) - *b_.word(6))) + 1;
     if (l.frames != first.frames || (l.frames != header && header != 65'535 && header != 65'536 && l.frames < 65'536))
-      warn(Text("the header states %1 frames; %2 stand in the file and are read", header, l.frames));
+      warn(Text("the header states %1 frames; the file has %2, which are read", header, l.frames));
     if (const std::size_t end = l.data_at + l.frames * l.rowBytes();
         b_.size() >= end + kBlockBytes && !isEmpty(end, b_.size() - end))
-      warn(Text("%1 bytes behind the last frame are not read; they are no whole frames", b_.size() - end));
+      warn(Text("%1 bytes after the last frame are not read; they are not complete frames", b_.size() - end));
     l.scale = scaleOf(l);
     return l;
   }
@@ -226,9 +231,8 @@ class LayoutFinder {
         std::snprintf(text, sizeof text, "%.6g", value);
         return std::string(text);
       };
-      l.warnings.push_back(
-          Text("the scale of the points is %1 in the header and %2 in the parameters; the header's is taken",
-               shown(written), shown(*parameter)));
+      l.warnings.push_back(Text("the scale of the points is %1 in the header and %2 in the parameters; %1 is used",
+                                shown(written), shown(*parameter)));
     }
     return written;
   }

@@ -72,11 +72,12 @@ inline Expected<C3dParameters> C3dParameters::read(std::string_view bytes, const
   };
   constexpr std::uint8_t kMark = 0x50;
   const C3dBytes raw(bytes, C3dProcessor::kIntel);
-  if (!raw.holds(0, kBlock) || raw.byte(1) != kMark) return fail(1, Text("no C3D header"), Text("a C3D file"));
+  if (!raw.holds(0, kBlock) || raw.byte(1) != kMark)
+    return fail(1, Text("the C3D header is missing"), Text("a C3D file"));
   const std::size_t begin = (std::max<std::size_t>(*raw.byte(0), 1) - 1) * kBlock;
   const auto processor = raw.byte(begin + 3);
   if (begin == 0 || !processor)
-    return fail(0, Text("parameters that are not in the file"), Text("a block behind the header"));
+    return fail(0, Text("the parameters are missing"), Text("a parameter block after the header"));
   if (*processor < 84 || *processor > 86) {
     return fail(begin + 3, Text("processor %1", *processor), Text("84 (Intel), 85 (DEC) or 86 (MIPS)"));
   }
@@ -113,7 +114,7 @@ inline void C3dParameters::readAll(std::size_t begin) {
     at = link + step;
   }
   if (unknown > 0)
-    warnings_.push_back(Text("%1 parameters are cut or of no known kind; they are passed over", unknown));
+    warnings_.push_back(Text("%1 parameters are incomplete or of an unknown type; they are left out", unknown));
   for (auto& [key, parameter] : found) {
     if (const auto group = groups.find(key.first); group != groups.end())
       parameters_[group->second + ":" + key.second] = std::move(parameter);

@@ -177,8 +177,8 @@ Expected<ClipMap> mapJoints(const MotionClip& clip) {
     if (joint >= 0) continue;
     return makeError(
         {.found = Text("a skeleton without a joint for the %1 (its joints are %2)", what, namesIn(clip)),
-         .expected = "joints named as CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens or "
-                     "SMPL name them",
+         .expected =
+             "joint names of CMU, H-Anim, Biovision, Mixamo, Rokoko, Motive, LAFAN1, Unreal, Biped, Xsens or SMPL",
          .fix = "Rename the joint in the program that wrote the file."});
   }
   findTrunk(joints, map);

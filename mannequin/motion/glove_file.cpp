@@ -33,7 +33,7 @@ Expected<GloveCalibration> readGloveCalibration(const std::filesystem::path& fil
     return makeError({.file = file.string(),
                       .found = std::move(found),
                       .expected = "a glove's calibration",
-                      .fix = "Calibrate the glove anew."});
+                      .fix = "Calibrate the glove again."});
   };
   // Guards memory: a calibration is some numbers of 22 sensors. Half, twice: no effect.
   constexpr std::uintmax_t kMostGloveBytes = 1'000'000;
@@ -43,11 +43,11 @@ Expected<GloveCalibration> readGloveCalibration(const std::filesystem::path& fil
   HAPTICELL_TRY(flat);
   const json document = json::parse(*text, nullptr, false);
   if (!document.is_object() || document.value("format", json()) != "hapticell-glove")
-    return refuse(Text("something else"));
+    return refuse(Text("another format"));
   if (document.value("version", json()) != 1) return refuse(Text("another version"));
   GloveCalibration calibration;
   if (!take(document, "gain", calibration.gain) || !take(document, "offset", calibration.offset)) {
-    return refuse(Text("not 22 numbers each of gain and offset"));
+    return refuse(Text("not 22 numbers each for gain and offset"));
   }
   return calibration;
 }

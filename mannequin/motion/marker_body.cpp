@@ -69,7 +69,7 @@ class MarkerBody {
     motion_.marker_set = set_.name;
     motion_.assumptions = clip_.warnings;
     motion_.assumptions.push_back(
-        Text("the markers are read as %1; joints are found from them with our own offsets", set_.name));
+        Text("the markers are read as %1; joints are computed from them with HaptiCell's own offsets", set_.name));
     findBlind();
     for (const auto& [landmark, markers] : set_.markers) {
       HAPTICELL_TRY(addWay(landmark, markers));
@@ -110,8 +110,8 @@ class MarkerBody {
     }
     if (count == 0) return;
     motion_.assumptions.push_back(
-        Text("in %1 of %2 frames no marker of the person is seen; it is taken to stand still or to go straight on "
-             "there, and these frames count like others",
+        Text("in %1 of %2 frames, no marker is visible; the person is assumed to stand still or to move straight, and "
+             "these frames count like others",
              count, blind_.size()));
   }
 
@@ -135,9 +135,9 @@ class MarkerBody {
       rest.markers.erase(landmark);
       if (!missingLandmarks(rest).empty())
         return makeError({.place = "markers",
-                          .found = Text("the marker on %1 is never seen", landmark),
-                          .expected = "a marker that is seen"});
-      motion_.assumptions.push_back(Text("the marker on %1 is never seen; it is left out", landmark));
+                          .found = Text("the marker on %1 is never visible", landmark),
+                          .expected = "a visible marker"});
+      motion_.assumptions.push_back(Text("the marker on %1 is never visible; it is left out", landmark));
       return {};
     }
     if (unseen > 0) fill(landmark, way, seen);
@@ -171,9 +171,9 @@ class MarkerBody {
     if (count == 0) return;
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.2f", static_cast<double>(longest) * clip_.frame_time);
-    motion_.assumptions.push_back(Text(
-        "the marker on %1 is not seen in %2 of %3 frames, %4 s at the longest; it is taken on the straight way between",
-        landmark, count, way.size(), std::string(seconds)));
+    motion_.assumptions.push_back(
+        Text("the marker on %1 is not visible in %2 of %3 frames, for at most %4 s; its position is interpolated",
+             landmark, count, way.size(), std::string(seconds)));
   }
 
   /// How the markers of pelvis and head lie on them: where the trunk is upright the pelvis is in line with it; and a
@@ -208,21 +208,21 @@ class MarkerBody {
   void tell() {
     std::vector<Text>& said = motion_.assumptions;
     if (!hasThorax())
-      said.push_back(Text("C7, T10, CLAV and STRN are not all there; the chest is as shoulders and hips lie"));
+      said.push_back(
+          Text("some of the markers C7, T10, CLAV and STRN are missing; the chest is derived from shoulders and hips"));
     if (hasFourOfHead() || hasLineOfHead()) {
-      said.push_back(head_tilt_ > 0.0
-                         ? Text("the head's markers lean back by %1 deg on the whole; taken as their place, the head "
-                                "being level on the whole",
-                                std::lround(head_tilt_ / kDegree))
-                         : Text("the head's markers are taken to be level when the head is held straight"));
+      said.push_back(head_tilt_ > 0.0 ? Text("the head markers lean back by %1 deg on average; this is assumed to be "
+                                             "how they were attached, with the head level on average",
+                                             std::lround(head_tilt_ / kDegree))
+                                      : Text("the head markers are assumed to be level when the head is upright"));
     } else {
-      said.push_back(Text("there are no markers on the head; it follows the chest, and the neck's score with it"));
+      said.push_back(Text("there are no markers on the head; it follows the chest, which also affects the neck score"));
     }
-    if (!both("finger")) said.push_back(Text("there are no markers on the fingers; wrists are taken as straight"));
-    if (!both("heel")) said.push_back(Text("there are no markers on the heels; feet are taken as straight"));
-    if (!both("toe")) said.push_back(Text("there are no markers on the toes; feet are taken as straight"));
+    if (!both("finger")) said.push_back(Text("there are no markers on the fingers; straight wrists are assumed"));
+    if (!both("heel")) said.push_back(Text("there are no markers on the heels; straight feet are assumed"));
+    if (!both("toe")) said.push_back(Text("there are no markers on the toes; straight feet are assumed"));
     if (!both("wrist_thumb_side") || !both("wrist_little_finger_side"))
-      said.push_back(Text("the wrists have one marker; the forearms are taken to be neither pronated nor supinated"));
+      said.push_back(Text("each wrist has one marker; neither pronation nor supination of the forearms is assumed"));
   }
 
   /// Hips by Harrington's regression, or as told.
@@ -422,8 +422,8 @@ class MarkerBody {
                                      glm::length(body.hand[i] - body.elbow[i]), glm::length(body.neck - body.p_root)});
       if (!(least > 0.01))
         return makeError({.place = Text("frame %1", frame_ + 1),
-                          .found = "markers that lie on each other",
-                          .expected = "arms, legs and a trunk that have lengths"});
+                          .found = "markers at the same point",
+                          .expected = "arms, legs and a trunk with lengths above 0"});
     }
     return {};
   }

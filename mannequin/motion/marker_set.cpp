@@ -185,10 +185,9 @@ Expected<MarkerSet> recogniseMarkers(const MarkerClip& clip) {
   if (missing.empty()) return set;
   return makeError(
       {.place = "markers",
-       .found =
-           Text("no marker on %1 by the names of %2 (the markers are %3)", listed(missing), set.name, namesOf(clip)),
+       .found = Text("no marker on %1 by the names of %2 (the file has %3)", listed(missing), set.name, namesOf(clip)),
        .expected = "the markers of Plug-in Gait (full body) or Helen Hayes with shoulders, elbows and wrists",
-       .fix = "Say with --markers TABLE which marker sits where (docs/user/formats.md)."});
+       .fix = "Use --markers TABLE to assign the markers (docs/user/formats.md)."});
 }
 
 Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& name, const MarkerClip& clip) {
@@ -210,7 +209,8 @@ Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& n
   };
   const toml::table* markers = table["markers"].as_table();
   if (!markers)
-    return makeError({.file = name, .found = "no [markers]", .expected = "[markers] with landmarks and their markers"});
+    return makeError(
+        {.file = name, .found = "[markers] is missing", .expected = "[markers] with landmarks and their markers"});
   const bool alone = table["base"].value_or(std::string("known")) == "none";
   MarkerSet set = alone ? MarkerSet{} : likeliest(clip);
   set.name = table["name"].value_or(std::filesystem::path(name).stem().string());
@@ -242,7 +242,7 @@ Expected<MarkerSet> parseMarkerTable(std::string_view text, const std::string& n
   if (missing.empty()) return set;
   return makeError({.file = name,
                     .place = "markers",
-                    .found = Text("nothing for %1", listed(missing)),
+                    .found = Text("no marker for %1", listed(missing)),
                     .expected = "a marker for each of them"});
 }
 

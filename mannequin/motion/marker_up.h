@@ -112,27 +112,30 @@ inline UpAxis chosenUp(MarkerClip& clip, std::optional<UpAxis> told, const std::
   const auto warn = [&](Text text) { clip.warnings.push_back(std::move(text)); };
   if (told) {
     if ((seen && *seen != *told) || (!seen && said && *said != *told))
-      warn(seen ? Text("up is %1, as given; the body stands along %2", axisWord(*told), axisWord(*seen))
-                : Text("up is %1, as given; the file says %2", axisWord(*told), axisWord(*said)));
+      warn(seen ? Text("%1 is used as up, as set; the body stands along %2", axisWord(*told), axisWord(*seen))
+                : Text("%1 is used as up, as set; the file states %2", axisWord(*told), axisWord(*said)));
     return *told;
   }
   if (seen && said && *seen != *said) {
-    warn(Text("the file says that %1 is up (Y_SCREEN), but the body stands along %2, which is taken; --up says another",
-              axisWord(*said), axisWord(*seen)));
+    warn(
+        Text("the file states that %1 is up (Y_SCREEN), but the body stands along %2, which is used; to change this, "
+             "use --up",
+             axisWord(*said), axisWord(*seen)));
     return *seen;
   }
   if (said) return *said;
   if (seen) {
-    warn(Text("the file does not say which axis is up; the body stands along %1, which is taken", axisWord(*seen)));
+    warn(Text("the file does not state which axis is up; the body stands along %1, which is used", axisWord(*seen)));
     return *seen;
   }
   if (const auto side = longestSide(clip)) {
-    warn(Text(
-        "the file does not say which axis is up; the markers stand highest along %1, which is taken; --up says another",
-        axisWord(*side)));
+    warn(
+        Text("the file does not state which axis is up; the markers extend furthest along %1, which is used; to change "
+             "this, use --up",
+             axisWord(*side)));
     return *side;
   }
-  warn(Text("the file does not say which axis is up, nor do its markers; its z axis is taken; --up says another"));
+  warn(Text("neither the file nor its markers show which axis is up; z is assumed; to change this, use --up"));
   return UpAxis::kZ;
 }
 

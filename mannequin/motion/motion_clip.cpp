@@ -47,8 +47,9 @@ Expected<MotionClip> readMotionFile(const std::filesystem::path& file) {
   HAPTICELL_TRY(text);
   if (ending == ".bvh") return readBvh(*text, file.string());
   if (ending != ".amc")
-    return makeError(
-        {.file = file.string(), .found = Text("'%1'", ending), .expected = ".bvh, .amc beside its .asf, or .c3d"});
+    return makeError({.file = file.string(),
+                      .found = Text("'%1'", ending),
+                      .expected = ".bvh, .c3d, or .amc with its .asf in the same folder"});
   std::filesystem::path skeleton = file;
   skeleton.replace_extension(".asf");
   std::error_code ignored;

@@ -33,18 +33,19 @@ UpAxis upOf(const MotionClip& clip, const ClipMap& map, const MotionReading& rea
   const std::optional<UpAxis> seen = upAxisOf(upwardsOf(clip, map));
   const auto axis = [](UpAxis up) { return Text("the file's %1 axis", nameOf(up)); };
   if (reading.up) {
-    assumptions.push_back(seen && *seen != *reading.up ? Text("up is %1, as given; the head is over the feet along %2",
-                                                              axis(*reading.up), axis(*seen))
-                                                       : Text("up is %1, as given", axis(*reading.up)));
+    assumptions.push_back(
+        seen && *seen != *reading.up
+            ? Text("%1 is used as up, as set; the head is above the feet along %2", axis(*reading.up), axis(*seen))
+            : Text("%1 is used as up, as set", axis(*reading.up)));
     return *reading.up;
   }
   if (seen) {
-    assumptions.push_back(Text("up is %1: the head is over the feet along it", axis(*seen)));
+    assumptions.push_back(Text("%1 is used as up: the head is above the feet along it", axis(*seen)));
     return *seen;
   }
   assumptions.push_back(
-      Text("the posture does not tell which axis is up (the person lies, or turns over); the file's y axis "
-           "is taken, as BVH and ASF have it; --up says another"));
+      Text("the posture does not show which axis is up (the person lies or turns over); y is assumed, as usual in BVH "
+           "and ASF; to change this, use --up"));
   return UpAxis::kY;
 }
 
@@ -74,8 +75,8 @@ Expected<RecordedMotion> recordedMotion(const MotionClip& clip, const MotionRead
                                      glm::length(body.hand[i] - body.elbow[i]), glm::length(body.neck - body.p_root)});
       if (least > 1e-4) continue;
       return makeError({.place = Text("frame %1", motion.bodies.size()),
-                        .found = "bones without length",
-                        .expected = "arms, legs and a trunk that have lengths"});
+                        .found = "bones of length zero",
+                        .expected = "arms, legs and a trunk with lengths above 0"});
     }
   }
   return motion;

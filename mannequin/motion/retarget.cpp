@@ -95,7 +95,7 @@ Expected<RetargetedMotion> retarget(const Figure& figure, const RecordedMotion& 
   if (recorded.bodies.empty()) return motion;
   const RecordedBody& first = recorded.bodies.front();
   const double leg = glm::length(first.knee[0] - first.hip[0]) + glm::length(first.ankle[0] - first.knee[0]);
-  if (!(leg > 1e-3)) return makeError({.found = "legs without length", .expected = "a skeleton"});
+  if (!(leg > 1e-3)) return makeError({.found = "legs of length zero", .expected = "a skeleton"});
   const double scale = (figure.thighLength() + figure.shankLength()) / leg;
   double lowest = 1e9;
   motion.postures.reserve(recorded.bodies.size());

@@ -93,9 +93,8 @@ class WordReader {
 
 /// What to say of a text that is not one: two bytes a letter, or zeros in it. Empty where it is sound.
 inline Text whyNoText(std::string_view text) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    return Text("a text of two bytes a letter (UTF-16)");
-  if (text.substr(0, 4096).find('\0') != std::string_view::npos) return Text("bytes that are no text");
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return Text("UTF-16 text");
+  if (text.substr(0, 4096).find('\0') != std::string_view::npos) return Text("bytes that are not text");
   return {};
 }
 

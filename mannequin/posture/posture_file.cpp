@@ -34,15 +34,15 @@ Expected<void> readRoot(const ordered_json& json, const std::string& name, Postu
   if (!json.is_object())
     return makeError({.file = name,
                       .place = Text::plain("\"root\""),
-                      .found = "no object",
+                      .found = "not a JSON object",
                       .expected = Text::plain("{\"position\":[..],\"orientation\":[..]}")});
   if (json.contains("position")) {
     const auto p = numbers(json["position"], 3);
     if (!p)
       return makeError({.file = name,
                         .place = Text::plain("\"root\".\"position\""),
-                        .found = "no position",
-                        .expected = "three numbers, metres"});
+                        .found = "the position is missing or invalid",
+                        .expected = "three numbers in metres"});
     posture.X_WR.p = {(*p)[0], (*p)[1], (*p)[2]};
   }
   if (json.contains("orientation")) {
@@ -51,8 +51,8 @@ Expected<void> readRoot(const ordered_json& json, const std::string& name, Postu
     if (!(std::abs(glm::length(raw) - 1.0) < 0.01)) {
       return makeError({.file = name,
                         .place = Text::plain("\"root\".\"orientation\""),
-                        .found = "no unit quaternion",
-                        .expected = "w, x, y, z of length 1"});
+                        .found = "not a unit quaternion",
+                        .expected = "w, x, y, z with length 1"});
     }
     posture.X_WR.q = glm::normalize(raw);
   }
@@ -63,7 +63,7 @@ Expected<void> readJoints(const ordered_json& json, double unit, const std::stri
   if (!json.is_object())
     return makeError({.file = name,
                       .place = Text::plain("\"joints\""),
-                      .found = "no object",
+                      .found = "not a JSON object",
                       .expected = "joint names with angles"});
   for (const auto& [key, value] : json.items()) {
     const std::optional<Dof> dof = findDof(key);
@@ -71,20 +71,20 @@ Expected<void> readJoints(const ordered_json& json, double unit, const std::stri
     if (!dof) {
       return makeError({.file = name,
                         .place = place,
-                        .found = "a joint that the mannequin has not",
+                        .found = "the mannequin has no such joint",
                         .expected = "a name such as l_elbow_flexion",
-                        .fix = "hapticell-cli mannequin lists all 56."});
+                        .fix = "To list all 56 joints, run hapticell-cli mannequin."});
     }
     const double angle = value.is_number() ? value.get<double>() * unit : NAN;
     if (!(std::abs(angle) <= kMostAngle))
-      return makeError({.file = name, .place = place, .found = "no angle", .expected = "a number within +-7 rad"});
+      return makeError({.file = name, .place = place, .found = "not an angle", .expected = "a number within +-7 rad"});
     posture[*dof] = angle;
   }
   return {};
 }
 
 Expected<void> checkHead(const ordered_json& json, const std::string& name) {
-  if (!json.is_object()) return makeError({.file = name, .found = "no JSON object", .expected = "a posture"});
+  if (!json.is_object()) return makeError({.file = name, .found = "not a JSON object", .expected = "a posture"});
   const std::string format =
       json.contains("format") && json["format"].is_string() ? json["format"].get<std::string>() : "";
   if (format != "hapticell-posture") {
@@ -148,7 +148,7 @@ Expected<Posture> parsePosture(std::string_view text, const std::string& name, b
     if (!gaze)
       return makeError({.file = name,
                         .place = Text::plain("\"gaze\""),
-                        .found = "no two numbers",
+                        .found = "not two numbers",
                         .expected = Text::plain("[yaw, pitch]")});
     posture.gaze = {(*gaze)[0] * unit, (*gaze)[1] * unit};
   }

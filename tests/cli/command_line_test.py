@@ -143,7 +143,7 @@ def test_a_missing_mesh_leaves_its_shape_out(case):
         '<link name="base"/>', '<link name="base"><visual><geometry><mesh filename="gone.stl"/></geometry></visual></link>'))
     answer = case.run("inspect", "mesh.urdf")
     assert answer["entities"][0]["unchecked_links"] == ["base"]
-    assert any("gone.stl is not there" in warning for warning in answer["warnings"]), answer["warnings"]
+    assert any("gone.stl does not exist" in warning for warning in answer["warnings"]), answer["warnings"]
 
 
 def test_xacro_takes_arguments(case):
@@ -213,7 +213,7 @@ def test_bad_tables_name_line_and_column(case):
     write_obj(case.folder / "part.obj", box((1, 1, 1)))
     for text, part in (("x,y,z,qw,qx,qy\n0,0,0,1,0,0\n", "qz"), ("x,y,z,qw,qx,qy,qz\n0,0,zero,1,0,0,0\n", "2"),
                        ("x,y,z,qw,qx,qy,qz\n0,0,0,0.2,0,0,0\n", "2"), ("x,y,z,qw,qx,qy,qz\n0,0,nan,1,0,0,0\n", "2"),
-                       ("x,y,z,qw,qx,qy,qz\n0,0,0,1\n", "2"), ("x,y,z,qw,qx,qy,qz\n", "no row behind the header")):
+                       ("x,y,z,qw,qx,qy,qz\n0,0,0,1\n", "2"), ("x,y,z,qw,qx,qy,qz\n", "no line after the header")):
         (case.folder / "bad.csv").write_text(text)
         message = case.run("distance", "--moving", "part.obj", "--environment", "part.obj", "--poses", "bad.csv", expect=2)
         assert "bad.csv" in message and part in message, message

@@ -102,7 +102,7 @@ def test_refusals(folder):
     for words in (("--lock", "head"), ("--hands", "middle")):  # Also where nothing asks for hands.
         refused(words[0], "--sex", "male", "--percentile", 50, *words)
     (folder / "none.csv").write_text("hand,x,y,z,qw,qx,qy,qz\n")
-    refused("no row after the header", "--sex", "male", "--percentile", 50, "--targets", folder / "none.csv")
+    refused("no line after the header", "--sex", "male", "--percentile", 50, "--targets", folder / "none.csv")
     for ending in ("x.foo", "x"):
         refused(".json (the posture)", "--sex", "male", "--percentile", 50, "-o", folder / ending)
         assert not (folder / ending).exists()

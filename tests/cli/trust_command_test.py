@@ -85,7 +85,7 @@ def test_settings_and_plug_ins_that_others_may_write_are_refused(folder):
     run("devices", folder=folder, XDG_CONFIG_HOME=folder / "cfg")
     settings.chmod(0o777)
     said = run("devices", folder=folder, expect=2, XDG_CONFIG_HOME=folder / "cfg").stderr
-    assert "other users may write to it" in said and "chmod" in said, said
+    assert "other users can write to it" in said and "chmod" in said, said
     drivers = folder / "drivers"
     drivers.mkdir()
     (drivers / "odd.so").write_bytes(b"")

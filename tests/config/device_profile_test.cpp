@@ -59,25 +59,24 @@ TEST(DeviceProfile, NamesLineKeyAndRangeOfABadValue) {
   EXPECT_EQ(problem("[capabilities]\n\npeak_force = 900.0\n"),
             "mine.toml, line 3, key 'capabilities.peak_force': 900; expected 0.1 .. 100");
   EXPECT_THAT(problem("[mechanics]\nweight = nan\n"), HasSubstr("key 'mechanics.weight': nan"));
-  EXPECT_THAT(problem("[electronics]\ndelay_ticks = 1.5\n"), HasSubstr("no whole number; expected 0 .. 15"));
+  EXPECT_THAT(problem("[electronics]\ndelay_ticks = 1.5\n"), HasSubstr("not a whole number; expected 0 .. 15"));
   EXPECT_THAT(problem("[electronics]\ndelay_ticks = 99999999999\n"), HasSubstr("expected 0 .. 15"));
-  EXPECT_THAT(problem("[capabilities]\nname = \"\"\n"), HasSubstr("no name"));
-  EXPECT_THAT(problem("[capabilities]\nname = 3\n"), HasSubstr("no name"));
-  EXPECT_THAT(problem("[capabilities]\nworkspace = [0.1, 0.1]\n"), HasSubstr("not three numbers"));
-  EXPECT_THAT(problem("[capabilities]\nworkspace = [0.1, 0.1, \"wide\"]\n"), HasSubstr("no number"));
+  EXPECT_THAT(problem("[capabilities]\nname = \"\"\n"), HasSubstr("the name is missing"));
+  EXPECT_THAT(problem("[capabilities]\nname = 3\n"), HasSubstr("the name is missing"));
+  EXPECT_THAT(problem("[capabilities]\nworkspace = [0.1, 0.1]\n"), HasSubstr("not a list of three numbers"));
+  EXPECT_THAT(problem("[capabilities]\nworkspace = [0.1, 0.1, \"wide\"]\n"), HasSubstr("not a number"));
   EXPECT_THAT(problem("[capabilities]\nworkspace = [0.1, 0.1, -0.1]\n"), HasSubstr("0.01 .. 2"));
 }
 
 TEST(DeviceProfile, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(problem("[mechanics]\nwieght = 0.2\n"),
-              HasSubstr("line 2, key 'mechanics.wieght': there is no such key"));
-  EXPECT_THAT(problem("[motors]\n"), HasSubstr("key 'motors': there is no such key"));
-  EXPECT_THAT(problem("mechanics = 3\n"), HasSubstr("no table"));
+              HasSubstr("line 2, key 'mechanics.wieght': this key does not exist"));
+  EXPECT_THAT(problem("[motors]\n"), HasSubstr("key 'motors': this key does not exist"));
+  EXPECT_THAT(problem("mechanics = 3\n"), HasSubstr("not a table"));
 }
 
 TEST(DeviceProfile, RefusesForcesThatContradictEachOther) {
-  EXPECT_THAT(problem("[capabilities]\npeak_force = 2.0\ncontinuous_force = 3.0\n"),
-              HasSubstr("no more than peak_force"));
+  EXPECT_THAT(problem("[capabilities]\npeak_force = 2.0\ncontinuous_force = 3.0\n"), HasSubstr("at most peak_force"));
 }
 
 TEST(DeviceProfile, NamesThePlaceOfASyntaxError) {
@@ -88,7 +87,7 @@ TEST(DeviceProfile, NamesThePlaceOfASyntaxError) {
 TEST(DeviceProfile, SaysWhichFileCannotBeRead) {
   const auto profile = readDeviceProfile("no/such/profile.toml");
   ASSERT_FALSE(profile.has_value());
-  EXPECT_THAT(profile.error().message(), HasSubstr("no/such/profile.toml: there is no such file"));
+  EXPECT_THAT(profile.error().message(), HasSubstr("no/such/profile.toml: the file does not exist"));
 }
 
 }  // namespace

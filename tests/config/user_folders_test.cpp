@@ -102,7 +102,7 @@ TEST(UserFolders, SettingsThatOthersMayWriteAreRefused) {
     ::chmod(opened.c_str(), 0777);
     const auto read = loadConfiguration();
     ASSERT_FALSE(read) << opened;
-    EXPECT_THAT(read.error().message(), HasSubstr(opened.string() + ": other users may write to it"));
+    EXPECT_THAT(read.error().message(), HasSubstr(opened.string() + ": other users can write to it"));
     ::chmod(opened.c_str(), before.st_mode & 07777);
   }
   ASSERT_TRUE(loadConfiguration());

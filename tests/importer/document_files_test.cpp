@@ -230,7 +230,7 @@ TEST_F(DocumentFiles, APackThatIsNotWhatWasPackedIsNotKept) {
   folder_.write("parts/b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");  // Since it was opened.
   const auto report = packDocument(document->state(), folder_.path() / "pack", "cell.hcell", {folder_.path()}, notes_);
   ASSERT_FALSE(report);
-  EXPECT_THAT(report.error().message(), HasSubstr("entity 'b' read back from the pack: 1 triangles; expected 4"));
+  EXPECT_THAT(report.error().message(), HasSubstr("entity 'b' in the pack: 1 triangles; expected 4"));
   EXPECT_FALSE(fs::exists(folder_.path() / "pack"));
   EXPECT_FALSE(pack(document->state(), folder_.path() / "pack.zip", "cell.hcell", {folder_.path()}, notes_));
   EXPECT_FALSE(fs::exists(folder_.path() / "pack.zip"));

@@ -63,7 +63,7 @@ TEST_F(ModelPackageFile, ABombIsNotUnpacked) {
   const auto scene = read("<model>" + std::string(std::size_t{100} << 20, ' ') + "</model>");
   ASSERT_FALSE(scene);
   EXPECT_THAT(scene.error().message(), HasSubstr("part.3mf"));
-  EXPECT_THAT(scene.error().message(), HasSubstr("more than it may unpack to"));
+  EXPECT_THAT(scene.error().message(), HasSubstr("the unpacked size exceeds the limit"));
 }
 
 }  // namespace

@@ -93,16 +93,16 @@ TEST(XacroExpression, WhatIsWrongIsNamed) {
                                    {"1 / 0", "division by zero"},
                                    {"'a' + 1", "a text + a whole number"},
                                    {"[1][1]", "the index 1 of 1 items"},
-                                   {"dict(a=1)['b']", "no key 'b'"},
+                                   {"dict(a=1)['b']", "has no key 'b'"},
                                    {"(1", "the expression ends"},
                                    {"1 +", "the expression ends"},
                                    {"a b", "'b' in the expression"},
                                    {"", "the expression ends"},
-                                   {"sqrt(-1)", "sqrt() of a number that it is not defined for"},
+                                   {"sqrt(-1)", "sqrt() of a number outside its domain"},
                                    {"9223372036854775807 + 1", "beyond 64 bits"},
                                    {"len(3)", "len() of a whole number"},
                                    {"import os", "'import' in the expression"},
-                                   {"'abc", "without its closing quote"}};
+                                   {"'abc", "without closing quote"}};
   for (const auto& [expression, found] : cases) {
     const std::string said = files.value(expression);
     EXPECT_NE(said.find(found), std::string::npos) << expression << " / " << said;

@@ -22,7 +22,7 @@ class MemoryFiles {
     Files files;
     files.read = [this](const std::filesystem::path& path) -> Expected<std::string> {
       const auto found = texts.find(path.string());
-      if (found == texts.end()) return makeError({.file = path.string(), .found = "there is no such file"});
+      if (found == texts.end()) return makeError({.file = path.string(), .found = "the file does not exist"});
       return found->second;
     };
     files.find = [this](const std::string& reference, const std::filesystem::path& folder) {

@@ -222,9 +222,9 @@ TEST_F(XacroParts, MethodsReadTheirValueAndThereAreNoOthers) {
 TEST_F(XacroParts, ArgumentsOfFunctionsAreCounted) {
   Call call{interpreter_, {1, "two"}, {}};
   EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 1, 2); }), "");
-  EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 3, 3); }), "f() with 2 values");
+  EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 3, 3); }), "f() with 2 arguments");
   call.named["x"] = 1;
-  EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 2, 2); }), "f() with 3 values");
+  EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 2, 2); }), "f() with 3 arguments");
   EXPECT_EQ(faultOf([&] { expectArguments(call, "f", 2, 2, true); }), "");
   EXPECT_EQ(textArgument(call, "f", 1), "two");
   EXPECT_THAT(faultOf([&] { (void)textArgument(call, "f", 0); }), HasSubstr("f() with "));
@@ -313,7 +313,7 @@ class XacroCalls : public XacroParts {
     files_.read = [](const std::filesystem::path& path) -> Expected<std::string> {
       if (path == "/robots/a.xacro") return "<robot name=\"a\"/>";
       if (path == "/robots/sizes.txt") return "12";
-      return makeError({.file = path.string(), .found = "there is no such file"});
+      return makeError({.file = path.string(), .found = "the file does not exist"});
     };
     files_.find = [](const std::string& reference,
                      const std::filesystem::path& folder) -> std::optional<std::filesystem::path> {

@@ -58,7 +58,7 @@ Expected<Promises> simplifyPromises(const Trajectory& given, const PathTolerance
   const auto motion = trajectory::readTrajectory(written);
   HAPTICELL_TRY(motion);
   Promises promises;
-  promises.help = "Take a larger tolerance.";
+  promises.help = "Use a larger tolerance.";
   const auto off = passing(given, *motion, {tolerance.position, tolerance.angle, tolerance.joint});
   addDistances(promises, off, tolerance, given, true);
   return promises;
@@ -69,13 +69,13 @@ Expected<Promises> smoothPromises(const Trajectory& given, const PathTolerance& 
   const auto motion = trajectory::readTrajectory(written);
   HAPTICELL_TRY(motion);
   Promises promises;
-  promises.help = "Take a larger tolerance.";
+  promises.help = "Use a larger tolerance.";
   addDistances(promises, atSameTimes(given, *motion), tolerance, given, true);
   if (!poses_by_joints || !motion->hasJoints() || !given.has_poses) return promises;
   const auto placed = poses_by_joints(*motion);
   HAPTICELL_TRY(placed);
   const Distances off = atSameTimes(given, *placed);
-  promises.help = "Take a larger tolerance, or move the motion to where the robot reaches.";
+  promises.help = "Use a larger tolerance, or move the motion into the reach of the robot.";
   promises.list.push_back({"tool_position", tolerance.position, off.position, "m", atTime(off.t_position), false,
                            kRounding + 1e-6 * tolerance.position});
   promises.list.push_back({"tool_angle", tolerance.angle, off.angle, "rad", atTime(off.t_angle), false,
@@ -88,7 +88,7 @@ Expected<Promises> retimePromises(const Trajectory& given, const trajectory::Ret
   const auto motion = trajectory::readTrajectory(written);
   HAPTICELL_TRY(motion);
   Promises promises;
-  promises.help = "Take a shorter --sample, a larger --tolerance or other limits.";
+  promises.help = "Use a shorter --sample, a larger --tolerance or other limits.";
   const PathTolerance& near = options.tolerance;
   if (asked.passes) {
     const bool poses =

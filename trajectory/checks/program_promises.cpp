@@ -13,7 +13,7 @@ Expected<Promises> programPromises(const trajectory::Trajectory& given,
   const trajectory::PathTolerance& asked = trajectory::kProgramPromise;
   const auto at = [](std::size_t frame) { return Text("at frame %1", frame); };
   Promises promises;
-  promises.help = "Bring the motion nearer to the robot's base.";
+  promises.help = "Move the motion nearer to the robot's base.";
   promises.list.push_back(
       {"position", asked.position, measured->largest.position, "m", at(measured->frame_of_position)});
   promises.list.push_back({"angle", asked.angle, measured->largest.angle, "rad", at(measured->frame_of_angle)});

@@ -47,14 +47,15 @@ void appendPlace(Trajectory& to, const Trajectory& from, double t, double shift)
 
 Expected<void> checkFrame(const Trajectory& trajectory, std::size_t i) {
   if (i < trajectory.size()) return {};
-  return makeError(wrong(Text("frame %1", i), Text("there is none"), Text("0 to %1 less one", trajectory.size())));
+  return makeError(wrong(Text("frame %1", i), Text("this frame does not exist"),
+                         Text("a frame number from 0 to less than %1", trajectory.size())));
 }
 
 Expected<void> checkWay(const Trajectory& trajectory, const StraightWay& way) {
   if (trajectory.empty()) return makeError(wrong(Text("frames"), Text("none"), Text("a motion")));
   if (!(way.length > 0.0) || !(way.speed > 0.0) || !(glm::length(way.direction_T) > 1e-9)) {
-    return makeError(wrong(Text("approach or retract"), Text("a length, a speed or a direction that is nought"),
-                           Text("positive ones")));
+    return makeError(
+        wrong(Text("approach or retract"), Text("a length, speed or direction that is zero"), Text("values above 0")));
   }
   return {};
 }
@@ -69,9 +70,9 @@ Expected<Trajectory> trimmed(const Trajectory& trajectory, double t0, double t1)
   if (trajectory.empty()) return makeError(wrong(Text("frames"), Text("none"), Text("a motion")));
   const double first = std::max(t0, trajectory[0].t), last = std::min(t1, trajectory.frames().back().t);
   if (!(first <= last)) {
-    return makeError(wrong(
-        Text("times"), Text("%1 s to %2 s", shortestText(t0), shortestText(t1)),
-        Text("a part of %1 s to %2 s", shortestText(trajectory[0].t), shortestText(trajectory.frames().back().t))));
+    return makeError(wrong(Text("times"), Text("%1 s to %2 s", shortestText(t0), shortestText(t1)),
+                           Text("a range within %1 s to %2 s", shortestText(trajectory[0].t),
+                                shortestText(trajectory.frames().back().t))));
   }
   Trajectory result = trajectory.emptyRecording();
   const auto isFrame = [&](double t) {
@@ -94,7 +95,7 @@ Expected<Trajectory> trimmed(const Trajectory& trajectory, double t0, double t1)
 Expected<std::pair<Trajectory, Trajectory>> splitAt(const Trajectory& trajectory, double t) {
   if (trajectory.size() < 2 || !(t > trajectory[0].t) || !(t < trajectory.frames().back().t)) {
     return makeError(
-        wrong(Text("time"), Text("%1 s", shortestText(t)), Text("one between the first and the last frame")));
+        wrong(Text("time"), Text("%1 s", shortestText(t)), Text("a time between the first and the last frame")));
   }
   auto before = trimmed(trajectory, trajectory[0].t, t), after = trimmed(trajectory, t, trajectory.frames().back().t);
   HAPTICELL_TRY(before);
@@ -105,13 +106,13 @@ Expected<std::pair<Trajectory, Trajectory>> splitAt(const Trajectory& trajectory
 Expected<Trajectory> joined(std::span<const Trajectory> parts, double speed) {
   if (parts.size() < 2) return makeError(wrong(Text("motions"), Text("%1", parts.size()), Text("two or more")));
   if (!(speed > 0.0))
-    return makeError(wrong(Text("speed"), Text("%1 m/s", shortestText(speed)), Text("a positive one")));
+    return makeError(wrong(Text("speed"), Text("%1 m/s", shortestText(speed)), Text("a value above 0")));
   Trajectory result = parts.front().emptyRecording();
   double shift = parts.front().empty() ? 0.0 : -parts.front()[0].t;
   for (const Trajectory& part : parts) {
     if (part.entity != parts.front().entity || part.joint_names != parts.front().joint_names) {
-      return makeError(
-          wrong(Text("motion '%1'", part.name), Text("another entity or other joints"), Text("those of the first")));
+      return makeError(wrong(Text("motion '%1'", part.name), Text("another entity or other joints"),
+                             Text("the same as in the first")));
     }
     if (part.empty()) continue;
     if (!result.empty()) {
@@ -133,8 +134,8 @@ Expected<Trajectory> joined(std::span<const Trajectory> parts, double speed) {
 Expected<Trajectory> resampled(const Trajectory& trajectory, double step) {
   if (trajectory.empty()) return makeError(wrong(Text("frames"), Text("none"), Text("a motion")));
   if (!(step > 0.0) || trajectory.duration() / step > 1e7) {
-    return makeError(
-        wrong(Text("step"), Text("%1 s", shortestText(step)), Text("a positive one, at most ten million frames")));
+    return makeError(wrong(Text("step"), Text("%1 s", shortestText(step)),
+                           Text("a step above 0 that gives at most 10 million frames")));
   }
   std::vector<double> times;
   const double begin = trajectory[0].t, end = trajectory.frames().back().t;
@@ -203,7 +204,7 @@ Expected<Trajectory> withFrame(const Trajectory& trajectory, double t, const Pos
   for (const Trajectory::Frame& frame : trajectory.frames()) {
     if (std::abs(frame.t - t) >= kLeastTime) continue;
     return makeError(
-        wrong(Text("time"), Text("there is a frame at %1 s", shortestText(frame.t)), Text("another time")));
+        wrong(Text("time"), Text("there is a frame at %1 s", shortestText(frame.t)), Text("a time without a frame")));
   }
   Trajectory result = posesOnly(trajectory);
   bool added = false;
@@ -237,7 +238,8 @@ Expected<Trajectory> withoutFrames(const Trajectory& trajectory, std::size_t fir
     HAPTICELL_TRY(checkFrame(trajectory, i));
   }
   if (first > last || last - first + 1 >= trajectory.size()) {
-    return makeError(wrong(Text("frames"), Text("%1 to %2", first, last), Text("some that leave one at least")));
+    return makeError(
+        wrong(Text("frames"), Text("%1 to %2", first, last), Text("a range that leaves at least one frame")));
   }
   Trajectory result = trajectory.emptyRecording();
   result.touches = trajectory.touches;
@@ -274,10 +276,11 @@ Expected<Trajectory> withName(const Trajectory& trajectory, std::size_t i, const
     return byte < 0x20 || byte == 0x7F;
   });
   if (name.size() > kLongest || !printable)
-    return makeError(wrong(Text("name"), Text("'%1'", name.substr(0, 60)), Text("printable, at most 200 letters")));
+    return makeError(
+        wrong(Text("name"), Text("'%1'", name.substr(0, 60)), Text("printable text of at most 200 characters")));
   for (std::size_t k = 0; k < trajectory.size(); ++k) {
     if (k != i && !name.empty() && trajectory[k].nameText() == name)
-      return makeError(wrong(Text("name"), Text("frame %1 is called '%2'", k, name), Text("a name of its own")));
+      return makeError(wrong(Text("name"), Text("frame %1 is called '%2'", k, name), Text("a unique name")));
   }
   Trajectory result = trajectory.emptyRecording();
   result.touches = trajectory.touches;

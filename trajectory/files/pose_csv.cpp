@@ -69,7 +69,7 @@ Expected<std::vector<HandSample>> readHandCsv(const std::filesystem::path& file)
       return makeError({.file = file.string(),
                         .place = Text("line %1, column '%2'", line, "t"),
                         .found = Text("%1 s", text(row[0])),
-                        .expected = Text("a time after that of the row before, %1 s", text(samples.back().t))});
+                        .expected = Text("a time after that of the line before, %1 s", text(samples.back().t))});
     }
     if (row[8] != 0.0 && row[8] != 1.0) {
       return makeError({.file = file.string(),

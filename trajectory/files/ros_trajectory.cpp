@@ -45,8 +45,8 @@ Expected<std::string> toRosText(const Trajectory& trajectory) {
   if (!trajectory.hasJoints()) {
     return makeError({.place = "joints",
                       .found = "none",
-                      .expected = "a robot's trajectory",
-                      .fix = "Export its poses as csv or json instead."});
+                      .expected = "the trajectory of a robot",
+                      .fix = "Export the poses as csv or json instead."});
   }
   std::string text =
       "# trajectory_msgs/msg/JointTrajectory; rad, m, s\nheader:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: ''\n";

@@ -76,7 +76,7 @@ class RosYamlReader {
       if (const auto still = standstillOf(text))
         return makeError({.file = name_,
                           .place = Text("line %1", still->line + 1),
-                          .found = "no YAML",
+                          .found = "invalid YAML",
                           .expected = wantedMessage()});
       documents = YAML::LoadAll(text);
       return readDocuments(documents);
@@ -105,7 +105,7 @@ class RosYamlReader {
     }
     if (messages.size() > 1) {
       return fault(messages[1], Text("%1 trajectories", messages.size()), Text("one"),
-                   Text("Keep the one that is wanted in the file."));
+                   Text("Keep only one trajectory in the file."));
     }
     auto taken = messages.size() == 1 ? takeMessage(messages.front()) : takeStates(states);
     HAPTICELL_TRY(taken);
@@ -116,7 +116,7 @@ class RosYamlReader {
   /// JointTrajectory messages anywhere in the document.
   Expected<void> search(const YAML::Node& node, std::vector<YAML::Node>& found, int depth) {
     if (depth > kDeepestNesting) return {};
-    if (++searched_ > kMostNodes) return fault(node, Text("no end of lists within lists"), wantedMessage());
+    if (++searched_ > kMostNodes) return fault(node, Text("lists that contain themselves"), wantedMessage());
     if (node.IsMap()) {
       if (node["joint_names"]) {
         found.push_back(node);
@@ -140,23 +140,24 @@ class RosYamlReader {
     for (const auto& entry : map) {
       if (!entry.first.IsScalar()) continue;
       if (!keys.insert(entry.first.Scalar()).second)
-        return fault(entry.first, Text("'%1' a second time", entry.first.Scalar()), Text("each name once"));
+        return fault(entry.first, Text("'%1' twice", entry.first.Scalar()), Text("each name once"));
     }
     return {};
   }
 
   Expected<void> takeNames(const YAML::Node& names) {
     if (!names.IsSequence())
-      return fault(names, Text("joint names that are no list"), Text::plain("[joint_1, joint_2, ...]"));
+      return fault(names, Text("joint names that are not a list"), Text::plain("[joint_1, joint_2, ...]"));
     std::set<std::string> known;
     for (const YAML::Node& name : names) {
       if (!name.IsScalar() || name.Scalar().empty())
-        return fault(name, Text("a name that is no text"), Text("names of joints"));
+        return fault(name, Text("a name that is not text"), Text("joint names"));
       if (!known.insert(name.Scalar()).second)
         return fault(name, Text("joint '%1' twice", name.Scalar()), Text("each once"));
       trajectory_.joint_names.push_back(name.Scalar());
     }
-    if (trajectory_.joint_names.empty()) return fault(names, Text("no joint names"), Text("one a joint"));
+    if (trajectory_.joint_names.empty())
+      return fault(names, Text("the joint names are missing"), Text("one name per joint"));
     return {};
   }
 
@@ -166,10 +167,10 @@ class RosYamlReader {
     const YAML::Node points = message["points"];
     if (!points) return fault(message, Text("no points"), Text("a list of points"));
     if (points.IsNull()) return {};
-    if (!points.IsSequence()) return fault(points, Text("points that are no list"), Text("a list of points"));
+    if (!points.IsSequence()) return fault(points, Text("points that are not a list"), Text("a list of points"));
     for (const YAML::Node& point : points) {
       if (!point.IsMap())
-        return fault(point, echoedShort(point) ? Text("a list cut short") : Text("a point that is no map"),
+        return fault(point, echoedShort(point) ? Text("a shortened list") : Text("a point that is not a map"),
                      Text("positions and time_from_start"), echoedShort(point) ? fullLength() : Text());
       if (auto checked = checkKeys(point); !checked) return checked;
       const auto positions = numbersOf(point["positions"], point);
@@ -183,14 +184,15 @@ class RosYamlReader {
 
   /// One frame a message, from the first one's stamp on.
   Expected<void> takeStates(const std::vector<YAML::Node>& states) {
-    if (states.empty()) return makeError({.file = name_, .found = "no such message", .expected = wantedMessage()});
+    if (states.empty())
+      return makeError({.file = name_, .found = "no message of these types", .expected = wantedMessage()});
     if (auto taken = takeNames(states.front()["name"]); !taken) return taken;
     std::int64_t first = 0;
     for (const YAML::Node& state : states) {
       std::vector<std::string> names;
       for (const YAML::Node& name : state["name"]) names.push_back(name.IsScalar() ? name.Scalar() : "");
       if (names != trajectory_.joint_names)
-        return fault(state["name"], Text("other joints"), Text("those of the first message"));
+        return fault(state["name"], Text("other joints"), Text("the joints of the first message"));
       const auto positions = numbersOf(state["position"], state);
       HAPTICELL_TRY(positions);
       const YAML::Node header = state["header"];
@@ -207,32 +209,32 @@ class RosYamlReader {
   Expected<std::vector<double>> numbersOf(const YAML::Node& list, const YAML::Node& point) const {
     std::vector<double> numbers;
     if (list && !list.IsNull() && !list.IsSequence())
-      return fault(list, Text("positions that are no list"), Text("numbers"));
+      return fault(list, Text("positions that are not a list"), Text("numbers"));
     if (list && list.IsSequence()) {
       for (const YAML::Node& item : list) {
-        if (echoedShort(item)) return fault(item, Text("a list cut short"), Text("every position"), fullLength());
+        if (echoedShort(item)) return fault(item, Text("a shortened list"), Text("all positions"), fullLength());
         const auto number = item.IsScalar() ? parseNumber(item.Scalar()) : std::nullopt;
         if (!number)
-          return fault(item, item.IsScalar() ? Text("'%1'", item.Scalar()) : Text("no number"), Text("a number"));
+          return fault(item, item.IsScalar() ? Text("'%1'", item.Scalar()) : Text("not a number"), Text("a number"));
         numbers.push_back(*number);
       }
     }
     if (numbers.size() == trajectory_.joint_names.size()) return numbers;
     return fault(list && !list.IsNull() ? list : point, Text("%1 positions", numbers.size()),
-                 Text("%1, one a joint", trajectory_.joint_names.size()));
+                 Text("%1, one per joint", trajectory_.joint_names.size()));
   }
 
   /// Nanoseconds of `{sec, nanosec}`, `{secs, nsecs}` or a number of seconds.
   Expected<std::int64_t> timeOf(const YAML::Node& time, const YAML::Node& point, const char* what) const {
     const Text expected = "seconds and nanoseconds: {sec, nanosec} or {secs, nsecs}";
-    if (!time || time.IsNull()) return fault(point, Text("no %1", what), expected);
+    if (!time || time.IsNull()) return fault(point, Text("%1 is missing", what), expected);
     if (time.IsScalar()) {
       const auto seconds = parseNumber(time.Scalar());
       if (!seconds) return fault(time, Text("'%1'", time.Scalar()), expected);
       if (std::abs(*seconds) > kMostSeconds) return tooLong(time, *seconds);
       return std::llround(*seconds * static_cast<double>(kSecond));
     }
-    if (!time.IsMap()) return fault(time, Text("a %1 that is a list", what), expected);
+    if (!time.IsMap()) return fault(time, Text("%1 is a list", what), expected);
     HAPTICELL_TRY(checkKeys(time));
     std::int64_t sum = 0;
     bool any = false;
@@ -243,13 +245,13 @@ class RosYamlReader {
         return fault(entry.first, Text("'%1' in a time", key), expected);
       const auto number = entry.second.IsScalar() ? parseNumber(entry.second.Scalar()) : std::nullopt;
       if (!number || *number != std::floor(*number))
-        return fault(entry.second, Text("a time that is no whole number"), Text("whole seconds and nanoseconds"));
+        return fault(entry.second, Text("a time that is not a whole number"), Text("whole seconds and nanoseconds"));
       const double seconds = is_seconds ? *number : *number / static_cast<double>(kSecond);
       if (std::abs(seconds) > 0.5 * kMostSeconds) return tooLong(entry.second, *number);
       sum += static_cast<std::int64_t>(*number) * (is_seconds ? kSecond : 1);
       any = true;
     }
-    if (!any) return fault(point, Text("an empty %1", what), expected);
+    if (!any) return fault(point, Text("%1 is empty", what), expected);
     return sum;
   }
 
@@ -263,7 +265,7 @@ class RosYamlReader {
     return fault(point, Text("a time_from_start of %1 s", shortestText(time)), Text("times that increase"));
   }
 
-  static Text fullLength() { return Text("Echo it again with --full-length (-f)."); }
+  static Text fullLength() { return Text("Run ros2 topic echo again with --full-length (-f)."); }
 
   std::string name_;
   Trajectory trajectory_;

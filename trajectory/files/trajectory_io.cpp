@@ -134,7 +134,7 @@ Expected<std::vector<double>> numbersOf(const json& list, std::size_t count) {
   const bool is_right = list.is_array() && list.size() == count &&
                         std::all_of(list.begin(), list.end(), [](const json& n) { return n.is_number(); });
   if (!is_right) {
-    return makeError({.found = list.is_array() ? Text("%1 entries", list.size()) : Text("no list of numbers"),
+    return makeError({.found = list.is_array() ? Text("%1 entries", list.size()) : Text("not a list of numbers"),
                       .expected = Text("%1 numbers: t,x,y,z,qw,qx,qy,qz, the joints and the channels", count)});
   }
   auto numbers = list.get<std::vector<double>>();
@@ -149,7 +149,7 @@ Expected<void> checkHeader(const json& document, const fs::path& file) {
   if (!document.is_object() || document.value("format", json()) != kFormat) {
     return makeError({.file = name,
                       .place = Text("field '%1'", "format"),
-                      .found = "no HaptiCell trajectory",
+                      .found = "not a HaptiCell trajectory",
                       .expected = Text("\"%1\"", kFormat)});
   }
   const json version = document.value("version", json());
@@ -157,7 +157,7 @@ Expected<void> checkHeader(const json& document, const fs::path& file) {
     return makeError({.file = name,
                       .place = Text("field '%1'", "version"),
                       .found = version.dump(),
-                      .expected = "a whole number from 1"});
+                      .expected = "a whole number, 1 or more"});
   }
   if (version.get<std::int64_t>() > kVersion) {
     return makeError({.file = name,
@@ -192,7 +192,7 @@ Expected<Marks> readMarks(const json& document, std::size_t count) {
   for (const json& index : document.value("by_hand", json::array())) {
     if (!isIndex(index))
       return makeError(
-          {.place = Text("field '%1'", "by_hand"), .found = index.dump(), .expected = "the number of a frame, from 0"});
+          {.place = Text("field '%1'", "by_hand"), .found = index.dump(), .expected = "a frame number, 0 or more"});
     marks.by_hand[index.get<std::size_t>()] = true;
   }
   for (const json& dwell : document.value("dwells", json::array())) {
@@ -248,7 +248,7 @@ Expected<Trajectory> fromJson(const json& document) {
   }
   for (const json& joint : document.value("joints", json::array())) {
     if (!joint.is_string())
-      return makeError({.place = Text("field '%1'", "joints"), .found = joint.dump(), .expected = "names of joints"});
+      return makeError({.place = Text("field '%1'", "joints"), .found = joint.dump(), .expected = "joint names"});
     trajectory.joint_names.push_back(joint.get<std::string>());
   }
   HAPTICELL_TRY(readRecorded(document, trajectory));
@@ -256,7 +256,7 @@ Expected<Trajectory> fromJson(const json& document) {
   if (!has_poses.is_boolean() || (!has_poses.get<bool>() && !trajectory.hasJoints())) {
     return makeError({.place = Text("field '%1'", "has_poses"),
                       .found = has_poses.dump(),
-                      .expected = "true, or false for a motion of joints"});
+                      .expected = "true, or false for a motion that has only joints"});
   }
   trajectory.has_poses = has_poses.get<bool>();
   const json frames = document.value("frames", json());
@@ -288,7 +288,7 @@ Expected<Trajectory> readJson(const fs::path& file) {
   HAPTICELL_TRY(flat);
   const json document = json::parse(*text, nullptr, false);
   if (document.is_discarded())
-    return makeError({.file = file.string(), .found = "it is not JSON", .expected = "a HaptiCell trajectory"});
+    return makeError({.file = file.string(), .found = "invalid JSON", .expected = "a HaptiCell trajectory"});
   HAPTICELL_TRY(checkHeader(document, file));
   auto trajectory = fromJson(document);
   if (!trajectory) trajectory.error().file = file.string();
@@ -320,7 +320,7 @@ Expected<Trajectory> readTrajectory(const fs::path& file, std::vector<Text>* not
   if (fs::is_directory(file, ignored))
     return makeError({.file = file.string(), .found = "a folder", .expected = "a trajectory file"});
   if (!fs::exists(file, ignored))
-    return makeError({.file = file.string(), .found = "there is no such file", .expected = "a trajectory"});
+    return makeError({.file = file.string(), .found = "the file does not exist", .expected = "a trajectory"});
   const std::string extension = lowerExtension(file);
   if (extension == ".csv") return readCsv(file);
   if (extension == ".yaml" || extension == ".yml") return readRosYaml(file);

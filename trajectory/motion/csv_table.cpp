@@ -64,7 +64,7 @@ class Reader {
                         .expected = "a CSV file"});
     if (table_.rows.empty())
       return makeError(
-          {.file = name_, .place = place(), .found = "no row behind the header", .expected = "at least one"});
+          {.file = name_, .place = place(), .found = "no line after the header", .expected = "at least one"});
     return std::move(table_);
   }
 
@@ -90,7 +90,7 @@ class Reader {
     const Text columns("a header line with the columns %1", listed(wanted_));
     if (!nextLine())
       return makeError({.file = name_,
-                        .found = too_long_ ? Text("an endless first line") : Text("an empty file"),
+                        .found = too_long_ ? Text("a first line that is too long") : Text("an empty file"),
                         .expected = columns});
     separator_ = line_.find(';') != std::string::npos ? ';' : ',';
     splitInto(line_, separator_, fields_);

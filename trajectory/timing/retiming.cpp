@@ -189,7 +189,7 @@ class Retimer {
       return makeError({.place = "frames", .found = "fewer than two different frames", .expected = "a motion"});
     if (!(options_.sample_s > 0.0))
       return makeError(
-          {.place = "sample", .found = Text("%1 s", shortestText(options_.sample_s)), .expected = "a positive one"});
+          {.place = "sample", .found = Text("%1 s", shortestText(options_.sample_s)), .expected = "a value above 0"});
     if (options_.mode == TimingMode::kTimeOptimal) {
       const std::size_t dimensions = by_ == LimitedBy::kJoints ? moving_.joint_names.size() : 6;
       const auto limits = checkLimits(dimensions, options_.limits);
@@ -197,7 +197,7 @@ class Retimer {
     }
     if (!(options_.speed > 0.0) || !(options_.acceleration > 0.0))
       return makeError(
-          {.place = "speed, acceleration", .found = "a value that is not positive", .expected = "positive values"});
+          {.place = "speed, acceleration", .found = "a value that is not above 0", .expected = "positive values"});
     if (!moving_.has_poses)
       return makeError(
           {"", "poses", "none, so no speed of the tool", "a robot whose forward kinematics gives them", ""});
@@ -205,9 +205,9 @@ class Retimer {
       const PoseDistance step = distanceBetween(moving_[i - 1].X_WT, moving_[i].X_WT);
       if (kStill.shareOf(step) <= 1.0 && jointsMove(i))
         return makeError({.place = Text("frame %1", i),
-                          .found = "joints that move while the tool stands",
-                          .expected = "a tool that moves, for a constant speed of it",
-                          .fix = "Time it by the joints' limits."});
+                          .found = "joints that move while the tool does not",
+                          .expected = "a tool that moves, because its speed is to be constant",
+                          .fix = "Use time-optimal timing (joint limits)."});
     }
     return {};
   }
@@ -217,9 +217,9 @@ class Retimer {
       const PoseDistance step = distanceBetween(moving_[i - 1].X_WT, moving_[i].X_WT);
       if (!jointsMove(i) && kStill.shareOf(step) > 100.0)
         return makeError({.place = Text("frame %1", i),
-                          .found = "a pose that moves while the joints stand",
-                          .expected = "joints that move, for limits of theirs",
-                          .fix = "Time it at a constant speed."});
+                          .found = "a pose that changes while the joints do not",
+                          .expected = "joints that move, because their limits set the speed",
+                          .fix = "Use constant-speed timing."});
     }
     return {};
   }
@@ -329,9 +329,9 @@ class Retimer {
     for (const Part& part : pieces_) whole += part.timing.duration;
     if (!(whole / step <= kMostFrames)) {
       return makeError({.place = "sample",
-                        .found = Text("%1 s for %2 s", shortestText(step), shortestText(whole)),
-                        .expected = "a positive one, at most ten million frames",
-                        .fix = "Take a longer one, or a higher speed."});
+                        .found = Text("a step of %1 s for a motion of %2 s", shortestText(step), shortestText(whole)),
+                        .expected = "a step above 0 that gives at most 10 million frames",
+                        .fix = "Use a longer step or a higher speed."});
     }
     step_ = step;
     result_.report.use = {};

@@ -275,15 +275,15 @@ PathTiming held(const LimitedPath& path, PathTiming timing, const MotionLimits& 
 Expected<void> checkPath(const LimitedPath& path, const MotionLimits& limits) {
   if (auto checked = checkLimits(path.dimensions(), limits); !checked) return checked;
   if (path.breaks().back() > path.breaks().front()) return {};
-  return makeError({.place = "path", .found = "a path of no length", .expected = "frames that move"});
+  return makeError({.place = "path", .found = "a path of length zero", .expected = "at least two different frames"});
 }
 
 Expected<PathTiming> fastestOn(const Grid& grid, const TimingOptions& options) {
   auto speeds = reach(grid, options);
   if (!speeds) {
     return makeError({.place = "path",
-                      .found = "a start or end speed that no motion within the limits has",
-                      .expected = "rest at both ends"});
+                      .found = "a start or end speed that the limits do not allow",
+                      .expected = "no motion at start and end"});
   }
   const LimitUse use = grid.useBetween(*speeds);
   PathTiming timing(grid.s(), std::move(*speeds));
@@ -390,8 +390,8 @@ Expected<void> checkLimits(std::size_t dimensions, const MotionLimits& limits) {
   if (limits.velocity.size() != dimensions || limits.acceleration.size() != dimensions || bad(limits.velocity) ||
       bad(limits.acceleration) || (!limits.jerk.empty() && (limits.jerk.size() != dimensions || bad(limits.jerk)))) {
     return makeError({.place = "limits",
-                      .found = "limits that are missing or not positive",
-                      .expected = Text("a positive velocity and acceleration for each of %1 axes", dimensions)});
+                      .found = "limits that are missing or not above 0",
+                      .expected = Text("a velocity and an acceleration above 0 for each of %1 axes", dimensions)});
   }
   return {};
 }

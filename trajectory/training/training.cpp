@@ -106,10 +106,10 @@ Expected<TrainingAttempt> attemptOf(const json& entry, std::size_t index) {
   const Text place("attempt %1", index + 1);
   const auto wrong = [&](const std::string& field) {
     return makeError({.place = Text("%1, field '%2'", place, field),
-                      .found = "none, or not what it should be",
+                      .found = "it is missing or has the wrong type",
                       .expected = "a value"});
   };
-  if (!entry.is_object()) return makeError({.place = place, .found = "no object", .expected = "an attempt"});
+  if (!entry.is_object()) return makeError({.place = place, .found = "not a JSON object", .expected = "an attempt"});
   TrainingAttempt attempt;
   if (!entry.contains("date") || !entry["date"].is_string()) return wrong("date");
   if (!entry.contains("help") || !entry["help"].is_number()) return wrong("help");
@@ -250,7 +250,7 @@ Expected<TrainingSession> readTraining(const std::filesystem::path& file) {
   if (!document.is_object() || document.value("format", json()) != kTrainingFormat || !version.is_number_integer()) {
     return makeError({.file = file.string(),
                       .place = Text("field '%1'", "format"),
-                      .found = "no training session",
+                      .found = "not a training session",
                       .expected = Text("\"%1\"", kTrainingFormat)});
   }
   if (version.get<std::int64_t>() > kTrainingVersion || version.get<std::int64_t>() < 1) {
@@ -270,7 +270,7 @@ Expected<TrainingSession> readTraining(const std::filesystem::path& file) {
   const json attempts = document.value("attempts", json::array());
   if (!attempts.is_array())
     return makeError(
-        {.file = file.string(), .place = Text("field '%1'", "attempts"), .found = "no list", .expected = "a list"});
+        {.file = file.string(), .place = Text("field '%1'", "attempts"), .found = "not a list", .expected = "a list"});
   for (std::size_t i = 0; i < attempts.size(); ++i) {
     auto attempt = attemptOf(attempts[i], i);
     if (!attempt) {

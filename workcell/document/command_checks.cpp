@@ -33,8 +33,8 @@ Error tooFar(const std::string& name, double metres) {
   return {
       .place = quotedName(name),
       .found = near ? Text("it reaches %1 m from the origin", reach) : Text("it reaches %1 km from the origin", reach),
-      .expected = "parts within 2 km of it, where a tenth of a millimetre can still be drawn",
-      .fix = "Is its unit right? Otherwise move it to the origin in the program that made it."};
+      .expected = "parts within 2 km of the origin, where 0.1 mm can still be drawn",
+      .fix = "Check the unit. If it is right, move the part to the origin in the CAD program."};
 }
 
 }  // namespace
@@ -45,13 +45,13 @@ std::string quotedName(const std::string& name) {
 
 Expected<void> checkName(const Text& what, const std::string& name) {
   if (isName(name)) return {};
-  return makeError({.place = what, .found = quotedName(name), .expected = "a printable name of 1 to 200 letters"});
+  return makeError({.place = what, .found = quotedName(name), .expected = "a printable name of 1 to 200 characters"});
 }
 
 Expected<void> checkPose(const Text& what, const Pose& pose) {
   if (pose.isValid()) return {};
   return makeError(
-      {.place = what, .found = "a pose that is not one", .expected = "finite numbers and a quaternion of length 1"});
+      {.place = what, .found = "an invalid pose", .expected = "finite numbers and a quaternion of length 1"});
 }
 
 Expected<void> checkReach(const std::string& name, const dvec3& p_WE) {
@@ -71,7 +71,7 @@ Expected<void> checkReach(const Entity& entity) {
 }
 
 Error taken(const std::string& name) {
-  return {.found = Text("the name '%1' is taken", name), .expected = "a name of its own"};
+  return {.found = Text("the name '%1' is taken", name), .expected = "a unique name"};
 }
 
 Expected<void> checkJoints(const Entity& entity, const std::vector<double>& joints) {
@@ -79,7 +79,7 @@ Expected<void> checkJoints(const Entity& entity, const std::vector<double>& join
   if (joints.size() != wanted) {
     return makeError({.place = quotedName(entity.name),
                       .found = Text("%1 joint values", joints.size()),
-                      .expected = Text("%1, one a moving joint", wanted)});
+                      .expected = Text("%1, one per moving joint", wanted)});
   }
   for (double value : joints) {
     if (!std::isfinite(value)) {
@@ -93,7 +93,7 @@ Expected<void> checkJoints(const Entity& entity, const std::vector<double>& join
 Expected<void> checkTool(const Entity& entity) {
   if (entity.robot && !entity.tip_link.empty() && entity.robot->findLink(entity.tip_link) < 0) {
     return makeError({.place = quotedName(entity.name),
-                      .found = Text("no link '%1'", entity.tip_link),
+                      .found = Text("no link is named '%1'", entity.tip_link),
                       .expected = Text("a link of robot '%1'", entity.robot->name)});
   }
   return checkPose(Text("the tool of '%1'", entity.name), entity.X_LT);
@@ -107,7 +107,7 @@ Expected<void> checkTools(const Entity& entity) {
     if (auto checked = checkPose(place, tool.X_LT); !checked) return checked;
     if (!entity.robot || entity.robot->findLink(tool.tip_link) < 0) {
       return makeError(
-          {.place = place, .found = Text("no link '%1'", tool.tip_link), .expected = "a link of the robot"});
+          {.place = place, .found = Text("no link is named '%1'", tool.tip_link), .expected = "a link of the robot"});
     }
     if (std::find(names.begin(), names.end(), tool.name) != names.end()) return makeError(taken(tool.name));
     names.push_back(tool.name);
@@ -145,11 +145,11 @@ Expected<void> checkProperties(const Entity& entity) {
   const bool color =
       std::all_of(entity.color.begin(), entity.color.end(), [](float part) { return part >= 0.0f && part <= 1.0f; });
   if (!color)
-    return makeError(
-        {.place = quotedName(entity.name), .found = "a colour out of range", .expected = "parts from 0 to 1"});
+    return makeError({.place = quotedName(entity.name),
+                      .found = "a colour out of range",
+                      .expected = "red, green and blue from 0 to 1"});
   if (!(entity.mass > 0.0) || !std::isfinite(entity.mass)) {
-    return makeError(
-        {.place = quotedName(entity.name), .found = "an invalid mass", .expected = "kilograms above 0"});
+    return makeError({.place = quotedName(entity.name), .found = "an invalid mass", .expected = "kilograms above 0"});
   }
   return {};
 }
@@ -170,7 +170,7 @@ Expected<void> checkPairSet(const PairSet& set) {
     if (!good)
       return makeError({.place = Text("pair set '%1'", set.name),
                         .found = "a colour out of range",
-                        .expected = "parts from 0 to 1"});
+                        .expected = "red, green and blue from 0 to 1"});
   }
   return {};
 }
@@ -181,13 +181,14 @@ Expected<void> checkPairRule(const PairRule& rule, const DocumentState& state) {
     const Entity* entity = state.findByName(*name);
     if (!entity)
       return makeError(
-          {.place = "a pair's rule", .found = Text("no entity '%1'", *name), .expected = "the name of one"});
+          {.place = "pair rule", .found = Text("no entity is named '%1'", *name), .expected = "an existing name"});
     if (part->empty() || (entity->robot && entity->robot->findLink(*part) >= 0)) continue;
-    return makeError(
-        {.place = "a pair's rule", .found = Text("no link '%1'", *part), .expected = Text("a link of '%1'", *name)});
+    return makeError({.place = "pair rule",
+                      .found = Text("no link is named '%1'", *part),
+                      .expected = Text("a link of '%1'", *name)});
   }
   if (rule.first == rule.second)
-    return makeError({.place = "a pair's rule", .found = Text("'%1' twice", rule.first), .expected = "two entities"});
+    return makeError({.place = "pair rule", .found = Text("'%1' twice", rule.first), .expected = "two entities"});
   return {};
 }
 

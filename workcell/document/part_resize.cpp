@@ -11,8 +11,8 @@ Expected<std::vector<Command>> resizePart(const DocumentState& state, EntityId i
       entity ? findBuiltInPart(entity->source.path.substr(0, entity->source.path.find(':'))) : nullptr;
   if (part == nullptr || !entity->mesh || partSizes(entity->source).empty())
     return makeError({.place = entity ? Text("'%1'", entity->name) : Text("size"),
-                      .found = "no built-in part",
-                      .expected = "a part that is made from its sizes: a box, a table, a bench"});
+                      .found = "not a built-in part",
+                      .expected = "a built-in part, such as a box, a table or a bench"});
   auto fresh = makeBuiltInPart(partSource(*part, sizes), 1.0);
   HAPTICELL_TRY(fresh);
   const double rise = fresh->mesh->bounds().max.z - entity->mesh->bounds().max.z;

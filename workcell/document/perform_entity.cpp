@@ -16,7 +16,7 @@ Expected<void> checkNew(const Entity& entity, const DocumentState& state) {
   const bool shapeless = entity.kind == EntityKind::kAssembly || entity.kind == EntityKind::kFrame;
   if (!shapeless && !entity.unloaded && (solid ? !entity.mesh : !entity.robot)) {
     return makeError({.place = quotedName(entity.name),
-                      .found = "nothing in it",
+                      .found = "it is empty",
                       .expected = solid ? Text("a mesh") : Text("a robot")});
   }
   if (auto checked = checkPose(quotedName(entity.name), entity.X_WE); !checked) return checked;
@@ -129,8 +129,9 @@ Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
   const bool fits =
       before.kind == command.fresh.kind && (command.fresh.mesh || command.fresh.robot) && !before.mechanism;
   if (!fits)
-    return makeError(
-        {.place = quotedName(before.name), .found = "another kind of thing", .expected = "a shape of the kind it has"});
+    return makeError({.place = quotedName(before.name),
+                      .found = "another kind of entity",
+                      .expected = "the same kind of entity as before"});
   Entity changed = before;
   changed.source = command.fresh.source;
   changed.unloaded.reset();
@@ -154,10 +155,11 @@ Expected<EntityId> perform(const SetCollisionProxy& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   HAPTICELL_TRY(entity);
   if (!(*entity)->mesh)
-    return makeError({.place = quotedName((*entity)->name), .found = "no mesh", .expected = "a solid"});
+    return makeError({.place = quotedName((*entity)->name), .found = "the mesh is missing", .expected = "a solid"});
   const bool wanted = command.proxy.kind != CollisionProxy::Kind::kNone;
   if (wanted && (!command.proxy.mesh || command.proxy.mesh->triangles.empty())) {
-    return makeError({.place = quotedName((*entity)->name), .found = "nothing to check it by", .expected = "a mesh"});
+    return makeError(
+        {.place = quotedName((*entity)->name), .found = "no mesh for the collision check", .expected = "a mesh"});
   }
   return edit.change(command.id, [&](Entity& target) { target.proxy = wanted ? command.proxy : CollisionProxy{}; });
 }
@@ -200,7 +202,7 @@ Expected<EntityId> perform(const SetProperties& command, StateEdit& edit) {
     const Entity* parent = edit.state().findByName(changed.parent);
     if (parent && std::find(family.begin(), family.end(), parent->id) != family.end()) {
       return makeError(
-          {.place = quotedName(changed.name), .found = "a place below itself", .expected = "another assembly"});
+          {.place = quotedName(changed.name), .found = "an assembly inside itself", .expected = "another assembly"});
     }
   }
   if (changed.kind == EntityKind::kAssembly) {

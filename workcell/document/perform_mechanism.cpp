@@ -44,7 +44,7 @@ Expected<EntityId> perform(const MakeMechanism& command, StateEdit& edit) {
     HAPTICELL_TRY(part);
     if (!(*part)->mesh) {
       return makeError({.place = quotedName((*part)->name),
-                        .found = "it is no solid",
+                        .found = "it is not a solid",
                         .expected = "solids as parts of a mechanism"});
     }
     if (made.id == 0) {
@@ -81,7 +81,7 @@ Expected<EntityId> perform(const EditMechanism& command, StateEdit& edit) {
   HAPTICELL_TRY(entity);
   Entity changed = **entity;
   if (!changed.mechanism)
-    return makeError({.place = quotedName(changed.name), .found = "it is no mechanism", .expected = "a mechanism"});
+    return makeError({.place = quotedName(changed.name), .found = "it is not a mechanism", .expected = "a mechanism"});
   auto definition = std::make_shared<MechanismDefinition>(*changed.mechanism);
   definition->joints = command.joints;
   changed.mechanism = std::move(definition);
@@ -97,7 +97,8 @@ Expected<EntityId> perform(const DissolveMechanism& command, StateEdit& edit) {
   HAPTICELL_TRY(entity);
   const Entity mechanism = **entity;
   if (!mechanism.mechanism)
-    return makeError({.place = quotedName(mechanism.name), .found = "it is no mechanism", .expected = "a mechanism"});
+    return makeError(
+        {.place = quotedName(mechanism.name), .found = "it is not a mechanism", .expected = "a mechanism"});
   DocumentState trial = edit.state();
   StateEdit there(trial, edit.newId());
   there.dropFromPairSets(mechanism.name);

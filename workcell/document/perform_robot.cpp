@@ -33,11 +33,12 @@ Expected<void> checkAttachment(const Entity& entity, const DocumentState& state)
   const Entity* carrier = state.findByName(entity.attachment.to);
   const Text place("'%1', attached", entity.name);
   if (!carrier)
-    return makeError(
-        {.place = place, .found = Text("no entity '%1'", entity.attachment.to), .expected = "one of the document"});
+    return makeError({.place = place,
+                      .found = Text("no entity is named '%1'", entity.attachment.to),
+                      .expected = "one that exists in the document"});
   if (!entity.attachment.link.empty() && (!carrier->robot || carrier->robot->findLink(entity.attachment.link) < 0)) {
     return makeError({.place = place,
-                      .found = Text("no link '%1'", entity.attachment.link),
+                      .found = Text("no link is named '%1'", entity.attachment.link),
                       .expected = Text("a link of '%1'", carrier->name)});
   }
   return checkPose(place, entity.attachment.X_LE);
@@ -87,7 +88,7 @@ Expected<EntityId> perform(const ChooseTool& command, StateEdit& edit) {
   takeChosenTool(changed);
   if (changed.tool != command.name) {
     return makeError({.place = quotedName(changed.name),
-                      .found = Text("no tool '%1'", command.name),
+                      .found = Text("no tool is named '%1'", command.name),
                       .expected = "the name of one of its tools"});
   }
   return edit.change(command.id, [&](Entity& target) { target = changed; });
@@ -100,8 +101,8 @@ Expected<EntityId> perform(const Attach& command, StateEdit& edit) {
   for (const Entity* at = *carrier; at; at = edit.state().findByName(at->attachment.to)) {
     if (at->id != command.id) continue;
     return makeError({.place = quotedName((*entity)->name),
-                      .found = Text("'%1' is that entity or hangs on it", (*carrier)->name),
-                      .expected = "another entity to hang it on"});
+                      .found = Text("'%1' is this entity or is attached to it", (*carrier)->name),
+                      .expected = "another entity to attach it to"});
   }
   Attachment attachment{(*carrier)->name, command.link, {}};
   if ((*carrier)->robot && attachment.link.empty()) attachment.link = tipOf(**carrier);

@@ -11,11 +11,11 @@ namespace hapticell::workcell {
 namespace {
 
 Error unknownSet(const std::string& name) {
-  return {.found = Text("no pair set '%1'", name), .expected = "the name of one"};
+  return {.found = Text("no pair set is named '%1'", name), .expected = "an existing name"};
 }
 
 Error unknownGuide(const std::string& name) {
-  return {.found = Text("no guide '%1'", name), .expected = "the name of one"};
+  return {.found = Text("no guide is named '%1'", name), .expected = "an existing name"};
 }
 
 std::vector<PairSet>::iterator findSet(DocumentState& state, const std::string& name) {
@@ -28,7 +28,7 @@ std::vector<Guide>::iterator findGuide(DocumentState& state, const std::string& 
 }
 
 Error unknownTrajectory(const std::string& name) {
-  return {.found = Text("no trajectory '%1'", name), .expected = "the name of one"};
+  return {.found = Text("no trajectory is named '%1'", name), .expected = "an existing name"};
 }
 
 std::vector<TrajectoryReference>::iterator findTrajectory(DocumentState& state, const std::string& name) {
@@ -42,8 +42,8 @@ Expected<void> checkBound(const Guide& guide, const DocumentState& state) {
   for (const std::string* name : {&guide.entity, &guide.surface}) {
     if (name->empty() || state.findByName(*name)) continue;
     return makeError({.place = Text("guide '%1'", guide.name),
-                      .found = Text("no entity '%1'", *name),
-                      .expected = "the name of one"});
+                      .found = Text("no entity is named '%1'", *name),
+                      .expected = "an existing name"});
   }
   return {};
 }
@@ -156,8 +156,9 @@ Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
   if (!command.task.mannequin.empty()) {
     const Entity* entity = edit.state().findByName(command.task.mannequin);
     if (!entity || entity->kind != EntityKind::kMannequin)
-      return makeError(
-          {.place = place, .found = Text("no mannequin '%1'", command.task.mannequin), .expected = "the name of one"});
+      return makeError({.place = place,
+                        .found = Text("no mannequin is named '%1'", command.task.mannequin),
+                        .expected = "an existing name"});
   }
   auto& tasks = edit.state().work_tasks;
   const std::string& before = command.before.empty() ? command.task.name : command.before;
@@ -166,7 +167,7 @@ Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
   };
   const auto found = called(before);
   if (found == tasks.end() && !command.before.empty())
-    return makeError({.found = Text("no task '%1'", before), .expected = "the name of one"});
+    return makeError({.found = Text("no task is named '%1'", before), .expected = "an existing name"});
   if (before != command.task.name && called(command.task.name) != tasks.end())
     return makeError(taken(command.task.name));
   if (found == tasks.end()) {
@@ -180,7 +181,8 @@ Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
 Expected<EntityId> perform(const RemoveWorkTask& command, StateEdit& edit) {
   const auto removed =
       std::erase_if(edit.state().work_tasks, [&](const auto& task) { return task.name == command.name; });
-  if (removed == 0) return makeError({.found = Text("no task '%1'", command.name), .expected = "the name of one"});
+  if (removed == 0)
+    return makeError({.found = Text("no task is named '%1'", command.name), .expected = "an existing name"});
   return EntityId{0};
 }
 

@@ -10,7 +10,8 @@ namespace hapticell::workcell {
 
 Expected<const Entity*> StateEdit::existing(EntityId id) const {
   const Entity* entity = state_.find(id);
-  if (!entity) return makeError({.found = Text("no entity %1", id), .expected = "one that is in the document"});
+  if (!entity)
+    return makeError({.found = Text("no entity has the number %1", id), .expected = "an entity of the document"});
   return entity;
 }
 

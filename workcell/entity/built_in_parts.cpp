@@ -270,10 +270,8 @@ Error sizesRefused(const std::string& what, const std::string& words, const Buil
     const Text one = size.least > kAny ? Text("%1 (%2 m or more)", name, least) : Text("%1 (above 0)", name);
     list = list.empty() ? one : Text("%1, %2", list, one);
   }
-  if (part.sizes.data() == kPipe) list = Text("%1, the inner radius smaller than the outer", list);
-  return {.file = what,
-          .found = Text("sizes that cannot be used: '%1'", words),
-          .expected = Text("%1:%2", part.scheme, list)};
+  if (part.sizes.data() == kPipe) list = Text("%1, with an inner radius below the outer one", list);
+  return {.file = what, .found = Text("invalid dimensions '%1'", words), .expected = Text("%1:%2", part.scheme, list)};
 }
 
 }  // namespace
@@ -309,7 +307,7 @@ Expected<Entity> makeBuiltInPart(const std::string& what, double scale) {
   const BuiltInPart* part = findBuiltInPart(what.substr(0, colon));
   if (part == nullptr || colon == std::string::npos) {
     return makeError(
-        {.file = what, .found = "no built-in part", .expected = "box:, table:, fence: or another of them"});
+        {.file = what, .found = "not a built-in part", .expected = "box:, table:, fence: or another built-in part"});
   }
   const std::string words = what.substr(colon + 1);
   const auto sizes = sizesOf(words, *part, scale);

@@ -40,7 +40,7 @@ Expected<void> checkStops(const Guide& guide) {
     }
   }
   if (guide.lower && guide.upper && *guide.lower > *guide.upper) {
-    return makeError(refusal(guide, Text("a lower stop above the upper one"), Text("the lower one first")));
+    return makeError(refusal(guide, Text("a lower stop above the upper stop"), Text("the lower stop first")));
   }
   for (const double detent : guide.detents) {
     if (!within(detent, -kFarthest, kFarthest))
@@ -52,8 +52,10 @@ Expected<void> checkStops(const Guide& guide) {
 }  // namespace
 
 Expected<void> checkGuide(const Guide& guide) {
-  if (!guide.X_WG.isValid()) return makeError(refusal(guide, Text("an invalid placement"), Text("a finite pose")));
-  if (guide.entity.empty()) return makeError(refusal(guide, Text("no entity"), Text("the name of what it guides")));
+  if (!guide.X_WG.isValid())
+    return makeError(refusal(guide, Text("an invalid placement"), Text("a valid pose and status")));
+  if (guide.entity.empty())
+    return makeError(refusal(guide, Text("the entity is missing"), Text("the name of the guided entity")));
   struct Range {
     const char* what;
     double value, low, high;
@@ -70,7 +72,8 @@ Expected<void> checkGuide(const Guide& guide) {
     }
   }
   if (guide.kind == GuideKind::kSurface && guide.surface.empty()) {
-    return makeError(refusal(guide, Text("no surface"), Text("the name of the entity whose surface is followed")));
+    return makeError(
+        refusal(guide, Text("the surface is missing"), Text("the name of the entity whose surface the guide follows")));
   }
   if (auto path = checkPath(guide); !path) return path;
   return checkStops(guide);

@@ -38,16 +38,17 @@ const MechanismJoint* jointNamed(const MechanismDefinition& definition, const st
 Expected<void> checkNames(const MechanismDefinition& definition) {
   std::map<std::string, int> parts, joints;
   for (const MechanismPart& part : definition.parts) {
-    if (part.name.empty()) return makeError(refusal(Text("a part"), Text("no name"), Text("a name of its own")));
+    if (part.name.empty())
+      return makeError(refusal(Text("a part"), Text("the name is missing"), Text("a unique name")));
     if (++parts[part.name] > 1)
-      return makeError(refusal(Text("part '%1'", part.name), Text("its name is there twice"), Text("once")));
-    if (!part.X_MP.isValid())
-      return makeError(refusal(Text("part '%1'", part.name), Text("a pose that is not one"), {}));
+      return makeError(refusal(Text("part '%1'", part.name), Text("its name is used twice"), Text("a unique name")));
+    if (!part.X_MP.isValid()) return makeError(refusal(Text("part '%1'", part.name), Text("an invalid pose"), {}));
   }
   for (const MechanismJoint& joint : definition.joints) {
-    if (joint.name.empty()) return makeError(refusal(Text("a joint"), Text("no name"), Text("a name of its own")));
+    if (joint.name.empty())
+      return makeError(refusal(Text("a joint"), Text("the name is missing"), Text("a unique name")));
     if (++joints[joint.name] > 1)
-      return makeError(refusal(Text("joint '%1'", joint.name), Text("its name is there twice"), Text("once")));
+      return makeError(refusal(Text("joint '%1'", joint.name), Text("its name is used twice"), Text("a unique name")));
   }
   return {};
 }
@@ -57,15 +58,15 @@ Expected<void> checkLimits(const MechanismJoint& joint, const Text& place) {
   const bool free = std::isinf(joint.lower) && std::isinf(joint.upper) && joint.lower < joint.upper;
   const bool finite = std::abs(joint.lower) <= kLargest && std::abs(joint.upper) <= kLargest;
   if (!free && !finite)
-    return makeError(refusal(place, Text("limits that are no numbers"), Text("two numbers, or none at all")));
+    return makeError(refusal(place, Text("limits that are not numbers"), Text("two numbers, or no limits")));
   if (joint.lower > joint.upper) {
-    return makeError(refusal(
-        place,
-        Text("its lower limit %1 is over the upper %2", std::to_string(joint.lower), std::to_string(joint.upper)),
-        "lower <= upper", Text("Swap the two.")));
+    return makeError(refusal(place,
+                             Text("its lower limit %1 is above its upper limit %2", std::to_string(joint.lower),
+                                  std::to_string(joint.upper)),
+                             "lower <= upper", Text("Swap the two limits.")));
   }
   if (free && joint.type == MechanismJointType::kPrismatic)
-    return makeError(refusal(place, Text("a slide without limits"), Text("a lower and an upper limit")));
+    return makeError(refusal(place, Text("a prismatic joint without limits"), Text("a lower and an upper limit")));
   return {};
 }
 
@@ -73,10 +74,10 @@ Expected<void> checkJoint(const MechanismDefinition& definition, const Mechanism
   const Text place("joint '%1'", joint.name);
   for (const std::string& part : {joint.parent, joint.child}) {
     if (partNamed(definition, part) < 0)
-      return makeError(refusal(place, Text("there is no part '%1'", part), Text("a part of the mechanism")));
+      return makeError(refusal(place, Text("no part is named '%1'", part), Text("a part of the mechanism")));
   }
   if (joint.parent == joint.child)
-    return makeError(refusal(place, Text("it joins part '%1' to itself", joint.parent), Text("two parts")));
+    return makeError(refusal(place, Text("it joins part '%1' to itself", joint.parent), Text("two different parts")));
   const double length = glm::length(joint.axis_M);
   if (!(length > 1e-9) || !std::isfinite(length) || !std::isfinite(glm::length(joint.p_MJ)))
     return makeError(refusal(place, Text("an axis of length zero"), Text("a direction, such as 0 0 1")));
@@ -84,9 +85,9 @@ Expected<void> checkJoint(const MechanismDefinition& definition, const Mechanism
       std::isfinite(joint.velocity) && joint.velocity > 0.0 && std::isfinite(joint.friction) && joint.friction >= 0.0;
   if (!positive)
     return makeError(
-        refusal(place, Text("a speed or friction out of range"), Text("a speed above 0, friction not below 0")));
+        refusal(place, Text("a speed or friction out of range"), Text("a speed above 0 and a friction of 0 or more")));
   if (joint.type == MechanismJointType::kScrew && !(std::abs(joint.pitch) > 1e-9 && std::isfinite(joint.pitch)))
-    return makeError(refusal(place, Text("a screw without pitch"), Text("metres a turn, not 0")));
+    return makeError(refusal(place, Text("a screw joint without pitch"), Text("metres per turn, not 0")));
   return checkLimits(joint, place);
 }
 
@@ -100,16 +101,17 @@ Expected<std::optional<JointCoupling>> resolveCoupling(const MechanismDefinition
     const Text place("joint '%1'", at->name);
     const JointCoupling& next = *at->coupling;
     if (!std::isfinite(next.ratio) || !std::isfinite(next.offset))
-      return makeError(refusal(place, Text("a coupling without numbers"), Text("a ratio and an offset")));
+      return makeError(refusal(place, Text("a coupling without finite numbers"), Text("a ratio and an offset")));
     resolved.offset += resolved.ratio * next.offset;
     resolved.ratio *= next.ratio;
     resolved.joint = next.joint;
     at = jointNamed(definition, next.joint);
     if (!at)
-      return makeError(refusal(place, Text("it is coupled to '%1', which is not there", next.joint), Text("a joint")));
+      return makeError(
+          refusal(place, Text("it is coupled to '%1', which does not exist", next.joint), Text("a joint")));
     if (at == &joint || steps > definition.joints.size())
       return makeError(
-          refusal(Text("joint '%1'", joint.name), Text("it is coupled to itself in a circle"), Text("another joint")));
+          refusal(Text("joint '%1'", joint.name), Text("its coupling leads back to itself"), Text("another joint")));
   }
   return std::optional<JointCoupling>(resolved);
 }
@@ -169,7 +171,7 @@ const char* wordOf(MechanismJointType type) {
 
 Expected<kinematics::RobotModel> buildMechanism(const std::string& name, const MechanismDefinition& definition) {
   if (definition.parts.empty())
-    return makeError(refusal(Text("mechanism '%1'", name), Text("no parts"), Text("at least one")));
+    return makeError(refusal(Text("mechanism '%1'", name), Text("the mechanism has no parts"), Text("at least one")));
   HAPTICELL_TRY(checkNames(definition));
   JointGraph graph;
   graph.name = name;

@@ -77,7 +77,8 @@ Expected<void> checkMotion(const ScriptedMotion& motion) {
       return refuse(place, Text("a number that is not finite"), "t, x, y, z");
     if (i == 0) continue;
     const double dt = p.t - motion.points[i - 1].t;
-    if (!(dt > 0.0)) return refuse(place, Text("a time that is not after the one before"), Text("rising times, s"));
+    if (!(dt > 0.0))
+      return refuse(place, Text("a time that is not after the time before"), Text("increasing times in seconds"));
     const double speed = glm::distance(p.p_W, motion.points[i - 1].p_W) / dt;
     if (!(speed <= kFastest)) return refuse(place, std::to_string(speed) + " m/s", Text("at most 2 m/s"));
   }

@@ -40,7 +40,7 @@ Error failed(const fs::path& file, archive* out) {
   const char* why = archive_error_string(out);
   return {.file = file.string(),
           .found = why ? Text(std::string(why)) : Text("it cannot be written"),
-          .expected = "room and permission to write"};
+          .expected = "free space and permission to write"};
 }
 
 Expected<void> addFile(archive* out, const fs::path& file, const std::string& name) {

@@ -129,8 +129,9 @@ Expected<fs::path> RunFolder::path() {
   HAPTICELL_TRY(aside);
   lock_ = takeLock(lockIn(aside->path()), O_CREAT);
   if (lock_ < 0)
-    return makeError(
-        {.file = folder.string(), .found = "no file can be locked there", .expected = "a folder on a local disk"});
+    return makeError({.file = folder.string(),
+                      .found = "files in this folder cannot be locked",
+                      .expected = "a folder on a local disk"});
   const std::string drawn = aside->path().filename().string();
   path_ = folder / ("run" + drawn.substr(drawn.rfind('-')));
   auto moved = aside->moveTo(path_, true);
@@ -154,7 +155,8 @@ Expected<void> RunFolder::adopt(const fs::path& left) {
   if (fs::exists(factsIn(left), ignored)) fs::rename(factsIn(left), factsIn(*own), fault);
   if (!fault) fs::rename(copyIn(left), copyIn(*own), fault);
   if (fault)
-    return makeError({.file = left.string(), .found = fault.message(), .expected = "a copy that can be moved"});
+    return makeError(
+        {.file = left.string(), .found = fault.message(), .expected = "a recovery copy that can be moved"});
   fs::rename(pictureIn(left), pictureIn(*own), ignored);
   discardLeftWork(left);
   return {};

@@ -133,7 +133,7 @@ std::string plain(const std::string& text) {
 }  // namespace
 
 Text DocumentOwner::words() const {
-  Text text = user.empty() ? Text("somebody") : Text(plain(user));
+  Text text = user.empty() ? Text("an unknown user") : Text(plain(user));
   if (!host.empty()) text = Text("%1 on %2", text, plain(host));
   if (!since.empty()) text = Text("%1 since %2", text, plain(since));
   if (process != 0) text = Text("%1 (process %2)", text, process);
@@ -158,8 +158,8 @@ Expected<DocumentLock> DocumentLock::takeForWriting(const fs::path& document) {
   DocumentLock taken = take(document);
   if (!taken.owner()) return taken;
   return makeError({.file = document.string(),
-                    .found = Text("it is open in HaptiCell: %1", taken.owner()->words()),
-                    .expected = "a file that nobody else is at work on",
+                    .found = Text("the file is already open in HaptiCell: %1", taken.owner()->words()),
+                    .expected = "a file that nobody else has open",
                     .fix = "Close it there, or choose another name."});
 }
 

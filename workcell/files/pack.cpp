@@ -126,8 +126,9 @@ Expected<PackReport> packDocument(const DocumentState& state, const fs::path& fo
   std::error_code fault;
   const bool there = fs::exists(folder, fault);
   if (there && (!fs::is_directory(folder, fault) || !fs::is_empty(folder, fault))) {
-    return makeError(
-        {.file = folder.string(), .found = "something stands there already", .expected = "a new or empty folder"});
+    return makeError({.file = folder.string(),
+                      .found = "the folder already exists and is not empty",
+                      .expected = "a new or empty folder"});
   }
   const auto plan = planPack(state, scope, diagnostics, monitor);
   HAPTICELL_TRY(plan);
@@ -136,7 +137,7 @@ Expected<PackReport> packDocument(const DocumentState& state, const fs::path& fo
   if (!place.has_filename()) place = place.parent_path();
   fs::create_directories(place.parent_path(), fault);
   if (fault)
-    return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be made"});
+    return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be created"});
   auto aside = folderBeside(place);
   HAPTICELL_TRY(aside);
   auto report = packAside(state, *plan, aside->path(), name, monitor);
@@ -157,7 +158,7 @@ Expected<PackReport> pack(const DocumentState& state, const fs::path& output, co
   const auto aside = ScratchFolder::make(archive.parent_path());
   if (!aside) {
     return makeError(
-        {.file = output.string(), .found = "no folder can be made beside it", .expected = "permission to write"});
+        {.file = output.string(), .found = "no folder can be created next to it", .expected = "permission to write"});
   }
   auto report = packAside(state, *plan, aside->path(), name, monitor);
   if (!report) return makeError(inPlace(report.error(), aside->path(), archive));

@@ -30,7 +30,7 @@ constexpr const char* kFix = HAPTICELL_TRANSLATED(
 
 /// `who`: "entity 'A'".
 Error differs(const Text& who, Text found, Text expected) {
-  return {.place = Text("%1 read back from the pack", who),
+  return {.place = Text("%1 in the pack", who),
           .found = std::move(found),
           .expected = std::move(expected),
           .fix = Text(kFix)};
@@ -60,8 +60,8 @@ Expected<void> compareMeshes(const Text& who, const MeshPointer& packed, const M
   if (was.isEmpty() && is.isEmpty()) return {};
   const double off = std::max(glm::length(was.min - is.min), glm::length(was.max - is.max));
   if (off <= kSameLength) return {};
-  return makeError(differs(who, Text("a shape whose box is off by %1 m", number(off)),
-                           Text("the box of the workcell's shape within 1e-9 m")));
+  return makeError(differs(who, Text("a shape with a bounding box that differs by %1 m", number(off)),
+                           Text("the bounding box of the shape in the workcell, within 1e-9 m")));
 }
 
 Expected<void> compareLinks(const Entity& packed, const Entity& read) {
@@ -74,7 +74,8 @@ Expected<void> compareLinks(const Entity& packed, const Entity& read) {
   for (std::size_t i = 0; i < was.size(); ++i) {
     const Text who("entity '%1', link '%2'", packed.name, was[i].name);
     if (was[i].name != is[i].name || was[i].visuals.size() != is[i].visuals.size())
-      return makeError(differs(who, Text("a link '%1' of other shapes", is[i].name), Text("the link of the workcell")));
+      return makeError(
+          differs(who, Text("link '%1' has different shapes", is[i].name), Text("the same link as in the workcell")));
     for (std::size_t k = 0; k < was[i].visuals.size(); ++k) {
       if (auto same = compareMeshes(who, was[i].visuals[k].mesh, is[i].visuals[k].mesh); !same) return same;
     }
@@ -94,11 +95,11 @@ Expected<void> compareEntities(const DocumentState& packed, const DocumentState&
   for (const auto& entity : packed.entities) {
     const Text who = entityNamed(entity->name);
     const Entity* again = read.findByName(entity->name);
-    if (!again) return makeError(differs(who, Text("it is not there"), Text("all that was packed")));
+    if (!again) return makeError(differs(who, Text("it is missing"), Text("everything that was packed")));
     if (entity->unloaded) continue;
-    if (again->unloaded) return makeError(differs(who, whyUnloaded(*again, unloaded), Text("a file that is whole")));
+    if (again->unloaded) return makeError(differs(who, whyUnloaded(*again, unloaded), Text("a complete file")));
     if (entity->kind != again->kind || !entity->robot != !again->robot)
-      return makeError(differs(who, Text("another kind of thing"), Text("what was packed")));
+      return makeError(differs(who, Text("another kind of entity"), Text("what was packed")));
     if (auto same = compareMeshes(who, entity->mesh, again->mesh); !same) return same;
     if (!entity->robot) continue;
     if (auto same = compareLinks(*entity, *again); !same) return same;
@@ -109,7 +110,7 @@ Expected<void> compareEntities(const DocumentState& packed, const DocumentState&
     if (change.kind == EntityChange::Kind::kAdded) found = Text("added");
     if (change.kind == EntityChange::Kind::kRemoved) found = Text("removed");
     if (!change.joints.empty()) found = Text("%1; %2", found, change.joints);
-    return makeError(differs(entityNamed(change.name), found, Text("the place and the joints of the workcell")));
+    return makeError(differs(entityNamed(change.name), found, Text("the pose and joint values of the workcell")));
   }
   return {};
 }
@@ -122,11 +123,12 @@ Expected<void> checkPlace(const Text& who, const std::string& path, const fs::pa
   if (inside.empty() || *inside.begin() == "..")
     return makeError({.file = path,
                       .place = who,
-                      .found = "it lies outside of the pack",
+                      .found = "the file is outside the pack",
                       .expected = Text("files inside %1", pack.string()),
-                      .fix = "Put it below the folder of the file that names it."});
+                      .fix = "Move it into the folder of the file that refers to it."});
   if (!fs::is_regular_file(path, fault))
-    return makeError({.file = path, .place = who, .found = "it is not in the pack", .expected = "the copied file"});
+    return makeError(
+        {.file = path, .place = who, .found = "the file is missing in the pack", .expected = "the copied file"});
   return {};
 }
 
@@ -171,7 +173,7 @@ Expected<void> compareRest(const DocumentState& packed, const DocumentState& rea
     if (same) return {};
     return makeError({.file = file,
                       .place = what,
-                      .found = Text("%1 read back, or others", is.size()),
+                      .found = Text("%1 after packing, or different ones", is.size()),
                       .expected = Text("the %1 that were packed", was.size()),
                       .fix = Text(kFix)});
   };
@@ -182,7 +184,7 @@ Expected<void> compareRest(const DocumentState& packed, const DocumentState& rea
   if (packed.pair_rules == read.pair_rules) return {};
   return makeError({.file = file,
                     .place = "pair rules",
-                    .found = "others than those that were packed",
+                    .found = "they differ from the packed ones",
                     .expected = "the same",
                     .fix = Text(kFix)});
 }
@@ -195,14 +197,14 @@ Error inArchive(const fs::path& file, const std::string& name, Text found) {
   return {.file = file.string(),
           .place = Text("'%1' in the archive", name),
           .found = std::move(found),
-          .expected = "the bytes of the file that was packed",
-          .fix = "Pack again, or elsewhere: what was written to the disk is not what was read back from it."};
+          .expected = "the same content as the packed file",
+          .fix = "The disk returned other data than was written. Pack again, or pack to another disk."};
 }
 
 /// One file of the archive beside the file that it was made from.
 Expected<void> compareEntry(archive* in, const std::string& name, const fs::path& original, const fs::path& file) {
   std::ifstream stream(original, std::ios::binary);
-  if (!stream) return makeError(inArchive(file, name, Text("a file that was not packed")));
+  if (!stream) return makeError(inArchive(file, name, Text("an unexpected file")));
   std::array<char, 1 << 16> read{}, was{};
   for (la_ssize_t got = 1; got > 0;) {
     got = archive_read_data(in, read.data(), read.size());
@@ -212,9 +214,10 @@ Expected<void> compareEntry(archive* in, const std::string& name, const fs::path
     }
     stream.read(was.data(), got);
     if (stream.gcount() != got || !std::equal(read.begin(), read.begin() + got, was.begin()))
-      return makeError(inArchive(file, name, Text("other bytes")));
+      return makeError(inArchive(file, name, Text("different content")));
   }
-  if (stream.peek() != std::ifstream::traits_type::eof()) return makeError(inArchive(file, name, Text("fewer bytes")));
+  if (stream.peek() != std::ifstream::traits_type::eof())
+    return makeError(inArchive(file, name, Text("the file is too short")));
   return {};
 }
 
@@ -259,9 +262,9 @@ Expected<void> checkCopy(const fs::path& copy, const fs::path& original) {
   }
   if (same) return {};
   return makeError({.file = copy.string(),
-                    .found = Text("other bytes than in %1", original.string()),
-                    .expected = "a copy of it",
-                    .fix = "It may have been changed while it was packed: pack again."});
+                    .found = Text("the content differs from %1", original.string()),
+                    .expected = "an exact copy",
+                    .fix = "The file may have changed during packing. Pack again."});
 }
 
 Expected<void> checkArchive(const fs::path& file, const fs::path& folder) {
@@ -279,13 +282,13 @@ Expected<void> checkArchive(const fs::path& file, const fs::path& folder) {
       const char* why = archive_error_string(in.get());
       return makeError({.file = file.string(),
                         .found = why ? Text(std::string(why)) : Text("it cannot be read back"),
-                        .expected = "an archive that is whole"});
+                        .expected = "a complete archive"});
     }
     const std::string name = archive_entry_pathname(entry);
-    if (missing.erase(name) == 0) return makeError(inArchive(file, name, Text("a file that was not packed, or twice")));
+    if (missing.erase(name) == 0) return makeError(inArchive(file, name, Text("an unexpected or repeated file")));
     if (auto same = compareEntry(in.get(), name, folder / name, file); !same) return same;
   }
-  if (!missing.empty()) return makeError(inArchive(file, *missing.begin(), Text("it is not there")));
+  if (!missing.empty()) return makeError(inArchive(file, *missing.begin(), Text("it is missing")));
   return {};
 }
 

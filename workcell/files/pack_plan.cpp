@@ -105,13 +105,14 @@ Expected<void> Planner::copy(const fs::path& file, const fs::path& place) {
   const fs::path real = fs::canonical(file, fault);
   if (fault || !fs::is_regular_file(real, fault))
     return makeError({.file = file.string(),
-                      .found = fault ? Text(fault.message()) : Text("no regular file"),
+                      .found = fault ? Text(fault.message()) : Text("not a regular file"),
                       .expected = "a file that can be read"});
   const std::uintmax_t size = fs::file_size(real, fault);
   if (fault) return makeError({.file = file.string(), .found = fault.message(), .expected = "a file that can be read"});
   bytes_ += size;
   if (bytes_ > kMostPackedBytes)
-    return makeError({.file = file.string(), .found = "it makes the pack larger than 2 GB", .expected = "less"});
+    return makeError(
+        {.file = file.string(), .found = "with this file, the pack is larger than 2 GB", .expected = "at most 2 GB"});
   if (allowed_.empty() || !isBelow(real, allowed_)) {
     if (outside_.insert(real).second) plan.outside.push_back(file);
   }
@@ -231,7 +232,7 @@ Expected<void> Planner::takeSource(SourceFile& source, const Text& who, bool was
     Error error = place.error();
     error.place = error.place.empty() ? who : Text("%1, %2", who, error.place);
     if (error.fix.empty())
-      error.fix = "Only what is read as what it is said to be goes into a pack: take it out of the workcell.";
+      error.fix = "Only files that can be read as what they are used for are packed. Remove it from the workcell.";
     return makeError(error);
   }
   places_[key] = *place;
@@ -242,7 +243,7 @@ Expected<void> Planner::takeSource(SourceFile& source, const Text& who, bool was
 Expected<void> Planner::takeEntity(std::shared_ptr<const Entity>& entity) {
   if (entity->kind == EntityKind::kAssembly) return {};  // When the others have been.
   if (entity->unloaded) {
-    diagnostics_.warn(Text("entity '%1' is packed without its file, which could not be read", entity->name));
+    diagnostics_.warn(Text("entity '%1' is packed without its file, because the file could not be read", entity->name));
     return {};
   }
   auto packed = std::make_shared<Entity>(*entity);
@@ -284,7 +285,7 @@ Expected<void> Planner::takeTrajectory(TrajectoryReference& trajectory) {
     const Text who("trajectory '%1'", trajectory.name);
     error.place = error.place.empty() ? who : Text("%1, %2", who, error.place);
     if (error.fix.empty())
-      error.fix = "Only what is read as a recording goes into a pack: take it out of the workcell.";
+      error.fix = "Only files that can be read as recordings are packed. Remove it from the workcell.";
     return makeError(error);
   }
   const fs::path place = freePlace(file.filename());

@@ -230,12 +230,13 @@ Expected<void> exportState(const DocumentState& state, const fs::path& file, con
     if (robot) {
       return makeError({.file = file.string(),
                         .found = Text("more than one robot ('%1', '%2')", robot->name, entity->name),
-                        .expected = "one, which is all a URDF holds",
-                        .fix = "Choose one of them."});
+                        .expected = "exactly one robot in a URDF",
+                        .fix = "Select one of them."});
     }
     robot = entity.get();
   }
-  if (!robot) return makeError({.file = file.string(), .found = "no robot", .expected = "one, for a URDF"});
+  if (!robot)
+    return makeError({.file = file.string(), .found = "the cell has no robot", .expected = "one robot for a URDF"});
   return writeUrdf(*robot, file, diagnostics);
 }
 
@@ -256,7 +257,7 @@ Expected<void> exportScene(const ImportedScene& scene, const fs::path& file, con
   }
   const bool any = std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const SceneNode& n) { return n.mesh >= 0; });
   if (!any)
-    return makeError({.file = file.string(), .found = "nothing that has a shape", .expected = "at least one solid"});
+    return makeError({.file = file.string(), .found = "no entity with a shape", .expected = "at least one solid"});
   if (extension == ".step" || extension == ".stp") return exportStep(scene, file, options);
   if (extension == ".glb" || extension == ".gltf")
     return writeFileAtomically(file, gltfBytes(scene, extension == ".glb"));

@@ -136,15 +136,15 @@ class StateReader {
     fields.read("version", version);
     if (error_) return;
     if (format != kFormat) {
-      error_ =
-          Error{.found = format.empty() ? Text("no \"%1\"", "format") : Text("the format \"%1\"", format.substr(0, 60)),
-                .expected = "\"" + std::string(kFormat) + "\""};
+      error_ = Error{.found = format.empty() ? Text("\"%1\" is missing", "format")
+                                             : Text("the format \"%1\"", format.substr(0, 60)),
+                     .expected = "\"" + std::string(kFormat) + "\""};
     } else if (version != std::floor(version) || version < 1.0) {
-      fields.fail("version", Text("no version number"), "1");
+      fields.fail("version", Text("the version number is missing"), "1");
     } else if (version > kVersion) {
       char number[32];
       std::snprintf(number, sizeof number, "%.0f", version);
-      fields.fail("version", std::string(number), Text("at most 1, the newest that this program knows"));
+      fields.fail("version", std::string(number), Text("at most 1, the newest version that this program can read"));
       error_->fix = Text("Open the document with a newer HaptiCell.");
     }
   }
@@ -161,7 +161,7 @@ class StateReader {
     in_circle_ = std::move(levels.in_circle);
     if (levels.too_deep.empty()) return;
     error_ = Error{.place = Text("entity '%1'", levels.too_deep),
-                   .found = Text("more than %1 assemblies within each other", kDeepestParents),
+                   .found = Text("more than %1 nested assemblies", kDeepestParents),
                    .expected = Text("at most %1 levels", kDeepestParents),
                    .fix = "Correct \"parent\" in the document."};
   }
@@ -208,7 +208,7 @@ class StateReader {
     loaded->name = head.name;
     if (kind >= 0 && kind != static_cast<int>(loaded->kind)) {
       const std::string& is = entityKindWords()[static_cast<std::size_t>(loaded->kind)];
-      return fields.fail("kind", entityKindWords()[static_cast<std::size_t>(kind)], Text("%1, as its file is", is));
+      return fields.fail("kind", entityKindWords()[static_cast<std::size_t>(kind)], Text("%1, like its file", is));
     }
     addEntity(fields, place, std::move(*loaded));
   }
@@ -227,7 +227,8 @@ class StateReader {
 
   bool add(const Text& place, Entity entity) {
     if (in_circle_.contains(entity.name)) {
-      diagnostics_.warn(Text("%1 stands below itself by way of '%2'; it is put at the top", place, entity.parent));
+      diagnostics_.warn(
+          Text("%1 contains itself through '%2'; it is moved to the top of the tree", place, entity.parent));
       entity.parent.clear();
     }
     const std::string name = entity.name;
@@ -265,7 +266,7 @@ class StateReader {
       carriers.emplace(state_.entities[hanging.index]->name, hanging.attachment.to);
     if (const Levels levels = levelsOf(carriers, kMostCarriers); !levels.too_deep.empty()) {
       error_ = Error{.place = Text("entity '%1'", levels.too_deep),
-                     .found = Text("it hangs on more than %1 entities in a row", kMostCarriers),
+                     .found = Text("it is attached through a chain of more than %1 entities", kMostCarriers),
                      .expected = "fewer",
                      .fix = "Correct \"attached\" in the document."};
       return;
@@ -277,7 +278,7 @@ class StateReader {
       for (const Entity* at = carrier; at; at = at->attachment.to.empty() ? nullptr : named(at->attachment.to)) {
         if (at->name == entity->name) {
           error_ = Error{.place = place,
-                         .found = Text("it is attached to itself by way of '%1'", attachment.to),
+                         .found = Text("it is attached to itself through '%1'", attachment.to),
                          .expected = "another entity"};
           return;
         }
@@ -286,10 +287,10 @@ class StateReader {
                                           (carrier->robot && carrier->robot->findLink(attachment.link) >= 0));
       if (!link_there) {
         error_ = Error{.place = place,
-                       .found = carrier ? Text("it is attached to '%1', link '%2', which is not there", attachment.to,
+                       .found = carrier ? Text("it is attached to '%1', link '%2', which does not exist", attachment.to,
                                                attachment.link)
-                                        : Text("it is attached to '%1', which is not there", attachment.to),
-                       .expected = "an entity and a link of it"};
+                                        : Text("it is attached to '%1', which does not exist", attachment.to),
+                       .expected = "an existing entity or link"};
         return;
       }
       entity->attachment = std::move(attachment);
@@ -328,7 +329,7 @@ class StateReader {
       if (glm::length(off.linear) < kSamePlace && glm::length(off.angular) < kSamePlace) return;
       entity->X_WE = X_WE;
       diagnostics_.warn(
-          Text("entity '%1': its \"placement\" is not where it hangs on '%2'; it is placed where it hangs",
+          Text("entity '%1': its \"placement\" does not match its attachment to '%2'; the attachment is used",
                entity->name, carrier->name));
     }
     state_.entities[hanging.index] = std::move(entity);
@@ -353,7 +354,7 @@ class StateReader {
     fields.warnAboutOthers(diagnostics_);
     for (const auto* side : {&set.first, &set.second}) {
       for (const std::string& name : *side) {
-        if (!named(name)) diagnostics_.warn(Text("pair set '%1' names '%2', which is not there", set.name, name));
+        if (!named(name)) diagnostics_.warn(Text("pair set '%1' names '%2', which does not exist", set.name, name));
       }
     }
     const Text place("pair set '%1'", set.name);
@@ -402,7 +403,7 @@ class StateReader {
     if (error_) return;
     const Text place("task '%1'", task.name);
     if (state_.findWorkTask(task.name)) {
-      error_ = Error{.place = place, .found = "a second one of that name", .expected = "names that are all different"};
+      error_ = Error{.place = place, .found = "the name is used twice", .expected = "unique names"};
       return;
     }
     // As with sets: who does it may be missing, the rest of the cell is not.

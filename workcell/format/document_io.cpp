@@ -34,7 +34,7 @@ Expected<Json> parseJson(std::string_view text, const std::string& name) {
                       .found = "text that is not JSON",
                       .expected = "a workcell document"});
   } catch (const nlohmann::json::exception&) {
-    return makeError({.file = name, .found = "a number that no computer can hold", .expected = "a workcell document"});
+    return makeError({.file = name, .found = "a number that is too large", .expected = "a workcell document"});
   }
 }
 

@@ -74,7 +74,7 @@ Guide guideFromJson(const Json& json, std::size_t index, std::optional<Error>& e
     for (std::size_t i = 0; i < std::min<std::size_t>(6, locked->size()); ++i) {
       if (!(*locked)[i].is_boolean()) {
         if (!error)
-          fields.fail("locked", Text("an element that is neither true nor false"), Text("six of true or false"));
+          fields.fail("locked", Text("an element that is not true or false"), Text("six values, each true or false"));
         break;
       }
       guide.locked[i] = (*locked)[i].get<bool>();

@@ -75,9 +75,9 @@ Expected<Entity> loadFreeHand(const std::string& what) {
 Expected<Entity> loadFrame(const std::string& what) {
   if (what.back() != ':') {
     return makeError({.file = what,
-                      .found = Text("'%1' behind frame:", what.substr(what.find(':') + 1)),
+                      .found = Text("'%1' after frame:", what.substr(what.find(':') + 1)),
                       .expected = "frame: alone",
-                      .fix = "A frame has no sizes: give it a name and a place (name=N, pose=x,y,z,qw,qx,qy,qz)."});
+                      .fix = "A frame has no dimensions. Set its name and pose (name=N, pose=x,y,z,qw,qx,qy,qz)."});
   }
   return makeFrame("frame", {});
 }
@@ -139,7 +139,7 @@ Expected<Entity> EntityLoader::loadShapeOf(const SourceFile& source, Diagnostics
   if (said) {
     return makeError({.file = file.string(),
                       .found = "a unit for a robot",
-                      .expected = "none: robot files are in metres",
+                      .expected = "no unit: robot files are in metres",
                       .fix = "Leave the unit out."});
   }
   return loadRobot(file, source.arguments, diagnostics);
@@ -224,9 +224,9 @@ Expected<Entity> EntityLoader::loadPart(const fs::path& file, const SourceFile& 
     return found;
   }
   return makeError({.file = file.string(),
-                    .found = Text("no part '%1'", source.part),
-                    .expected = "a part that the file still holds",
-                    .fix = "Import the file anew."});
+                    .found = Text("no part is named '%1'", source.part),
+                    .expected = "a part that the file still has",
+                    .fix = "Import the file again."});
 }
 
 Expected<Entity> EntityLoader::loadLibraryRobot(const std::string& what, Diagnostics& diagnostics) {

@@ -75,8 +75,9 @@ class SceneConverter {
     }
     facing_.tell(diagnostics_);
     if (result_.report.parts == 0) {
-      return makeError(
-          {.file = source_.path, .found = "no shape with an area", .expected = "at least one solid or surface"});
+      return makeError({.file = source_.path,
+                        .found = "no shape with an area above 0",
+                        .expected = "at least one solid or surface"});
     }
     return std::move(result_);
   }
@@ -147,7 +148,7 @@ class SceneConverter {
     std::string names;
     for (std::size_t k = 0; k < std::min(empty.size(), kNamed); ++k) names += (k == 0 ? "" : ", ") + empty[k];
     if (empty.size() > kNamed) names += " ...";
-    diagnostics_.warn(Text("left out, because they hold no shape: %1 nodes (%2)", empty.size(), names));
+    diagnostics_.warn(Text("left out, because they have no shape: %1 nodes (%2)", empty.size(), names));
   }
 
   void addMerged() {

@@ -34,9 +34,9 @@ Expected<ImportResult> importNow(const ImportRequest& request, ImportMonitor& mo
     return result;
   } catch (const std::bad_alloc&) {
     return makeError(
-        {.file = request.what, .found = "there is not enough memory for it", .fix = "Use a smaller or coarser model."});
+        {.file = request.what, .found = "not enough memory for this file", .fix = "Use a smaller or coarser model."});
   } catch (const std::exception& exception) {
-    return makeError({.file = request.what, .found = Text("an unforeseen fault: %1", exception.what())});
+    return makeError({.file = request.what, .found = Text("an unexpected error: %1", exception.what())});
   }
 }
 

@@ -36,9 +36,10 @@ std::vector<Color> ColorChannels::take(std::size_t count, std::optional<double> 
 
 void ColorChannels::report(Of of, Diagnostics& diagnostics) const {
   if (refused_ == 0) return;
-  diagnostics.warn(of == Of::kVertices
-                       ? Text("%1 vertices have a colour that is no numbers of at least 0; it was left out", refused_)
-                       : Text("%1 faces have a colour that is no numbers of at least 0; it was left out", refused_));
+  diagnostics.warn(
+      of == Of::kVertices
+          ? Text("%1 vertices have an invalid colour (expected numbers, 0 or more); it was left out", refused_)
+          : Text("%1 faces have an invalid colour (expected numbers, 0 or more); it was left out", refused_));
 }
 
 Color meanColor(std::span<const Color> colors) {

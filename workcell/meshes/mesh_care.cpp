@@ -181,7 +181,7 @@ class Orienter {
 };
 
 Error withoutVolume() {
-  return {.found = "a mesh that spans no volume", .expected = "a body with a thickness"};
+  return {.found = "a mesh without volume", .expected = "a body with thickness"};
 }
 
 }  // namespace
@@ -193,7 +193,7 @@ double deviation(const TriangleMesh& a, const TriangleMesh& b) {
 
 Expected<MadeMesh> simplify(const TriangleMesh& mesh, double tolerance) {
   if (!(tolerance > 0.0) || !std::isfinite(tolerance)) {
-    return makeError({.found = "a tolerance that is no length", .expected = "metres, above 0"});
+    return makeError({.found = "an invalid tolerance", .expected = "metres, above 0"});
   }
   // Tries, each with half of what the library may deviate, as it measures less exactly than deviation(). Half: fewer
   // meshes keep their tolerance and are refused; twice: time.
@@ -253,10 +253,9 @@ void FacingNote::look(const geometry::TriangleMesh& mesh) {
 
 void FacingNote::tell(Diagnostics& diagnostics) const {
   if (inward_ == 0) return;
-  diagnostics.warn(
-      inward_ == 1
-          ? Text("the triangles face inward; they are checked and felt as facing outward")
-          : Text("the triangles of %1 bodies face inward; they are checked and felt as facing outward", inward_));
+  diagnostics.warn(inward_ == 1
+                       ? Text("the triangles face inward; they are treated as facing outward")
+                       : Text("the triangles of %1 bodies face inward; they are treated as facing outward", inward_));
 }
 
 }  // namespace hapticell::workcell

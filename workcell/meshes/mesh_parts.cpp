@@ -84,7 +84,7 @@ void paintByMean(std::vector<MeshPart>& parts, const MeshPieces& pieces, const S
 
 void paint(std::vector<MeshPart>& parts, const MeshPieces& pieces, const Solids& solids, Diagnostics& diagnostics) {
   if (pieces.many_colors) {
-    diagnostics.warn("the file has more than 64 colours; each solid is shown in their mean");
+    diagnostics.warn("the file has more than 64 colours; each solid is shown in its average colour");
     return paintByMean(parts, pieces, solids);
   }
   std::vector<std::map<Color, double>> areas(parts.size());
@@ -97,9 +97,10 @@ void paint(std::vector<MeshPart>& parts, const MeshPieces& pieces, const Solids&
     if (isColor(most->first)) parts[k].color = most->first;
   }
   if (mixed > 0) {
-    diagnostics.warn(mixed == 1
-                         ? Text("1 solid has faces of several colours; shown in that of most of the area")
-                         : Text("%1 solids have faces of several colours; shown in that of most of the area", mixed));
+    diagnostics.warn(
+        mixed == 1 ? Text("1 solid has faces of several colours; it is shown in the colour with the largest area")
+                   : Text("%1 solids have faces of several colours; each is shown in the colour with the largest area",
+                          mixed));
   }
 }
 
@@ -121,10 +122,9 @@ void tellJoined(const std::vector<std::vector<const MeshLabel*>>& used, Diagnost
     ++solids;
   }
   if (solids == 0) return;
-  diagnostics.warn(
-      solids == 1
-          ? Text("%1 objects or groups that hang together at their open borders are 1 solid", objects)
-          : Text("%1 objects or groups that hang together at their open borders are %2 solids", objects, solids));
+  diagnostics.warn(solids == 1
+                       ? Text("%1 objects or groups with common open edges were joined to 1 solid", objects)
+                       : Text("%1 objects or groups with common open edges were joined to %2 solids", objects, solids));
 }
 
 /// What all pieces of a solid have in common.
@@ -183,7 +183,7 @@ std::vector<MeshPart> partsOf(RawMesh raw, const std::map<std::string, Color>& m
   std::size_t count = *std::max_element(solids.begin(), solids.end()) + std::size_t{1};
   const bool too_many = count > kMostSolids;
   if (too_many) {
-    diagnostics.warn(Text("the file has %1 solids; they were taken as one", count));
+    diagnostics.warn(Text("the file has %1 solids; they were joined to one", count));
     solids.assign(solids.size(), 0);
     count = 1;
   }

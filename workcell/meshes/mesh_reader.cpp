@@ -85,19 +85,18 @@ void warnAboutUnit(const geometry::Bounds& bounds, bool assumed, Diagnostics& di
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.4g", largest);
   diagnostics.warn(
-      open ? Text("the file names no unit; it was read in metres and measures %1 m; if it measures %1 millimetres, say "
-                  "unit mm",
-                  std::string(digits))
-           : Text("the file names no unit; read in metres it measures %1 m, so millimetres seem to be meant (unit mm)",
-                  std::string(digits)));
+      open
+          ? Text("the file has no unit; it was read in metres and measures %1 m; if it measures %1 mm, set the unit mm",
+                 std::string(digits))
+          : Text("the file has no unit; in metres it measures %1 m, so the unit is probably mm", std::string(digits)));
 }
 
 void warnAboutWelding(const geometry::WeldReport& weld, Diagnostics& diagnostics) {
   if (weld.degenerate_triangles > 0) {
-    diagnostics.warn(Text("%1 triangles without area were dropped", weld.degenerate_triangles));
+    diagnostics.warn(Text("%1 zero-area triangles were removed", weld.degenerate_triangles));
   }
   if (weld.duplicate_triangles > 0) {
-    diagnostics.warn(Text("%1 triangles were there twice and dropped once", weld.duplicate_triangles));
+    diagnostics.warn(Text("%1 duplicate triangles were removed", weld.duplicate_triangles));
   }
 }
 
@@ -113,9 +112,9 @@ Error unreadable(std::string_view content) {
             .fix = "Save it again as UTF-8 or ASCII."};
   }
   const Text kind = seemsToBe(content);
-  return {.found = kind.empty() ? Text("a content of an unknown kind") : kind,
+  return {.found = kind.empty() ? Text("content of an unknown type") : kind,
           .expected = kReadable,
-          .fix = "Export it in one of these."};
+          .fix = "Export it in one of these formats."};
 }
 
 Expected<RawMesh> parseRaw(std::string_view content, const std::filesystem::path& name, MeshFormat& format,
@@ -157,7 +156,7 @@ void warnAboutFacing(std::span<const geometry::TriangleMesh* const> meshes, cons
 
 Error nothingLeft(const std::filesystem::path& name, std::uint64_t triangles_in_file) {
   return {.file = name.string(),
-          .found = triangles_in_file == 0 ? Text("no triangles") : Text("only triangles without area"),
+          .found = triangles_in_file == 0 ? Text("the file has no triangles") : Text("only zero-area triangles"),
           .expected = "a mesh with at least one triangle"};
 }
 
@@ -237,7 +236,7 @@ Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const M
   }
   const std::size_t gone = std::erase_if(file.parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });
   if (file.parts.empty()) return makeError(nothingLeft(path, file.triangles_in_file));
-  if (gone > 0) diagnostics.warn(Text("%1 solids of triangles without area were left out", gone));
+  if (gone > 0) diagnostics.warn(Text("%1 solids with only zero-area triangles were left out", gone));
   warnAboutWelding(file.weld, diagnostics);
   std::vector<const geometry::TriangleMesh*> meshes;
   for (const MeshPart& part : file.parts) meshes.push_back(&part.mesh);

@@ -60,7 +60,7 @@ std::vector<fs::path> filesOf(const std::string& line, const fs::path& folder, D
     const auto file = find(std::string(word), folder);
     if (file) files.push_back(*file);
     if (!file) {
-      diagnostics.warn(Text("its colours are missing: the material file %1 is not beside it", inQuotes(line)));
+      diagnostics.warn(Text("its colours are missing: the material file %1 is not in the same folder", inQuotes(line)));
       break;
     }
   }
@@ -86,9 +86,9 @@ std::map<std::string, Color> parseObjMaterials(std::string_view content, Diagnos
       ++pictures;
     }
   }
-  if (pictures > 0) diagnostics.warn(Text("%1 materials have a picture, which is not shown", pictures));
+  if (pictures > 0) diagnostics.warn(Text("%1 materials have a texture, which is not shown", pictures));
   if (unreadable > 0) {
-    diagnostics.warn(Text("%1 materials have a colour that is not three numbers of at least 0", unreadable));
+    diagnostics.warn(Text("%1 materials have an invalid colour (expected three numbers, 0 or more)", unreadable));
   }
   return colors;
 }
@@ -105,7 +105,7 @@ std::map<std::string, Color> readObjMaterials(const fs::path& obj_file, const st
       if (!done.insert(file).second) continue;
       if (fs::file_size(file, fault) > kMostMaterialBytes || fault) {
         diagnostics.warn(
-            Text("the material file %1 is longer than 16 MB; not read", inQuotes(file.filename().string())));
+            Text("the material file %1 is larger than 16 MB; it was not read", inQuotes(file.filename().string())));
         continue;
       }
       const auto content = readFileContent(file);

@@ -105,7 +105,7 @@ class ObjReader {
 
   void report(Diagnostics& diagnostics) const {
     for (const auto& [keyword, lines] : unknown_) {
-      diagnostics.warn(Text("%1 lines beginning with %2 were not understood", lines, inQuotes(keyword)));
+      diagnostics.warn(Text("%1 lines that begin with %2 are not supported", lines, inQuotes(keyword)));
     }
     vertex_colors_.report(ColorChannels::Of::kVertices, diagnostics);
   }
@@ -131,7 +131,7 @@ class ObjReader {
       if (!value) {
         return makeError({.place = place,
                           .found = word.empty() ? Text("a vertex with fewer than three coordinates")
-                                                : Text("vertex with %1", inQuotes(word)),
+                                                : Text("a vertex with %1", inQuotes(word)),
                           .expected = "three numbers with '.' as decimal point"});
       }
       point[axis] = *value;
@@ -151,7 +151,7 @@ class ObjReader {
       if (!index || *index == 0) {
         return makeError({.place = place,
                           .found = Text("face corner %1", inQuotes(word)),
-                          .expected = "a vertex number (1 is the first, -1 the last so far)"});
+                          .expected = "a vertex number (1: the first, -1: the last one so far)"});
       }
       const auto known = static_cast<std::int64_t>(soup_.vertices.size());
       const std::int64_t absolute = *index < 0 ? known + *index : *index - 1;

@@ -42,7 +42,7 @@ class OffReader {
     soup_.vertex_colors = std::move(vertex_colors_).take(soup_.vertices.size(), std::nullopt);
     soup_.face_colors = std::move(face_colors_).take(soup_.ends.size(), std::nullopt);
     if (from_map_ > 0) {
-      diagnostics.warn(Text("%1 faces have a colour by its number in a map; it was left out", from_map_));
+      diagnostics.warn(Text("%1 faces have a colour by index in a colour map; it was left out", from_map_));
     }
     Expected<RawMesh> raw = triangulate(std::move(soup_), diagnostics);
     if (raw) raw->metres_per_unit = metres_per_unit_;
@@ -93,7 +93,7 @@ class OffReader {
   }
 
   Expected<Counts> readHeader() {
-    if (!nextFilledLine()) return makeError({.found = "no text", .expected = "'OFF'"});
+    if (!nextFilledLine()) return makeError({.found = "the file is empty", .expected = "'OFF'"});
     if (!word_.ends_with("OFF") || word_.find_first_of("4n") != std::string_view::npos) {
       return makeError({.place = cursor_.place(),
                         .found = inQuotes(word_),
@@ -110,14 +110,17 @@ class OffReader {
     }
     if (word.empty()) {
       if (!nextFilledLine())
-        return makeError(
-            {.place = cursor_.place(), .found = "the file ends", .expected = "the counts", .fix = kTruncated});
+        return makeError({.place = cursor_.place(),
+                          .found = "the file ends too early",
+                          .expected = "the numbers of vertices, faces and edges",
+                          .fix = kTruncated});
       word = word_;
     }
     const std::optional<std::int64_t> vertices = parseInteger(word), faces = parseInteger(nextWord());
     if (!vertices || !faces || *vertices < 0 || *faces < 0) {
-      return makeError(
-          {.place = cursor_.place(), .found = "no counts", .expected = "the numbers of vertices, faces and edges"});
+      return makeError({.place = cursor_.place(),
+                        .found = "the numbers are missing",
+                        .expected = "the numbers of vertices, faces and edges"});
     }
     // The shortest vertex or face line, "0 0 0" or "0", takes 6 and 2 bytes.
     const std::uint64_t room = cursor_.bytesLeft() + 1;
@@ -125,7 +128,7 @@ class OffReader {
     if (counts.vertices > room / 6 || counts.faces > room / 2) {
       return makeError({.place = cursor_.place(),
                         .found = Text("%1 vertices and %2 faces", counts.vertices, counts.faces),
-                        .expected = "no more than the file's length can hold",
+                        .expected = "no more than the file size allows",
                         .fix = kTruncated});
     }
     return counts;
@@ -160,10 +163,10 @@ class OffReader {
       const std::string_view word = nextWord();
       const std::optional<std::int64_t> index = parseInteger(word);
       if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= soup_.vertices.size()) {
-        return makeError(
-            {.place = cursor_.place(),
-             .found = word.empty() ? Text("a face with too few corners") : Text("face corner %1", inQuotes(word)),
-             .expected = Text("a vertex number below %1", soup_.vertices.size())});
+        return makeError({.place = cursor_.place(),
+                          .found = word.empty() ? Text("a face with fewer than three vertices")
+                                                : Text("face corner %1", inQuotes(word)),
+                          .expected = Text("a vertex number below %1", soup_.vertices.size())});
       }
       soup_.corners.push_back(static_cast<std::uint32_t>(*index));
     }
@@ -173,7 +176,10 @@ class OffReader {
   }
 
   static Error ended(Text place, Text expected) {
-    return {.place = std::move(place), .found = "the file ends", .expected = std::move(expected), .fix = kTruncated};
+    return {.place = std::move(place),
+            .found = "the file ends too early",
+            .expected = std::move(expected),
+            .fix = kTruncated};
   }
 
   TextCursor cursor_;

@@ -55,7 +55,7 @@ class HeaderReader {
     while (true) {
       if (!nextLine()) {
         return makeError({.place = place(),
-                          .found = "the file ends",
+                          .found = "the file ends too early",
                           .expected = "'end_header'",
                           .fix = "The file is truncated: export it again."});
       }
@@ -110,9 +110,10 @@ class HeaderReader {
 
   Expected<void> readFirstLines() {
     if (!nextLine() || line_.substr(0, 3) != "ply")
-      return makeError({.place = Text("line %1", 1), .found = "no 'ply'", .expected = "'ply'"});
+      return makeError({.place = Text("line %1", 1), .found = "'ply' is missing", .expected = "'ply'"});
     do {
-      if (!nextLine()) return makeError({.place = place(), .found = "the file ends", .expected = "a line 'format'"});
+      if (!nextLine())
+        return makeError({.place = place(), .found = "the file ends too early", .expected = "a line 'format'"});
     } while (readComment());
     TextCursor words(line_);
     words.nextLine();
@@ -144,7 +145,7 @@ class HeaderReader {
     for (const PlyElement& other : header_.elements) {
       if (other.name == element.name) {
         return makeError({.place = place(),
-                          .found = Text("a second element %1", inQuotes(element.name)),
+                          .found = Text("the element %1 twice", inQuotes(element.name)),
                           .expected = "each element once"});
       }
     }
@@ -186,7 +187,7 @@ class HeaderReader {
       if (least == 0 || element.count <= room / least) continue;
       return makeError({.place = Text("line %1", element.line),
                         .found = Text("%1 elements %2", element.count, inQuotes(element.name)),
-                        .expected = Text("at most the %1 that the file's length can hold", room / least),
+                        .expected = Text("at most %1, the number that fits the file size", room / least),
                         .fix = "The file is truncated: export it again."});
     }
     return {};

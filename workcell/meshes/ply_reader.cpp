@@ -135,7 +135,7 @@ class PlyReader {
       }
       keepColors(element, std::move(colors), diagnostics);
       const bool known = element.name == "vertex" || element.name == "face" || element.name == "tristrips";
-      if (!known) diagnostics.warn(Text("the %1 elements %2 were not used", element.count, inQuotes(element.name)));
+      if (!known) diagnostics.warn(Text("%1 elements %2 were not used", element.count, inQuotes(element.name)));
     }
     Expected<RawMesh> raw = triangulate(std::move(soup_), diagnostics);
     if (raw) raw->metres_per_unit = header_.metres_per_unit;
@@ -161,12 +161,13 @@ class PlyReader {
       if (element.name == "face" || element.name == "tristrips") faces = true;
     }
     if (!vertices)
-      return makeError({.place = "header", .found = "no vertices", .expected = "an element 'vertex' with x, y and z"});
+      return makeError(
+          {.place = "header", .found = "the file has no vertices", .expected = "an element 'vertex' with x, y and z"});
     if (!faces) {
       return makeError({.place = "header",
                         .found = "points without faces",
                         .expected = "an element 'face'",
-                        .fix = "Make a surface of the point cloud first."});
+                        .fix = "First create a surface from the point cloud."});
     }
     return {};
   }
@@ -203,7 +204,7 @@ class PlyReader {
     const std::size_t least = header_.encoding == PlyEncoding::kAscii ? 1 : sizeOf(property.type);
     if (!believable || static_cast<std::uint64_t>(*length) > source_.bytesLeft() / least) {
       return makeError({.place = placeOf(element, index),
-                        .found = "a list whose length the file cannot hold",
+                        .found = "a list that is longer than the file",
                         .expected = "a shorter list",
                         .fix = "The file is damaged: export it again."});
     }
@@ -216,8 +217,9 @@ class PlyReader {
       if (!face && !strip) continue;
       const bool restart = strip && *value == -1.0;
       if (!restart && !(*value >= 0.0 && *value == std::floor(*value) && *value <= 4294967294.0)) {
-        return makeError(
-            {.place = placeOf(element, index), .found = "a corner that is no vertex number", .expected = "0 or more"});
+        return makeError({.place = placeOf(element, index),
+                          .found = "a corner that is not a vertex number",
+                          .expected = "0 or more"});
       }
       if (face) soup_.corners.push_back(static_cast<std::uint32_t>(*value));
       if (strip) extendStrip(restart, restart ? 0 : static_cast<std::uint32_t>(*value));
@@ -248,7 +250,7 @@ class PlyReader {
 
   Error ended(const PlyElement& element, std::uint64_t index) const {
     return {.place = placeOf(element, index),
-            .found = "the file ends",
+            .found = "the file ends too early",
             .expected = Text("%1 elements %2", element.count, inQuotes(element.name)),
             .fix = "The file is truncated: export it again."};
   }

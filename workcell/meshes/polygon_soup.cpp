@@ -67,9 +67,10 @@ class Triangulator {
   }
 
   void report(Diagnostics& diagnostics) const {
-    if (dropped_ > 0) diagnostics.warn(Text("%1 faces with fewer than three corners were dropped", dropped_));
+    if (dropped_ > 0) diagnostics.warn(Text("%1 faces with fewer than three corners were removed", dropped_));
     if (crossed_ > 0) {
-      diagnostics.warn(Text("%1 faces cross themselves or are not plane; they were cut as fans", crossed_));
+      diagnostics.warn(
+          Text("%1 faces are self-intersecting or not planar; they were split into triangle fans", crossed_));
     }
   }
 
@@ -110,7 +111,7 @@ Expected<RawMesh> triangulate(PolygonSoup soup, Diagnostics& diagnostics) {
       if (index < mesh.vertices.size()) continue;
       return makeError({.place = Text("face %1 of %2", face + 1, soup.ends.size()),
                         .found = Text("vertex index %1", index),
-                        .expected = Text("less than the %1 vertices of the file", mesh.vertices.size())});
+                        .expected = Text("a number below %1, the number of vertices", mesh.vertices.size())});
     }
     triangulator.add(polygon);
     if (!soup.labels.empty()) raw.label.resize(mesh.triangles.size(), soup.labels[face]);

@@ -25,7 +25,7 @@ std::uint32_t countInHeader(std::string_view content) {
 
 Error wrongWord(const TextCursor& cursor, std::string_view word, const Text& expected) {
   if (word.empty())
-    return {.place = cursor.place(), .found = "the file ends", .expected = expected, .fix = kTruncatedStl};
+    return {.place = cursor.place(), .found = "the file ends too early", .expected = expected, .fix = kTruncatedStl};
   return {.place = cursor.place(), .found = inQuotes(word), .expected = expected};
 }
 
@@ -39,8 +39,7 @@ Expected<void> readFacet(TextCursor& cursor, geometry::TriangleMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (int corner = 0; corner < 3; ++corner) {
     const std::string_view word = cursor.nextWordOfText();
-    if (!sameButForCase(word, "vertex"))
-      return makeError(wrongWord(cursor, word, Text("'vertex' (three of them a facet)")));
+    if (!sameButForCase(word, "vertex")) return makeError(wrongWord(cursor, word, Text("'vertex' (three per facet)")));
     const Expected<dvec3> point = readPoint(cursor);
     HAPTICELL_TRY(point);
     mesh.vertices.push_back(*point);
@@ -102,10 +101,10 @@ Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnosti
   if (count < room) {
     return makeError({.place = "header",
                       .found = Text("a count of %1 triangles", count),
-                      .expected = Text("%1, which is what the file's length holds", room),
+                      .expected = Text("%1, according to the file size", room),
                       .fix = "Export the file again."});
   }
-  if (spare > 0) diagnostics.warn(Text("%1 bytes behind the last triangle were not read", spare));
+  if (spare > 0) diagnostics.warn(Text("%1 bytes after the last triangle were not read", spare));
   RawMesh raw;
   raw.metres_per_unit = statedUnit(content.substr(0, kHeaderBytes - 4));
   geometry::TriangleMesh& mesh = raw.mesh;

@@ -54,7 +54,7 @@ void ParallelKindReader::readHexapod() {
   fields.read("swivel_limit", options.swivel_limit, kDegree, 1.0, 180.0);
   fields.read("tool_length", options.tool_length, common_.unit(), 0.0);
   if (!common_.error() && (base.size() != 6 || platform.size() != 6))
-    fields.failKey("base", Text("%1 and %2 hinges", base.size(), platform.size()),
+    fields.failKey("base", Text("%1 and %2 joints", base.size(), platform.size()),
                    Text("6 on the base and 6 on the platform"));
   fields.refuseOthers();
   const std::vector<kinematics::JointData> joints = common_.jointData(std::vector<bool>(6, true));
@@ -84,8 +84,8 @@ void ParallelKindReader::readUrdfWithLoops() {
     for (const auto& [key, node] : *start) {
       const auto value = node.is_number() ? node.value<double>() : std::nullopt;
       if (!value || !std::isfinite(*value))
-        return fields.fail(&node, Text("the start of joint '%1' is no number", key.str()),
-                           Text("degrees, or a length"));
+        return fields.fail(&node, Text("the start value of joint '%1' is not a number", key.str()),
+                           Text("degrees or a length"));
       options.start.emplace_back(std::string(key.str()), *value);
     }
   }
@@ -109,14 +109,14 @@ void ParallelKindReader::readUrdfWithLoops() {
   }
   if (!tip.empty()) {
     tree->tip = tree->findLink(tip);
-    if (tree->tip < 0) return fields.failKey("tip", Text("there is no link '%1'", tip), Text("the name of a link"));
+    if (tree->tip < 0) return fields.failKey("tip", Text("no link is named '%1'", tip), Text("the name of a link"));
   }
   model_ = std::move(*tree);
 }
 
 void ParallelKindReader::lock(kinematics::RobotModel& model, const std::string& name, TomlFields& fields) {
   const int index = model.findJoint(name);
-  if (index < 0) return fields.failKey("locked", Text("there is no joint '%1'", name), Text("the name of one"));
+  if (index < 0) return fields.failKey("locked", Text("no joint is named '%1'", name), Text("an existing name"));
   model.joints[static_cast<std::size_t>(index)].type = kinematics::JointType::kFixed;
   std::vector<int> moving;
   for (const int joint : model.moving) {
@@ -161,7 +161,7 @@ void ParallelKindReader::readEnd(const kinematics::RobotModel& tree, TomlFields&
   end.readPose(X, common_.unit());
   link = tree.findLink(name);
   if (!common_.error() && link < 0)
-    end.failKey("link", Text("there is no link '%1'", name), Text("the name of a link of the URDF"));
+    end.failKey("link", Text("no link is named '%1'", name), Text("the name of a link of the URDF"));
   end.refuseOthers();
 }
 

@@ -34,9 +34,9 @@ Expected<fs::path> findLibraryRobot(const std::string& name) {
     if (const auto file = config::findShippedFile("robots/" + name + form)) return fs::path(*file);
   }
   return makeError({.file = "library:" + name,
-                    .found = "no robot of that name is built in",
-                    .expected = "a name of the shipped robots/, such as hc6 or ur5e",
-                    .fix = "hapticell-cli library lists them."});
+                    .found = "the library has no robot of this name",
+                    .expected = "a library robot, such as hc6 or ur5e",
+                    .fix = "To list the library robots, run hapticell-cli library."});
 }
 
 std::vector<LibraryRobot> listLibraryRobots(Diagnostics& diagnostics) {

@@ -99,8 +99,8 @@ void hintAtOpenLoops(const kinematics::RobotModel& model, Diagnostics& diagnosti
   for (const auto& [way, count] : freeLegs(model)) {
     if (count < kLegs || way.size() < kJoints) continue;
     diagnostics.warn(
-        Text("%1 equal legs of %2 joints end free: if this is a parallel robot, its loops are open, for the file does "
-             "not state them; close them with a robot.toml (docs/user/formats.md)",
+        Text("%1 equal legs of %2 joints have free ends: for a parallel robot, the file does not define the closed "
+             "loops; define them in a robot.toml (docs/user/formats.md)",
              count, way.size()));
   }
 }
@@ -140,7 +140,7 @@ Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, Im
                               std::vector<xacro::DeclaredArgument>* declared) {
   const RobotFormat format = robotFormatOf(file).value_or(RobotFormat::kUrdf);  // Whose reader says what it is instead.
   if (format != RobotFormat::kXacro && !arguments.empty())
-    diagnostics.warn(Text("the file is no xacro; the value of '%1' was not used", arguments.begin()->first));
+    diagnostics.warn(Text("the file is not xacro; the value of '%1' was not used", arguments.begin()->first));
   if (format == RobotFormat::kToml) return readRobotToml(file, diagnostics);
   Pose X_FB;
   Expected<kinematics::RobotModel> model = [&]() -> Expected<kinematics::RobotModel> {

@@ -20,7 +20,7 @@ void RobotTomlCommon::readHead() {
   root_.read("version", version, 1.0, 1.0, 1e6);
   if (!error_ && version > 1.0) {
     root_.fail(root_.raw().get("version"), Text("version %1", static_cast<int>(version)),
-               Text("1, the newest that this program knows"), Text("Open it with a newer HaptiCell."));
+               Text("1, the newest version that this program can read"), Text("Open it with a newer HaptiCell."));
   }
   root_.require("name");
   root_.read("name", sheet_.name);
@@ -73,7 +73,7 @@ std::vector<JointData> RobotTomlCommon::jointData(const std::vector<bool>& slide
   const auto check = [&](const char* what, std::size_t count, bool needed) {
     if (error_ || count == n || (count == 0 && !needed)) return;
     TomlFields(joints_node_ ? *joints_node_ : root_.raw(), "[joints]", error_)
-        .failKey(what, Text("%1 numbers in %2", count, what), Text("%1, one a joint", n));
+        .failKey(what, Text("%1 numbers in %2", count, what), Text("%1, one per joint", n));
   };
   check("lower", lower_.size(), true);
   check("upper", upper_.size(), true);
@@ -87,7 +87,7 @@ std::vector<JointData> RobotTomlCommon::jointData(const std::vector<bool>& slide
                     velocity_.empty() ? 0.0 : velocity_[k] * unit};
     if (joint.lower > joint.upper) {
       TomlFields(*joints_node_, "[joints]", error_)
-          .failKey("lower", Text("joint '%1' has its lower limit over the upper", joint.name), "lower <= upper");
+          .failKey("lower", Text("joint '%1' has a lower limit above its upper limit", joint.name), "lower <= upper");
     }
     for (const JointData& other : data) {
       if (other.name == joint.name)

@@ -57,7 +57,7 @@ void RobotTomlReader::readKind() {
   if (there.size() != 1) {
     return common_.root().fail(
         nullptr,
-        there.empty() ? Text("no table that says how it moves") : Text("both [%1] and [%2]", there[0], there[1]),
+        there.empty() ? Text("no table defines how the robot moves") : Text("both [%1] and [%2]", there[0], there[1]),
         Text("one of [opw], [dh], [[chain]], [delta], [hexapod], [urdf]"));
   }
   const std::string& kind = there[0];
@@ -85,7 +85,7 @@ void RobotTomlReader::readTools() {
     fields.read("link", tool.tip_link);
     fields.readPose(tool.X_LT, common_.unit());
     if (!common_.error() && robot_.model.findLink(tool.tip_link) < 0)
-      fields.failKey("link", Text("there is no link '%1'", tool.tip_link), Text("the name of a link"));
+      fields.failKey("link", Text("no link is named '%1'", tool.tip_link), Text("the name of a link"));
     fields.refuseOthers();
     robot_.tools.push_back(std::move(tool));
   }

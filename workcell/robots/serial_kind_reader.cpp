@@ -25,7 +25,7 @@ void SerialKindReader::readOpw() {
     fields.failKey("offsets", Text("%1 offsets", offsets.size()), Text("6, in degrees"));
   for (const double sign : signs) {
     if (!common_.error() && (std::abs(sign) != 1.0 || signs.size() != 6))
-      fields.failKey("signs", Text("invalid signs"), Text("six times 1 or -1"));
+      fields.failKey("signs", Text("invalid signs"), Text("six numbers, each 1 or -1"));
   }
   fields.refuseOthers();
   const std::vector<kinematics::JointData> joints = common_.jointData(std::vector<bool>(6, false));

@@ -41,7 +41,7 @@ class SrdfReader {
       readState(*child);
     }
     if (unknown_.empty()) return;
-    diagnostics_.warn(Text("%1: it names links or joints that the robot does not have: %2", file_, listed(unknown_)));
+    diagnostics_.warn(Text("%1: the robot does not have these links or joints: %2", file_, listed(unknown_)));
   }
 
  private:
@@ -156,18 +156,17 @@ Expected<void> readSrdf(const fs::path& file, RobotModel& model, Diagnostics& di
                       .place = line > 0 ? Text("line %1", line) : Text(),
                       .found = found,
                       .expected = expected,
-                      .fix = "Correct the file or take it away from beside the robot."});
+                      .fix = "Correct the file, or move it out of the folder of the robot."});
   };
   if (content->find('\0') != std::string::npos) return refuse(0, Text("a NUL byte"), Text("XML text"));
   auto flat = geometry::checkNesting(*content, geometry::NestedText::kXml, file.string());
   if (!flat) return flat;
   TiXmlDocument document;
   document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
-  if (document.Error())
-    return refuse(document.ErrorRow(), Text("XML that does not parse (%1)", document.ErrorDesc()), "SRDF");
+  if (document.Error()) return refuse(document.ErrorRow(), Text("invalid XML (%1)", document.ErrorDesc()), "SRDF");
   const TiXmlElement* robot = document.RootElement();
   if (!robot || robot->ValueStr() != "robot")
-    return refuse(robot ? robot->Row() : 0, Text("no <robot>"), "<robot name=\"…\"> (SRDF)");
+    return refuse(robot ? robot->Row() : 0, Text("<robot> is missing"), "<robot name=\"…\"> (SRDF)");
   SrdfReader(file.string(), model, diagnostics).read(*robot);
   for (const kinematics::NamedPose& pose : model.named_poses) {
     if (pose.name == "home" && !model.closure) model.home = pose.q;

@@ -71,8 +71,8 @@ Expected<Pose> readOrigin(const TiXmlElement& element, const UrdfLines& lines) {
   HAPTICELL_TRY(rpy);
   const Pose pose{{(*xyz)[0], (*xyz)[1], (*xyz)[2]}, fromRollPitchYaw((*rpy)[0], (*rpy)[1], (*rpy)[2])};
   if (!pose.isValid())
-    return lines.refuse(origin->Row(), Text("an origin that is not a pose (\"%1\")", attributeOf(*origin, "xyz")),
-                        Text("a place within reach"));
+    return lines.refuse(origin->Row(), Text("an invalid origin (\"%1\")", attributeOf(*origin, "xyz")),
+                        Text("a finite pose within 1e12 m"));
   return pose;
 }
 
@@ -84,7 +84,7 @@ std::optional<std::array<float, 4>> readColor(const TiXmlElement& color, const U
   const bool finite =
       numbers && std::all_of(numbers->begin(), numbers->end(), [](double x) { return std::isfinite(x); });
   if (!finite || numbers->size() < 3 || numbers->size() > 4) {
-    diagnostics.warn(Text("%1: the color rgba=\"%2\" is not four numbers; its shapes are grey",
+    diagnostics.warn(Text("%1: the color rgba=\"%2\" is not four numbers; the shapes are shown grey",
                           lines.words(color.Row()), text.substr(0, 100)));
     return std::nullopt;
   }
@@ -106,7 +106,7 @@ void judgeLengths(UrdfShape& shape, UrdfShape::Kind kind, const std::string& nam
                   const std::vector<std::optional<double>>& lengths) {
   const auto any = [&lengths](auto test) { return std::any_of(lengths.begin(), lengths.end(), test); };
   if (any([](const auto& length) { return !length || !std::isfinite(*length) || *length < 0.0; })) {
-    shape.reason = Text("a %1 whose size is no positive number", name);
+    shape.reason = Text("a %1 with a size that is not a number above 0", name);
   } else if (any([](const auto& length) { return *length == 0.0; })) {
     shape.kind = UrdfShape::Kind::kEmpty;
     shape.reason = Text("a %1 of size zero", name);
@@ -118,7 +118,7 @@ void judgeLengths(UrdfShape& shape, UrdfShape::Kind kind, const std::string& nam
 void readGeometry(const TiXmlElement& geometry, UrdfShape& shape) {
   const TiXmlElement* element = geometry.FirstChildElement();
   if (!element) {
-    shape.reason = Text("a <geometry> with nothing in it");
+    shape.reason = Text("an empty <geometry>");
     return;
   }
   const std::string& name = element->ValueStr();
@@ -126,7 +126,7 @@ void readGeometry(const TiXmlElement& geometry, UrdfShape& shape) {
   if (name == "box") {
     const auto numbers = urdfNumbers(attributeOf(*element, "size"));
     if (!numbers || numbers->size() != 3) {
-      shape.reason = Text("a box whose size is not three numbers");
+      shape.reason = Text("a box with a size that is not three numbers");
       return;
     }
     shape.size = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
@@ -151,12 +151,12 @@ void readGeometry(const TiXmlElement& geometry, UrdfShape& shape) {
     if (shape.mesh.empty())
       shape.reason = Text("a mesh without filename");
     else if (!sound)
-      shape.reason = Text("the mesh %1 with scale=\"%2\", expected three numbers other than zero", shape.mesh,
-                          scale.substr(0, 100));
+      shape.reason =
+          Text("the mesh %1 with scale=\"%2\" instead of three numbers other than 0", shape.mesh, scale.substr(0, 100));
     else
       shape.kind = UrdfShape::Kind::kMesh;
   } else {
-    shape.reason = Text("<%1>, which is not known", name);
+    shape.reason = Text("<%1>, which is not supported", name);
   }
 }
 
@@ -210,8 +210,8 @@ Expected<void> readLimits(const TiXmlElement& element, const UrdfLines& lines, U
     return {};
   }
   if (!limit) {
-    diagnostics.warn(Text("%1: joint '%2' is %3 without <limit>; it is read as one without limits",
-                          lines.words(joint.line), joint.joint.name, joint.type));
+    diagnostics.warn(Text("%1: joint '%2' is %3 without <limit>; no limits are assumed", lines.words(joint.line),
+                          joint.joint.name, joint.type));
     makeEndless(joint.joint);
     return {};
   }
@@ -223,9 +223,9 @@ Expected<void> readLimits(const TiXmlElement& element, const UrdfLines& lines, U
   const bool crossed = *lower > *upper;
   const std::string low = attributeOf(*limit, "lower"), high = attributeOf(*limit, "upper");
   if (crossed) {
-    diagnostics.warn(Text(
-        "%1: joint '%2' has its lower limit %3 over the upper %4; it is read as one without limits, as PyBullet does",
-        lines.words(limit->Row()), joint.joint.name, low, high));
+    diagnostics.warn(
+        Text("%1: joint '%2' has its lower limit %3 above its upper limit %4; no limits are assumed, as in PyBullet",
+             lines.words(limit->Row()), joint.joint.name, low, high));
   }
   if (crossed || (std::isinf(*lower) && std::isinf(*upper))) makeEndless(joint.joint);
   return {};
@@ -315,8 +315,8 @@ Expected<UrdfJoint> readUrdfJoint(const TiXmlElement& element, const UrdfLines& 
   if (child) joint.child = attributeOf(*child, "link");
   if (joint.parent.empty() || joint.child.empty()) {
     return lines.refuse(joint.line,
-                        joint.parent.empty() ? Text("joint '%1' names no parent link", joint.joint.name)
-                                             : Text("joint '%1' names no child link", joint.joint.name),
+                        joint.parent.empty() ? Text("joint '%1' has no parent link", joint.joint.name)
+                                             : Text("joint '%1' has no child link", joint.joint.name),
                         Text("<parent link=\"…\"/> and <child link=\"…\"/>"));
   }
   const auto origin = readOrigin(element, lines);

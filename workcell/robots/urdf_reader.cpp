@@ -72,7 +72,7 @@ Expected<RobotModel> readUrdfText(const std::string& text, const std::filesystem
   const UrdfLines lines(path.string(), places);
   if (sound.replaced > 0)
     diagnostics.warn(
-        Text("line %1: text that is no UTF-8; %2 bytes were taken for Latin-1", sound.line, sound.replaced));
+        Text("line %1: text that is not UTF-8; %2 bytes were read as Latin-1", sound.line, sound.replaced));
   const auto structure = readUrdfStructure(sound.text, lines, diagnostics);
   HAPTICELL_TRY(structure);
   RobotModel model;

@@ -106,13 +106,13 @@ Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::scaledMesh(c
 std::shared_ptr<const geometry::TriangleMesh> UrdfShapes::fileMesh(const UrdfShape& source, std::string& file) {
   const std::string& name = source.mesh;
   if (leavesPackage(name)) {
-    reportOnce(source.line, name, Text("the mesh %1 leads out of the package; the shape is left out", name));
+    reportOnce(source.line, name, Text("the mesh %1 is outside the package; the shape is left out", name));
     return nullptr;
   }
   const std::optional<FoundFile>& found = find(name);
   if (!found) {
     package_missing_ = package_missing_ || name.find("package://") != std::string::npos;
-    reportOnce(source.line, name, Text("the mesh %1 is not there; the shape is left out", name));
+    reportOnce(source.line, name, Text("the mesh %1 does not exist; the shape is left out", name));
     return nullptr;
   }
   if (!found->taken_for_package.empty())
@@ -194,21 +194,20 @@ Expected<void> UrdfShapes::fill(const UrdfLink& source, kinematics::Link& link) 
 void UrdfShapes::reportReplacements() {
   const std::string formats = listed(unreadable_formats_);
   const Text reason =
-      formats.empty() ? Text("shapes that cannot be had") : Text("shapes that cannot be had (%1)", formats);
+      formats.empty() ? Text("shapes that cannot be read") : Text("shapes that cannot be read (%1)", formats);
   if (!shown_by_collision_.empty())
-    diagnostics_.warn(
-        Text("%1: the collision shape is shown instead for %2", reason, quotedNames(shown_by_collision_)));
+    diagnostics_.warn(Text("%1: the collision shape is shown for %2", reason, quotedNames(shown_by_collision_)));
   if (!checked_by_visual_.empty())
-    diagnostics_.warn(Text("%1: the visual shape is checked instead for %2", reason, quotedNames(checked_by_visual_)));
-  if (!partly_.empty())
-    diagnostics_.warn(Text("%1: not wholly drawn and checked are %2", reason, quotedNames(partly_)));
+    diagnostics_.warn(
+        Text("%1: the visual shape is used for collision checks of %2", reason, quotedNames(checked_by_visual_)));
+  if (!partly_.empty()) diagnostics_.warn(Text("%1: only partly shown and checked: %2", reason, quotedNames(partly_)));
   if (!without_shape_.empty())
-    diagnostics_.warn(Text("%1: not drawn and not checked are %2", reason, quotedNames(without_shape_)));
+    diagnostics_.warn(Text("%1: not shown and not checked: %2", reason, quotedNames(without_shape_)));
   if (!unreadable_formats_.empty() && (!without_shape_.empty() || !partly_.empty()))
     diagnostics_.warn("meshes that cannot be read: convert them to STL, OBJ or PLY");
   if (package_missing_)
     diagnostics_.warn(
-        "packages that are not found: put the package's folder beside the robot file or above it, or name its place in "
+        "packages that are not found: put the package folder next to the robot file or above it, or add its path to "
         "ROS_PACKAGE_PATH");
 }
 

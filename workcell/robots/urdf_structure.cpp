@@ -94,7 +94,7 @@ void StructureReader::defineMaterial(UrdfMaterial material, bool at_top) {
   if (material.name.empty() || (!material.color && !material.textured)) return;
   const auto [known, fresh] = materials_.emplace(material.name, material);
   if (fresh || !at_top || known->second.color == material.color) return;
-  diagnostics_.warn(Text("%1: the material '%2' is defined a second time with another color; the first, on %3, counts",
+  diagnostics_.warn(Text("%1: the material '%2' is defined twice with different colors; the first one, on %3, is used",
                          lines_.words(material.line), material.name, lines_.words(known->second.line)));
 }
 
@@ -113,7 +113,7 @@ Expected<void> StructureReader::readElement(const TiXmlElement& element) {
                                                  "xacro:if",    "xacro:unless",   "xacro:insert_block"};
   if (kOfXacro.count(name) > 0)
     return lines_.refuse(element.Row(), "<" + name + ">", Text("plain URDF"),
-                         Text("Give the file the ending .xacro, and it is expanded."));
+                         Text("To have the file expanded, rename it to *.xacro."));
   if (name.starts_with("xacro:")) ++unexpanded_.try_emplace(name, Unexpanded{element.Row(), 0}).first->second.count;
   if (name == "material") {
     defineMaterial(readUrdfMaterial(element, lines_, diagnostics_), true);
@@ -146,11 +146,10 @@ void StructureReader::colorShapes() {
 
 void StructureReader::reportColors() {
   for (const auto& [name, line] : undefined_)
-    diagnostics_.warn(
-        Text("%1: the material '%2' is defined nowhere; its links are shown grey", lines_.words(line), name));
+    diagnostics_.warn(Text("%1: the material '%2' is not defined; its links are shown grey", lines_.words(line), name));
   for (const auto& [name, line] : textured_)
     diagnostics_.warn(
-        Text("%1: the material '%2' has a picture and no color; pictures are not shown, its links are grey",
+        Text("%1: the material '%2' has a texture and no color; textures are not shown, so its links are grey",
              lines_.words(line), name));
 }
 
@@ -164,19 +163,17 @@ void StructureReader::reportVelocities() {
     if (line == 0) line = joint.line;
   }
   if (!names.empty())
-    diagnostics_.warn(Text("%1: no finite velocity is stated for %2; 180 deg/s or 1 m/s is assumed where one is needed",
-                           lines_.words(line), listOfNames(names)));
+    diagnostics_.warn(
+        Text("%1: no finite velocity is stated for %2; if a velocity is needed, 180 deg/s or 1 m/s is assumed",
+             lines_.words(line), listOfNames(names)));
 }
 
 void StructureReader::reportUnexpanded() {
   for (const auto& [name, calls] : unexpanded_)
-    diagnostics_.warn(calls.count > 1
-                          ? Text("%1: <%2> was never expanded (%3 times), and its macro is not in the file: "
-                                 "what it stands for is left out",
-                                 lines_.words(calls.line), name, calls.count)
-                          : Text("%1: <%2> was never expanded (1 time), and its macro is not in the file: "
-                                 "what it stands for is left out",
-                                 lines_.words(calls.line), name));
+    diagnostics_.warn(calls.count > 1 ? Text("%1: <%2> is left out (%3 times), because its macro is not in the file",
+                                             lines_.words(calls.line), name, calls.count)
+                                      : Text("%1: <%2> is left out (1 time), because its macro is not in the file",
+                                             lines_.words(calls.line), name));
 }
 
 /// The world needs no link of its own in some tools (Drake, Bullet): what is joined to it stands on the cell.
@@ -184,8 +181,9 @@ Expected<void> StructureReader::addWorld() {
   if (link_lines_.count("world") > 0) return {};
   for (const UrdfJoint& joint : structure_.joints) {
     if (joint.parent != "world") continue;
-    diagnostics_.warn(Text("%1: joint '%2' hangs on 'world', which is no link of the file; it is taken as the root",
-                           lines_.words(joint.line), joint.joint.name));
+    diagnostics_.warn(
+        Text("%1: joint '%2' is attached to 'world', which is not a link of the file; 'world' is used as the root",
+             lines_.words(joint.line), joint.joint.name));
     UrdfLink world;
     world.name = "world";
     world.line = joint.line;
@@ -209,8 +207,8 @@ Expected<void> StructureReader::checkEnds() const {
       return lines_.refuse(
           joint.line,
           Text("link '%1' is the child of two joints, '%2' and '%3'", joint.child, first->second, joint.joint.name),
-          Text("a tree"),
-          Text("URDF cannot say closed loops: leave one of the joints out, and close it with a robot.toml "
+          Text("a tree without cycles"),
+          Text("URDF cannot describe closed loops: remove one of the joints, and close the loop in a robot.toml "
                "(docs/user/formats.md)."));
     }
   }
@@ -225,12 +223,11 @@ Expected<void> StructureReader::checkMimics() {
     const UrdfJoint* mimic = first;
     for (std::size_t steps = 0;; ++steps) {
       if (!joint_lines_.count(mimic->mimicked))
-        return lines_.refuse(mimic->mimic_line,
-                             Text("the joint '%1' to be mimicked is not in the file", mimic->mimicked),
+        return lines_.refuse(mimic->mimic_line, Text("the mimicked joint '%1' is not in the file", mimic->mimicked),
                              Text("the name of a joint"));
       if (mimic->mimicked == name || steps > mimics_.size())
-        return lines_.refuse(first->mimic_line, Text("joint '%1' mimics itself in a circle", name),
-                             Text("a joint that moves by itself at the end"));
+        return lines_.refuse(first->mimic_line, Text("joint '%1' mimics itself through other joints", name),
+                             Text("a chain that ends at an independent joint"));
       const auto next = mimics_.find(mimic->mimicked);
       if (next == mimics_.end()) break;
       mimic = next->second;
@@ -266,12 +263,12 @@ Expected<std::string> StructureReader::findRoot() {
   if (roots.empty()) {
     return lines_.refuse(structure_.joints.front().line,
                          Text("the joints form a cycle: every link is the child of another"),
-                         Text("a tree with one root link"), Text("Leave out the joint that closes the cycle."));
+                         Text("a tree with one root link"), Text("Remove the joint that closes the cycle."));
   }
   if (roots.size() > 1) {
     const Text two("two root links, '%1' (%2) and '%3'", roots[0]->name, lines_.words(roots[0]->line), roots[1]->name);
     return lines_.refuse(roots[1]->line, roots.size() > 2 ? Text("%1, and %2 more", two, roots.size() - 2) : two,
-                         Text("one link that is no joint's child"), Text("Join them by a fixed joint."));
+                         Text("one link that is not the child of a joint"), Text("Connect them with a fixed joint."));
   }
   return roots.front()->name;
 }
@@ -294,8 +291,8 @@ Expected<std::vector<UrdfJoint>> StructureReader::sortFrom(const std::string& ro
     if (!reached.count(joint.child)) {
       return lines_.refuse(
           joint.line,
-          Text("the joints form a cycle: link '%1' (joint '%2') hangs on itself", joint.child, joint.joint.name),
-          Text("a tree from the root link '%1'", root), Text("Leave out the joint that closes the cycle."));
+          Text("the joints form a cycle: link '%1' (joint '%2') is attached to itself", joint.child, joint.joint.name),
+          Text("a tree from the root link '%1'", root), Text("Remove the joint that closes the cycle."));
     }
   }
   return sorted;
@@ -313,7 +310,7 @@ Expected<UrdfStructure> StructureReader::read(const TiXmlElement& robot) {
     return lines_.refuse(robot.Row(), Text("%1 links", structure_.links.size()), Text("at most 5000"));
   if (structure_.links.empty()) {
     return lines_.refuse(robot.Row(), Text("<robot> has no links"), Text("at least one <link>"),
-                         Text("A file of macros is opened through the file that includes it."));
+                         Text("If this is a file of macros, open the file that includes it."));
   }
   reportUnexpanded();
   HAPTICELL_TRY(addWorld());

@@ -135,12 +135,12 @@ class UrdfText {
 Expected<void> writeUrdf(const Entity& robot, const fs::path& file, Diagnostics& diagnostics) {
   if (!robot.robot || robot.robot->links.empty()) {
     return makeError({.file = file.string(),
-                      .found = Text("'%1', which is no robot", robot.name),
+                      .found = Text("'%1', which is not a robot", robot.name),
                       .expected = "a robot",
                       .fix = "Choose a robot."});
   }
   if (robot.robot->closure) {
-    diagnostics.warn(Text("'%1' has closed loops, which URDF cannot say: only its tree was written", robot.name));
+    diagnostics.warn(Text("'%1' has closed loops, which URDF cannot describe: only its tree was written", robot.name));
   }
   UrdfText urdf(robot, file);
   const std::string text = urdf.write();
@@ -148,7 +148,7 @@ Expected<void> writeUrdf(const Entity& robot, const fs::path& file, Diagnostics&
   std::error_code fault;
   const bool made = !urdf.files().empty() && fs::create_directories(folder, fault);
   if (fault)
-    return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be made"});
+    return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be created"});
   std::vector<FileToWrite> files;
   for (const auto& [name, mesh] : urdf.files()) {
     const NamedMesh part{name, *mesh};

@@ -208,9 +208,9 @@ Error inFile(const ImporterCall& call, Text found, Text expected = {}, Text fix 
 Error tookTooLong(const ImporterCall& call, const Lines& lines, double seconds) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", seconds);
-  Error error =
-      inFile(call, Text("not done after %1 s", text), Text("a file that is read in the time that its size allows"),
-             Text("Export it again, or in another format; a file that is sound may be cut into parts."));
+  Error error = inFile(call, Text("reading took longer than %1 s", text),
+                       Text("a file that can be read in the time for its size"),
+                       Text("Export it again or in another format, or split it into several files."));
   if (!lines.stage.empty()) error.place = Text(lines.stage);
   return error;
 }
@@ -241,9 +241,9 @@ Expected<void> listen(const ImporterCall& call, const Child& child, int lines_en
 Error brokeDown(const ImporterCall& call, const Lines& lines, int status) {
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return tookTooLong(call, lines, 2.0 * call.limits.seconds);
   Error error =
-      inFile(call, Text("content at which its reader breaks down"), Text("a sound file"),
-             Text("Export it again, or in another format (STEP, glTF, STL), and without the part that is named."));
-  error.place = lines.stage.empty() ? Text("at its beginning") : Text(lines.stage);
+      inFile(call, Text("content that makes the reader crash"), Text("an undamaged file"),
+             Text("Export it again or in another format (STEP, glTF, STL), without the part that this message names."));
+  error.place = lines.stage.empty() ? Text("at its start") : Text(lines.stage);
   return error;
 }
 
@@ -256,12 +256,13 @@ Expected<std::string> runImporter(const ImporterCall& call, const std::vector<in
   const Descriptor listening(ends[0]);
   Descriptor speaking(ends[1]);
   if (!piped || scene.get() < 0 || !sendAll(scene.get(), call.scene) || ::lseek(scene.get(), 0, SEEK_SET) != 0) {
-    return makeError(inFile(call, Text("no memory to import into: %1", systemText(errno))));
+    return makeError(inFile(call, Text("no memory for the import: %1", systemText(errno))));
   }
   Child child;
   if (const int fault = child.start(call, skipped, scene.get(), speaking.get()); fault != 0) {
     return makeError(inFile(call, Text("the program %1 could not be started: %2", kProgram, systemText(fault)),
-                            Text("it beside the other programs of HaptiCell"), Text("Install HaptiCell again.")));
+                            Text("this program next to the other programs of HaptiCell"),
+                            Text("Install HaptiCell again.")));
   }
   speaking.close();
   Lines lines(call);

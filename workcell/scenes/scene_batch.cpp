@@ -50,7 +50,7 @@ std::string batchBytes(const std::vector<BatchEntry>& entries) {
 }
 
 Expected<std::vector<BatchEntry>> batchFromBytes(std::string_view bytes, std::size_t count) {
-  const Error fault{.found = "an invalid answer of the importer", .expected = "as many scenes as files"};
+  const Error fault{.found = "an invalid answer of the importer", .expected = "one scene per file"};
   std::vector<BatchEntry> entries;
   while (entries.size() < count && bytes.size() >= kHead) {
     std::uint64_t size = 0;

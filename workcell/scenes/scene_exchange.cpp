@@ -179,8 +179,8 @@ std::string sceneBytes(const ImportedScene& scene) {
 }
 
 Expected<ImportedScene> sceneFromBytes(std::string_view bytes) {
-  const Error unsound{.found = "the importer sent something that is not a scene",
-                      .fix = "Report the file that caused it."};
+  const Error unsound{.found = "the importer sent invalid data",
+                      .fix = "Please report this bug, with the file that caused it."};
   if (!bytes.starts_with(kMagic)) return makeError(unsound);
   Reader reader(bytes.substr(kMagic.size()));
   ImportedScene scene;

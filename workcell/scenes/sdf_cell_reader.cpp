@@ -57,8 +57,8 @@ class CellReader {
     if (!with_robots_ || !robot) {
       scene_.warnings.push_back(
           with_robots_
-              ? Text("'%1' has joints that move; it is read as a solid body: %2", model.Name(), robot.error().text())
-              : Text("'%1' has joints that move; it is read as a solid body", model.Name()));
+              ? Text("'%1' has moving joints; it is read as a rigid body: %2", model.Name(), robot.error().text())
+              : Text("'%1' has moving joints; it is read as a rigid body", model.Name()));
       return false;
     }
     scene_.warnings.insert(scene_.warnings.end(), notes.warnings.begin(), notes.warnings.end());
@@ -115,12 +115,13 @@ class CellReader {
     ignition::math::Pose3d X;
     const sdf::Errors errors = pose.Resolve(X, to);
     if (!errors.empty()) {
-      scene_.warnings.push_back(Text("'%1': the frame of its pose is not there; it is taken in the body above", name));
+      scene_.warnings.push_back(
+          Text("'%1': the frame of its pose does not exist; the pose is read in the frame of its parent", name));
       X = raw;
     }
     const Pose result = toPose(X);
     if (result.isValid()) return result;
-    scene_.warnings.push_back(Text("'%1': invalid pose; it is placed at the body above", name));
+    scene_.warnings.push_back(Text("'%1': invalid pose; it is placed at its parent", name));
     return {};
   }
 

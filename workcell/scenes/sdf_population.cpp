@@ -52,7 +52,7 @@ Population gridOf(const TiXmlElement& population, const TiXmlElement* distributi
   const double rows = numberOr(distribution, "rows", 1.0), columns = numberOr(distribution, "cols", 1.0);
   const dvec3 step = pointOr(distribution, "step", dvec3(0.5, 0.5, 0.0));
   if (!(rows >= 1.0 && columns >= 1.0 && rows * columns <= kMostSettled)) {
-    return {{}, Text("the population is left out: a grid of no or more than 5000 models")};
+    return {{}, Text("the population is left out: its grid has no models or more than 5000")};
   }
   const Pose X_WP = poseOfPopulation(population);
   const dvec3 corner = X_WP.p - 0.5 * dvec3(step.x * (columns - 1.0), step.y * (rows - 1.0), 0.0);
@@ -75,7 +75,7 @@ Population populationOf(const TiXmlElement& population) {
   if (kind == "grid") return gridOf(population, distribution);
   const double count = numberOr(&population, "model_count", 1.0);
   if (!(count >= 1.0 && count <= kMostSettled) || (!box && !cylinder)) {
-    return {{}, Text("the population is left out: it has no region, or no or more than 5000 models")};
+    return {{}, Text("the population is left out: it has no region, no models or more than 5000 models")};
   }
   const Pose X_WP = poseOfPopulation(population);
   const dvec3 size = pointOr(box, "size", dvec3(1.0));
@@ -93,7 +93,7 @@ Population populationOf(const TiXmlElement& population) {
     if (along < 0) place = size * dvec3(spread(k + 1, 2), spread(k + 1, 3), spread(k + 1, 5));
     result.positions.push_back(X_WP.p - 0.5 * size + X_WP.rotate(place));
   }
-  if (along < 0) result.remark = Text("the file leaves the places of its models to chance; they are spread evenly");
+  if (along < 0) result.remark = Text("the file places its models at random; they are spread evenly");
   return result;
 }
 

@@ -44,7 +44,8 @@ class SdfModelReader {
     graph_.name = model_.Name();
     HAPTICELL_TRY(addModel(model_, "", Pose()));
     if (graph_.links.empty())
-      return makeError(refusal(Text("model '%1'", graph_.name), Text("no links"), Text("at least one <link>")));
+      return makeError(
+          refusal(Text("model '%1'", graph_.name), Text("the model has no links"), Text("at least one <link>")));
     if (shapes_.isCancelled()) return makeError({.file = file_.string(), .found = "the import was cancelled"});
     setMimics();
     graph_.root = root();
@@ -83,7 +84,8 @@ class SdfModelReader {
       const sdf::Model& inside = *model.ModelByIndex(k);
       ignition::math::Pose3d X;
       if (const auto errors = inside.SemanticPose().Resolve(X, "__model__"); !errors.empty())
-        return makeError(refusal(Text("model '%1'", inside.Name()), firstOf(errors), Text("a known pose")));
+        return makeError(
+            refusal(Text("model '%1'", inside.Name()), firstOf(errors), Text("a pose that can be resolved")));
       if (auto added = addModel(inside, scope + inside.Name() + "::", X_MN * toPose(X)); !added) return added;
     }
     for (std::uint64_t k = 0; k < model.JointCount(); ++k) {
@@ -114,11 +116,10 @@ class SdfModelReader {
     link.link.name = scope + source.Name();
     ignition::math::Pose3d pose;
     if (const auto errors = source.SemanticPose().Resolve(pose, "__model__"); !errors.empty())
-      return makeError(refusal(Text("link '%1'", source.Name()), firstOf(errors), Text("a known pose")));
+      return makeError(refusal(Text("link '%1'", source.Name()), firstOf(errors), Text("a pose that can be resolved")));
     link.X_ML = X_MN * toPose(pose);
     if (!link.X_ML.isValid())
-      return makeError(
-          refusal(Text("link '%1'", source.Name()), Text("a pose that is not one"), Text("finite numbers")));
+      return makeError(refusal(Text("link '%1'", source.Name()), Text("an invalid pose"), Text("finite numbers")));
     LinkShape look;
     for (std::uint64_t k = 0; k < source.VisualCount(); ++k) {
       const sdf::Visual& visual = *source.VisualByIndex(k);
@@ -169,13 +170,12 @@ class SdfModelReader {
     joint.joint.parent_link = number(parent);
     joint.joint.child_link = number(child);
     if (joint.joint.parent_link < 0 || joint.joint.child_link < 0)
-      return makeError(refusal(
-          place,
-          Text("it names the link '%1', which is not in the model", joint.joint.parent_link < 0 ? parent : child),
-          Text("a link of it")));
+      return makeError(refusal(place,
+                               Text("its link '%1' is not in the model", joint.joint.parent_link < 0 ? parent : child),
+                               Text("a link of the model")));
     ignition::math::Pose3d pose;
     if (const auto errors = source.SemanticPose().Resolve(pose, "__model__"); !errors.empty())
-      return makeError(refusal(place, firstOf(errors), Text("a known pose")));
+      return makeError(refusal(place, firstOf(errors), Text("a pose that can be resolved")));
     joint.X_MJ = Pose::translation((X_MN * toPose(pose)).p);  // Axes are asked for in the model's frame.
     return addTyped(source, joint, scope, X_MN, place);
   }
@@ -200,10 +200,10 @@ class SdfModelReader {
       made.upper = axis->Upper() > kNoLimit ? kInfinity : axis->Upper();
       made.velocity = axis->MaxVelocity() > 0.0 && axis->MaxVelocity() < kNoLimit ? axis->MaxVelocity() : 0.0;
       if (std::isnan(made.lower) || made.lower > made.upper)
-        return makeError(refusal(
-            place,
-            Text("its lower limit %1 is over the upper %2", std::to_string(made.lower), std::to_string(made.upper)),
-            "lower <= upper"));
+        return makeError(refusal(place,
+                                 Text("its lower limit %1 is above its upper limit %2", std::to_string(made.lower),
+                                      std::to_string(made.upper)),
+                                 "lower <= upper"));
       axes.push_back(made);
       noteMimic(*axis, scope, scope + source.Name(), k);
     }
@@ -233,7 +233,7 @@ class SdfModelReader {
     HAPTICELL_TRY(read);
     std::vector<SdfAxis>& axes = *read;
     const auto take = [&](std::size_t count, bool slides) -> Expected<void> {
-      if (axes.size() < count) return makeError(refusal(place, Text("no axis"), Text("<axis> with <xyz>")));
+      if (axes.size() < count) return makeError(refusal(place, Text("the axis is missing"), Text("<axis> with <xyz>")));
       axes.resize(count);
       addAxes(joint, axes, slides);
       return {};
@@ -267,13 +267,13 @@ class SdfModelReader {
       case sdf::JointType::INVALID:
         break;
     }
-    return makeError(refusal(place, Text("a joint type that is not known"),
+    return makeError(refusal(place, Text("an unknown joint type"),
                              Text("revolute, continuous, prismatic, fixed, screw, universal, revolute2 or ball")));
   }
 
   Expected<void> addScrew(const sdf::Joint& source, GraphJoint& joint, const std::vector<SdfAxis>& axes,
                           const Text& place) {
-    if (axes.empty()) return makeError(refusal(place, Text("no axis"), Text("<axis> with <xyz>")));
+    if (axes.empty()) return makeError(refusal(place, Text("the axis is missing"), Text("<axis> with <xyz>")));
     joint.joint.axis_J = axes[0].axis_M;
     joint.joint.lower = axes[0].lower;
     joint.joint.upper = axes[0].upper;
@@ -286,7 +286,7 @@ class SdfModelReader {
         metres ? std::strtod(metres->Get<std::string>().c_str(), nullptr)
                : -2.0 * std::numbers::pi / source.ThreadPitch();  // Until SDF 1.9: radians a metre, left-handed.
     if (!(std::abs(pitch) > 1e-12 && std::abs(pitch) < 1e9))
-      return makeError(refusal(place, Text("a screw without pitch"), "<thread_pitch>"));
+      return makeError(refusal(place, Text("a screw joint without pitch"), "<thread_pitch>"));
     kinematics::addScrewJoint(graph_, joint, pitch);
     return {};
   }
@@ -328,11 +328,12 @@ class SdfModelReader {
       if (follower < 0 || leader < 0 || chained) {
         const std::string file = file_.string();
         diagnostics_.warn(
-            chained ? Text("%1: joint '%2' is read as one that moves by itself: it follows '%3', which follows another "
-                           "itself",
-                           file, mimic.follower.first, mimic.leader.first)
-                    : Text("%1: joint '%2' is read as one that moves by itself: it follows '%3', which is not there",
-                           file, mimic.follower.first, mimic.leader.first));
+            chained
+                ? Text("%1: joint '%2' is read as an independent joint, because it follows '%3', which follows another "
+                       "joint",
+                       file, mimic.follower.first, mimic.leader.first)
+                : Text("%1: joint '%2' is read as an independent joint, because it follows '%3', which does not exist",
+                       file, mimic.follower.first, mimic.leader.first));
         continue;
       }
       graph_.joints[static_cast<std::size_t>(follower)].joint.mimic =
@@ -360,7 +361,7 @@ class SdfModelReader {
       joint.X_MJ = graph_.links[k].X_ML;
       graph_.joints.push_back(joint);
       group[static_cast<std::size_t>(own)] = base;
-      diagnostics_.warn(Text("%1: no joint connects the link '%2' to the root; it is fixed where it stands",
+      diagnostics_.warn(Text("%1: no joint connects the link '%2' to the root; it is fixed at its position",
                              file_.string(), graph_.links[k].link.name));
     }
   }
@@ -433,12 +434,13 @@ Expected<SdfRobot> readSdf(const fs::path& file, Diagnostics& diagnostics, Impor
   const auto source = SdfSource::load(file);
   HAPTICELL_TRY(source);
   const std::vector<const sdf::Model*> models = source->models();
-  if (models.empty()) return makeError({.file = file.string(), .found = "no model", .expected = "<model name=\"…\">"});
+  if (models.empty())
+    return makeError({.file = file.string(), .found = "the file has no model", .expected = "<model name=\"…\">"});
   for (const Text& warning : source->warnings()) diagnostics.warn(Text("%1: %2", file.string(), warning));
   const auto moving = std::find_if(models.begin(), models.end(), [](const sdf::Model* m) { return movesInside(*m); });
   const sdf::Model* const model = moving == models.end() ? models.front() : *moving;
   if (models.size() > 1) {
-    diagnostics.warn(Text("%1: of %2 models only '%3' is read, for it has joints that move", file.string(),
+    diagnostics.warn(Text("%1: of %2 models, only '%3' is read, because it has moving joints", file.string(),
                           models.size(), model->Name()));
   }
   Expected<SdfRobot> robot = readSdfRobot(*source, *model, file, diagnostics, monitor);

@@ -94,7 +94,7 @@ Expected<geometry::TriangleMesh> SdfShapes::wholeOrPart(const fs::path& file, co
   }
   if (part.triangles.empty()) {
     return makeError({.file = file.string(),
-                      .found = Text("no part '%1' in it", mesh.Submesh()),
+                      .found = Text("it has no part '%1'", mesh.Submesh()),
                       .expected = "the part that <submesh> names"});
   }
   if (mesh.CenterSubmesh()) {

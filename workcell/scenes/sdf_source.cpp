@@ -37,7 +37,7 @@ void tellComplaints(const sdf::Errors& errors, std::vector<Text>& warnings) {
   }
   if (told.empty() && !errors.empty()) told.push_back(firstOf(errors));
   for (std::size_t k = 0; k < std::min(told.size(), kMost); ++k) warnings.emplace_back("sdformat: " + told[k]);
-  if (told.size() > kMost) warnings.push_back(Text("sdformat: %1 more complaints", told.size() - kMost));
+  if (told.size() > kMost) warnings.push_back(Text("sdformat: %1 more messages", told.size() - kMost));
 }
 
 bool isSolid(const TiXmlElement& link) {
@@ -149,8 +149,8 @@ Expected<SdfSource> SdfSource::load(const fs::path& file) {
   const auto folder = ScratchFolder::make();
   if (!folder) {
     return makeError({.file = file.string(),
-                      .found = "no folder for temporary files can be made",
-                      .expected = "room in the folder TMPDIR"});
+                      .found = "no folder for temporary files can be created",
+                      .expected = "free space in the folder TMPDIR"});
   }
   SdfTidier tidier(folder->path());
   const Expected<std::string> text = tidier.tidy(file);
@@ -166,14 +166,14 @@ Expected<SdfSource> SdfSource::load(const fs::path& file) {
     throw;
   } catch (const std::exception&) {
     return makeError({.file = file.string(),
-                      .found = "content that the SDF library does not get through",
+                      .found = "content that makes the SDF library crash",
                       .expected = "SDF",
                       .fix = "Check it with another program (gz sdf --check), or export it again."});
   }
   if (source.models().empty()) {
     if (!errors.empty()) return makeError({.file = file.string(), .found = firstOf(errors), .expected = "valid SDF"});
     if (!source.world())
-      return makeError({.file = file.string(), .found = "no model", .expected = "<model name=\"…\">"});
+      return makeError({.file = file.string(), .found = "the file has no model", .expected = "<model name=\"…\">"});
   }
   tellComplaints(errors, source.warnings_);
   return source;

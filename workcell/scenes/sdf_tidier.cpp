@@ -122,9 +122,9 @@ std::vector<Text> SdfTidier::warnings() const {
   std::vector<Text> all = told_;
   report_.tell(all);
   if (auto [count, names] = listed(missing_models_); count > 0)
-    all.push_back(Text("%1 models that it names are not there and were left out: %2", count, std::move(names)));
+    all.push_back(Text("%1 models were not found and are left out: %2", count, std::move(names)));
   if (auto [count, names] = listed(missing_meshes_); count > 0)
-    all.push_back(Text("%1 meshes that it names are not there and were left out: %2", count, std::move(names)));
+    all.push_back(Text("%1 meshes were not found and are left out: %2", count, std::move(names)));
   return all;
 }
 
@@ -194,10 +194,11 @@ std::string SdfTidier::Siblings::own(const std::string& wanted) {
 bool SdfTidier::count(std::size_t elements, const Place& place) {
   elements_ += elements;
   if (elements_ > kMostElements && !refused_)
-    refused_ = Error{.file = place.file.string(),
-                     .found = "more than 200 000 elements with all that it includes",
-                     .expected = "fewer",
-                     .fix = "Look for models that include each other several times, or cut the world into parts."};
+    refused_ =
+        Error{.file = place.file.string(),
+              .found = "more than 200 000 elements, including all included files",
+              .expected = "fewer",
+              .fix = "Check for models that include each other several times, or split the world into several files."};
   return !refused_;
 }
 
@@ -248,7 +249,7 @@ void SdfTidier::giveName(TiXmlElement& element, Names& names, const Place& place
   const std::string name = names[kind].own(wanted);
   if (name == written) return;
   if (!written.empty()) {
-    tell(element, place, Text("the name is there twice or not allowed; this <%1> is called '%2'", kind, name));
+    tell(element, place, Text("the name is used twice or not allowed; this <%1> is renamed '%2'", kind, name));
   }
   element.SetAttribute("name", name);
 }
@@ -267,7 +268,7 @@ bool SdfTidier::keepPose(TiXmlElement& pose, const TiXmlElement& of, const Place
   const std::size_t wanted = quaternion ? 7 : 6;
   if (numbers.size() != wanted) {
     tell(of, place,
-         Text("the pose '%1' has %2 numbers instead of %3; the others are taken as 0", text, numbers.size(), wanted));
+         Text("the pose '%1' has %2 numbers instead of %3; 0 is assumed for the others", text, numbers.size(), wanted));
     numbers.resize(wanted, 0.0);
     setText(pose, textOfNumbers(numbers));
   }
@@ -333,7 +334,7 @@ bool SdfTidier::keepInclude(TiXmlElement& parent, TiXmlElement& include, Names& 
   if (!name) name = include.InsertEndChild(TiXmlElement("name"))->ToElement();
   const std::string written = textOf(*name), wanted = written.empty() ? taken.name : written;
   const std::string own = names["model"].own(wanted);
-  if (own != wanted && !written.empty()) tell(include, place, Text("the name is there twice; it is called '%1'", own));
+  if (own != wanted && !written.empty()) tell(include, place, Text("the name is used twice; it is renamed '%1'", own));
   setText(*name, own);
   setText(*include.FirstChildElement("uri"), taken.file.string());
   if (include.FirstChildElement("placement_frame") && !include.FirstChildElement("pose")) {
@@ -347,14 +348,14 @@ bool SdfTidier::keepInclude(TiXmlElement& parent, TiXmlElement& include, Names& 
 const SdfTidier::Taken& SdfTidier::take(const fs::path& file, const Place& place) {
   const std::string key = fs::absolute(file).lexically_normal().string();
   if (const auto known = taken_.find(key); known != taken_.end()) return known->second;
-  static const Taken kLoop{{}, {}, Text("it takes itself in"), nullptr, 0};
+  static const Taken kLoop{{}, {}, Text("it includes itself"), nullptr, 0};
   if (place.depth >= kFilesDeep || open_.contains(key)) return kLoop;
   Taken taken;
   TiXmlDocument document;
   const auto root = parseSdf(file, document);
   TiXmlElement* const model = root ? (*root)->FirstChildElement("model") : nullptr;
   if (!model) {
-    taken.why = root ? Text("no model in it") : root.error().found;
+    taken.why = root ? Text("it has no model") : root.error().found;
     return taken_[key] = taken;
   }
   open_.insert(key);
@@ -375,7 +376,7 @@ const SdfTidier::Taken& SdfTidier::take(const fs::path& file, const Place& place
   printer.SetStreamPrinting();
   (*root)->Accept(&printer);
   if (!writeFileAtomically(taken.file, printer.Str(), {.durable = false}))
-    taken = {{}, {}, Text("no room for a copy"), nullptr, 0};
+    taken = {{}, {}, Text("no free space for a copy"), nullptr, 0};
   return taken_[key] = taken;
 }
 

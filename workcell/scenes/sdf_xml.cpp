@@ -39,7 +39,7 @@ Expected<TiXmlElement*> parseSdf(const std::filesystem::path& file, TiXmlDocumen
   }
   TiXmlElement* root = document.RootElement();
   if (!root || root->ValueStr() != "sdf")
-    return makeError({.file = file.string(), .found = "no <sdf>", .expected = "an SDF file"});
+    return makeError({.file = file.string(), .found = "<sdf> is missing", .expected = "an SDF file"});
   return root;
 }
 

@@ -49,7 +49,7 @@ void print(const Json& value, int depth, std::string& text) {
 FieldReader::FieldReader(const Json& object, Text place, std::optional<Error>& error)
     : object_(object), place_(std::move(place)), error_(error) {
   if (!object_.is_object() && !error_)
-    error_ = Error{.place = place_, .found = excerpt(object_), .expected = "an object in braces"};
+    error_ = Error{.place = place_, .found = excerpt(object_), .expected = "a JSON object in braces"};
 }
 
 void FieldReader::fail(const std::string& key, Text found, Text expected) {
@@ -66,7 +66,8 @@ const Json* FieldReader::member(const char* key) {
 }
 
 void FieldReader::require(const char* key) {
-  if (!error_ && !member(key)) error_ = Error{.place = place_, .found = Text("no \"%1\"", key), .expected = "one"};
+  if (!error_ && !member(key))
+    error_ = Error{.place = place_, .found = Text("\"%1\" is missing", key), .expected = "one"};
 }
 
 void FieldReader::read(const char* key, std::string& target) {
@@ -92,9 +93,9 @@ void FieldReader::read(const char* key, std::map<std::string, std::string>& targ
   const Json* value = member(key);
   if (!value) return;
   target.clear();
-  if (!value->is_object()) return fail(key, excerpt(*value), Text("an object in braces"));
+  if (!value->is_object()) return fail(key, excerpt(*value), Text("a JSON object in braces"));
   for (const auto& [name, item] : value->items()) {
-    if (!item.is_string()) return fail(key, excerpt(item), Text("texts in quotes"));
+    if (!item.is_string()) return fail(key, excerpt(item), Text("a list of texts in quotes"));
     target[name] = item.get<std::string>();
   }
 }
@@ -104,7 +105,7 @@ void FieldReader::read(const char* key, std::vector<std::string>& target) {
   if (!value) return;
   target.clear();
   for (const Json& item : *value) {
-    if (!item.is_string()) return fail(key, excerpt(item), Text("texts in quotes"));
+    if (!item.is_string()) return fail(key, excerpt(item), Text("a list of texts in quotes"));
     target.push_back(item.get<std::string>());
   }
 }
@@ -132,7 +133,7 @@ void FieldReader::read(const char* key, Pose& target) {
   if (fields.readNumbers("position", 3, p)) {
     target.p = {p[0], p[1], p[2]};
     if (!Pose::translation(target.p).isValid())
-      return fields.fail("position", Text("a place too far away"), Text("metres, at most 1e12"));
+      return fields.fail("position", Text("a position that is too far away"), Text("metres, at most 1e12"));
   }
   if (!fields.readNumbers("quaternion", 4, q)) return;
   dquat turned(q[0], q[1], q[2], q[3]);
@@ -167,7 +168,7 @@ const Json* FieldReader::array(const char* key) {
 
 const Json* FieldReader::object(const char* key) {
   const Json* value = member(key);
-  if (value && !value->is_object()) fail(key, excerpt(*value), Text("an object in braces"));
+  if (value && !value->is_object()) fail(key, excerpt(*value), Text("a JSON object in braces"));
   return value && value->is_object() ? value : nullptr;
 }
 
@@ -175,7 +176,7 @@ void FieldReader::warnAboutOthers(Diagnostics& diagnostics) const {
   if (!object_.is_object()) return;
   for (auto it = object_.begin(); it != object_.end(); ++it) {
     if (asked_.contains(it.key())) continue;
-    diagnostics.warn(Text("%1: the key \"%2\" is not known and was left out", place_, it.key()));
+    diagnostics.warn(Text("%1: the key \"%2\" is unknown and was left out", place_, it.key()));
   }
 }
 

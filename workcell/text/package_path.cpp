@@ -253,9 +253,8 @@ bool isBelow(const fs::path& file, const fs::path& folder) {
 }
 
 Text takenForPackage(const std::string& uri, const FoundFile& found) {
-  return Text(
-      "the package of %1 is not found by its name; the folder %2, which holds the rest of the path, is taken for it",
-      uri, found.taken_for_package.string());
+  return Text("the package of %1 is not found by name; the folder %2 is used, because it contains the rest of the path",
+              uri, found.taken_for_package.string());
 }
 
 }  // namespace hapticell::workcell

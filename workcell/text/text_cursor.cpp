@@ -108,8 +108,8 @@ Error unusableCoordinate(Text place, const dvec3& point) {
   if (isUsable(bad)) bad = point.y;
   if (isUsable(bad)) bad = point.z;
   return {.place = std::move(place),
-          .found = Text("vertex with the coordinate %1", numberText(bad)),
-          .expected = "finite numbers of a believable size",
+          .found = Text("a vertex with the coordinate %1", numberText(bad)),
+          .expected = "finite numbers of a plausible size",
           .fix = "The file is damaged: export it again."};
 }
 
@@ -120,13 +120,13 @@ Expected<dvec3> readPoint(TextCursor& cursor) {
     const std::optional<double> value = parseNumber(word);
     if (word.empty()) {
       return makeError({.place = cursor.place(),
-                        .found = "the file ends within a vertex",
+                        .found = "the file ends inside a vertex",
                         .expected = "three coordinates",
                         .fix = "The file is truncated: export it again."});
     }
     if (!value) {
       return makeError({.place = cursor.place(),
-                        .found = Text("vertex with %1", inQuotes(word)),
+                        .found = Text("a vertex with %1", inQuotes(word)),
                         .expected = "a finite number with '.' as decimal point"});
     }
     point[axis] = *value;

@@ -15,7 +15,7 @@ Text kindOf(const toml::node& node) {
   if (node.is_number()) return Text("a number");
   if (node.is_boolean()) return Text("true or false");
   if (node.is_array()) return Text("a list");
-  return node.is_table() ? Text("a table") : Text("something else");
+  return node.is_table() ? Text("a table") : Text("another format");
 }
 
 std::string fewDigits(double value) {
@@ -91,7 +91,8 @@ void TomlFields::readList(const char* key, std::vector<std::string>& target) {
   if (!node->is_array()) return fail(node, Text("%1 is %2", key, kindOf(*node)), Text("a list of texts"));
   target.clear();
   for (const toml::node& element : *node->as_array()) {
-    if (!element.is_string()) return fail(&element, Text("%1 holds %2", key, kindOf(element)), Text("texts in quotes"));
+    if (!element.is_string())
+      return fail(&element, Text("%1 contains %2", key, kindOf(element)), Text("a list of texts in quotes"));
     target.push_back(*element.value<std::string>());
   }
 }
@@ -142,14 +143,14 @@ void TomlFields::readPose(Pose& target, double unit) {
     const dquat q =
         quaternion.size() == 4 ? dquat(quaternion[0], quaternion[1], quaternion[2], quaternion[3]) : dquat(0, 0, 0, 0);
     if (!(std::abs(glm::length(q) - 1.0) < 1e-3))
-      return failKey("quaternion", Text("an invalid quaternion"), Text("w, x, y, z of length 1"));
+      return failKey("quaternion", Text("an invalid quaternion"), Text("w, x, y, z with length 1"));
     target.q = glm::normalize(q);
   } else if (has("rpy")) {
     if (rpy.size() != 3) return failKey("rpy", Text("%1 has %2 numbers", "rpy", rpy.size()), "3");
     target.q = glm::normalize(glm::angleAxis(rpy[2], dvec3(0, 0, 1)) * glm::angleAxis(rpy[1], dvec3(0, 1, 0)) *
                               glm::angleAxis(rpy[0], dvec3(1, 0, 0)));
   }
-  if (!target.isValid()) failKey("position", Text("a place too far away"), Text("at most 1e12 m"));
+  if (!target.isValid()) failKey("position", Text("a position that is too far away"), Text("at most 1e12 m"));
 }
 
 void TomlFields::readRows(const char* key, std::size_t count, std::vector<std::vector<double>>& rows) {
@@ -160,7 +161,7 @@ void TomlFields::readRows(const char* key, std::size_t count, std::vector<std::v
     const Text row("%1, row %2", key, rows.size() + 1);
     const toml::array* numbers = element.as_array();
     if (!numbers || numbers->size() != count)
-      return fail(&element, numbers ? Text("%1 has %2 numbers", row, numbers->size()) : Text("%1 is no list", row),
+      return fail(&element, numbers ? Text("%1 has %2 numbers", row, numbers->size()) : Text("%1 is not a list", row),
                   std::to_string(count));
     rows.emplace_back();
     for (const toml::node& number : *numbers) {
@@ -188,14 +189,14 @@ const toml::array* TomlFields::tables(const char* key) {
 }
 
 void TomlFields::require(const char* key) {
-  if (!error_ && !table_.contains(key)) fail(nullptr, Text("no %1", key), std::string(key) + " = …");
+  if (!error_ && !table_.contains(key)) fail(nullptr, Text("%1 is missing", key), std::string(key) + " = …");
 }
 
 void TomlFields::refuseOthers() {
   if (error_) return;
   for (const auto& [key, node] : table_) {
     if (asked_.count(std::string(key.str()))) continue;
-    return fail(&node, Text("the key '%1', which is not known here", key.str()), Text("one of %1", listed(asked_)));
+    return fail(&node, Text("the unknown key '%1'", key.str()), Text("one of %1", listed(asked_)));
   }
 }
 

@@ -77,9 +77,9 @@ workcell::FileCheck readBackCheck(const Trajectory& motion, const QString& forma
     HAPTICELL_TRY(content);
     if (*content == file.content) return {};
     return makeError({.file = file.name,
-                      .found = "other bytes than were written",
-                      .expected = "the program",
-                      .fix = "Write it to another disk."});
+                      .found = "the file differs from what was written",
+                      .expected = "the program as written",
+                      .fix = "Save it to another disk."});
   };
 }
 
@@ -225,8 +225,8 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
                                             [&](const auto& one) { return one->name == read->entity; });
             if (moved == entities.end() || !(*moved)->robot) {
               return makeError({.file = path.toStdString(),
-                                .found = "joints alone, without poses",
-                                .expected = "the robot whose joints they are",
+                                .found = "joint values without poses",
+                                .expected = "the robot of these joints",
                                 .fix = "Choose the robot in the cell, then import the motion again."});
             }
             auto posed = manipulation::posesFromJoints(**moved, *read);

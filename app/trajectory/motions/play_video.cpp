@@ -46,8 +46,9 @@ Expected<void> PlayVideo::start(const QString& file, const QSize& size) {
   const auto& playback = player_.playback();
   const double length = playback.end() - playback.begin();
   if (!(length > 0.0))
-    return makeError(
-        {.place = "motion", .found = "nothing that is played", .expected = "a motion that is switched on"});
+    return makeError({.place = "motion",
+                      .found = "no motion is switched on",
+                      .expected = "at least one motion that is switched on"});
   auto renderer = PictureRenderer::make();
   HAPTICELL_TRY(renderer);
   const QSize even(size.width() & ~1, size.height() & ~1);

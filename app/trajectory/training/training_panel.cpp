@@ -112,7 +112,7 @@ void TrainingPanel::openResults(const QString& path) {
     }
     const Error missing{.file = path.toStdString(),
                         .found = Text("the exercise '%1' of these results was not found", session->exercise),
-                        .expected = "its *.hexercise file beside the results"};
+                        .expected = "its *.hexercise file in the same folder"};
     if (exercise.isEmpty()) why = shownText(missing);
   }
   if (!why.isEmpty()) {

@@ -32,7 +32,7 @@ QJsonObject probe() {
   QOpenGLContext context;
   context.setFormat(format);
   if (!surface.isValid() || !context.create() || !context.makeCurrent(&surface))
-    return {{"problem", "no OpenGL 3.3 on this display"}};
+    return {{"problem", "this display has no OpenGL 3.3"}};
   const QString renderer = wordOf(context, GL_RENDERER), version = wordOf(context, GL_VERSION);
   const QString vendor = wordOf(context, GL_VENDOR);
   const QSurfaceFormat given = context.format();

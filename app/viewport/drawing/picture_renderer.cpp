@@ -45,9 +45,9 @@ Expected<PictureRenderer> PictureRenderer::make() {
   auto context = std::make_unique<Context>();
   if (!context->open()) {
     return makeError({.place = "drawing",
-                      .found = "no OpenGL 3.3 on this display",
+                      .found = "this display has no OpenGL 3.3",
                       .expected = "a display with OpenGL 3.3 core",
-                      .fix = "Start it on a desktop, or under xvfb-run."});
+                      .fix = "Start it on a desktop or with xvfb-run."});
   }
   context->context.doneCurrent();
   return PictureRenderer(std::move(context));

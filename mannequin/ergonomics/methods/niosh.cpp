@@ -89,7 +89,7 @@ Expected<void> checkConditions(const LiftingConditions& conditions) {
     return makeError({.place = Text::plain(name),
                       .found = "the lifting equation is not valid for this",
                       .expected = "a smooth two-handed lift, standing",
-                      .fix = "Judge the task with another method, e.g. RULA, REBA or EN 1005-2."});
+                      .fix = "Assess the task with another method, such as RULA, REBA or EN 1005-2."});
   }
   return {};
 }
@@ -187,7 +187,7 @@ Expected<CompositeLifting> compositeLift(std::span<const LiftingTask> tasks, con
     if (!one->lifting_index) {
       return makeError({.place = Text("task %1", i + 1),
                         .found = "a task whose recommended weight limit is 0",
-                        .expected = "tasks that may be done at all",
+                        .expected = "tasks with a limit above 0",
                         .fix = "Change that task first."});
     }
     result.tasks.push_back(std::move(*one));
@@ -206,8 +206,8 @@ Expected<CompositeLifting> compositeLift(std::span<const LiftingTask> tasks, con
     const double with = frequencyMultiplier(frequency, task.duration_h, task.v_cm);
     if (with <= 0.0) {
       return makeError({.place = Text::plain("frequency_per_min"),
-                        .found = "together more lifts a minute than the table covers",
-                        .expected = "15 a minute at most, fewer in longer shifts",
+                        .found = "all tasks together have more lifts per minute than the table covers",
+                        .expected = "at most 15 per minute, fewer in longer shifts",
                         .fix = "Spread the tasks over the day."});
     }
     result.index += *result.tasks[*place].frequency_independent_index * (1.0 / with - 1.0 / before);

@@ -406,7 +406,7 @@ Expected<void> writeReportPdf(const Report& report, const std::filesystem::path&
   if (status == CAIRO_STATUS_SUCCESS) return writeFileAtomically(file, bytes);
   return makeError({.file = file.string(),
                     .found = Text::plain(cairo_status_to_string(status)),
-                    .expected = "a report that can be drawn"});
+                    .expected = "a report that can be rendered"});
 }
 
 ReportPicture drawReportPage(const Report& report, int page, int width) {

@@ -42,8 +42,9 @@ Expected<ReportPicture> readPng(const std::filesystem::path& file) {
   if (cairo_surface_status(read.get()) != CAIRO_STATUS_SUCCESS || width < 1 || height < 1)
     return makeError({.file = file.string(), .found = "it cannot be read as a picture", .expected = "a PNG file"});
   if (width > kMost || height > kMost)
-    return makeError(
-        {.file = file.string(), .found = Text("%1 x %2 pixels", width, height), .expected = "at most 8192 either way"});
+    return makeError({.file = file.string(),
+                      .found = Text("%1 x %2 pixels", width, height),
+                      .expected = "at most 8192 pixels in width and height"});
   ReportPicture picture{width, height, {}};
   picture.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   auto* bytes = static_cast<unsigned char*>(static_cast<void*>(picture.pixels.data()));

@@ -274,7 +274,7 @@ Expected<void> writeReport(const Report& report, const std::filesystem::path& fi
   if (ending == ".csv") return writeFileAtomically(file, reportCsv(report));
   if (ending == ".json") return writeFileAtomically(file, reportJson(report));
   return makeError({.file = file.string(),
-                    .found = ending.empty() ? Text("no ending") : Text("the ending %1", ending),
+                    .found = ending.empty() ? Text("no extension") : Text("the extension %1", ending),
                     .expected = ".pdf, .html, .csv or .json"});
 }
 

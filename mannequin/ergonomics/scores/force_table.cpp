@@ -54,8 +54,9 @@ class TableReader {
 
   Expected<ForceTable> finish() && {
     if (columns_.empty())
-      return refused("", Text("no line of names"), Text("limit_n, and as wanted hand, height_from_m ..."));
-    if (table_.rows.empty()) return refused("", Text("no row"), Text("at least one limit below the names"));
+      return refused("", Text("no header line"), Text("limit_n, and optionally hand, height_from_m ..."));
+    if (table_.rows.empty())
+      return refused("", Text("no line of values"), Text("at least one limit after the header line"));
     if (table_.source.empty()) table_.source = std::filesystem::path(file_).filename().string();
     return std::move(table_);
   }
@@ -72,11 +73,11 @@ class TableReader {
     for (const std::string_view name : fieldsOf(line)) {
       const auto known = std::find(kForceNames.begin(), kForceNames.end(), name);
       if (known == kForceNames.end())
-        return refused(name, Text("there is no column of this name"),
+        return refused(name, Text("no column has this name"),
                        Text::plain("hand, height_from_m, height_to_m, reach_from_m, reach_to_m, limit_n"));
       const auto column = static_cast<std::size_t>(known - kForceNames.begin());
       if (std::find(columns_.begin(), columns_.end(), column) != columns_.end())
-        return refused(name, Text("it stands there twice"), Text("each column once"));
+        return refused(name, Text("it is there twice"), Text("each column once"));
       columns_.push_back(column);
     }
     if (std::find(columns_.begin(), columns_.end(), kForceNames.size() - 1) == columns_.end())
@@ -95,9 +96,9 @@ class TableReader {
     }
     if (row.limit_n <= 0.0) return refused("limit_n", Text("it is empty"), Text("a force in newtons"));
     if (row.height[1] <= row.height[0])
-      return refused("height_to_m", Text("it ends before it begins"), Text("more than height_from_m"));
+      return refused("height_to_m", Text("the end of the range is below its start"), Text("more than height_from_m"));
     if (row.reach[1] <= row.reach[0])
-      return refused("reach_to_m", Text("it ends before it begins"), Text("more than reach_from_m"));
+      return refused("reach_to_m", Text("the end of the range is below its start"), Text("more than reach_from_m"));
     table_.rows.push_back(row);
     return {};
   }
@@ -117,7 +118,7 @@ class TableReader {
     const bool force = column == kForceNames.size() - 1;
     if (!whole || value < 0.0 || (force && (value == 0.0 || value > kMostForce)))
       return refused(kForceNames[column], Text("'%1'", text),
-                     force ? Text("a force over 0 and up to 5000 N") : Text("metres, 0 or more"));
+                     force ? Text("a force above 0, at most 5000 N") : Text("metres, 0 or more"));
     double* const targets[] = {&row.height[0], &row.height[1], &row.reach[0], &row.reach[1], &row.limit_n};
     *targets[column - 1] = value;
     return {};

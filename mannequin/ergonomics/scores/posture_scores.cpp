@@ -199,7 +199,8 @@ PostureScores scorePosture(const Figure& figure, const Posture& posture, const F
 Expected<LiftingTask> liftOf(const Figure& figure, const FigurePose& pose, const PostureScores& scores,
                              const WorkTask& task) {
   const auto missing = [](const char* what) {
-    return makeError({.place = Text::plain(what), .found = "not entered", .expected = "a value of the task's data"});
+    return makeError(
+        {.place = Text::plain(what), .found = "not entered", .expected = "a value for this field of the task data"});
   };
   if (!task.totalLoad()) return missing("load_kg");
   if (!task.repetitions_per_min) return missing("repetitions_per_min");
@@ -208,7 +209,7 @@ Expected<LiftingTask> liftOf(const Figure& figure, const FigurePose& pose, const
   if (*task.grip == Grip::kUnacceptable)
     return makeError({.place = Text::plain("grip"),
                       .found = "unacceptable",
-                      .expected = "good, fair or poor: the equation knows no other"});
+                      .expected = "good, fair or poor: the equation has no other classes"});
   dvec3 hands(0.0), ankles(0.0);
   double floor = 1e9;
   for (const Side side : {Side::kLeft, Side::kRight}) {

@@ -60,8 +60,8 @@ Expected<void> checkWorkTask(const WorkTask& task) {
   for (const auto& load : task.load_kg) {
     if (auto good = within("load_kg", load.value_or(0.0), 0.0, 200.0, Text("0 to 200 kg")); !good) return good;
   }
-  if (auto good =
-          within("repetitions_per_min", task.repetitions_per_min.value_or(0.0), 0.0, 120.0, Text("0 to 120 a minute"));
+  if (auto good = within("repetitions_per_min", task.repetitions_per_min.value_or(0.0), 0.0, 120.0,
+                         Text("0 to 120 per minute"));
       !good)
     return good;
   if (auto good = within("duration_h", task.duration_h.value_or(0.0), 0.0, 24.0, Text("0 to 24 hours")); !good)

@@ -89,7 +89,7 @@ TEST(ImportWindow, WhoIsNotAskedIsToldThatTheUnitMayBeAnother) {
   EXPECT_NEAR(page.entity("block")->mesh->bounds().size().x, 100.0, 1e-9);
   const Message* told = page.told("block.off was read with warnings");
   ASSERT_NE(told, nullptr);
-  EXPECT_TRUE(told->text.contains("millimetres")) << told->text.toStdString();
+  EXPECT_TRUE(told->text.contains("the file has no unit")) << told->text.toStdString();
 }
 
 TEST(ImportWindow, RemarksAreGroupedAndAClickSelectsThePart) {

@@ -180,7 +180,7 @@ TEST_F(FileCommands, FramesOfTheCellAreMadeAndListed) {
 TEST_F(FileCommands, WhatIsWrongIsOneSentenceAndNothingIsWritten) {
   folder_.write("part.obj", kTetrahedron);
   const std::pair<std::vector<std::string>, const char*> cases[] = {
-      {{"--add", "gone.stl"}, "gone.stl: there is no such file"},
+      {{"--add", "gone.stl"}, "gone.stl: the file does not exist"},
       {{"--add", "part.obj,unit=furlong"}, "furlong"},
       {{"--add", "part.obj,pose=1,2,3"}, "seven numbers"},
       {{"--add", "part.obj,pose=0,0,0,1,0,0,nan"}, "seven numbers"},

@@ -53,7 +53,7 @@ TEST(KeptResult, WhatMissesItLeavesNothing) {
     const auto written = writeKept(path.string(), "far too long", ".txt", false, lengthOf, result);
     ASSERT_FALSE(written.has_value());
     EXPECT_NE(written.error().message().find("at the end: length 12 letters; expected at most 5 letters. Say less. "
-                                             "Nothing is written without --allow-miss."),
+                                             "Nothing was written. To write the file anyway, use --allow-miss."),
               std::string::npos)
         << written.error().message();
     EXPECT_EQ(filesIn(folder.path()), stood ? 1u : 0u);

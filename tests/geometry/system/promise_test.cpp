@@ -98,12 +98,15 @@ TEST(Promises, TheErrorNamesFilePlaceBothNumbersAndTheFix) {
       .help = "Ask for more."};
   const std::string text = promises.missed("weld.csv").message();
   EXPECT_THAT(text, HasSubstr("weld.csv, at 1.2 s, frame 30: position 0.01371 m"));
-  EXPECT_THAT(text, HasSubstr("expected at most 0.001 m. Ask for more. Nothing is written without --allow-miss."));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "expected at most 0.001 m. Ask for more. Nothing was written. To write the file anyway, use --allow-miss."));
   promises.list.front() = atLeast("clearance", 0.5, 0.25);
   promises.help = {};
-  EXPECT_EQ(
-      promises.missed("").message(),
-      "clearance 0.25 of the limit; expected at least 0.5 of the limit. Nothing is written without --allow-miss.");
+  EXPECT_EQ(promises.missed("").message(),
+            "clearance 0.25 of the limit; expected at least 0.5 of the limit. Nothing was written. To write the file "
+            "anyway, use --allow-miss.");
 }
 
 TEST(PromisesDeathTest, NoErrorOfPromisesThatAreKept) {

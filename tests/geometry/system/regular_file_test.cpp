@@ -46,7 +46,7 @@ TEST_F(RegularFile, NothingElseIsOpened) {
   fs::create_symlink("/dev/zero", folder_.path() / "zero.csv");
   EXPECT_THAT(refusal(folder_.path() / "zero.csv"), HasSubstr("a device"));
   EXPECT_THAT(refusal(folder_.path()), HasSubstr("a folder"));
-  EXPECT_THAT(refusal(folder_.path() / "none"), HasSubstr("there is no such file"));
+  EXPECT_THAT(refusal(folder_.path() / "none"), HasSubstr("the file does not exist"));
   fs::create_symlink("circle", folder_.path() / "circle");
   EXPECT_THAT(refusal(folder_.path() / "circle"), HasSubstr("cannot be read"));
 

@@ -11,7 +11,8 @@ using ::testing::HasSubstr;
 using Graph = std::vector<std::vector<std::uint32_t>>;
 
 std::string said(const Graph& below, const std::vector<std::uint32_t>& roots, const UnfoldingLimits& limits = {}) {
-  const auto checked = checkUnfolding(below, roots, limits, [](std::uint32_t node) { return "node " + std::to_string(node); });
+  const auto checked =
+      checkUnfolding(below, roots, limits, [](std::uint32_t node) { return "node " + std::to_string(node); });
   return checked ? "" : checked.error().message();
 }
 
@@ -23,8 +24,8 @@ TEST(Unfolding, TreesAndWhatStandsInSeveralPlacesAreGood) {
 }
 
 TEST(Unfolding, CirclesAreFoundWhereverTheyAre) {
-  EXPECT_THAT(said({{0}}, {0}), HasSubstr("node 0: it holds itself"));
-  EXPECT_THAT(said({{1}, {2}, {3, 1}, {}}, {0}), HasSubstr("node 1: it holds itself"));
+  EXPECT_THAT(said({{0}}, {0}), HasSubstr("node 0: it contains itself"));
+  EXPECT_THAT(said({{1}, {2}, {3, 1}, {}}, {0}), HasSubstr("node 1: it contains itself"));
   EXPECT_EQ(said({{1}, {}, {2}}, {0}), "") << "one that no root leads to";
 }
 
@@ -32,7 +33,7 @@ TEST(Unfolding, IsCountedNotDone) {
   Graph doubled;
   for (std::uint32_t k = 0; k < 60; ++k) doubled.push_back({k + 1, k + 1});
   doubled.push_back({});
-  EXPECT_THAT(said(doubled, {0}), HasSubstr("node 0: it unfolds to more than 200000 nodes"));
+  EXPECT_THAT(said(doubled, {0}), HasSubstr("node 0: it expands to more than 200000 nodes"));
   EXPECT_EQ(said(doubled, {45}), "") << "2^16 - 1 nodes";
   EXPECT_NE(said(doubled, {43}), "") << "2^18 - 1";
   Graph wide(1, std::vector<std::uint32_t>(300'000, 1));
@@ -48,7 +49,7 @@ TEST(Unfolding, DepthIsBoundedWithoutRecursion) {
   Graph chain;
   for (std::uint32_t k = 0; k < 500'000; ++k) chain.push_back({k + 1});
   chain.push_back({});
-  EXPECT_THAT(said(chain, {0}), HasSubstr("more than 200 levels"));
+  EXPECT_THAT(said(chain, {0}), HasSubstr("more than 200 nested levels"));
   EXPECT_EQ(said(chain, {499'801}), "") << "200 levels";
   EXPECT_NE(said(chain, {499'800}), "");
 }

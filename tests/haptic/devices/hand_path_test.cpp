@@ -68,8 +68,8 @@ TEST(HandPath, NamesLineAndColumnOfWhatIsWrong) {
   for (const char* button : {"-1", "7", "0.5", "4"}) {
     EXPECT_THAT(problem(std::string("t,x,y,z,button\n0,0,0,0,") + button + "\n"), HasSubstr("column 'button'"));
   }
-  EXPECT_THAT(problem("t,x,y,z\n"), HasSubstr("there is no row"));
-  EXPECT_THAT(problem(""), HasSubstr("there is no row"));
+  EXPECT_THAT(problem("t,x,y,z\n"), HasSubstr("no line after the header"));
+  EXPECT_THAT(problem(""), HasSubstr("no line after the header"));
 }
 
 TEST(HandPath, ReadsAFileAndSaysWhenItCannot) {
@@ -103,7 +103,7 @@ TEST(HandPath, TimesOfAClockCountFromTheFirstRow) {
     EXPECT_NEAR(path.duration(), 1.0, 1e-6) << begin;
     EXPECT_NEAR(path.at(0.5).X_DH.p.x, 0.01, 1e-6) << begin;
     ASSERT_EQ(path.assumptions().size(), 1u) << begin;
-    EXPECT_THAT(english(path.assumptions()[0]), HasSubstr("counted from the first row"));
+    EXPECT_THAT(english(path.assumptions()[0]), HasSubstr("the first line is time 0"));
   }
 }
 
@@ -128,9 +128,9 @@ TEST(HandPath, PositionsInMillimetresAreRecognisedAndFartherOnesRefused) {
   EXPECT_NEAR(path.at(0.0).X_DH.p.z, 0.02, 1e-15);
   EXPECT_NEAR(path.at(1.0).X_DH.p.x, -0.04, 1e-15);
   ASSERT_EQ(path.assumptions().size(), 1u);
-  EXPECT_THAT(english(path.assumptions()[0]), HasSubstr("taken as millimetres"));
+  EXPECT_THAT(english(path.assumptions()[0]), HasSubstr("millimetres are assumed"));
   EXPECT_TRUE(read("t,x,y,z\n0,0.4,0,0\n").assumptions().empty());
-  EXPECT_THAT(problem("t,x,y,z\n0,0,0,20000\n"), HasSubstr("a position 20000 from the middle"));
+  EXPECT_THAT(problem("t,x,y,z\n0,0,0,20000\n"), HasSubstr("a position 20000 from the centre"));
 }
 
 }  // namespace

@@ -184,7 +184,7 @@ TEST(Faults, GoIntoNoFolderThatOthersMayWriteTo) {
   std::filesystem::permissions(folder.path() / "open", std::filesystem::perms::all);
   const auto refused = writeFault({FaultKind::kInput, 1, {}}, folder.path() / "open");
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message().find("other users may write to it"), std::string::npos);
+  EXPECT_NE(refused.error().message().find("other users can write to it"), std::string::npos);
   FaultFiles homeless(makeError({.found = "HOME is not set"}));
   EXPECT_FALSE(homeless.write({FaultKind::kInput, 1, {}}, 1)) << "nothing is written into the current folder";
 }

@@ -64,9 +64,9 @@ TEST(PairingKey, ASingleMistypedSignIsFound) {
 
 TEST(PairingKey, WhatIsNoCodeIsRefused) {
   const std::string code = PairingKey::make()->code();
-  EXPECT_THAT(PairingKey::parse("").error().message(), HasSubstr("0 signs"));
-  EXPECT_THAT(PairingKey::parse(code.substr(1)).error().message(), HasSubstr("27 signs"));
-  EXPECT_THAT(PairingKey::parse(code + "0").error().message(), HasSubstr("29 signs"));
+  EXPECT_THAT(PairingKey::parse("").error().message(), HasSubstr("0 characters"));
+  EXPECT_THAT(PairingKey::parse(code.substr(1)).error().message(), HasSubstr("27 characters"));
+  EXPECT_THAT(PairingKey::parse(code + "0").error().message(), HasSubstr("29 characters"));
   EXPECT_THAT(PairingKey::parse("U" + code.substr(1)).error().message(), HasSubstr("'U'"));
   EXPECT_THAT(PairingKey::parse(std::string(100'000, '7')).error().message(), HasSubstr("signs"));
 }
@@ -84,7 +84,7 @@ TEST(PairingKey, AFileIsForItsOwnerOnly) {
   ASSERT_TRUE(saveKey(next, file).has_value());
   EXPECT_EQ(loadKey(file), next) << "a new pairing makes the old key worthless";
   chmod(file.c_str(), 0640);
-  EXPECT_THAT(loadKey(file).error().message(), HasSubstr("other users may read"));
+  EXPECT_THAT(loadKey(file).error().message(), HasSubstr("other users can read"));
   EXPECT_FALSE(loadKey(folder.path() / "none.key").has_value());
 }
 

@@ -151,7 +151,7 @@ TEST_F(TransportStreams, AnotherKeyIsNoKey) {
   const auto [client, server] = shakeHands(ends);
   ASSERT_TRUE(server);
   EXPECT_EQ(handshakeFailure(server), HandshakeFailure::kOtherKey) << server.message();
-  EXPECT_EQ(english(handshakeProblem(server)), "its key is another one");
+  EXPECT_EQ(english(handshakeProblem(server)), "the other side has a different pairing key");
   ASSERT_TRUE(client);
 }
 
@@ -176,7 +176,7 @@ TEST_F(TransportStreams, AConnectionThatEndsEarlySaysNothingOfTheKey) {
   client.close();
   runUntil([&] { return static_cast<bool>(outcome); });
   EXPECT_EQ(handshakeFailure(outcome), HandshakeFailure::kEnded);
-  EXPECT_THAT(english(handshakeProblem(outcome)), ::testing::HasSubstr("before the keys were compared"));
+  EXPECT_THAT(english(handshakeProblem(outcome)), ::testing::HasSubstr("before the keys were checked"));
 }
 
 /// One end that carries messages, and what it has heard.

@@ -158,7 +158,7 @@ TEST(ExternalAxes, AreToldOfByASessionAndSaidWhereThereAreNone) {
   options.entities = cell.document.snapshotEntities();
   const auto refused = runSession(options);
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message().find("it stands on nothing that moves"), std::string::npos);
+  EXPECT_NE(refused.error().message().find("it is not attached to anything that moves"), std::string::npos);
 }
 
 /// The rail drives 0.8 m along x, the arm still: a wall stands in the way of the arm, which only the rail brings there.

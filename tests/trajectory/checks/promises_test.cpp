@@ -11,16 +11,16 @@
 #include "geometry/system/promise.h"
 #include "trajectory/checks/motion_measures.h"
 #include "trajectory/checks/motion_promises.h"
-#include "trajectory/timing/retiming.h"
 #include "trajectory/editing/simplification.h"
 #include "trajectory/files/trajectory_io.h"
+#include "trajectory/timing/retiming.h"
 
 namespace hapticell::trajectory {
 namespace {
 
 TEST(Promises, TheWorstIsNamedWithPlaceAndHelp) {
   Promises promises;
-  promises.help = "Take a larger tolerance.";
+  promises.help = "Use a larger tolerance.";
   promises.list.push_back({"position", 0.001, 0.0009, "m"});
   EXPECT_TRUE(promises.areKept());
   promises.list.push_back({"angle", 0.01, 0.02, "rad", "at 1.5 s"});
@@ -28,8 +28,8 @@ TEST(Promises, TheWorstIsNamedWithPlaceAndHelp) {
   ASSERT_FALSE(promises.areKept());
   EXPECT_EQ(promises.worst()->place, "at 2 s");
   EXPECT_EQ(promises.missed("s.csv").message(),
-            "s.csv, at 2 s: position 0.0137 m; expected at most 0.001 m. Take a larger tolerance. Nothing is written "
-            "without --allow-miss.");
+            "s.csv, at 2 s: position 0.0137 m; expected at most 0.001 m. Use a larger tolerance. Nothing was written. "
+            "To write the file anyway, use --allow-miss.");
   promises.list = {{"clearance", 0.01, 0.02, "m", "", true}};
   EXPECT_TRUE(promises.areKept());
   promises.list[0].measured = std::nan("");

@@ -60,9 +60,10 @@ TEST_F(PoseCsv, ErrorsNameLineAndColumn) {
   EXPECT_THAT(poseError("0,0,0,1,0,0,0\n"), HasSubstr("no column 'x'"));
   EXPECT_THAT(poseError("x,x,y,z,qw,qx,qy,qz\n"), HasSubstr("two columns 'x'"));
   EXPECT_THAT(poseError(""), HasSubstr("an empty file"));
-  EXPECT_THAT(poseError("x,y,z,qw,qx,qy,qz\n# nothing\n"), HasSubstr("no row behind the header"));
+  EXPECT_THAT(poseError("x,y,z,qw,qx,qy,qz\n# nothing\n"), HasSubstr("no line after the header"));
   EXPECT_THAT(poseError(std::string(100000, 'x')), HasSubstr("endless"));
-  EXPECT_THAT(readPoseCsv(folder_.path() / "none.csv").error().message(), HasSubstr("none.csv: there is no such file"));
+  EXPECT_THAT(readPoseCsv(folder_.path() / "none.csv").error().message(),
+              HasSubstr("none.csv: the file does not exist"));
   EXPECT_THAT(readPoseCsv(folder_.path()).error().message(), HasSubstr("a folder"));
 }
 

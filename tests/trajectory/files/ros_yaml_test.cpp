@@ -81,17 +81,17 @@ TEST(RosYaml, FaultsNameLineAndWhatIsWrong) {
   const std::string head = "joint_names: [a, b]\npoints:\n";
   const std::pair<std::string, std::string> faults[] = {
       {"joint_names: [a, b\n", "line"},
-      {"", "no such message"},
-      {",robot", "line 1: no YAML"},  // Here yaml-cpp 0.7 would go on until the memory is full.
+      {"", "no message of these types"},
+      {",robot", "line 1: invalid YAML"},  // Here yaml-cpp 0.7 would go on until the memory is full.
       {"joint_names: [a]\n---\n]\n", "line"},
-      {"points: []\n", "no such message"},
-      {head + "- positions: [1]\n  time_from_start: 0\n", "line 3: 1 positions; expected 2, one a joint"},
+      {"points: []\n", "no message of these types"},
+      {head + "- positions: [1]\n  time_from_start: 0\n", "line 3: 1 positions; expected 2, one per joint"},
       {head + "- positions: [1, x]\n  time_from_start: 0\n", "'x'; expected a number"},
       {head + "- positions: [1, .nan]\n  time_from_start: 0\n", "expected a number"},
-      {head + "- positions: [1, 2]\n", "no time_from_start"},
+      {head + "- positions: [1, 2]\n", "time_from_start is missing"},
       {head + "- positions: [1, 2]\n  time_from_start: {minutes: 2}\n", "'minutes' in a time"},
       {head + "- positions: [1, 2]\n  time_from_start: 1\n- positions: [1, 2]\n  time_from_start: 1\n", "increase"},
-      {head + "- positions: [1, 2]\n  positions: [1, 3]\n  time_from_start: 1\n", "a second time"},
+      {head + "- positions: [1, 2]\n  positions: [1, 3]\n  time_from_start: 1\n", "'positions' twice"},
       {"joint_names: [a, a]\npoints: []\n", "joint 'a' twice"},
       {head + "- positions: [1, 2]\n  time_from_start: 0\n- '...'\n", "--full-length"},
       {"joint_names: [a]\npoints: []\n---\njoint_names: [a]\npoints: []\n", "2 trajectories; expected one"}};

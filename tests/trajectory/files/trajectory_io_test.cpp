@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "trajectory/motion/number_text.h"
 #include "trajectory/files/trajectory_io.h"
+#include "trajectory/motion/number_text.h"
 
 #include <gtest/gtest.h>
 
@@ -112,8 +112,7 @@ TEST_F(TrajectoryFiles, RosNamesItsJointsOnce) {
                                          "joint_names: [a]\npoints:\n- positions: [1]\n  time_from_start: 0\n"
                                          "joint_names: [a, b]\n"));
   ASSERT_FALSE(read.has_value());
-  EXPECT_NE(read.error().message().find("line 5: 'joint_names' a second time"), std::string::npos)
-      << read.error().message();
+  EXPECT_NE(read.error().message().find("line 5: 'joint_names' twice"), std::string::npos) << read.error().message();
 }
 
 TEST_F(TrajectoryFiles, RosTimesThatNoCountHoldsAreRefused) {

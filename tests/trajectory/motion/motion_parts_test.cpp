@@ -82,7 +82,7 @@ TEST_F(CsvTables, OnlyTheWantedColumnsMustBeNumbers) {
 
 TEST_F(CsvTables, WhatIsWrongIsNamedWithItsPlace) {
   EXPECT_THAT(problem(""), HasSubstr("an empty file"));
-  EXPECT_THAT(problem("t,x\n"), HasSubstr("no row behind the header"));
+  EXPECT_THAT(problem("t,x\n"), HasSubstr("no line after the header"));
   EXPECT_THAT(problem("t,y\n1,2\n"), HasSubstr("no column 'x'"));
   EXPECT_THAT(problem("t,x,x\n1,2,3\n"), HasSubstr("two columns 'x'"));
   EXPECT_THAT(problem("t,x\n1,2\n3\n"), HasSubstr("line 3: 1 fields; expected 2"));

@@ -334,7 +334,7 @@ TEST(Retiming, JointsThatStandAreNotTimedByTheirLimits) {
   for (int i = 0; i < 5; ++i) carried.addFrame({1.0 * i, Pose::translation({0.1 * i, 0, 0})}, stands);
   const auto result = retimed(carried, withLimits(1, 1.0, 1.0, 0.0));
   ASSERT_FALSE(result.has_value());
-  EXPECT_NE(result.error().message().find("joints stand"), std::string::npos) << result.error().message();
+  EXPECT_NE(result.error().message().find("joints do not"), std::string::npos) << result.error().message();
 }
 
 TEST(Retiming, RefusesMoreFramesThanAnybodyHasRoomFor) {
@@ -344,7 +344,7 @@ TEST(Retiming, RefusesMoreFramesThanAnybodyHasRoomFor) {
   options.mode = TimingMode::kConstantSpeed;
   const auto slow = retimed(far, options);
   ASSERT_FALSE(slow.has_value());
-  EXPECT_NE(slow.error().message().find("ten million frames"), std::string::npos) << slow.error().message();
+  EXPECT_NE(slow.error().message().find("10 million frames"), std::string::npos) << slow.error().message();
   Trajectory near;
   for (int i = 0; i < 12; ++i) near.addFrame({0.1 * i, Pose::translation({0.01 * i, 0.0, 0.0})});
   options.sample_s = 0.0;

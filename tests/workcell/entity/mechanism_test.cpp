@@ -117,14 +117,14 @@ TEST(Mechanism, FaultsAreNamedInOneSentence) {
       {joint("hinge", MechanismJointType::kRevolute, "frame", "leaf", {0, 0, 0}, {0, 0, 1})}};
   const Fault faults[] = {
       {"hinge", "axis of length zero", [](auto& d) { d.joints[0].axis_M = dvec3(0.0); }},
-      {"hinge", "over the upper", [](auto& d) { std::swap(d.joints[0].lower, d.joints[0].upper); }},
-      {"hinge", "no part 'door'", [](auto& d) { d.joints[0].child = "door"; }},
+      {"hinge", "above its upper", [](auto& d) { std::swap(d.joints[0].lower, d.joints[0].upper); }},
+      {"hinge", "no part is named 'door'", [](auto& d) { d.joints[0].child = "door"; }},
       {"hinge", "to itself", [](auto& d) { d.joints[0].child = "frame"; }},
       {"hinge", "without pitch", [](auto& d) { d.joints[0].type = MechanismJointType::kScrew; }},
-      {"hinge", "in a circle", [](auto& d) { d.joints[0].coupling = JointCoupling{"hinge"}; }},
-      {"hinge", "'latch', which is not there", [](auto& d) { d.joints[0].coupling = JointCoupling{"latch"}; }},
+      {"hinge", "leads back to itself", [](auto& d) { d.joints[0].coupling = JointCoupling{"hinge"}; }},
+      {"hinge", "'latch', which does not exist", [](auto& d) { d.joints[0].coupling = JointCoupling{"latch"}; }},
       {"leaf", "no joint connects it", [](auto& d) { d.joints.clear(); }},
-      {"leaf", "there twice", [](auto& d) { d.parts[0].name = "leaf"; }},
+      {"leaf", "used twice", [](auto& d) { d.parts[0].name = "leaf"; }},
       {"door", "no parts", [](auto& d) { d = {}; }},
   };
   for (const Fault& fault : faults) {

@@ -117,18 +117,18 @@ TEST_F(PackCheck, FindsWhatStandsElsewhere) {
 
 TEST_F(PackCheck, FindsWhatIsMissing) {
   replace("\"name\": \"way\"", "\"name\": \"walk\"");
-  expectMiss("trajectories: 1 read back, or others; expected the 1 that were packed");
+  expectMiss("trajectories: 1 after packing, or different ones; expected the 1 that were packed");
 }
 
 TEST_F(PackCheck, FindsAFileOutsideOfThePack) {
   replace("files/part.obj", "../part.obj");
-  expectMiss("it lies outside of the pack");
+  expectMiss("the file is outside the pack");
 }
 
 TEST_F(PackCheck, FindsALinkThatLeadsOut) {
   fs::remove(pack_ / "files/way.htraj");
   fs::create_symlink(folder_.path() / "way.htraj", pack_ / "files/way.htraj");
-  expectMiss("trajectory 'way': it lies outside of the pack");
+  expectMiss("trajectory 'way': the file is outside the pack");
 }
 
 TEST(PackArchive, TakesThePackagesThatARobotNames) {
@@ -156,15 +156,15 @@ TEST(PackArchive, TakesThePackagesThatARobotNames) {
   const std::string elsewhere = folder.write("elsewhere/part.obj", kTriangle).string();
   const auto refused = packed(elsewhere);
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message(), HasSubstr("link 'base': it lies outside of the pack"));
+  EXPECT_THAT(refused.error().message(), HasSubstr("link 'base': the file is outside the pack"));
   EXPECT_TRUE(fs::is_empty(folder.path() / "packs"));
 }
 
 TEST_F(PackCheck, FindsADamagedShape) {
   ASSERT_TRUE(writeFileAtomically(pack_ / "files/part.obj", "v 0 0 0\nv 1 0 0\nv 0 1.00001 0\nf 1 2 3\n"));
-  expectMiss("entity 'part' read back from the pack: a shape whose box is off by 1e-05 m");
+  expectMiss("entity 'part' in the pack: a shape with a bounding box that differs by 1e-05 m");
   ASSERT_TRUE(writeFileAtomically(pack_ / "files/part.obj", "v 0 0 0\n"));
-  expectMiss("entity 'part' read back from the pack");
+  expectMiss("entity 'part' in the pack");
 }
 
 TEST_F(PackCheck, FindsACopyThatIsCutShort) {

@@ -170,7 +170,7 @@ TEST_F(DocumentFile, AMissingMeshNamesFileAndEntity) {
   const auto second = loadDocument(path, notes);
   ASSERT_FALSE(second.has_value());
   EXPECT_THAT(second.error().message(), HasSubstr("cell.hcell, entity 'part': "));
-  EXPECT_THAT(second.error().message(), HasSubstr("part.stl: there is no such file"));
+  EXPECT_THAT(second.error().message(), HasSubstr("part.stl: the file does not exist"));
 }
 
 TEST_F(DocumentFile, AFailedSaveLeavesTheOldFile) {
@@ -200,9 +200,9 @@ TEST(DocumentText, AHandWrittenMinimumIsEnough) {
 
 TEST(DocumentText, RefusesWhatItDoesNotUnderstand) {
   EXPECT_THAT(refused("{"), HasSubstr("cell.hcell, line 1"));
-  EXPECT_THAT(refused("[1]"), HasSubstr("an object in braces"));
+  EXPECT_THAT(refused("[1]"), HasSubstr("a JSON object in braces"));
   EXPECT_THAT(refused("{\"a\":\n1e999}"), HasSubstr("cell.hcell"));
-  EXPECT_THAT(refused("{}"), HasSubstr("no \"format\""));
+  EXPECT_THAT(refused("{}"), HasSubstr("\"format\" is missing"));
   EXPECT_THAT(refused(R"({"format": "other", "version": 1})"), HasSubstr("the format \"other\""));
   EXPECT_THAT(refused(R"({"format": "hapticell-workcell", "version": 2})"), HasSubstr("newer HaptiCell"));
   EXPECT_THAT(refused(R"({"format": "hapticell-workcell"})"), HasSubstr("version"));
@@ -218,10 +218,10 @@ TEST(DocumentText, NamesEntityAndKeyOfABadValue) {
   EXPECT_THAT(refused(document(ball + R"("placement": {"position": [2, 0]}})")), HasSubstr("3 numbers"));
   EXPECT_THAT(refused(document(ball + R"("placement": {"position": [0, -1e200, 0]}})")), HasSubstr("at most 1e12"));
   EXPECT_THAT(refused(document(ball + R"("on_contact": "bounce"})")), HasSubstr("one of stop, slide, pass"));
-  EXPECT_THAT(refused(document(ball + R"("kind": "robot"})")), HasSubstr("solid, as its file is"));
-  EXPECT_THAT(refused(document(R"({"source": {"file": "sphere:0.1"}})")), HasSubstr("entity 1: no \"name\""));
+  EXPECT_THAT(refused(document(ball + R"("kind": "robot"})")), HasSubstr("solid, like its file"));
+  EXPECT_THAT(refused(document(R"({"source": {"file": "sphere:0.1"}})")), HasSubstr("entity 1: \"name\" is missing"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "box:1,2"}})")),
-              HasSubstr("sizes that cannot be used: '1,2'"));
+              HasSubstr("invalid dimensions '1,2'"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "library:../x"}})")), HasSubstr("library:../x"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "mannequin:male:0"}})")), HasSubstr("0.1 to 99.9"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "hand:middle"}})")), HasSubstr("hand:left"));

@@ -53,15 +53,15 @@ TEST(RobotToml, FaultsAreToldInOneSentenceWithFileAndLine) {
   const std::string reversed = "[joints]\nlower = [-90, 95, -90, -90, -90, -90]\nupper = [90, 90, 90, 90, 90, 90]\n";
   const std::string one = "[joints]\nlower = [-9]\nupper = [9]\n";
   const Fault faults[] = {
-      {"name = \"x\"\n", "no format"},
+      {"name = \"x\"\n", "format is missing"},
       {kHead + "[opw\n", "not TOML"},
-      {kHead, "no table that says how it moves"},
+      {kHead, "no table defines how the robot moves"},
       {kHead + kOpw + "[dh]\nconvention = \"standard\"\n" + kSix, "both [opw] and [dh]"},
-      {kHead + "[opw]\nc1 = 1\n" + kSix, "no c2"},
+      {kHead + "[opw]\nc1 = 1\n" + kSix, "c2 is missing"},
       {kHead + "[opw]\na1 = \"far\"\nc1 = 1\nc2 = 1\nc3 = 1\nc4 = 1\n" + kSix, "a1 is a text"},
-      {kHead + kOpw + "c9 = 4\n" + kSix, "'c9', which is not known"},
+      {kHead + kOpw + "c9 = 4\n" + kSix, "the unknown key 'c9'"},
       {kHead + kOpw + six_short, "2 numbers in lower"},
-      {kHead + kOpw + reversed, "'joint_2' has its lower limit over the upper"},
+      {kHead + kOpw + reversed, "'joint_2' has a lower limit above its upper limit"},
       {kHead + kOpw + "signs = [1, 1, 1, 1, 1, 2]\n" + kSix, "invalid signs"},
       {kHead + "[[chain]]\naxis = [0, 0, 0]\n" + one, "an axis of length zero"},
       {kHead + "[[chain]]\ntype = \"helical\"\n" + one, "type = \"helical\""},
@@ -69,10 +69,10 @@ TEST(RobotToml, FaultsAreToldInOneSentenceWithFileAndLine) {
       {kHead + "[dh]\nconvention = \"standard\"\nd = [1]\na = [1, 2]\nalpha = [1]\n" + one, "unequal length"},
       {kHead + "[delta]\nbase_radius = 100\nupper_arm = 1\nlower_arm = 5\nplatform_radius = 50\n[joints]\nlower = "
                "[0,0,0]\nupper = [9,9,9]\n",
-       "do not meet"},
-      {kHead + "[hexapod]\nbase = [[0,0,0]]\nplatform = [[0,0,0]]\nhome = {}\n" + kSix, "1 and 1 hinges"},
+       "do not reach the platform"},
+      {kHead + "[hexapod]\nbase = [[0,0,0]]\nplatform = [[0,0,0]]\nhome = {}\n" + kSix, "1 and 1 joints"},
       {kHead + "[urdf]\nfile = \"nowhere.urdf\"\n", "nowhere.urdf"},
-      {kHead + kOpw + kSix + "[[tool]]\nname = \"gun\"\nposition = [1e200, 0, 0]\n", "a place too far away"},
+      {kHead + kOpw + kSix + "[[tool]]\nname = \"gun\"\nposition = [1e200, 0, 0]\n", "a position that is too far away"},
   };
   for (const Fault& fault : faults) {
     const std::string said = refused("robot.toml", fault.text);
@@ -124,7 +124,7 @@ TEST(RobotLibrary, EveryRobotLoadsIsSolvedAndNamesItsSource) {
   }
   const auto none = loader.load("library:none", 1.0, notes);
   ASSERT_FALSE(none);
-  EXPECT_NE(none.error().message().find("no robot of that name"), std::string::npos);
+  EXPECT_NE(none.error().message().find("no robot of this name"), std::string::npos);
 }
 
 TEST(Sdf, AHexapodWithItsLoopsIsReadAndFollowsPoses) {
@@ -170,7 +170,7 @@ TEST(Sdf, FaultsAreToldInOneSentence) {
       {joint("helical", "<axis><xyz>0 0 1</xyz></axis>"), "robot.sdf"},
       {joint("revolute", "<axis><xyz>0 0 0</xyz></axis>"), "robot.sdf"},
       {joint("revolute", "<axis><xyz>0 0 1</xyz><limit><lower>2</lower><upper>1</upper></limit></axis>"),
-       "over the upper"},
+       "above its upper limit"},
       {sdf("<joint name=\"j\" type=\"fixed\"><parent>base</parent><child>leg</child></joint>"), "robot.sdf"},
   };
   for (const Fault& fault : faults) {
@@ -241,7 +241,7 @@ TEST(UrdfWithLoops, AnOpenDeltaIsSaidToBeOne) {
     Diagnostics notes;
     EXPECT_TRUE(readRobot(folder.write("d.urdf", head + legs + "</robot>"), notes));
     return std::count_if(notes.warnings.begin(), notes.warnings.end(),
-                         [](const Text& note) { return english(note).find("loops are open") != std::string::npos; });
+                         [](const Text& note) { return english(note).find("have free ends") != std::string::npos; });
   };
   EXPECT_EQ(hints(leg(0, 3) + leg(1, 3) + leg(2, 3)), 1);
   EXPECT_EQ(hints(leg(0, 3) + leg(1, 3)), 0) << "two arms";

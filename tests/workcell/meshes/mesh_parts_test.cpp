@@ -87,7 +87,7 @@ TEST(ObjParts, PatchesOfOneSkinAreOneSolid) {
   EXPECT_THAT(namesOf(parts), ElementsAre("Housing", "lid"));
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].mesh.triangles.size(), 12u);
-  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("6 objects or groups that hang together")));
+  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("6 objects or groups with common open edges")));
 }
 
 TEST(ObjParts, ColourOfTheVerticesGoesOverTheMaterial) {
@@ -103,7 +103,7 @@ TEST(ObjParts, ColourOfTheVerticesGoesOverTheMaterial) {
   EXPECT_FALSE(weighted.at(0).color.has_value());  // One number is a weight.
   const auto damaged = partsOfText(readObj, tetrahedron(1, 0, " 0.5 nan 1"), notes);
   EXPECT_FALSE(damaged.at(0).color.has_value());
-  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("4 vertices have a colour that is no numbers")));
+  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("4 vertices have an invalid colour")));
 }
 
 // Found by the fuzz target: ten tenths, each rounded, were more than one.
@@ -148,7 +148,8 @@ TEST(ObjParts, ASkinOfSeveralColoursHasThatOfMostOfItsArea) {
   const auto parts = partsOfText(readObj, text, notes, {{"red", {1, 0, 0}}, {"blue", {0, 0, 1}}});
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_TRUE(isNear(parts[0].color, 0, 0, 1));
-  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("several colours; shown in that of most of the area")));
+  EXPECT_THAT(sentences(notes),
+              ElementsAre(HasSubstr("several colours; it is shown in the colour with the largest area")));
 }
 
 TEST(MeshParts, AScanOfManyColoursHasTheirMean) {
@@ -183,7 +184,7 @@ TEST(MeshParts, TooManySolidsAreOne) {
   const auto parts = partsOfText(readObj, text, notes);
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(parts[0].mesh.triangles.size(), 10'001u);
-  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("10001 solids; they were taken as one")));
+  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("10001 solids; they were joined to one")));
 }
 
 template <typename T>
@@ -270,7 +271,7 @@ TEST(OffParts, ReadsColoursOfVerticesAndFaces) {
   Diagnostics notes;
   const auto mapped = partsOfText(readOff, "OFF\n6 2 0\n" + points + "3 0 1 2 7\n3 3 4 5 7\n", notes);
   ASSERT_EQ(mapped.size(), 1u);
-  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("2 faces have a colour by its number in a map")));
+  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("2 faces have a colour by index in a colour map")));
 }
 
 TEST(MeshParts, TheSharedGearsAndPegsAreOneSolidEach) {

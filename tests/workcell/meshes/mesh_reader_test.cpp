@@ -77,7 +77,7 @@ TEST(MeshReader, ScalesAndGuessesTheUnit) {
   ASSERT_TRUE(plain.has_value());
   EXPECT_NEAR(plain->mesh.bounds().size().x, 100.0, 1e-9);
   ASSERT_EQ(notes.warnings.size(), 1u);
-  EXPECT_THAT(english(notes.warnings[0]), HasSubstr("millimetres"));
+  EXPECT_THAT(english(notes.warnings[0]), HasSubstr("the file has no unit"));
 
   Diagnostics quiet;
   const auto scaled = parse(test::stlBinary(big), "part.stl", quiet, {.scale = 0.001});
@@ -171,7 +171,7 @@ TEST(StlReader, RefusesTruncatedText) {
   EXPECT_THAT(refused(text.substr(0, text.rfind("endsolid")), "a.stl"), HasSubstr("the file ends"));
   EXPECT_THAT(refused(text.substr(0, text.rfind("endloop")), "a.stl"), HasSubstr("the file ends; expected 'endloop'"));
   EXPECT_THAT(refused("solid\nfacet normal 0 0 1\nouter loop\nvertex 1 2\n", "a.stl"),
-              HasSubstr("the file ends within a vertex"));
+              HasSubstr("the file ends inside a vertex"));
   EXPECT_THAT(refused("solid\nendsolid\n", "a.stl"), HasSubstr("no triangles"));
 }
 
@@ -280,7 +280,7 @@ TEST(MeshReader, RefusesWhatIsNoFile) {
   Diagnostics notes;
   const auto missing = readMesh(folder.path() / "none.stl", {}, notes);
   ASSERT_FALSE(missing.has_value());
-  EXPECT_THAT(missing.error().message(), HasSubstr("none.stl: there is no such file"));
+  EXPECT_THAT(missing.error().message(), HasSubstr("none.stl: the file does not exist"));
   const auto directory = readMesh(folder.path(), {}, notes);
   ASSERT_FALSE(directory.has_value());
   EXPECT_THAT(directory.error().message(), HasSubstr("a folder"));

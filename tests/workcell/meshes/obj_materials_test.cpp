@@ -25,7 +25,7 @@ TEST(ObjMaterials, ReadsKdAndSurvivesTheRest) {
   EXPECT_EQ(colors.at("a b"), (Color{0.1f, 0.2f, 0.3f}));
   EXPECT_EQ(colors.at("grey"), (Color{0.5f, 0.5f, 0.5f}));
   EXPECT_EQ(colors.at("bright"), (Color{1.0f, 0.0f, 0.0f}));
-  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("1 materials have a picture"), HasSubstr("2 materials")));
+  EXPECT_THAT(sentences(notes), ElementsAre(HasSubstr("1 materials have a texture"), HasSubstr("2 materials")));
 }
 
 class ObjFolder : public testing::Test {
@@ -49,7 +49,7 @@ constexpr const char* kRed = "newmtl red\nKd 1 0 0\n";
 TEST_F(ObjFolder, AMissingLibraryIsAWarning) {
   std::vector<std::string> said;
   EXPECT_FALSE(colorOf("gone.mtl", &said).has_value());
-  EXPECT_THAT(said, ElementsAre(HasSubstr("the material file 'gone.mtl' is not beside it")));
+  EXPECT_THAT(said, ElementsAre(HasSubstr("the material file 'gone.mtl' is not in the same folder")));
 }
 
 TEST_F(ObjFolder, LibrariesAreFoundBesideAndBelow) {
@@ -73,7 +73,7 @@ TEST_F(ObjFolder, NothingAboveOrElsewhereIsRead) {
         std::string("/dev/zero"), std::string(5000, 'a')}) {
     std::vector<std::string> said;
     EXPECT_FALSE(colorOf(name, &said).has_value()) << name;
-    EXPECT_THAT(said, ElementsAre(HasSubstr("is not beside it"))) << name;
+    EXPECT_THAT(said, ElementsAre(HasSubstr("is not in the same folder"))) << name;
   }
 }
 

@@ -115,7 +115,7 @@ TEST(UrdfFaults, TextThatIsNoUtf8IsReadAndTold) {
   const auto model = readUrdf(folder.write("latin.urdf", text), diagnostics);
   ASSERT_TRUE(model) << model.error().message();
   ASSERT_EQ(diagnostics.warnings.size(), 1u);
-  EXPECT_THAT(english(diagnostics.warnings[0]), HasSubstr("line 2: text that is no UTF-8"));
+  EXPECT_THAT(english(diagnostics.warnings[0]), HasSubstr("line 2: text that is not UTF-8"));
 }
 
 TEST(UrdfFaults, NamesInLatin1KeepTheirAccents) {
@@ -136,7 +136,7 @@ TEST(UrdfFaults, ATextThatEndsWithinACharacterIsRefused) {
   const std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?><robot " + std::string(300, '\xF2');
   const auto model = readUrdf(folder.write("cut.urdf", text), diagnostics);
   ASSERT_FALSE(model);
-  EXPECT_THAT(model.error().message(), HasSubstr("XML that does not parse"));
+  EXPECT_THAT(model.error().message(), HasSubstr("invalid XML"));
 }
 
 TEST(UrdfFaults, MissingFileAndFolder) {

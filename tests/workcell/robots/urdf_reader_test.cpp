@@ -161,8 +161,8 @@ TEST(UrdfReader, OneFileIsReadOnceAndUnreadableVisualsAreToldAndReplaced) {
   EXPECT_TRUE(model->links[2].visuals.empty());
   std::string all;
   for (const Text& warning : diagnostics.warnings) all += english(warning) + "\n";
-  EXPECT_THAT(all, HasSubstr("the collision shape is shown instead for 'a', 'b'"));
-  EXPECT_THAT(all, HasSubstr("not checked are 'c'"));
+  EXPECT_THAT(all, HasSubstr("the collision shape is shown for 'a', 'b'"));
+  EXPECT_THAT(all, HasSubstr("not checked: 'c'"));
   EXPECT_THAT(all, HasSubstr("dae"));
 }
 

@@ -84,7 +84,7 @@ TEST(UrdfOfStrangers, LimitsThatAreNoneAreToldAndHoldNothing) {
     for (const Read* read : {&turning, &sliding}) {
       EXPECT_TRUE(std::isinf(read->model->joints[0].lower) && std::isinf(read->model->joints[0].upper)) << limit;
       EXPECT_EQ(
-          read->said.find("without limits") != std::string::npos,
+          read->said.find("no limits are assumed") != std::string::npos,
           std::string(limit).find("inf") == std::string::npos && std::string(limit).find("1e16") == std::string::npos)
           << read->said;
     }
@@ -111,13 +111,13 @@ TEST(UrdfOfStrangers, ShapesThatAreNoneAreLeftOutAndTold) {
                                        {"<box size=\"1 0 1\"/>", "a box of size zero", 0},
                                        {"<sphere radius=\"0\"/>", "a sphere of size zero", 0},
                                        {"<cylinder radius=\"0\" length=\"1\"/>", "a cylinder of size zero", 0},
-                                       {"<sphere radius=\"-1\"/>", "no positive number", 1},
-                                       {"<sphere/>", "no positive number", 1},
+                                       {"<sphere radius=\"-1\"/>", "not a number above 0", 1},
+                                       {"<sphere/>", "not a number above 0", 1},
                                        {"<box size=\"1 1\"/>", "not three numbers", 1},
-                                       {"<heightmap/>", "<heightmap>, which is not known", 1},
+                                       {"<heightmap/>", "<heightmap>, which is not supported", 1},
                                        {"<mesh/>", "a mesh without filename", 1},
                                        {"<mesh filename=\"t.stl\" scale=\"1 0 1\"/>", "scale=\"1 0 1\"", 1},
-                                       {"", "nothing in it", 1}};
+                                       {"", "an empty <geometry>", 1}};
   for (const auto& [geometry, said, lost] : samples) {
     const Read read = readBody(linkText("a", std::string("<visual><geometry>") + geometry + "</geometry></visual>"));
     ASSERT_TRUE(read.model) << read.said;
@@ -164,10 +164,9 @@ TEST(UrdfOfStrangers, AMissingOrBrokenMeshLeavesItsShapeOut) {
   EXPECT_FALSE(links[2].isUnchecked() || links[3].isUnchecked());
   EXPECT_EQ(links[2].visuals.size(), 1u);
   EXPECT_EQ(links[3].collisions.size(), 1u) << "what is there of it is checked";
-  for (const char* words :
-       {"line 3: the mesh package://nowhere/a.stl is not there", "ROS_PACKAGE_PATH", "cut.stl",
-        "not drawn and not checked are 'a', 'b', 'e'", "the collision shape is shown instead for 'c'",
-        "not wholly drawn and checked are 'd'", "leads out of the package"})
+  for (const char* words : {"line 3: the mesh package://nowhere/a.stl does not exist", "ROS_PACKAGE_PATH", "cut.stl",
+                            "not shown and not checked: 'a', 'b', 'e'", "the collision shape is shown for 'c'",
+                            "only partly shown and checked: 'd'", "is outside the package"})
     EXPECT_THAT(read.said, HasSubstr(words));
 }
 
@@ -263,15 +262,15 @@ TEST(UrdfOfStrangers, WhatIsLeftOfMacrosAndTheWorldWithoutLinkRefuseNoRobot) {
                               "<xacro:sensors usb=\"1\"/>\n<xacro:grey/><xacro:grey/>");
   ASSERT_TRUE(calls.model) << calls.said;
   EXPECT_EQ(calls.model->dof(), 1u);
-  EXPECT_THAT(calls.said, HasSubstr("<xacro:grey> was never expanded (2 times)"));
-  EXPECT_THAT(calls.said, HasSubstr("<xacro:sensors> was never expanded (1 time)"));
+  EXPECT_THAT(calls.said, HasSubstr("<xacro:grey> is left out (2 times)"));
+  EXPECT_THAT(calls.said, HasSubstr("<xacro:sensors> is left out (1 time)"));
 
   const Read world = readBody(linkText("a") + jointText("j", "world", "a", "prismatic",
                                                         "<axis xyz=\"1 0 0\"/><limit lower=\"0\" upper=\"1\"/>"));
   ASSERT_TRUE(world.model) << world.said;
   EXPECT_EQ(world.model->links[0].name, "world");
   EXPECT_EQ(world.model->dof(), 1u);
-  EXPECT_THAT(world.said, HasSubstr("joint 'j' hangs on 'world'"));
+  EXPECT_THAT(world.said, HasSubstr("joint 'j' is attached to 'world'"));
   EXPECT_FALSE(readBody(linkText("a") + jointText("j", "body", "a", "fixed", "")).model) << "another link is missed";
 }
 
@@ -311,7 +310,8 @@ TEST(UrdfOfStrangers, APackageFolderThatAXacroTakesUnderAnotherNameIsReported) {
                                           "<robot name=\"r\" xmlns:xacro=\"x\"><xacro:include "
                                           "filename=\"$(find gate_description)/parts/m.xacro\"/></robot>"));
   ASSERT_TRUE(read.model) << read.said;
-  EXPECT_THAT(read.said, HasSubstr((folder.path() / "gate-main").string() + ", which holds the rest of the path"));
+  EXPECT_THAT(read.said,
+              HasSubstr((folder.path() / "gate-main").string() + " is used, because it contains the rest of the path"));
 }
 
 }  // namespace

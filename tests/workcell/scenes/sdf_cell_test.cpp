@@ -65,7 +65,7 @@ TEST(SdfCell, AModelOfModelsIsACellThoughAJointLiesBetweenThem) {
   ASSERT_EQ(scene->nodes.size(), 5u);  // The belt, two models, a shape in each.
   EXPECT_EQ(nodePoses(*scene).back().p, dvec3(0, 0, 2));
   ASSERT_FALSE(scene->warnings.empty());
-  EXPECT_THAT(english(scene->warnings[0]), HasSubstr("'belt' has joints that move"));
+  EXPECT_THAT(english(scene->warnings[0]), HasSubstr("'belt' has moving joints"));
   EXPECT_TRUE(holdsScene(file));
 }
 

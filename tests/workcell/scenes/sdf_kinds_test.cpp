@@ -223,7 +223,8 @@ TEST_F(SdfKinds, APackageUnderAnotherNameIsTakenAndReported) {
         readRobot(folder_.write("gate-main/sdf/robot.sdf", "<sdf version='1.9'>" + inside + "</sdf>"), notes_);
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(read->model.links[0].visuals.size(), 1u) << uri;
-    EXPECT_THAT(english(notes_.warnings), HasSubstr("gate-main, which holds the rest of the path")) << uri;
+    EXPECT_THAT(english(notes_.warnings), HasSubstr("gate-main is used, because it contains the rest of the path"))
+        << uri;
   }
 }
 
@@ -326,7 +327,7 @@ TEST_F(SdfKinds, RobotsStandBesideFurnitureInOneWorld) {
   EXPECT_LT(glm::distance(named("right").X_WE.p, dvec3(0, -2, 3.25)), 1e-12);
   EXPECT_EQ(named("table").kind, EntityKind::kAssembly);
   EXPECT_FALSE(named("lost").robot);
-  EXPECT_THAT(english(notes_.warnings), HasSubstr("'lost' has joints that move; it is read as a solid body: "));
+  EXPECT_THAT(english(notes_.warnings), HasSubstr("'lost' has moving joints; it is read as a rigid body: "));
 
   Document document;
   ASSERT_TRUE(addImported(document, tree->entities, Pose()));
@@ -393,7 +394,7 @@ TEST_F(SdfKinds, NamesThatAreThereTwiceAndFramesThatAreNot) {
   EXPECT_THAT(english(twice.warnings), HasSubstr("'m_2'"));
   const auto lost =
       cell("<world name='w'><model name='m'><pose relative_to='nowhere'>1 0 0 0 0 0</pose>" + box + "</model></world>");
-  EXPECT_THAT(english(lost.warnings), HasSubstr("frame of its pose is not there"));
+  EXPECT_THAT(english(lost.warnings), HasSubstr("frame of its pose does not exist"));
   EXPECT_THAT(english(lost.warnings), HasSubstr("nowhere"));
 }
 

@@ -70,13 +70,13 @@ class KrlParser {
   Block block(const KrlEnds& ends, int depth) {
     Block result;
     if (depth > kDeepestKrlBlock) {
-      path_.fail(lines_[std::min(at_, lines_.size() - 1)].front().line, Text("more than 100 blocks within each other"),
+      path_.fail(lines_[std::min(at_, lines_.size() - 1)].front().line, Text("more than 100 nested blocks"),
                  Text("fewer"), "");
       at_ = lines_.size();
     }
     while (at_ < lines_.size() && !isAt(ends)) result.push_back(statement(depth));
     if (at_ >= lines_.size() && !path_.hasFailed() && !lines_.empty()) {
-      path_.fail(lines_.back().front().line, Text("the file's end"), Text("'%1'", *ends.begin()), "");
+      path_.fail(lines_.back().front().line, Text("the file ends too early"), Text("'%1'", *ends.begin()), "");
     }
     return result;
   }

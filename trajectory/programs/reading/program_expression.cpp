@@ -42,7 +42,7 @@ Value ExpressionReader::expression() {
   const Depth depth(depth_);
   if (depth_ > kDeepest) {
     at_ = tokens_.size();
-    return Value::unknown(Text("an expression of too many brackets"));
+    return Value::unknown(Text("an expression with too many brackets"));
   }
   return either();
 }
@@ -74,7 +74,8 @@ Value ExpressionReader::negated() {
   while (take("not")) is_negated = !is_negated;
   Value value = compared();
   if (!is_negated || !value.isKnown()) return value;
-  return value.isNumber() ? Value::truth(value.number == 0.0) : Value::unknown(Text("'not' of what is no truth"));
+  return value.isNumber() ? Value::truth(value.number == 0.0)
+                          : Value::unknown(Text("'not' of a value that is not true or false"));
 }
 
 Value ExpressionReader::compared() {
@@ -159,7 +160,7 @@ Value ExpressionReader::postfixed() {
       }
       part = *found;
     } else {
-      part = step.field.empty() ? Value::unknown(Text("an element that the list does not have"))
+      part = step.field.empty() ? Value::unknown(Text("an element beyond the end of the list"))
                                 : meaning_.field(*value, step.field);
     }
     owned = std::move(part);
@@ -181,7 +182,7 @@ Value ExpressionReader::primary() {
   if (take("[")) return listUntil("]", "");
   if (!dialect_.has_braces_index && take("{")) return record();
   ++at_;  // So that whoever asks again comes to an end.
-  return Value::unknown(Text("'%1', which is not understood", token.text));
+  return Value::unknown(Text("'%1', which is not supported", token.text));
 }
 
 Value ExpressionReader::named(const std::string& name) {
@@ -202,7 +203,7 @@ Value ExpressionReader::listUntil(const char* closing, std::string type) {
   Value list = Value::list(std::move(type), std::vector<Value>{});
   while (!isAtEnd() && !take(closing)) {
     if (take(",")) continue;
-    if (list.items.size() >= kMostItems) return Value::unknown(Text("a list too long"));
+    if (list.items.size() >= kMostItems) return Value::unknown(Text("a list that is too long"));
     list.items.push_back(expression());
   }
   return list;
@@ -252,7 +253,7 @@ std::vector<Argument> ExpressionReader::arguments() {
   bool is_expected = true;  // "f(a,,b)" has an argument that is left out
   while (!isAtEnd() && !take(")") && !next().is("@pose") && given.size() < kMostItems) {
     if (take(",")) {
-      if (is_expected) given.push_back({"", Value::unknown(Text("an argument that is left out"))});
+      if (is_expected) given.push_back({"", Value::unknown(Text("a missing argument"))});
       is_expected = true;
       continue;
     }

@@ -84,8 +84,8 @@ bool ProgramPath::checkFrame(std::size_t line) {
     const Text one("%1 (%2)", name.empty() ? Text("the robot's base") : name, lineName(first));
     list = list.empty() ? one : Text("%1, %2", list, one);
   }
-  fail(line, Text("targets in several frames: %1", list), Text("one frame, or frames whose places the file gives"),
-       Text("Write the frames' values into the program, or read its parts one by one."));
+  fail(line, Text("targets in several frames: %1", list), Text("a single frame, or frames that the file defines"),
+       Text("Write the values of the frames into the program, or split the program by frame."));
   return false;
 }
 
@@ -102,11 +102,11 @@ void ProgramPath::add(std::size_t line, const Pose& X_B, const std::optional<Joi
   if (!X_B.isValid()) return fail(line, Text("a target that is not finite"), Text("finite numbers"), "");
   if (!missed_.empty()) {
     if (!targets_.empty()) {
-      return fail(
-          missed_.front().first, missed_.front().second, Text("a target that the file gives, as moves follow it"),
-          options_.forward_kinematics ? Text("Write its value into the program.")
-                                      : Text("Give the robot (--robot) where it is given by joints, else write its "
-                                             "value into the program."));
+      return fail(missed_.front().first, missed_.front().second,
+                  Text("a target that the file defines, because moves follow"),
+                  options_.forward_kinematics ? Text("Write its value into the program.")
+                                              : Text("If the target is given by joints, set the robot (--robot). "
+                                                     "Otherwise, write its value into the program."));
     }
     noteMissed();
   }
@@ -123,17 +123,18 @@ void ProgramPath::moveTo(std::size_t line, const Pose& X_FT, bool is_joint_move)
 
 void ProgramPath::moveArc(std::size_t line, const Pose& via_FT, const Pose& end_FT, std::optional<double> angle) {
   if (!checkFrame(line)) return;
-  if (!here_) return fail(line, Text("an arc from a place that is not known"), Text("a target before it"), "");
+  if (!here_) return fail(line, Text("an arc from an unknown position"), Text("a target before the arc"), "");
   const Pose X_BF = X_BF_.value_or(Pose::identity());
   const Pose begin = *here_, via = X_BF * via_FT, end = X_BF * end_FT;
   const auto circle = circleThrough(begin.p, via.p, end.p);
   if (!circle || (!angle && circle->via > circle->end)) {
-    return fail(line, Text("an arc whose three points lie on one line, or in another order"),
-                Text("three points of a circle"), "");
+    return fail(line, Text("an arc with three points on a line or in the wrong order"),
+                Text("three points of a circle in order"), "");
   }
   const double whole = angle ? std::abs(*angle) : circle->end;
   if (!(whole > 0.0) || !(whole < 100.0))
-    return fail(line, Text("an arc of no or many turns"), Text("an angle up to 100 rad"), "");
+    return fail(line, Text("an arc with an angle of zero or of too many turns"),
+                Text("an angle above 0, at most 100 rad"), "");
   const double direction = angle && *angle < 0.0 ? -1.0 : 1.0;
   const double step = 2.0 * std::acos(std::clamp(1.0 - kArcError / circle->radius(), 0.0, 1.0));
   const auto piece = [&](double from, double to, bool is_last) {
@@ -149,7 +150,7 @@ void ProgramPath::moveArc(std::size_t line, const Pose& via_FT, const Pose& end_
   const bool has_via = circle->via < whole && direction > 0.0;
   if (has_via) piece(0.0, circle->via, false);
   piece(has_via ? circle->via : 0.0, whole, true);
-  note(Text("Arcs are given by frames within 0.1 mm of them, turning evenly from their begin to their end."));
+  note(Text("Arcs become frames within 0.1 mm of the arc; the orientation changes evenly from start to end."));
 }
 
 void ProgramPath::moveJoints(std::size_t line, const Joints& joints, const std::optional<Pose>& pose) {
@@ -161,7 +162,7 @@ void ProgramPath::moveJoints(std::size_t line, const Joints& joints, const std::
   }
   if (options_.forward_kinematics) {
     const std::optional<Pose> X_B = options_.forward_kinematics(joints);
-    if (!X_B) return fail(line, Text("joints that the robot does not have"), Text("six joints of the robot"), "");
+    if (!X_B) return fail(line, Text("a number of joints that differs from the robot's"), Text("six joint values"), "");
     const Text frame = std::exchange(frame_name_, Text());
     if (checkFrame(line)) add(line, *X_B, joints, true);
     frame_name_ = frame;
@@ -215,7 +216,7 @@ void ProgramPath::fail(std::size_t line, const Text& found, const Text& expected
 
 void ProgramPath::noteLines() {
   if (line_notes_ > kMostLineNotes)
-    notes_.push_back(Text("And %1 more lines of these kinds.", line_notes_ - kMostLineNotes));
+    notes_.push_back(Text("%1 more lines have similar messages.", line_notes_ - kMostLineNotes));
   if (skipped_.empty()) return;
   std::sort(skipped_.begin(), skipped_.end());
   std::string list;
@@ -223,19 +224,20 @@ void ProgramPath::noteLines() {
     list += (i == 0 ? "" : ", ") + std::to_string(skipped_[i]);
   notes_.push_back(
       skipped_.size() > 12
-          ? Text("Without motion and not kept (outputs, waiting for inputs, settings): lines %1 and %2 more.", list,
+          ? Text("Lines without motion are not kept (outputs, waiting for inputs, settings): %1 and %2 more.", list,
                  skipped_.size() - 12)
-          : Text("Without motion and not kept (outputs, waiting for inputs, settings): lines %1.", list));
+          : Text("Lines without motion are not kept (outputs, waiting for inputs, settings): %1.", list));
 }
 
 Expected<ReadProgram> ProgramPath::finish(const std::string& name) {
   if (error_) return makeError(*error_);
   if (targets_.empty()) {
-    if (missed_.empty()) return makeError({.found = "no moves", .expected = "a program with moves to targets"});
+    if (missed_.empty())
+      return makeError({.found = "the program has no moves", .expected = "a program with moves to targets"});
     return makeError({.place = lineName(missed_.front().first),
                       .found = missed_.front().second,
-                      .expected = "a target that the file gives",
-                      .fix = "Give the robot (--robot) where targets are given by joints."});
+                      .expected = "a target that the file defines",
+                      .fix = "If targets are given by joints, set the robot (--robot)."});
   }
   noteMissed();
   noteLines();
@@ -249,7 +251,7 @@ Expected<ReadProgram> ProgramPath::finish(const std::string& name) {
     motion.joint_names = options_.joint_names;
     if (motion.joint_names.size() != 6) motion.joint_names = {"j1", "j2", "j3", "j4", "j5", "j6"};
   } else if (std::any_of(targets_.begin(), targets_.end(), has)) {
-    notes_.push_back(Text("Joints are not kept, as not all targets have them; their poses are."));
+    notes_.push_back(Text("Joint values are not kept, because not all targets have them. Poses are kept."));
   }
   motion.reserve(targets_.size());
   double t = 0.0;
@@ -261,10 +263,10 @@ Expected<ReadProgram> ProgramPath::finish(const std::string& name) {
     t += target.dwell;
   }
   if (const auto unknown = frames_.begin(); unknown != frames_.end() && !unknown->first.empty())
-    notes_.push_back(Text("Poses are in %1, whose place the file does not give.", unknown->first));
+    notes_.push_back(Text("Poses are relative to %1, which the file does not define.", unknown->first));
   notes_.push_back(
-      Text("A program has no times: lines take their length by their speed, joint moves are taken at 1 m/s and "
-           "180 deg/s by their share."));
+      Text("A program has no times. Linear moves use their programmed speed; joint moves use their share of 1 m/s and "
+           "180 deg/s."));
   read.notes = std::move(notes_);
   return read;
 }

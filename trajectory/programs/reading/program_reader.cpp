@@ -28,7 +28,7 @@ Expected<std::string> textOf(const fs::path& file) {
   if (text.find('\0') != std::string::npos)
     return makeError({.file = file.string(),
                       .found = "a binary file",
-                      .expected = "a program as text",
+                      .expected = "a program in text format",
                       .fix = "Save it as text on the controller (FANUC: .ls, not .tp)."});
   return text;
 }
@@ -49,8 +49,8 @@ Expected<ReadProgram> readKrlFiles(const fs::path& file, const ProgramReadOption
   if (lowerExtension(file) == ".dat") source = besides(file.parent_path(), stem + ".src");
   if (source.empty()) {
     return makeError({.file = file.string(),
-                      .found = "points without a program",
-                      .expected = Text("%1.src beside it", stem),
+                      .found = "a file of points without a program",
+                      .expected = Text("%1.src in the same folder", stem),
                       .fix = "Open the .src file."});
   }
   ProgramText text;
@@ -67,9 +67,9 @@ Expected<ReadProgram> readKrlFiles(const fs::path& file, const ProgramReadOption
   }
   auto program = readKrl(text, options);
   if (program && data.empty())
-    program->notes.insert(program->notes.begin(), Text("There is no %1.dat beside it.", stem));
+    program->notes.insert(program->notes.begin(), Text("%1.dat is missing in the same folder.", stem));
   if (!program && data.empty() && program.error().fix.empty())
-    program.error().fix = Text("There is no %1.dat beside it, where KRL keeps its points.", stem);
+    program.error().fix = Text("%1.dat, in which KRL stores the points, is missing in the same folder.", stem);
   return program;
 }
 

@@ -19,7 +19,7 @@ constexpr double kLongestList = 200'000;
 ProgramRun::ProgramRun(const Dialect& dialect, ProgramPath& path) : dialect_(dialect), path_(path) {
   meaning_.find = [this](const std::string& name) { return find(name); };
   meaning_.variable = [](const std::string& name) {
-    return Value::unknown(Text("'%1', which the file does not give", name));
+    return Value::unknown(Text("'%1', which the file does not define", name));
   };
   meaning_.call = [](const std::string& name, const std::vector<Argument>&) {
     return Value::unknown(Text("the result of '%1'", name));
@@ -65,7 +65,7 @@ void ProgramRun::assign(const std::string& name, const std::vector<AccessStep>& 
     if (place->kind != Value::Kind::kList) *place = Value::list("", std::vector<Value>{});
     const auto i = static_cast<std::size_t>(index);
     if (place->items.size() <= i)
-      place->items.resize(i + 1, Value::unknown(Text("an element of '%1' that has no value", name)));
+      place->items.resize(i + 1, Value::unknown(Text("an undefined element of '%1'", name)));
     place = &place->items[i];
   }
   *place = std::move(value);
@@ -123,8 +123,8 @@ bool ProgramRun::isUndecided(const Statement& statement, const Value& condition)
                                  [&](const Branch& branch) { return hasMoves(branch.body); });
   if (moves) {
     path_.fail(statement.line, Text("moves that depend on %1", condition.whyUnknown()),
-               Text("a condition that the file decides"),
-               Text("Take the branch that is not wanted out of a copy of the program."));
+               Text("a condition with values that the file defines"),
+               Text("In a copy of the program, delete the branch that you do not need."));
   } else {
     path_.skip(statement.line);
   }
@@ -178,15 +178,14 @@ ProgramRun::Flow ProgramRun::runForever(const Statement& statement, const Text& 
       if (countStep(statement.line)) continue;
       return Flow::kEnd;
     }
-    if (hasMoves(body)) path_.noteLine(statement.line, Text("%1; its moves are read once.", what));
+    if (hasMoves(body)) path_.noteLine(statement.line, Text("%1; the moves in it are read once.", what));
     return Flow::kNext;
   }
 }
 
 bool ProgramRun::countStep(std::size_t line) {
   if (path_.hasFailed()) return false;
-  if (++steps_ > most_steps_)
-    path_.fail(line, Text("statements that are run without end"), Text("a program that comes to an end"), "");
+  if (++steps_ > most_steps_) path_.fail(line, Text("statements that run endlessly"), Text("a program that ends"), "");
   return !path_.hasFailed();
 }
 
@@ -198,16 +197,16 @@ ProgramRun::Flow ProgramRun::runLoop(const Statement& statement) {
     return condition.size() == 1 && (condition[0].number != 0.0 || condition[0].is("true") || condition[0].is("True"));
   };
   if (branch.conditions.empty() || (!is_repeat && isAlways(branch.conditions.front())))
-    return runForever(statement, Text("a loop without end"));
+    return runForever(statement, Text("an endless loop"));
   for (bool is_first = true;; is_first = false) {
     if (!countStep(statement.line)) return Flow::kEnd;
     if (!is_repeat || !is_first) {
       const Value condition = evaluate(branch.conditions.front());
       if (!condition.isKnown()) {
-        if (is_first) return runForever(statement, Text("a loop while %1", condition.whyUnknown()));
+        if (is_first) return runForever(statement, Text("a loop that depends on %1", condition.whyUnknown()));
         if (hasMoves(branch.body))
-          path_.noteLine(statement.line,
-                         Text("a loop that ends by %1; its moves are read so far.", condition.whyUnknown()));
+          path_.noteLine(statement.line, Text("the end of the loop depends on %1; the moves up to here are read.",
+                                              condition.whyUnknown()));
         return Flow::kNext;
       }
       if ((condition.number != 0.0) == is_repeat) return Flow::kNext;
@@ -226,7 +225,7 @@ ProgramRun::Flow ProgramRun::runFor(const Statement& statement) {
   for (const Value* value : {&from, &to, &step})
     if (isUndecided(statement, *value)) return Flow::kNext;
   if (!from.isNumber() || !to.isNumber() || !step.isNumber() || step.number == 0.0) {
-    path_.fail(statement.line, Text("a FOR whose limits are no numbers"), Text("numbers"), "");
+    path_.fail(statement.line, Text("a FOR with limits that are not numbers"), Text("numbers"), "");
     return Flow::kEnd;
   }
   const double count = std::floor((to.number - from.number) / step.number + 1e-9);
@@ -242,7 +241,7 @@ ProgramRun::Flow ProgramRun::runFor(const Statement& statement) {
 
 ProgramRun::Flow ProgramRun::call(const Routine& routine, const std::vector<Argument>& arguments, std::size_t line) {
   if (depth_ >= kDeepestCall) {
-    path_.fail(line, Text("routines that call each other without end"), Text("at most 50 within each other"), "");
+    path_.fail(line, Text("routines that call each other endlessly"), Text("at most 50 nested calls"), "");
     return Flow::kEnd;
   }
   std::map<std::string, Value> before;

@@ -44,12 +44,12 @@ Value ofLists(std::string_view sign, const Value& a, const Value& b) {
       const dquat product = dquat((*p)[0], (*p)[1], (*p)[2], (*p)[3]) * dquat((*q)[0], (*q)[1], (*q)[2], (*q)[3]);
       return Value::list("orient", {product.w, product.x, product.y, product.z});
     }
-    return Value::unknown(Text("an operator '%1' between lists", sign));
+    return Value::unknown(Text("operator '%1' between lists", sign));
   }
   const Value& list = a.kind == Value::Kind::kList ? a : b;
   const Value& number = a.kind == Value::Kind::kList ? b : a;
   if (!number.isNumber() || (sign != "*" && !(sign == "/" && &list == &a))) {
-    return Value::unknown(Text("an operator '%1' of a list", sign));
+    return Value::unknown(Text("operator '%1' on a list", sign));
   }
   Value result = list;
   for (Value& item : result.items) item = binary(sign, item, number);
@@ -86,7 +86,7 @@ std::optional<std::vector<double>> Value::numbers(std::size_t count) const {
 }
 
 Text Value::whyUnknown() const {
-  if (kind == Kind::kUnknown) return why.empty() ? Text("a value that the file does not give") : why;
+  if (kind == Kind::kUnknown) return why.empty() ? Text("a value that the file does not define") : why;
   for (const Value& item : items)
     if (Text of_item = item.whyUnknown(); !of_item.empty()) return of_item;
   return {};
@@ -100,7 +100,7 @@ Value binary(std::string_view sign, const Value& a, const Value& b) {
     if (sign == "==") return Value::truth(a.text == b.text);
     if (sign == "<>" || sign == "!=") return Value::truth(a.text != b.text);
   }
-  if (!a.isNumber() || !b.isNumber()) return Value::unknown(Text("an operator '%1' that is not understood", sign));
+  if (!a.isNumber() || !b.isNumber()) return Value::unknown(Text("operator '%1', which is not supported", sign));
   if (const auto truth = comparison(sign, a.number, b.number)) return Value::truth(*truth);
   return arithmetic(sign, a.number, b.number);
 }

@@ -114,11 +114,11 @@ class RapidParser {
   Block block(const RapidEnds& ends, int depth) {
     Block result;
     if (depth > kDeepestRapidBlock) {
-      path_.fail(line(), Text("more than 100 blocks within each other"), Text("fewer"), "");
+      path_.fail(line(), Text("more than 100 nested blocks"), Text("fewer"), "");
       at_ = tokens_.size();
     }
     while (at_ < tokens_.size() && !isAt(ends)) result.push_back(statement(depth));
-    if (at_ >= tokens_.size()) path_.fail(line(), Text("the file's end"), Text("'%1'", *ends.begin()), "");
+    if (at_ >= tokens_.size()) path_.fail(line(), Text("the file ends too early"), Text("'%1'", *ends.begin()), "");
     return result;
   }
 

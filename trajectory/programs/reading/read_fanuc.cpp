@@ -41,7 +41,7 @@ class FanucRun {
     for (at_ = 0; at_ < file_.lines.size() && !path_.hasFailed();) {
       const FanucLine& line = file_.lines[at_++];
       if (++rounds > kMostSteps + file_.lines.size())
-        return path_.fail(line.line, Text("a loop that does not end"), Text("a program that comes to an end"), "");
+        return path_.fail(line.line, Text("an endless loop"), Text("a program that ends"), "");
       step(line);
     }
   }
@@ -69,8 +69,8 @@ class FanucRun {
     if (starts(text, "FOR")) return beginFor(line);
     if (starts(text, "ENDFOR")) return endFor(line);
     if (starts(text, "SELECT"))
-      return path_.fail(line.line, Text::plain("SELECT"), Text("lines that run in their order"),
-                        Text("Take the branches that are not wanted out of a copy."));
+      return path_.fail(line.line, Text::plain("SELECT"), Text("lines that run one after the other"),
+                        Text("In a copy of the program, delete the branches that you do not need."));
     if (starts(text, "ELSE")) return skipTo(line, {"ENDIF"});
     if (starts(text, "ENDIF")) return;
     if (starts(text, "WAIT")) return wait(line);
@@ -81,13 +81,14 @@ class FanucRun {
       return;
     }
     if (starts(text, "CALL") || starts(text, "RUN")) {
-      path_.noteLine(line.line, Text("'%1' is not in the file; if it moves, that is missing.", text));
+      path_.noteLine(line.line, Text("'%1' is not in the file; if it moves the robot, these moves are missing.", text));
     } else if (starts(text, "OFFSET") || starts(text, "TOOL_OFFSET") || starts(text, "VOFFSET")) {
-      path_.fail(line.line, Text("'%1', which moves the targets that follow", text), Text("targets as they stand"), "");
+      path_.fail(line.line, Text("'%1', which shifts the targets that follow", text), Text("targets without a shift"),
+                 "");
     } else if (isStill(text)) {
       path_.skip(line.line);
     } else {
-      path_.noteLine(line.line, Text("'%1' is not understood and left out.", text.substr(0, 60)));
+      path_.noteLine(line.line, Text("'%1' is not supported and is left out.", text.substr(0, 60)));
     }
   }
 
@@ -226,9 +227,9 @@ class FanucRun {
   void jump(const FanucLine& line, const std::optional<int>& label) {
     const auto found = label ? labels_.find(*label) : labels_.end();
     if (found == labels_.end())
-      return path_.fail(line.line, Text("a jump to a label that is not there"), Text("a LBL of the program"), "");
+      return path_.fail(line.line, Text("a jump to a label that does not exist"), Text("a LBL in the program"), "");
     if (found->second < at_ && !is_decided_) {
-      path_.noteLine(line.line, Text("a jump back; what it repeats is read once."));
+      path_.noteLine(line.line, Text("a jump back; the repeated lines are read once."));
       return;
     }
     at_ = found->second;
@@ -263,7 +264,7 @@ class FanucRun {
     const bool is_block = then != std::string::npos;
     const std::size_t end = is_block ? then : comma;
     if (end == std::string::npos || end < 2)
-      return path_.noteLine(line.line, Text("'%1' is not understood and left out.", text.substr(0, 60)));
+      return path_.noteLine(line.line, Text("'%1' is not supported and is left out.", text.substr(0, 60)));
     const auto is_true = holds(text.substr(2, end - 2));
     if (is_block) {
       if (!is_true) return undecidedBlock(line);
@@ -272,7 +273,8 @@ class FanucRun {
     }
     if (!is_true) {
       path_.noteLine(line.line,
-                     Text("'%1' depends on what the file does not give; it is read as not so.", text.substr(0, 60)));
+                     Text("'%1' depends on values that the file does not define; the condition is read as false.",
+                          text.substr(0, 60)));
       return;
     }
     if (!*is_true) return;
@@ -281,7 +283,7 @@ class FanucRun {
     if (rest.find("JMP") != std::string::npos)
       jump(line, bracketed(rest, "LBL["));
     else
-      path_.noteLine(line.line, Text("'%1' is not in the file; if it moves, that is missing.", rest));
+      path_.noteLine(line.line, Text("'%1' is not in the file; if it moves the robot, these moves are missing.", rest));
     is_decided_ = false;
   }
 
@@ -292,8 +294,8 @@ class FanucRun {
       const std::string& text = file_.lines[i].text;
       if (text.size() > 2 && text[1] == ' ' && text[2] == 'P')
         return path_.fail(line.line, Text("moves that depend on '%1'", line.text.substr(0, 60)),
-                          Text("a condition that the file decides"),
-                          Text("Take the branch that is not wanted out of a copy of the program."));
+                          Text("a condition with values that the file defines"),
+                          Text("In a copy of the program, delete the branch that you do not need."));
     }
     path_.skip(line.line);
   }
@@ -326,12 +328,12 @@ class FanucRun {
     const auto to = text.find(is_down ? "DOWNTO" : "TO"), equals = text.find('=');
     const auto r = bracketed(text, "R[");
     if (!r || to == std::string::npos || equals == std::string::npos || equals > to)
-      return path_.fail(line.line, Text("a FOR that is not understood"), Text::plain("FOR R[1]=1 TO 3"), "");
+      return path_.fail(line.line, Text("an invalid FOR"), Text::plain("FOR R[1]=1 TO 3"), "");
     const auto from = number(text.substr(equals + 1, to - equals - 1)),
                last = number(text.substr(to + (is_down ? 6 : 2)));
     if (!from || !last)
-      return path_.fail(line.line, Text("a FOR whose limits the file does not give"),
-                        Text("numbers or registers that are set"), "");
+      return path_.fail(line.line, Text("a FOR with limits that the file does not define"),
+                        Text("numbers, or registers that the program sets"), "");
     registers_[*r] = *from;
     loops_.push_back({at_, *r, *last, is_down ? -1.0 : 1.0});
     if ((*last - *from) * loops_.back().step >= 0.0) return;
@@ -399,7 +401,7 @@ class FanucRun {
     }
     const auto found = number ? file_.positions.find(*number) : file_.positions.end();
     if (found == file_.positions.end()) {
-      why = number ? Text("P[%1], which is not in /POS", *number) : Text("a position by a register");
+      why = number ? Text("P[%1], which is not in /POS", *number) : Text("a position from a register");
       return nullptr;
     }
     if (!found->second.X && !found->second.joints) {
@@ -413,12 +415,13 @@ class FanucRun {
     const std::string& text = line.text;
     if (text.find("OFFSET") != std::string::npos) {
       return path_.fail(line.line, Text("a target with an offset by a position register"),
-                        Text("targets as they stand"),
-                        Text("Take the offset out of a copy, or write the targets with it."));
+                        Text("targets without a shift"),
+                        Text("In a copy of the program, delete the offset, or add it to the targets."));
     }
     setSpeed(text);
     if (text.find(" COORD") != std::string::npos)
-      path_.note(Text("COORD: poses are relative to what the other motion group carries; its motion is not read."));
+      path_.note(Text(
+          "COORD: poses are relative to the part on the other motion group; the motion of that group is not read."));
     Text why;
     const FanucPosition* position = positionIn(line, 2, why);
     if (!position) return path_.missTarget(line.line, why);
@@ -428,15 +431,17 @@ class FanucRun {
       const auto behind = text.find(']', 2);
       const std::size_t second = behind == std::string::npos ? behind : text.find('P', behind);
       if (second == std::string::npos || text.compare(second, 2, "P[") != 0)
-        return path_.fail(line.line, Text("C with one position"), Text("two positions"), "");
+        return path_.fail(line.line, Text("C with only one position"), Text("two positions"), "");
       const FanucPosition* end = positionIn(line, second, why);
       setFrame(*position);
       if (!end || !end->X || !position->X || !path_.current())
-        return path_.missTarget(line.line, end ? Text("an arc without known points") : why);
+        return path_.missTarget(line.line, end ? Text("an arc with undefined points") : why);
       return path_.moveArc(line.line, *position->X, *end->X);
     }
     if (text.front() == 'A' || text.front() == 'S')
-      path_.noteLine(line.line, Text("an arc or spline by single points; it is read as straight lines between them."));
+      path_.noteLine(
+          line.line,
+          Text("an arc or spline with one point per line; it is read as straight lines between the points."));
     const bool is_relative = text.find(" INC") != std::string::npos;
     if (position->joints) return moveJoints(line, *position->joints, is_relative);
     setFrame(*position);
@@ -444,7 +449,7 @@ class FanucRun {
     if (is_relative) {
       const auto here = path_.current();
       if (!here)
-        return path_.fail(line.line, Text("a move relative to a target that the file does not give"),
+        return path_.fail(line.line, Text("a move relative to a target that the file does not define"),
                           Text("a known target"), "");
       X = {here->p + X.p, glm::normalize(X.q * here->q)};
     }
@@ -455,14 +460,14 @@ class FanucRun {
     frame_ = position.frame;
     if (position.frame == 0) return path_.setFrame(Pose::identity(), "");
     path_.setFrame(std::nullopt,
-                   position.frame < 0 ? Text("the frame that is chosen") : Text("the user frame %1", position.frame));
+                   position.frame < 0 ? Text("the active frame") : Text("the user frame %1", position.frame));
   }
 
   void moveJoints(const FanucLine& line, ProgramPath::Joints joints, bool is_relative) {
     if (is_relative) return path_.missTarget(line.line, Text("joints relative to the target before"));
     // FANUC counts axis 3 from the horizontal, models from axis 2.
     joints[2] += joints[1];
-    path_.note(Text("FANUC's J3 is counted from the horizontal: J2 is added to it."));
+    path_.note(Text("FANUC measures J3 from the horizontal: J2 is added to J3."));
     path_.moveJoints(line.line, joints);
   }
 
@@ -482,8 +487,9 @@ class FanucRun {
 Expected<ReadProgram> readFanuc(const std::string& text, const ProgramReadOptions& options) {
   const FanucFile file = parseFanuc(text);
   if (file.lines.empty())
-    return makeError(
-        {.place = Text::plain("/MN"), .found = "no lines", .expected = "a FANUC program in LS form: /PROG, /MN, /POS"});
+    return makeError({.place = Text::plain("/MN"),
+                      .found = "the program has no lines",
+                      .expected = "a FANUC program in LS form: /PROG, /MN, /POS"});
   ProgramPath path(options);
   FanucRun(file, path).run();
   return path.finish(file.name);

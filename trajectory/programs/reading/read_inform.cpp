@@ -99,8 +99,7 @@ class InformRun {
     std::size_t steps = 0;
     for (at_ = 0; at_ < job_.lines.size() && !path_.hasFailed();) {
       const InformLine& line = job_.lines[at_++];
-      if (++steps > kMostInformSteps)
-        return path_.fail(line.line, Text("jumps without end"), Text("a job that comes to an end"), "");
+      if (++steps > kMostInformSteps) return path_.fail(line.line, Text("endless jumps"), Text("a job that ends"), "");
       step(line);
     }
     endArc();
@@ -116,14 +115,15 @@ class InformRun {
     } else if (word == "MOVJ" || word == "MOVL" || word == "MOVS") {
       move(line);
     } else if (word == "IMOV" || word == "REFP" || word == "SFTON" || word == "MOVE") {
-      path_.fail(line.line, Text("'%1', which moves by a variable of the controller", word),
+      path_.fail(line.line, Text("'%1', which moves by a variable on the controller", word),
                  Text::plain("MOVJ, MOVL, MOVC"), "");
     } else if (word == "TIMER") {
       if (const auto seconds = tagged(line, "T=")) path_.wait(*seconds);
     } else if (word == "JUMP") {
       jump(line);
     } else if (word == "CALL") {
-      path_.noteLine(line.line, Text("'%1' is not in the file; if it moves, that is missing.", joined(line)));
+      path_.noteLine(line.line,
+                     Text("'%1' is not in the file; if it moves the robot, these moves are missing.", joined(line)));
     } else if (word != "NOP" && word.front() != '*') {
       path_.skip(line.line);
     }
@@ -149,8 +149,8 @@ class InformRun {
     const auto found = job_.positions.find(name);
     if (found == job_.positions.end() || !found->second.X) {
       path_.missTarget(line.line, found == job_.positions.end()
-                                      ? Text("'%1', which the file does not give", name)
-                                      : Text("'%1' in pulses, which only the controller can read", name));
+                                      ? Text("'%1', which the file does not define", name)
+                                      : Text("'%1' in pulses, which only the controller can convert", name));
       return std::nullopt;
     }
     const int user = found->second.user;
@@ -183,7 +183,7 @@ class InformRun {
 
   void endArc() {
     if (arc_.size() > 1 && arc_.size() % 2 == 0)
-      path_.fail(arc_line_, Text("MOVC to %1 points", arc_.size()), Text("three, five, ... points of arcs"), "");
+      path_.fail(arc_line_, Text("MOVC to %1 points", arc_.size()), Text("3, 5, ... points for arcs"), "");
     arc_.clear();
   }
 
@@ -191,12 +191,13 @@ class InformRun {
     const bool is_conditional = std::find(line.words.begin(), line.words.end(), "IF") != line.words.end();
     const auto label = line.words.size() > 1 ? labels_.find(line.words[1]) : labels_.end();
     if (is_conditional) {
-      path_.noteLine(line.line,
-                     Text("'%1' depends on what the file does not give; it is read as not so.", joined(line)));
+      path_.noteLine(
+          line.line,
+          Text("'%1' depends on values that the file does not define; the condition is read as false.", joined(line)));
     } else if (label == labels_.end()) {
-      path_.fail(line.line, Text("'%1', a jump to elsewhere", joined(line)), Text("a label of the job"), "");
+      path_.fail(line.line, Text("'%1', a jump out of the job", joined(line)), Text("a label in the job"), "");
     } else if (label->second < at_) {
-      path_.noteLine(line.line, Text("a jump back; what it repeats is read once."));
+      path_.noteLine(line.line, Text("a jump back; the repeated lines are read once."));
     } else {
       at_ = label->second;
     }
@@ -215,8 +216,9 @@ class InformRun {
 Expected<ReadProgram> readInform(const std::string& text, const ProgramReadOptions& options) {
   const InformJob job = parseJob(text);
   if (job.lines.empty())
-    return makeError(
-        {.place = Text::plain("//INST"), .found = "no instructions", .expected = "a job: /JOB, //POS, //INST"});
+    return makeError({.place = Text::plain("//INST"),
+                      .found = "the job has no instructions",
+                      .expected = "a job: /JOB, //POS, //INST"});
   ProgramPath path(options);
   InformRun(job, path).run();
   return path.finish(job.name);

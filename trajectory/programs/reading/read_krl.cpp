@@ -99,7 +99,7 @@ class KrlRun final : public ProgramRun {
       const auto X = poseOf(a, Pose::identity()), Y = poseOf(b, Pose::identity());
       if (!a.isKnown()) return a;
       if (!b.isKnown()) return b;
-      return X && Y ? recordOf(*X * *Y) : Value::unknown(Text("a frame that is not understood"));
+      return X && Y ? recordOf(*X * *Y) : Value::unknown(Text("an invalid frame"));
     };
     meaning_.variable = [this](const std::string& name) { return word(name); };
     meaning_.call = [](const std::string& name, const std::vector<Argument>& given) { return function(name, given); };
@@ -121,7 +121,7 @@ class KrlRun final : public ProgramRun {
     if (isMove(statement)) {
       move(statement);
     } else if (word == "goto") {
-      path_.fail(statement.line, Text::plain("GOTO"), Text("loops and branches"),
+      path_.fail(statement.line, Text::plain("GOTO"), Text("loops and branches instead of jumps"),
                  Text("Write the lines in the order in which they run."));
     } else if (word == "wait") {
       wait(statement);
@@ -142,7 +142,7 @@ class KrlRun final : public ProgramRun {
     if (name == "$pos_act" || name == "$pos_act_mes" || name == "$pos_for") {
       if (const auto here = path_.current()) return recordOf(*here);
     }
-    return Value::unknown(Text("'%1', which the file does not give", name));
+    return Value::unknown(Text("'%1', which the file does not define", name));
   }
 
   static Value function(const std::string& name, const std::vector<Argument>& given) {
@@ -230,7 +230,7 @@ class KrlRun final : public ProgramRun {
       }
       return path_.setFrame(std::nullopt, Text("the base BASE_DATA[%1]", n));
     }
-    path_.setFrame(std::nullopt, Text("a base by %1", number.whyUnknown()));
+    path_.setFrame(std::nullopt, Text("a base from %1", number.whyUnknown()));
   }
 
   void wait(const Statement& statement) {
@@ -249,10 +249,11 @@ class KrlRun final : public ProgramRun {
       if (tokens[0].is("bas")) return bas(given), Flow::kNext;
       const auto routine = routines_.find(tokens[0].text);
       if (routine != routines_.end()) return call(routine->second, given, statement.line);
-      path_.noteLine(statement.line, Text("'%1' is not in the file; if it moves, that is missing.", textOf(tokens)));
+      path_.noteLine(statement.line,
+                     Text("'%1' is not in the file; if it moves the robot, these moves are missing.", textOf(tokens)));
       return Flow::kNext;
     }
-    path_.noteLine(statement.line, Text("'%1' is not understood and left out.", textOf(tokens)));
+    path_.noteLine(statement.line, Text("'%1' is not supported and is left out.", textOf(tokens)));
     return Flow::kNext;
   }
 
@@ -315,7 +316,7 @@ class KrlRun final : public ProgramRun {
 
   static Text whyMissing(const Value& target) {
     const Text why = target.whyUnknown();
-    return why.empty() ? Text("a target without all its coordinates") : Text("a target by %1", why);
+    return why.empty() ? Text("a target without all its coordinates") : Text("a target from %1", why);
   }
 
   std::optional<Pose> placed(const Value& target, bool is_relative, bool in_tool) const {
@@ -338,7 +339,7 @@ class KrlRun final : public ProgramRun {
       auto joints = jointsOf(target, is_relative ? ProgramPath::Joints{} : path_.currentJoints());
       if (joints && is_relative) {
         if (!path_.currentJoints())
-          return path_.missTarget(statement.line, Text("axes relative to a target that has none"));
+          return path_.missTarget(statement.line, Text("relative axis values after a target without axis values"));
         for (std::size_t i = 0; i < joints->size(); ++i) (*joints)[i] += (*path_.currentJoints())[i];
       }
       if (!joints) return path_.missTarget(statement.line, whyMissing(target));
@@ -346,7 +347,7 @@ class KrlRun final : public ProgramRun {
     }
     if (const auto X = placed(target, is_relative, in_tool)) return path_.moveTo(statement.line, *X, is_joint_move);
     if (is_relative && target.whyUnknown().empty())
-      return path_.fail(statement.line, Text("a move relative to a target that the file does not give"),
+      return path_.fail(statement.line, Text("a move relative to a target that the file does not define"),
                         Text("a known target"), "");
     path_.missTarget(statement.line, whyMissing(target));
   }
@@ -378,7 +379,7 @@ Expected<ReadProgram> readKrl(const ProgramText& text, const ProgramReadOptions&
   const Tokens tokens = tokensOf(text.source, krl());
   parseKrl(tokens, path, routines, loose);
   run.allowSteps(tokens.size());
-  if (routines.empty()) return makeError({.found = "no DEF", .expected = "a KRL program: DEF NAME( )"});
+  if (routines.empty()) return makeError({.found = "DEF is missing", .expected = "a KRL program: DEF NAME( )"});
   const Routine main = routines.front();
   run.addRoutines(std::move(routines));
   run.run(main.body);

@@ -148,11 +148,11 @@ class RapidRun final : public ProgramRun {
     } else if (word == "const" || word == "pers" || word == "var" || word == "local" || word == "task") {
       declare(tokens);
     } else if (word == "goto") {
-      path_.fail(statement.line, Text::plain("GOTO"), Text("loops and branches"),
+      path_.fail(statement.line, Text::plain("GOTO"), Text("loops and branches instead of jumps"),
                  Text("Write the lines in the order in which they run."));
     } else if (word == "pdispset" || word == "pdispon" || word == "eoffsset" || word == "eoffson") {
-      path_.fail(statement.line, Text("'%1', which moves all targets that follow", word), Text("targets as they stand"),
-                 Text("Take it out of a copy of the program."));
+      path_.fail(statement.line, Text("'%1', which shifts all targets that follow", word),
+                 Text("targets without a shift"), Text("Delete it in a copy of the program."));
     } else if (word == "waittime") {
       wait(statement);
     } else if (stillInstructions().contains(word)) {
@@ -175,7 +175,7 @@ class RapidRun final : public ProgramRun {
     if (name == "vmax") return Value::list("speeddata", {7000.0, 500.0, 5000.0, 1000.0});
     if (name.size() > 1 && name.front() == 'v' && name.find_first_not_of("0123456789", 1) == std::string::npos)
       return Value::list("speeddata", {parseNumber(name.substr(1)).value_or(0.0), 500.0, 5000.0, 1000.0});
-    return Value::unknown(Text("'%1', which the file does not give", name));
+    return Value::unknown(Text("'%1', which the file does not define", name));
   }
 
   static std::optional<double> numberAt(const std::vector<Argument>& given, std::size_t i) {
@@ -192,7 +192,7 @@ class RapidRun final : public ProgramRun {
   Value function(const std::string& name, const std::vector<Argument>& given) const {
     if (name == "crobt") {
       const auto here = path_.current();
-      return here ? rapidTarget(*here, {}) : Value::unknown(Text("the robot's place"));
+      return here ? rapidTarget(*here, {}) : Value::unknown(Text("the current position of the robot"));
     }
     if (given.empty()) return unknownResult(name, given);
     const Value& first = given.front().value;
@@ -322,9 +322,10 @@ class RapidRun final : public ProgramRun {
     }
     if (tokens.front().isWord()) {
       path_.noteLine(statement.line,
-                     Text("'%1' is not in the file or not understood; if it moves, that is missing.", textOf(tokens)));
+                     Text("'%1' is not in the file or not supported; if it moves the robot, these moves are missing.",
+                          textOf(tokens)));
     } else {
-      path_.noteLine(statement.line, Text("'%1' is not understood and left out.", textOf(tokens)));
+      path_.noteLine(statement.line, Text("'%1' is not supported and is left out.", textOf(tokens)));
     }
     return Flow::kNext;
   }
@@ -336,7 +337,7 @@ class RapidRun final : public ProgramRun {
     const auto user = data.items.size() > 4 ? rapidPose(data.items[3]) : std::nullopt;
     const auto object = data.items.size() > 4 ? rapidPose(data.items[4]) : std::nullopt;
     if (user && object) return path_.setFrame(*user * *object, "");
-    Text name = "the work object of which the file has no value";
+    Text name = "the work object, which the file does not define";
     for (std::size_t i = 0; i + 2 < tokens.size(); ++i)
       if (tokens[i].is("wobj") && tokens[i + 1].is(":=")) name = Text("the work object '%1'", tokens[i + 2].text);
     path_.setFrame(std::nullopt, name);
@@ -357,7 +358,7 @@ class RapidRun final : public ProgramRun {
 
   static Text whyMissing(const Value& target) {
     const Text why = target.kind == Value::Kind::kUnknown ? target.whyUnknown() : Text();
-    return why.empty() ? Text("a target that is no robtarget or jointtarget") : Text("a target by %1", why);
+    return why.empty() ? Text("a target that is not a robtarget or jointtarget") : Text("a target from %1", why);
   }
 
   /// 9E9 is an axis that is not there.
@@ -375,7 +376,7 @@ class RapidRun final : public ProgramRun {
     for (Argument& argument : given)
       if (argument.name.empty()) plain.push_back(argument);
     if (kind.before > 0)
-      path_.noteLine(statement.line, Text("a search, which ends where a signal comes; it is read to its end point."));
+      path_.noteLine(statement.line, Text("a search, which stops at a signal; it is read up to its end point."));
     const auto first = static_cast<std::size_t>(kind.before);
     const std::size_t last = first + (kind.is_circle ? 1 : 0);
     if (last >= plain.size()) return path_.missTarget(statement.line, Text("a move without target"));
@@ -437,7 +438,7 @@ Expected<ReadProgram> readRapid(const std::string& text, const ProgramReadOption
   RapidRun run(path);
   run.allowSteps(tokens.size());
   run.run(data);
-  if (routines.empty()) return makeError({.found = "no PROC", .expected = "a RAPID module with a PROC"});
+  if (routines.empty()) return makeError({.found = "PROC is missing", .expected = "a RAPID module with a PROC"});
   run.addRoutines(routines);
   const auto moves = [&run](const Routine& r) { return run.moves(r.body); };
   auto main = std::find_if(routines.begin(), routines.end(), [](const Routine& r) { return r.name == "main"; });
@@ -446,14 +447,14 @@ Expected<ReadProgram> readRapid(const std::string& text, const ProgramReadOption
     main = std::find_if(routines.begin(), routines.end(),
                         [&](const Routine& r) { return r.parameters.empty() && moves(r); });
     if (main == routines.end())
-      return makeError({.found = "no PROC with moves", .expected = "a PROC main(), or one with moves"});
+      return makeError({.found = "no PROC has moves", .expected = "a PROC main(), or one with moves"});
     std::string others;
     for (const Routine& routine : routines)
       if (routine.name != main->name && moves(routine)) others += (others.empty() ? "" : ", ") + routine.name;
     path.note(others.empty()
                   ? Text("There is no PROC main() with moves: '%1', the first with moves, is read.", main->name)
-                  : Text("There is no PROC main() with moves: '%1', the first with moves, is read; not read unless it "
-                         "calls them: %2.",
+                  : Text("There is no PROC main() with moves: '%1', the first with moves, is read. Procedures that it "
+                         "does not call are not read: %2.",
                          main->name, others));
   }
   const Routine first = *main;

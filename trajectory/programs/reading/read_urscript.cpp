@@ -105,12 +105,13 @@ class UrParser {
   Block block(const UrWords& ends, int depth) {
     Block result;
     if (depth > kDeepestUrBlock) {
-      path_.fail(lines_[std::min(at_, lines_.size() - 1)].front().line, Text("more than 100 blocks within each other"),
+      path_.fail(lines_[std::min(at_, lines_.size() - 1)].front().line, Text("more than 100 nested blocks"),
                  Text("fewer"), "");
       at_ = lines_.size();
     }
     while (at_ < lines_.size() && !isAt(ends)) statement(result, depth);
-    if (at_ >= lines_.size()) path_.fail(lines_.back().front().line, Text("the file's end"), Text::plain("'end'"), "");
+    if (at_ >= lines_.size())
+      path_.fail(lines_.back().front().line, Text("the file ends too early"), Text::plain("'end'"), "");
     return result;
   }
 
@@ -213,8 +214,8 @@ class UrRun final : public ProgramRun {
                  Text::plain("movej, movel, movep, movec"), "");
     } else if (is_call && (word == "force_mode" || word == "track_conveyor_linear" ||
                            word == "track_conveyor_circular" || word == "path_offset_set")) {
-      path_.fail(statement.line, Text("'%1', which moves the targets that follow", word), Text("targets as they stand"),
-                 Text("Take it out of a copy of the program."));
+      path_.fail(statement.line, Text("'%1', which shifts the targets that follow", word),
+                 Text("targets without a shift"), Text("Delete it in a copy of the program."));
     } else if (is_call) {
       return callLine(statement);
     } else if (word == "run" || word == "kill" || word == "join" || word == "enter_critical" ||
@@ -222,7 +223,7 @@ class UrRun final : public ProgramRun {
       path_.noteLine(statement.line, word == "run" ? Text("'%1' is left out: threads are not read.", textOf(tokens))
                                                    : Text("'%1' is left out.", textOf(tokens)));
     } else if (!assignment(tokens)) {
-      path_.noteLine(statement.line, Text("'%1' is not understood and left out.", textOf(tokens)));
+      path_.noteLine(statement.line, Text("'%1' is not supported and is left out.", textOf(tokens)));
     }
     return Flow::kNext;
   }
@@ -236,7 +237,7 @@ class UrRun final : public ProgramRun {
   Value function(const std::string& name, const std::vector<Argument>& given) const {
     if (name == "get_actual_tcp_pose" || name == "get_target_tcp_pose") {
       const auto here = path_.current();
-      return here ? urValue(*here) : Value::unknown(Text("the robot's place"));
+      return here ? urValue(*here) : Value::unknown(Text("the current position of the robot"));
     }
     if (given.empty()) return Value::unknown(Text("the result of '%1'", name));
     const auto X = urPose(given[0].value);
@@ -301,15 +302,16 @@ class UrRun final : public ProgramRun {
     } else if (isStillCall(word)) {
       path_.skip(statement.line);
     } else {
-      path_.noteLine(statement.line, Text("'%1' is not in the file or not understood; if it moves, that is missing.",
-                                          textOf(statement.tokens)));
+      path_.noteLine(statement.line,
+                     Text("'%1' is not in the file or not supported; if it moves the robot, these moves are missing.",
+                          textOf(statement.tokens)));
     }
     return Flow::kNext;
   }
 
   static Text whyMissing(const Value& target) {
     const Text why = target.whyUnknown();
-    return why.empty() ? Text("a target that is neither p[...] nor six joints") : Text("a target by %1", why);
+    return why.empty() ? Text("a target that is neither p[...] nor six joints") : Text("a target from %1", why);
   }
 
   void move(const Statement& statement) {

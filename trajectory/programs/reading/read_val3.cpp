@@ -86,7 +86,7 @@ Expected<ReadProgram> readVal3(const std::string& data_text, const std::string& 
     if (X)
       path.moveTo(line, *X, text.starts_with("movej("));
     else
-      path.missTarget(line, Text("data that the database does not have"));
+      path.missTarget(line, Text("data that is not in the database"));
   }
   return path.finish("");
 }

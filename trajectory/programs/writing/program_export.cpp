@@ -47,11 +47,11 @@ Expected<void> checkFrames(const ProgramOptions& options, ProgramFormat format) 
       if (isWholeNumber(word.text, word.least, word.greatest)) continue;
       return makeError({.place = word.name,
                         .found = Text("'%1'", word.text),
-                        .expected = Text("its number on the controller, %1 to %2", word.least, word.greatest)});
+                        .expected = Text("the number on the controller, %1 to %2", word.least, word.greatest)});
     }
     if (isExpression(word.text, format)) continue;
     return makeError(
-        {.place = word.name, .found = Text("'%1'", word.text), .expected = "the name of one on the controller"});
+        {.place = word.name, .found = Text("'%1'", word.text), .expected = "a name that exists on the controller"});
   }
   return {};
 }
@@ -74,10 +74,10 @@ Text nameNote(const std::string& wanted, const std::string& name, ProgramFormat 
   if (wanted.empty() || sameButForCase(wanted, name)) return {};
   const std::string language = programNumbers(format).language;
   if (isReservedName(wanted, format))
-    return Text("The program is called '%1': '%2' is a word of %3 itself.", name, wanted, language);
+    return Text("The program is named '%1', because '%2' is a reserved word of %3.", name, wanted, language);
   return Text(
-      "The program is called '%1': '%2' is no name in %3 (letters, digits and _, a letter first, at most %4 "
-      "characters).",
+      "The program is named '%1', because '%2' is not a valid name in %3 (letters, digits and _, a letter first, at "
+      "most %4 characters).",
       name, wanted, language, longestProgramName(format));
 }
 
@@ -128,14 +128,14 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
   if (trajectory.empty()) return makeError({.place = "frames", .found = "none", .expected = "at least one frame"});
   if (!trajectory.has_poses) {
     return makeError({.place = "poses",
-                      .found = "joints alone, which give a program no targets",
+                      .found = "joint values without poses, so the program has no targets",
                       .expected = "poses",
-                      .fix = "Name the robot whose joints they are (--robot): its forward kinematics give the poses."});
+                      .fix = "Set the robot of these joints (--robot), so that the poses can be computed."});
   }
   if (trajectory.hasJoints() && trajectory.joint_names.size() != 6) {
     return makeError({.place = "joints",
                       .found = Text("%1 joints", trajectory.joint_names.size()),
-                      .expected = "six, or none",
+                      .expected = "six joints, or none",
                       .fix = "Export it as csv, json or ros."});
   }
   const bool has_values = options.speed > 0.0 && options.acceleration > 0.0 && options.blend >= 0.0 &&
@@ -143,7 +143,7 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
   if (!has_values) {
     return makeError({.place = "speed, acceleration, blend",
                       .found = "a value outside its range",
-                      .expected = "positive speeds, a joint speed up to 1, a blend from 0"});
+                      .expected = "speeds above 0, a joint speed of at most 1, a blend of 0 or more"});
   }
   HAPTICELL_TRY(checkFrames(options, format));
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
@@ -156,8 +156,8 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
   if (format == ProgramFormat::kInform && trajectory.size() > kMostInformPositions) {
     return makeError({.place = "frames",
                       .found = std::to_string(trajectory.size()),
-                      .expected = Text("at most %1, as a job of INFORM can hold", kMostInformPositions),
-                      .fix = "Simplify the motion first, or split it."});
+                      .expected = Text("at most %1, the limit of an INFORM job", kMostInformPositions),
+                      .fix = "Simplify or split the motion."});
   }
   const std::string wanted_name = options.name.empty() ? trajectory.name : options.name;
   const std::string name = programName(wanted_name, format);
@@ -172,11 +172,12 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
   HAPTICELL_TRY(measured);
   const PoseDistance& off = measured->largest;
   if (options.must_read_back && kProgramPromise.shareOf(off) > 1.0) {
-    return makeError({.place = "read back",
-                      .found = Text("%1 m, %2 rad off", shortestText(off.position), shortestText(off.angle)),
-                      .expected = Text("at most %1 m, %2 rad", shortestText(kProgramPromise.position),
-                                       shortestText(kProgramPromise.angle)),
-                      .fix = "Nothing was written. Bring the motion nearer to the robot's base."});
+    return makeError(
+        {.place = "check of the written program",
+         .found = Text("a deviation of %1 m and %2 rad", shortestText(off.position), shortestText(off.angle)),
+         .expected = Text("at most %1 m and %2 rad", shortestText(kProgramPromise.position),
+                          shortestText(kProgramPromise.angle)),
+         .fix = "Nothing was written. Move the motion nearer to the robot's base."});
   }
   if (notes) {
     if (auto changed = nameNote(wanted_name, name, format); !changed.empty()) notes->push_back(std::move(changed));

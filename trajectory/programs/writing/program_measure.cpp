@@ -57,7 +57,7 @@ Expected<ProgramMeasure> measureProgram(const std::vector<ProgramFile>& files, P
   const auto read = readFiles(inOwnBase(files, format, options.base), format, options.base);
   HAPTICELL_TRY(read);
   if (read->trajectory.size() != trajectory.size()) {
-    return makeError({.place = "read back",
+    return makeError({.place = "check of the written program",
                       .found = Text("%1 targets", read->trajectory.size()),
                       .expected = std::to_string(trajectory.size()),
                       .fix = "Nothing was written."});

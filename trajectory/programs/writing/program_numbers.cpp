@@ -81,7 +81,7 @@ std::string NumberWriter::text(const NumberRule& rule, double value, const Text&
     if (!error_) {
       error_ = Error{.place = place.empty() ? kind : Text("%1, %2", kind, place),
                      .found = Text("%1 %2", shortestText(wanted), rule.unit),
-                     .expected = Text("%1 to %2 %3, as %4 can hold", shortestText(rule.least),
+                     .expected = Text("%1 to %2 %3, the range of %4", shortestText(rule.least),
                                       shortestText(rule.greatest), rule.unit, numbers_.language),
                      .fix = Text("Choose another %1. Nothing was written.", kind)};
     }
@@ -91,10 +91,10 @@ std::string NumberWriter::text(const NumberRule& rule, double value, const Text&
   if (std::abs(got - wanted) > kNotedRounding * wanted && !is_noted) {
     noted_kinds_.push_back(kind);
     const std::string given = shortestText(wanted);
-    notes_.push_back(place.empty() ? Text("The %1, %2 %3, is rounded to %4 %3: %5 has no more digits.", kind, given,
-                                          rule.unit, written, numbers_.language)
-                                   : Text("The %1 of %6, %2 %3, is rounded to %4 %3: %5 has no more digits.", kind,
-                                          given, rule.unit, written, numbers_.language, place));
+    notes_.push_back(place.empty() ? Text("The %1, %2 %3, is rounded to %4 %3, because %5 allows no more digits.", kind,
+                                          given, rule.unit, written, numbers_.language)
+                                   : Text("The %1 of %6, %2 %3, is rounded to %4 %3, because %5 allows no more digits.",
+                                          kind, given, rule.unit, written, numbers_.language, place));
   }
   return written;
 }

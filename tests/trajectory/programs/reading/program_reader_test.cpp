@@ -274,7 +274,7 @@ end
   for (std::size_t i = 6; i < motion.size(); ++i)
     EXPECT_NEAR(glm::length(motion[i].X_WT.p - dvec3(0.45, -0.2, 0.4)), 0.05, 1e-9);
   expectPose(motion, motion.size() - 1, {0.5, -0.2, 0.4}, over);
-  EXPECT_TRUE(says(read->notes, "Line 12: a loop without end")) << all(read->notes);
+  EXPECT_TRUE(says(read->notes, "Line 12: an endless loop")) << all(read->notes);
 }
 
 const char* const kLs = R"(/PROG  PICK
@@ -382,7 +382,7 @@ P[1]{ GP1: UF : 3, UT : 1, CONFIG : 'L, 0, 0, 0',
   ASSERT_EQ(read->trajectory.size(), 2u) << all(read->notes);
   expectPose(read->trajectory, 0, {0.4, 0.0, 0.1}, kNoTurn);
   expectPose(read->trajectory, 1, {0.4, 0.0, 0.075}, {kQuarter, 0, 0, kQuarter});
-  EXPECT_TRUE(says(read->notes, "Poses are in the user frame 3")) << all(read->notes);
+  EXPECT_TRUE(says(read->notes, "Poses are relative to the user frame 3")) << all(read->notes);
   EXPECT_TRUE(says(read->notes, "COORD")) << all(read->notes);
 }
 

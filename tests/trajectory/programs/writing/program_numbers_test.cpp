@@ -61,7 +61,7 @@ TEST(ProgramNumbers, WhatTheLanguageCannotHoldIsAnErrorAndTheFirstIsKept) {
     (void)writer.text(numbers.dwell, 1e9, "dwell", "frame 3");
     const std::string message = writer.error()->message();
     EXPECT_THAT(message, HasSubstr("speed: "));
-    EXPECT_THAT(message, HasSubstr("1 to 4000 mm/sec, as FANUC can hold"));
+    EXPECT_THAT(message, HasSubstr("1 to 4000 mm/sec, the range of FANUC"));
     EXPECT_THAT(message, HasSubstr("Choose another speed. Nothing was written."));
   }
   NumberWriter writer(numbers);
