@@ -135,7 +135,7 @@ TEST_F(Expressions, HaveTheUsualOrderOfOperators) {
 TEST_F(Expressions, WhatDependsOnSomethingElseIsUnknownAndSaysWhy) {
   const Value value = valueOf("1 + missing");
   EXPECT_FALSE(value.isKnown());
-  EXPECT_EQ(value.whyUnknown(), "'missing' is not given");
+  EXPECT_EQ(english(value.whyUnknown()), "'missing' is not given");
   EXPECT_FALSE(valueOf("1 / 0").isKnown());
   EXPECT_FALSE(valueOf("").isKnown());
   EXPECT_FALSE(valueOf(std::string(5000, '(') + "1").isKnown()) << "too deep, and no stack overflow";
