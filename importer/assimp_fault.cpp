@@ -32,7 +32,7 @@ std::optional<Error> firstChunkFault(std::string_view head) {
   if (!json || *version != 2 || *json <= *length) return std::nullopt;
   return Error{.place = "first chunk",
                .found = Text("a length of %1 bytes", *json),
-               .expected = Text("less than the file's %1", *length),
+               .expected = Text("less than the file size of %1 bytes", *length),
                .fix = kAgain};
 }
 

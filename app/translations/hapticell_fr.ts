@@ -12271,10 +12271,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>celui de la commande</translation>
     </message>
     <message>
-        <source>as many as in the recording</source>
-        <translation>autant que dans l'enregistrement</translation>
-    </message>
-    <message>
         <source>assembly '%1'</source>
         <translation>assemblage '%1'</translation>
     </message>
@@ -12795,16 +12791,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>chaque main une fois par étape</translation>
     </message>
     <message>
+        <source>each joint once</source>
+        <translation>chaque axe une fois</translation>
+    </message>
+    <message>
         <source>each key at most once</source>
         <translation>chaque clé une fois</translation>
     </message>
     <message>
         <source>each name once</source>
         <translation>chaque nom une seule fois</translation>
-    </message>
-    <message>
-        <source>each once</source>
-        <translation>chacun une seule fois</translation>
     </message>
     <message>
         <source>each option at most once</source>
@@ -13699,8 +13695,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>des longueurs qui peuvent être assemblées</translation>
     </message>
     <message>
-        <source>less than the file's %1</source>
-        <translation>moins que les %1 du fichier</translation>
+        <source>less than the file size of %1 bytes</source>
+        <translation>moins que la taille du fichier, %1 octets</translation>
     </message>
     <message>
         <source>letters, digits and _, no Python keyword, no __ at the start</source>
@@ -16103,8 +16099,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>le mouvement d'un expert</translation>
     </message>
     <message>
-        <source>the name '%1' is taken</source>
-        <translation>le nom '%1' est déjà pris</translation>
+        <source>the name '%1' is already in use</source>
+        <translation>le nom '%1' est déjà utilisé</translation>
     </message>
     <message>
         <source>the name '%1' twice</source>
@@ -16409,6 +16405,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the same number</source>
         <translation>le même nombre</translation>
+    </message>
+    <message>
+        <source>the same number of frames as in the recording</source>
+        <translation>le même nombre d'images que dans l'enregistrement</translation>
     </message>
     <message>
         <source>the scale factor is not a number</source>

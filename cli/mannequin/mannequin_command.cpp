@@ -326,7 +326,7 @@ void addMannequinCommand(Subcommand app, Action& chosen) {
   command.option("--lock", options->lock, "Body parts to lock: trunk, feet, pelvis").separatedByCommas();
   command
       .option("--motion", options->motion,
-              "Recorded motion for the mannequin: .bvh, .amc beside its .asf, or .c3d (markers)")
+              "Recorded motion for the mannequin: .bvh, .c3d (markers), or .amc with its .asf in the same folder")
       .takes(ValueKind::kFile);
   addMotionReading(command, options->up, options->markers);
   command.flag("--fail-on-limit", options->fail_on_limit, "Exit 1 if a limit is exceeded or a target is not met");

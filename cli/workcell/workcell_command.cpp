@@ -70,7 +70,7 @@ Expected<void> addEntity(const std::string& text, workcell::EntityLoader& loader
   if (!addition->name.empty()) {
     if (document.findByName(addition->name)) {
       return makeError({.file = "--add " + text,
-                        .found = Text("the name '%1' is taken", addition->name),
+                        .found = Text("the name '%1' is already in use", addition->name),
                         .expected = "a unique name"});
     }
     nameImported(addition->name, imported->entities);

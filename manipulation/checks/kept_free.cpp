@@ -82,8 +82,9 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const Tr
                             const Trajectory& processed, const PathCheckOptions& options,
                             const config::Configuration& configuration) {
   if (recording.size() != processed.size()) {
-    return makeError(
-        {.place = "frames", .found = std::to_string(processed.size()), .expected = "as many as in the recording"});
+    return makeError({.place = "frames",
+                      .found = std::to_string(processed.size()),
+                      .expected = "the same number of frames as in the recording"});
   }
   const workcell::Entity* entity = scene->find(recording.entity);
   KeptFree kept;

@@ -50,7 +50,7 @@ MovedBy resolved(const MovedBy& moved_by, const workcell::Entity& entity);
 /// The first of `kinds` that suits makes it. Error: no kind suits.
 Expected<std::unique_ptr<Manipulator>> makeManipulator(const Taking& taking, std::span<const ManipulatorKind> kinds);
 
-/// "entity 'X': it is locked; expected an entity that may be moved".
+/// "entity 'X': it is locked; expected an entity that can be moved".
 Error takingRefused(const workcell::Entity& entity, Text found, Text expected);
 
 }  // namespace hapticell::manipulation

@@ -340,7 +340,7 @@ def test_workcell_new_refuses_what_means_nothing(case):
     brick = "box:1,1,1,name=k"
     assert "--add" in case.run("workcell", "new", "cell.hcell", expect=2)
     assert "itself" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--check", "k:k", expect=2)
-    assert "'k' is taken" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--add", brick, expect=2)
+    assert "'k' is already in use" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--add", brick, expect=2)
     assert "once" in case.run("workcell", "new", "cell.hcell", "--add", brick + ",name=j", expect=2)
     assert "--check" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--check", ":", expect=2)
     assert "no option is named 'colour'" in case.run("workcell", "new", "cell.hcell", "--add", "brick.obj,colour=red", expect=2)

@@ -153,7 +153,7 @@ class RosYamlReader {
       if (!name.IsScalar() || name.Scalar().empty())
         return fault(name, Text("a name that is not text"), Text("joint names"));
       if (!known.insert(name.Scalar()).second)
-        return fault(name, Text("joint '%1' twice", name.Scalar()), Text("each once"));
+        return fault(name, Text("joint '%1' twice", name.Scalar()), Text("each joint once"));
       trajectory_.joint_names.push_back(name.Scalar());
     }
     if (trajectory_.joint_names.empty())

@@ -71,7 +71,7 @@ Expected<void> checkReach(const Entity& entity) {
 }
 
 Error taken(const std::string& name) {
-  return {.found = Text("the name '%1' is taken", name), .expected = "a unique name"};
+  return {.found = Text("the name '%1' is already in use", name), .expected = "a unique name"};
 }
 
 Expected<void> checkJoints(const Entity& entity, const std::vector<double>& joints) {
