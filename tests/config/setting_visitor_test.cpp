@@ -72,8 +72,8 @@ TEST(SettingVisitor, EachLimitIsKeptByTheFileAndByTheSetter) {
 
 TEST(TomlPlace, ALineIsCountedFromOne) {
   const toml::table table = toml::parse("a = 1\n\n[b]\nc = 'x'\n");
-  EXPECT_EQ(lineOf(*table.get("a")), "line 1");
-  EXPECT_EQ(lineOf(*table.at_path("b.c").node()), "line 4");
+  EXPECT_EQ(english(lineOf(*table.get("a"))), "line 1");
+  EXPECT_EQ(english(lineOf(*table.at_path("b.c").node())), "line 4");
 }
 
 }  // namespace

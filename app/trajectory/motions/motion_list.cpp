@@ -3,7 +3,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QRegularExpression>
 #include <QStandardPaths>
 #include <algorithm>
 
@@ -88,11 +87,10 @@ std::string MotionList::uniqueName(const std::string& wanted) const {
   }
 }
 
-/// The motion in a file that is not there yet.
+/// The motion in a file that does not exist yet.
 workcell::TrajectoryReference MotionList::fileFor(Trajectory motion) {
   const QDir folder(this->folder());
-  static const QRegularExpression kOdd(QStringLiteral("[^\\w.-]+"));
-  const QString stem = QString::fromStdString(motion.name).replace(kOdd, QStringLiteral("-"));
+  const QString stem = fileStem(QString::fromStdString(motion.name));
   QString file = folder.filePath(stem + QStringLiteral(".htraj"));
   const auto isTaken = [&](const QString& name) {
     return QFileInfo::exists(name) || read_.contains(name.toStdString());

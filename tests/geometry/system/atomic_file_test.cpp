@@ -194,7 +194,7 @@ TEST_F(AtomicFileTest, AFullDiskLeavesTheOldFile) {
   ::setrlimit(RLIMIT_FSIZE, &limit);
   ::signal(SIGXFSZ, before);
   ASSERT_FALSE(written);
-  EXPECT_THAT(written.error().message(), ::testing::HasSubstr("Make room"));
+  EXPECT_THAT(written.error().message(), ::testing::HasSubstr("Free disk space"));
   EXPECT_FALSE(several);
   EXPECT_EQ(contentOf(path), "old");
   EXPECT_THAT(namesIn(at()), ::testing::ElementsAre("a.txt"));
