@@ -44,16 +44,20 @@ def main():
         print("1 passed, 0 failed")
         return 0
     root = pathlib.Path(sys.argv[-1])
-    public, all_headers, bad, read = set(), set(), [], 0
+    public, all_headers, internal, bad, read = set(), set(), set(), [], 0
     for top in ENGINE:
         all_headers |= {path.relative_to(root).as_posix() for path in (root / top).rglob("*.h")}
         for lists in (root / top).rglob("CMakeLists.txt"):
             folder = lists.parent.relative_to(root).as_posix()
-            public |= {f"{folder}/{name}" for name in listed_headers(lists.read_text(encoding="utf-8"))}
+            text = lists.read_text(encoding="utf-8")
+            public |= {f"{folder}/{name}" for name in listed_headers(text)}
+            # Headers of internal libraries are for the programs alone.
+            internal |= {f"{folder}/{name}" for library in LIBRARY.findall(text + "\n") if " INTERNAL" in library
+                         for name in re.findall(r"[\w/]+\.h", library)}
     if sys.argv[1] == "--list":
         print("\n".join(sorted(public)))
         return 0
-    all_headers = {name for name in all_headers if not name.startswith("haptic/devices/drivers/")}
+    all_headers = {name for name in all_headers - internal if not name.startswith("haptic/devices/drivers/")}
     bad += [f"{name} is listed, but is not there" for name in sorted(public - all_headers)]
     sources = [root / name for name in sorted(public & all_headers)]
     for top in USERS:

@@ -18,6 +18,20 @@ namespace hapticell::app {
 
 using trajectory::Trajectory;
 
+namespace {
+
+/// The name with a '-' for each run of characters that some file systems refuse.
+QString fileStem(const QString& name) {
+  QString stem;
+  for (const QChar c : name) {
+    const bool plain = c.isLetterOrNumber() || QStringLiteral("_.-").contains(c);
+    if (plain || !stem.endsWith(QLatin1Char('-'))) stem += plain ? c : QChar('-');
+  }
+  return stem;
+}
+
+}  // namespace
+
 MotionList::MotionList(Host& host, QObject* parent) : QObject(parent), host_(host) {
   connect(&host_.documentModel(), &DocumentModel::changed, this, &MotionList::takeDocument);
   connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
