@@ -8,7 +8,7 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/user_settings.h"
-#include "app/kit/beside.h"
+#include "app/kit/thread_pool_task.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/style/units.h"
 
@@ -153,7 +153,7 @@ void LiveScores::advise() {
   if (isEmpty()) return;
   if (asking_) return rests_.start();
   asking_ = true;
-  runBeside(
+  runInThreadPool(
       this,
       [figure = figure_, posture = posture_, task = task_, figures = figures_] {
         Advice advice;

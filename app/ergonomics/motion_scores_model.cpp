@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "app/kit/beside.h"
+#include "app/kit/thread_pool_task.h"
 #include "app/mannequin/joint_words.h"
 #include "app/style/library_text.h"
 
@@ -74,7 +74,7 @@ void MotionScoresModel::follow(const std::shared_ptr<const mannequin::Figure>& f
 void MotionScoresModel::start(bool is_new) {
   busy_ = true;
   emit changed();
-  runBeside(
+  runInThreadPool(
       this, [path = path_.toStdString(), figure = figure_, task = task_] { return read(path, *figure, task); },
       [this, is_new, path = path_, question = question_](Expected<std::shared_ptr<const Motion>> motion) {
         if (question != question_) return;

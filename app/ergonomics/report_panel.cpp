@@ -17,9 +17,9 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/kit/beside.h"
 #include "app/kit/file_dialog.h"
 #include "app/kit/form.h"
+#include "app/kit/thread_pool_task.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/style/icon.h"
@@ -289,7 +289,7 @@ void ReportPanel::draw() {
     ergonomics::ReportPicture picture;
     int pages = 1;
   };
-  runBeside(
+  runInThreadPool(
       this,
       [input = input(), of_task = isOfTask(), page = shown_page_, width = static_cast<int>(ratio * pageWidth())] {
         const ergonomics::Report report = of_task ? ergonomics::taskReport(input) : ergonomics::postureReport(input);

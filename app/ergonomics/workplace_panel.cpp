@@ -17,8 +17,8 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/kit/beside.h"
 #include "app/kit/form.h"
+#include "app/kit/thread_pool_task.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/style/library_text.h"
 #include "app/style/units.h"
@@ -219,7 +219,7 @@ void WorkplacePanel::search() {
   view_->setMap(nullptr);
   poll_.start();
   showMap();
-  runBeside(
+  runInThreadPool(
       this,
       [question = asked_.question, run = run_] {
         return manipulation::searchWorkplace(
@@ -297,7 +297,7 @@ void WorkplacePanel::take() {
 }
 
 void WorkplacePanel::checkTaken(const manipulation::WorkplaceCell& place) {
-  runBeside(
+  runInThreadPool(
       this,
       [question = asked_.question, place, after = context_.host().documentModel().document().snapshotEntities()] {
         return manipulation::workplacePromises(*question, place, after);

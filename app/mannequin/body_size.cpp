@@ -12,8 +12,8 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/kit/beside.h"
 #include "app/kit/form.h"
+#include "app/kit/thread_pool_task.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/style/library_text.h"
@@ -182,7 +182,7 @@ void BodySize::begin() {
     return;
   }
   busy_ = true;
-  runBeside(
+  runInThreadPool(
       this, [entity = *entity, request = wanted_] { return resizeCommands(entity, request); },
       [this, id = entity->id](Expected<std::vector<workcell::Command>> commands) {
         busy_ = false;

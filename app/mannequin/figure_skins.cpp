@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/host/host.h"
-#include "app/kit/beside.h"
+#include "app/kit/thread_pool_task.h"
 #include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
@@ -55,7 +55,7 @@ void FigureSkins::look() {
 
 void FigureSkins::ask(const workcell::Entity& entity) {
   asking_ = true;
-  runBeside(
+  runInThreadPool(
       this, [figure = entity.figure] { return figureSkin(*figure); },
       [this, id = entity.id, figure = entity.figure](std::shared_ptr<const mannequin::FigureSkin> skin) {
         asking_ = false;

@@ -11,7 +11,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/kit/action_face.h"
-#include "app/kit/beside.h"
+#include "app/kit/thread_pool_task.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/style/units.h"
@@ -153,7 +153,7 @@ void HandsToPart::send(Hands hands, const PickedFeature& place) {
   if (!targets) return;
   busy_ = true;
   showActions();
-  runBeside(
+  runInThreadPool(
       this,
       [figure = entity->figure, from, targets = *targets,
        task = taskOf(*entity->figure, from, context_.host().holdChoice().hands())] {

@@ -17,9 +17,9 @@
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/kit/action_face.h"
-#include "app/kit/beside.h"
 #include "app/kit/dock_front.h"
 #include "app/kit/form.h"
+#include "app/kit/thread_pool_task.h"
 #include "app/kit/top_menus.h"
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/figure_drawings.h"
@@ -109,7 +109,7 @@ class MannequinDocks : public QObject {
   void add(const mannequin::BodyRequest& request) {
     std::vector<std::string> taken;
     for (const auto& entity : host_.documentModel().document().state().entities) taken.push_back(entity->name);
-    runBeside(
+    runInThreadPool(
         this, [request, place = freePlace(), taken] { return newMannequin(request, place, taken); },
         [this, number = host_.documentModel().number()](Expected<workcell::Entity> made) {
           if (number != host_.documentModel().number()) return;

@@ -12,9 +12,9 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
-#include "app/kit/beside.h"
 #include "app/kit/file_dialog.h"
 #include "app/kit/form.h"
+#include "app/kit/thread_pool_task.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/style/library_text.h"
 #include "app/style/style_painting.h"
@@ -86,7 +86,7 @@ MarkerPanel::MarkerPanel(MannequinContext& context, QWidget* parent)
 }
 
 void MarkerPanel::open(const QString& path) {
-  runBeside(
+  runInThreadPool(
       this, [file = path.toStdString()] { return mannequin::readC3d(file); },
       [this, path](Expected<mannequin::MarkerClip> clip) {
         if (clip) return take(std::move(*clip), path);

@@ -27,15 +27,15 @@ class ForceSection : public QObject {
   void showDevice();
 
  private:
-  void mend();
+  void fix();
 
   Host& host_;
   VirtualDesktopController& controller_;
   QCheckBox* forces_;
   QLabel *state_, *why_, *force_now_, *mend_why_;
-  QStackedWidget* meter_or_mend_;
+  QStackedWidget* meter_or_fix_;
   ForceMeter* meter_;
-  QPushButton* mend_;
+  QPushButton* fix_;
 };
 
 }  // namespace hapticell::app

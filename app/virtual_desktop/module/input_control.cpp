@@ -7,7 +7,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
-#include "app/kit/beside.h"
+#include "app/kit/thread_pool_task.h"
 #include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "app/virtual_desktop/module/virtual_desktop_controller.h"
@@ -114,7 +114,7 @@ bool InputControl::hasFreeHand() const {
 
 void InputControl::addFreeHand() {
   const std::string what = devices_.isRightGlove() ? "hand:right" : "hand:left";
-  runBeside(
+  runInThreadPool(
       &owner_,
       [what] {
         Diagnostics diagnostics;
