@@ -289,7 +289,7 @@ void ReportPanel::draw() {
     ergonomics::ReportPicture picture;
     int pages = 1;
   };
-  runBeside(
+  runInThreadPool(
       this,
       [input = input(), of_task = isOfTask(), page = shown_page_, width = static_cast<int>(ratio * pageWidth())] {
         const ergonomics::Report report = of_task ? ergonomics::taskReport(input) : ergonomics::postureReport(input);

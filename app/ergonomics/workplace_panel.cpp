@@ -219,7 +219,7 @@ void WorkplacePanel::search() {
   view_->setMap(nullptr);
   poll_.start();
   showMap();
-  runBeside(
+  runInThreadPool(
       this,
       [question = asked_.question, run = run_] {
         return manipulation::searchWorkplace(
@@ -297,7 +297,7 @@ void WorkplacePanel::take() {
 }
 
 void WorkplacePanel::checkTaken(const manipulation::WorkplaceCell& place) {
-  runBeside(
+  runInThreadPool(
       this,
       [question = asked_.question, place, after = context_.host().documentModel().document().snapshotEntities()] {
         return manipulation::workplacePromises(*question, place, after);

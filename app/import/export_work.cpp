@@ -83,7 +83,7 @@ void ExportWork::askReport(Against against) {
   if (!path.isEmpty()) reportTo(path, against, other);
 }
 
-void ExportWork::tellWritten(const QString& path, const std::vector<Text>& notes) {
+void ExportWork::reportWritten(const QString& path, const std::vector<Text>& notes) {
   const QString name = QFileInfo(path).fileName();
   for (const Text& note : notes)
     host_.messages().tell(Severity::kWarning, tr("%1 was saved with warnings").arg(name), shownText(note));
@@ -110,7 +110,7 @@ void ExportWork::exportTo(const QString& path, bool selection_only) {
     Diagnostics notes;
     const auto written = workcell::exportState(state, path.toStdString(), options, notes);
     HAPTICELL_TRY(written);
-    return BackgroundWork::Then([this, path, notes] { tellWritten(path, notes.warnings); });
+    return BackgroundWork::Then([this, path, notes] { reportWritten(path, notes.warnings); });
   };
   run(path, work, tr("%1 was not saved").arg(QFileInfo(path).fileName()));
 }
@@ -154,7 +154,7 @@ void ExportWork::packTo(const QString& path, bool allow_outside) {
       for (const auto& file : packed->outside) outside << plainLines(QString::fromStdString(file.string()));
       return BackgroundWork::Then([this, path, outside] { askOutside(path, outside); });
     }
-    return BackgroundWork::Then([this, path, notes] { tellWritten(path, notes.warnings); });
+    return BackgroundWork::Then([this, path, notes] { reportWritten(path, notes.warnings); });
   };
   run(path, work, tr("%1 was not saved").arg(QFileInfo(path).fileName()));
 }
@@ -177,7 +177,7 @@ void ExportWork::reportTo(const QString& path, Against against, const QString& o
     HAPTICELL_TRY(before);
     const auto written = writeChanges(workcell::compareStates(*before, state), cell, against_text, path);
     HAPTICELL_TRY(written);
-    return BackgroundWork::Then([this, path] { tellWritten(path, {}); });
+    return BackgroundWork::Then([this, path] { reportWritten(path, {}); });
   };
   run(path, work, failed);
 }

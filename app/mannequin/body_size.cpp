@@ -187,7 +187,7 @@ void BodySize::begin() {
     return;
   }
   busy_ = true;
-  runBeside(
+  runInThreadPool(
       this, [entity = *entity, request = wanted_] { return resizeCommands(entity, request); },
       [this, id = entity->id](Expected<std::vector<workcell::Command>> commands) {
         busy_ = false;

@@ -109,7 +109,7 @@ class MannequinDocks : public QObject {
   void add(const mannequin::BodyRequest& request) {
     std::vector<std::string> taken;
     for (const auto& entity : host_.documentModel().document().state().entities) taken.push_back(entity->name);
-    runBeside(
+    runInThreadPool(
         this, [request, place = freePlace(), taken] { return newMannequin(request, place, taken); },
         [this, number = host_.documentModel().number()](Expected<workcell::Entity> made) {
           if (number != host_.documentModel().number()) return;

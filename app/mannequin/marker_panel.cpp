@@ -86,7 +86,7 @@ MarkerPanel::MarkerPanel(MannequinContext& context, QWidget* parent)
 }
 
 void MarkerPanel::open(const QString& path) {
-  runBeside(
+  runInThreadPool(
       this, [file = path.toStdString()] { return mannequin::readC3d(file); },
       [this, path](Expected<mannequin::MarkerClip> clip) {
         if (clip) return take(std::move(*clip), path);

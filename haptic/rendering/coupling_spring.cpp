@@ -67,7 +67,7 @@ void CouplingSpring::changeStretch(const MetricVector& before_D, const MetricVec
   offset_D_ += borne_before - borne(after_D);
 }
 
-void CouplingSpring::beginAnew(const MetricVector& stretch_D, bool contact) {
+void CouplingSpring::restartStretch(const MetricVector& stretch_D, bool contact) {
   stretch_D_ = stretch_D;
   yield_ = 0.0;
   const MetricVector new_D = borne(stretch_D);

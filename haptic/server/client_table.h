@@ -71,8 +71,8 @@ class ClientTable {
   void report(ReportBudget::Kind kind, const std::string& sentence);
   void report(const Client& client, const std::string& sentence);
   bool isNews(const HapticState& state) const;
-  void tellOfStall(bool stalled);
-  void tellCondition();
+  void reportStall(bool stalled);
+  void sendCondition();
   bool overdue(const Client& client, std::int64_t now) const;
   bool controllerIsSilent() const;
 

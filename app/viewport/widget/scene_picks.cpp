@@ -77,7 +77,7 @@ dvec3 ScenePicks::pointUnder(const QPointF& position) {
   return ray.origin_W + depth / glm::dot(ray.direction_W, view_.camera().forward_W()) * ray.direction_W;
 }
 
-std::optional<PickedFeature> ScenePicks::featureBeside(const QPointF& position,
+std::optional<PickedFeature> ScenePicks::featureNear(const QPointF& position,
                                                        const std::vector<workcell::EntityId>& without,
                                                        const FeatureFilter& filter) {
   const Frame frame = view_.makeFrame();

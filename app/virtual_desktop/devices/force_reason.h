@@ -33,10 +33,10 @@ struct ForceFacts {
 
 /// The state of the forces in two words, one line with the reason, and how to fix it.
 struct ForceReason {
-  enum class Mend { kNone, kConnect, kStartServer, kTakeStylus, kCheck, kSlide };
+  enum class Fix { kNone, kConnect, kStartServer, kTakeStylus, kCheck, kSlide };
   QString state;
   QString why;
-  Mend mend = Mend::kNone;
+  Fix fix = Fix::kNone;
   QString button;  ///< Text of the button that fixes it; empty for kNone.
 };
 

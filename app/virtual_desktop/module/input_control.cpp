@@ -114,7 +114,7 @@ bool InputControl::hasFreeHand() const {
 
 void InputControl::addFreeHand() {
   const std::string what = devices_.isRightGlove() ? "hand:right" : "hand:left";
-  runBeside(
+  runInThreadPool(
       &owner_,
       [what] {
         Diagnostics diagnostics;

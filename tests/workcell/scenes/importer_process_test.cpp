@@ -130,7 +130,7 @@ TEST_F(FakeImporter, ItsOwnErrorIsPassedOn) {
   EXPECT_EQ(scene.error().place, "line 3");
   EXPECT_EQ(scene.error().found, "a thing");
   EXPECT_EQ(scene.error().expected, "another");
-  EXPECT_EQ(scene.error().fix, "Mend it.");
+  EXPECT_EQ(scene.error().fix, "Fix it.");
 }
 
 TEST_F(FakeImporter, RubbishInPlaceOfASceneIsRefused) {

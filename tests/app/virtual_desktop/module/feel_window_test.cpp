@@ -377,7 +377,7 @@ struct WatchingPage : ServerFirst, CellPage {
     options.program = "Other window";
     return options;
   }
-  QPushButton& button() { return *find<QPushButton>("buttonMend"); }
+  QPushButton& button() { return *find<QPushButton>("buttonFix"); }
   haptic::TcpLink other;
 };
 
@@ -392,7 +392,7 @@ TEST(SecondWindow, WatchesAndTakesTheStylusOnlyWhenItsUserSaysSo) {
   QTest::qWait(1500);
   EXPECT_EQ(page.other.linkState(), haptic::LinkState::kConnected);
   EXPECT_EQ(page.other.grantedKind(), haptic::ClientKind::kController);
-  page.press("buttonMend");
+  page.press("buttonFix");
   EXPECT_TRUE(WindowPage::until([&] { return status.deviceWorks(); }, kPatience)) << status.device().toStdString();
   EXPECT_TRUE(WindowPage::until([&] { return page.other.linkState() != haptic::LinkState::kConnected; }, kPatience));
 }
