@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/style/fonts.h"
+#include "app/style/key_step.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
 
@@ -100,7 +101,8 @@ void JointRow::paintEvent(QPaintEvent*) {
   if (scale_.lower < 0.0 && scale_.upper > 0.0)
     painter.fillRect(QRectF(pixelOf(0.0) - 0.5, y - 3.0, 1.0, 6.0), theme.text3);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(!isEnabled() ? theme.text3 : limit ? theme.limit : theme.selection);
+  const QColor& place = limit ? theme.limit : theme.selection;
+  painter.setBrush(isEnabled() ? place : theme.text3);
   painter.drawEllipse(QPointF(pixelOf(value_), y), 4.5, 4.5);
   if (!hasFocus()) return;
   painter.setBrush(Qt::NoBrush);
@@ -139,9 +141,8 @@ void JointRow::keyPressEvent(QKeyEvent* event) {
     emit ended(false);
     return;
   }
-  const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Up    ? 1
-                   : event->key() == Qt::Key_Left || event->key() == Qt::Key_Down ? -1
-                                                                                  : 0;
+  const int key = event->key();
+  const int step = keyStep(key, Qt::Key_Left, Qt::Key_Right) + keyStep(key, Qt::Key_Down, Qt::Key_Up);
   if (step == 0 || dragged_) return QWidget::keyPressEvent(event);
   emit began();
   setValue(std::clamp(value_ + step, scale_.lower, scale_.upper));

@@ -35,6 +35,17 @@ QCheckBox* makeSwitch(const QString& text, const char* name) {
   return box;
 }
 
+QString selectionTitle(int selected, const workcell::Entity* last) {
+  if (selected > 1) return MovePanel::tr("%n selected", nullptr, selected);
+  return last ? QString::fromStdString(last->name) : MovePanel::tr("Nothing is selected");
+}
+
+QString selectionNote(std::size_t selected, bool moves) {
+  if (selected == 0) return MovePanel::tr("Click a part, or draw a box around several.");
+  if (!moves) return MovePanel::tr("It is locked in place. Unlock it in the tree first.");
+  return selected > 1 ? MovePanel::tr("They move together. The last one selected is the pivot.") : QString();
+}
+
 }  // namespace
 
 MovePanel::MovePanel(Host& host, EntityGizmo& gizmo, QWidget* parent) : QWidget(parent), host_(host), gizmo_(gizmo) {
@@ -198,8 +209,7 @@ void MovePanel::storeSteps() {
 void MovePanel::showTool() {
   mode_->setCurrent(static_cast<int>(gizmo_.mode()));
   showFrames();
-  const HoldChoice& hold = host_.holdChoice();
-  about_->setCurrent(hold.is<by::Center>() ? 1 : hold.is<by::Frame>() ? 2 : 0);
+  about_->setCurrent(host_.holdChoice().turnsAbout());
 }
 
 void MovePanel::showSelection() {
@@ -207,13 +217,8 @@ void MovePanel::showSelection() {
   const workcell::Document& document = host_.documentModel().document();
   const workcell::Entity* now = document.find(host_.selection().current());
   const auto moved = movedTogether(document.state(), all);
-  title_->setText(all.size() > 1 ? tr("%n selected", nullptr, static_cast<int>(all.size()))
-                  : now          ? QString::fromStdString(now->name)
-                                 : tr("Nothing is selected"));
-  note_->setText(all.empty()      ? tr("Click a part, or draw a box around several.")
-                 : moved.empty()  ? tr("It is locked in place. Unlock it in the tree first.")
-                 : all.size() > 1 ? tr("They move together. The last one selected is the pivot.")
-                                  : QString());
+  title_->setText(selectionTitle(static_cast<int>(all.size()), now));
+  note_->setText(selectionNote(all.size(), !moved.empty()));
   about_->setChoiceEnabled(2, now && !now->frames.empty(), tr("It has no frame yet. Add one in the Solid panel."));
   apply_->setEnabled(!moved.empty());
   onto_->setEnabled(!moved.empty());

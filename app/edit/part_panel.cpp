@@ -243,7 +243,8 @@ void PartPanel::showRobots() {
   const qulonglong kept = before.toULongLong();
   const qulonglong wanted = kept != 0 ? kept : host_.selection().current();
   const int found = wanted != 0 ? mount_on_->findData(QVariant::fromValue(wanted)) : -1;
-  mount_on_->setCurrentIndex(found >= 0 ? found : mount_on_->count() == 2 ? 1 : 0);
+  const int only_robot = mount_on_->count() == 2 ? 1 : 0;
+  mount_on_->setCurrentIndex(found >= 0 ? found : only_robot);
   showPart();
 }
 

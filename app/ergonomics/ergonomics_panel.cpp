@@ -61,6 +61,11 @@ QString refusedLiftText(const Error& why, const ergonomics::WorkTask& task) {
   return found == reasons.end() ? shownText(why) : found->second;
 }
 
+QString liftingLevelText(int level) {
+  if (level == 1) return ErgonomicsPanel::tr("acceptable for nearly all");
+  return level == 2 ? ErgonomicsPanel::tr("an increased risk for some") : ErgonomicsPanel::tr("a high risk");
+}
+
 }  // namespace
 
 ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, QWidget* parent)
@@ -277,13 +282,9 @@ QString ErgonomicsPanel::liftText() const {
   if (!lift) return tr("NIOSH does not apply: %1").arg(refusedLiftText(lift.error(), task));
   const double limit = lift->recommended_weight_limit_kg;
   if (!lift->lifting_index) return tr("NIOSH: limit 0 kg, no load is acceptable at this place");
-  const int level = ergonomics::liftingLevel(lift->lifting_index);
-  const QString judged = level == 1   ? tr("acceptable for nearly all")
-                         : level == 2 ? tr("an increased risk for some")
-                                      : tr("a high risk");
   return tr("NIOSH: lifting index %1, %2 (%3 kg of a limit of %4 kg)")
       .arg(*lift->lifting_index, 0, 'f', 2)
-      .arg(judged)
+      .arg(liftingLevelText(ergonomics::liftingLevel(lift->lifting_index)))
       .arg(*task.totalLoad(), 0, 'f', 1)
       .arg(limit, 0, 'f', 1);
 }
@@ -336,7 +337,8 @@ QString ErgonomicsPanel::whyText() const {
   if (tab_.shows_load) {
     const QString lift = scores_.liftAdviceText();
     if (!scores_.task().is_lift) return tr("The task is not a lift. The forces are below.");
-    return lift.isEmpty() ? (scores_.advice() ? tr("The lifting equation does not cover this lift.") : later) : lift;
+    if (!lift.isEmpty()) return lift;
+    return scores_.advice() ? tr("The lifting equation does not cover this lift.") : later;
   }
   if (tab_.method == ColourMethod::kRula) {
     const QString advice = scores_.adviceText(PostureMethod::kRula);

@@ -67,6 +67,16 @@ std::optional<ergonomics::LiftingAdvice> liftAdvice(const mannequin::Figure& fig
   return ergonomics::adviseLift(*lift, *result);
 }
 
+/// Which way a shift goes most, for one who looks along `ahead_W`; %1 is how far.
+QString shiftText(const dvec3& shift_W, const dvec3& ahead_W) {
+  if (std::abs(shift_W.z) > 1e-6)
+    return shift_W.z < 0.0 ? LiveScores::tr("Lowering the work by %1") : LiveScores::tr("Raising the work by %1");
+  const double forward = glm::dot(shift_W, ahead_W);
+  if (forward < -0.5 * glm::length(shift_W)) return LiveScores::tr("Bringing the work %1 nearer");
+  if (forward > 0.5 * glm::length(shift_W)) return LiveScores::tr("Moving the work %1 farther away");
+  return LiveScores::tr("Moving the work %1 to the side");
+}
+
 }  // namespace
 
 LiveScores::LiveScores(MannequinContext& context, QObject* parent)
@@ -185,13 +195,8 @@ QString LiveScores::placeText(ergonomics::PostureMethod method) const {
   const dvec3 shift = better->shift_W;
   const QString far = lengthText(glm::length(shift), 0);
   const dvec3 ahead = posture_.X_WR.rotate({1.0, 0.0, 0.0});
-  const double forward = glm::dot(shift, ahead);
-  const QString how = std::abs(shift.z) > 1e-6
-                          ? (shift.z < 0.0 ? tr("Lowering the work by %1") : tr("Raising the work by %1"))
-                      : forward < -0.5 * glm::length(shift) ? tr("Bringing the work %1 nearer")
-                      : forward > 0.5 * glm::length(shift)  ? tr("Moving the work %1 farther away")
-                                                            : tr("Moving the work %1 to the side");
-  return tr("%1 gives %2.").arg(how.arg(far), shown(ergonomics::scoreWords(method, better->score, shownLanguage())));
+  const QString how = shiftText(shift, ahead).arg(far);
+  return tr("%1 gives %2.").arg(how, shown(ergonomics::scoreWords(method, better->score, shownLanguage())));
 }
 
 QString LiveScores::adviceText(ergonomics::PostureMethod method) const {

@@ -19,7 +19,20 @@ QString newtons(double force) {
 
 /// Bands of the lifting index as the manual's own bounds 1 and 3 have them.
 int bandOfIndex(double index) {
-  return index <= 1.0 ? 0 : index <= 2.0 ? 1 : index <= 3.0 ? 2 : 3;
+  if (index <= 1.0) return 0;
+  if (index <= 2.0) return 1;
+  return index <= 3.0 ? 2 : 3;
+}
+
+int bandOfMultiplier(double multiplier) {
+  if (multiplier >= 0.9) return 0;
+  return multiplier >= 0.7 ? 1 : 2;
+}
+
+/// What is said of one hand, or of both together.
+QString namedByHand(const QString& method, int hand) {
+  if (hand == 0) return SubScoreTable::tr("%1, left").arg(method);
+  return hand == 1 ? SubScoreTable::tr("%1, right").arg(method) : method;
 }
 
 void addLift(const ergonomics::LiftingResult& lift, std::vector<Row>& rows) {
@@ -30,12 +43,7 @@ void addLift(const ergonomics::LiftingResult& lift, std::vector<Row>& rows) {
                                                                {SubScoreTable::tr("Frequency"), lift.fm},
                                                                {SubScoreTable::tr("Coupling"), lift.cm}}};
   for (const auto& [name, value] : multipliers)
-    rows.push_back({name,
-                    {},
-                    SubScoreTable::tr("× %1").arg(value, 0, 'f', 2),
-                    value >= 0.9   ? 0
-                    : value >= 0.7 ? 1
-                                   : 2});
+    rows.push_back({name, {}, SubScoreTable::tr("× %1").arg(value, 0, 'f', 2), bandOfMultiplier(value)});
   rows.push_back({SubScoreTable::tr("Weight limit"),
                   {},
                   SubScoreTable::tr("%1 kg").arg(lift.recommended_weight_limit_kg, 0, 'f', 1),
@@ -52,9 +60,6 @@ void addLift(const ergonomics::LiftingResult& lift, std::vector<Row>& rows) {
 void addForces(const ergonomics::HandForces& forces, std::vector<Row>& rows) {
   for (const ergonomics::ForceLimit& limit : forces.limits) {
     const QString method = QString::fromLatin1(limit.method.data(), static_cast<qsizetype>(limit.method.size()));
-    const QString name = limit.hand == 0   ? SubScoreTable::tr("%1, left").arg(method)
-                         : limit.hand == 1 ? SubScoreTable::tr("%1, right").arg(method)
-                                           : method;
     if (limit.method == "own") {
       const QString hand =
           limit.hand == 0 ? SubScoreTable::tr("Custom limit, left") : SubScoreTable::tr("Custom limit, right");
@@ -65,7 +70,7 @@ void addForces(const ergonomics::HandForces& forces, std::vector<Row>& rows) {
     const QString reason = limit.limit_n
                                ? SubScoreTable::tr("%1 of %2").arg(newtons(limit.force_n), newtons(*limit.limit_n))
                                : SubScoreTable::tr("%1, heaviest class").arg(newtons(limit.force_n));
-    rows.push_back({name, {}, reason, limit.band});
+    rows.push_back({namedByHand(method, limit.hand), {}, reason, limit.band});
   }
   for (const std::string_view name : forces.missing) {
     if (name == "force_limits")

@@ -69,13 +69,14 @@ QString heldText(const manipulation::MovedBy& held) {
   return std::holds_alternative<by::Head>(held) ? MarkText::tr("Head") : MarkText::tr("Mannequin");
 }
 
+QString activeHandsText(const std::array<bool, 2>& active) {
+  if (active[0] && active[1]) return MarkText::tr("Both hands");
+  return active[0] ? MarkText::tr("Left hand") : MarkText::tr("Right hand");
+}
+
 StripCell handCell(const MannequinContext& context, const std::array<bool, 2>& active) {
-  QString who = active[0] && active[1] ? MarkText::tr("Both hands")
-                : active[0]            ? MarkText::tr("Left hand")
-                                       : MarkText::tr("Right hand");
-  if (!context.isHeld()) return {Mark::kNone, said(who), said(MarkText::tr("at work"))};
-  who = heldText(context.host().holdChoice().movedBy());
-  return {Mark::kNone, said(who), said(MarkText::tr("held"))};
+  if (!context.isHeld()) return {Mark::kNone, said(activeHandsText(active)), said(MarkText::tr("at work"))};
+  return {Mark::kNone, said(heldText(context.host().holdChoice().movedBy())), said(MarkText::tr("held"))};
 }
 
 StripCell balanceCell(const LiveScores& scores, const mannequin::FigurePose& pose) {

@@ -10,6 +10,7 @@
 #include "app/ergonomics/score_painting.h"
 #include "app/mannequin/figure_sketch.h"
 #include "app/style/fonts.h"
+#include "app/style/key_step.h"
 #include "app/style/units.h"
 
 namespace hapticell::app {
@@ -59,7 +60,7 @@ void ScoreColumns::mousePressEvent(QMouseEvent* event) {
 }
 
 void ScoreColumns::keyPressEvent(QKeyEvent* event) {
-  const int step = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+  const int step = keyStep(event->key(), Qt::Key_Left, Qt::Key_Right);
   if (step == 0) return QWidget::keyPressEvent(event);
   choose(std::clamp(chosen_ + step, 0, kBodies - 1));
 }

@@ -73,11 +73,16 @@ std::vector<Row> owasRows(const ergonomics::PostureScores& scores) {
   return rows;
 }
 
+int bandOfZone(ergonomics::Zone zone) {
+  if (zone == ergonomics::Zone::kAcceptable) return 0;
+  return zone == ergonomics::Zone::kConditional ? 1 : 3;
+}
+
 void addZones(const ergonomics::PartVerdicts& verdicts, std::vector<Row>& rows) {
   for (const auto& part : verdicts.parts) {
     Row row;
     row.name = capital(ergonomics::word(part.part, shownLanguage()));
-    row.band = part.zone == ergonomics::Zone::kAcceptable ? 0 : part.zone == ergonomics::Zone::kConditional ? 1 : 3;
+    row.band = bandOfZone(part.zone);
     row.reason = QStringLiteral("%1°").arg(part.angle, 0, 'f', 0);
     if (part.holding_time_min)
       row.reason += SubScoreTable::tr(", at most %1 min").arg(*part.holding_time_min, 0, 'f', 1);

@@ -22,6 +22,7 @@
 #include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
+#include "app/style/key_step.h"
 #include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "geometry/system/atomic_file.h"
@@ -147,7 +148,8 @@ void TimePanel::showMotion() {
                        ? QString()
                        : tr("Beyond the range of motion, not clamped. Longest: %1.").arg(motion_.mostBeyond()));
   beyond_->setToolTip(beyond);
-  name_->setText(motion_.isBusy() ? tr("Scoring the motion…") : any ? motion_.name() : QString());
+  const QString name = any ? motion_.name() : QString();
+  name_->setText(motion_.isBusy() ? tr("Scoring the motion…") : name);
   at_->setText(any ? QString() : tr("Open a recording (BVH, AMC, C3D) to score each of its frames."));
   frame_ = std::min(frame_, std::max(0, motion_.frames() - 1));
   history_->setFrame(frame_);
@@ -234,7 +236,7 @@ void ScoreHistory::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ScoreHistory::keyPressEvent(QKeyEvent* event) {
-  const int step = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+  const int step = keyStep(event->key(), Qt::Key_Left, Qt::Key_Right);
   if (step == 0 || motion_.isEmpty()) return QWidget::keyPressEvent(event);
   emit frameChosen(std::clamp(frame_ + step, 0, motion_.frames() - 1));
 }

@@ -24,7 +24,8 @@ constexpr int kNamesColumn = 108;
 
 /// 0 not entered, 1 no, 2 yes.
 int stateOf(const std::optional<bool>& flag) {
-  return !flag ? 0 : *flag ? 2 : 1;
+  if (!flag) return 0;
+  return *flag ? 2 : 1;
 }
 std::optional<bool> flagOf(int state) {
   return state == 0 ? std::nullopt : std::optional<bool>(state == 2);

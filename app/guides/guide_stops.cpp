@@ -60,6 +60,7 @@ void GuideStops::editStop(bool upper) {
 void GuideStops::show(const workcell::Guide& guide) {
   shown_ = guide;
   const bool turns = guide.kind == workcell::GuideKind::kHinge;
+  const double unit = turns ? kDegree : 1e-3;
   row_->setVisible(hasStops(guide.kind));
   for (std::size_t i = 0; i < 2; ++i) {
     const std::optional<double>& stop = i == 0 ? guide.lower : guide.upper;
@@ -68,7 +69,7 @@ void GuideStops::show(const workcell::Guide& guide) {
     degree_stop_[i]->setVisible(turns);
     mm_stop_[i]->setEnabled(stop.has_value());
     degree_stop_[i]->setEnabled(stop.has_value());
-    (turns ? degree_stop_[i] : mm_stop_[i])->setValue(stop ? *stop / (turns ? kDegree : 1e-3) : 0.0);
+    (turns ? degree_stop_[i] : mm_stop_[i])->setValue(stop ? *stop / unit : 0.0);
   }
 }
 

@@ -40,7 +40,8 @@ class HelpDock : public QObject {
   explicit HelpDock(Host& host) : QObject(&host.window()), host_(host) {
     opens("actionHelp", [this] {
       const QString dock = dockInFocus(host_);
-      return dock == QStringLiteral("dockHelp") ? panel()->page() : dock.isEmpty() ? QStringLiteral("scene") : dock;
+      if (dock == QStringLiteral("dockHelp")) return panel()->page();
+      return dock.isEmpty() ? QStringLiteral("scene") : dock;
     });
     opens("actionManual", [] { return QStringLiteral("firstSteps"); });
     opens("actionSceneText", [] { return kSceneWords; });

@@ -30,6 +30,12 @@ class HoldChoice : public QObject {
   /// The name of the frame where one is chosen; else empty.
   std::string frame() const { return manipulation::frameOf(moved_by_); }
 
+  /// What a solid turns about, in the order that panels offer: 0 its origin, 1 its centre, 2 a frame.
+  int turnsAbout() const {
+    if (is<by::Center>()) return 1;
+    return is<by::Frame>() ? 2 : 0;
+  }
+
   /// What is taken where nobody has chosen: of a mannequin its right hand, where its arrows are.
   static MovedBy usual(const workcell::Entity& entity) {
     return entity.figure ? MovedBy(by::Hand{mannequin::Side::kRight}) : MovedBy(by::Default{});

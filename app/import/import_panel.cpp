@@ -59,6 +59,12 @@ class PreviewBox : public QWidget {
 
 namespace {
 
+int sizeDecimals(double largest) {
+  if (largest < 10.0) return 3;
+  if (largest < 100.0) return 2;
+  return largest < 1000.0 ? 1 : 0;
+}
+
 QString sizeLine(const FileImport& file) {
   const double factor =
       file.choices.metres_per_unit.value_or(file.facts->metres_per_unit) / file.facts->metres_per_unit;
@@ -69,8 +75,7 @@ QString sizeLine(const FileImport& file) {
     const auto plain = [](double value) { return numberText(value, 3); };
     return QObject::tr("%1 × %2 × %3, unit unknown").arg(plain(in_units.x), plain(in_units.y), plain(in_units.z));
   }
-  const double largest = units.perMetre() * std::max({size.x, size.y, size.z});
-  const int decimals = largest < 10.0 ? 3 : largest < 100.0 ? 2 : largest < 1000.0 ? 1 : 0;
+  const int decimals = sizeDecimals(units.perMetre() * std::max({size.x, size.y, size.z}));
   const auto number = [&](double metres) { return numberText(units.perMetre() * metres, decimals); };
   return QStringLiteral("%1 × %2 × %3 %4").arg(number(size.x), number(size.y), number(size.z), units.lengthUnit());
 }

@@ -25,8 +25,8 @@ constexpr double kLeastSeen = 3.0;  // px: smaller things get a ring.
 
 /// A number of the file with at most three digits behind the point.
 QString fileNumber(double value) {
-  const int decimals = value >= 100.0 ? 0 : value >= 10.0 ? 1 : 2;
-  return numberText(value, decimals);
+  if (value >= 100.0) return numberText(value, 0);
+  return numberText(value, value >= 10.0 ? 1 : 2);
 }
 
 void paintPerson(QPainter& painter, const QPointF& foot, double height) {
@@ -66,7 +66,8 @@ class SizeCard : public QAbstractButton {
     const Theme& theme = themeOf(palette());
     QPainter painter(this);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-    const QColor edge = isChecked() || hasFocus() ? theme.selection : underMouse() ? theme.text3 : theme.line;
+    const QColor quiet_edge = underMouse() ? theme.text3 : theme.line;
+    const QColor edge = isChecked() || hasFocus() ? theme.selection : quiet_edge;
     painter.setPen(QPen(edge, isChecked() ? 2.0 : 1.0));
     painter.setBrush(isChecked() ? theme.selected_row : QColor(Qt::transparent));
     painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), 4.0, 4.0);

@@ -12,6 +12,7 @@
 
 #include "app/kit/command_list.h"
 #include "app/style/icon.h"
+#include "app/style/key_step.h"
 
 namespace hapticell::app {
 namespace {
@@ -126,7 +127,7 @@ bool CommandFinder::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::FocusOut) hide();
   if (event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
-    const int step = key == Qt::Key_Down ? 1 : key == Qt::Key_Up ? -1 : 0;
+    const int step = keyStep(key, Qt::Key_Up, Qt::Key_Down);
     if (step != 0 && found_->count() > 0) {
       found_->setCurrentRow(std::clamp(found_->currentRow() + step, 0, found_->count() - 1));
       return true;

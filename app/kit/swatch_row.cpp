@@ -8,6 +8,7 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "app/style/key_step.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
 
@@ -90,7 +91,7 @@ void SwatchRow::mousePressEvent(QMouseEvent* event) {
 void SwatchRow::keyPressEvent(QKeyEvent* event) {
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (enter && offers_other_) return emit otherWanted();
-  const int step = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+  const int step = keyStep(event->key(), Qt::Key_Left, Qt::Key_Right);
   if (step == 0) return QWidget::keyPressEvent(event);
   const int next = std::clamp(currentIndex() + step, 0, static_cast<int>(colors_.size()) - 1);
   emit chosen(colors_[static_cast<std::size_t>(next)]);

@@ -12,6 +12,7 @@
 
 #include "app/kit/typed_key.h"
 #include "app/style/fonts.h"
+#include "app/style/key_step.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
 
@@ -151,7 +152,7 @@ void SwitchList::search(const QString& typed) {
 void SwitchList::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_F2 && current_ >= 0) return rename(current_);
   if (isTypedKey(event->key(), event->modifiers()) && !event->text().trimmed().isEmpty()) return search(event->text());
-  const int step = event->key() == Qt::Key_Down ? 1 : event->key() == Qt::Key_Up ? -1 : 0;
+  const int step = keyStep(event->key(), Qt::Key_Up, Qt::Key_Down);
   if (step != 0) return setCurrent(current_ + step);
   if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && current_ >= 0)
     return emit switched(current_, !rows_[static_cast<std::size_t>(current_)].on);

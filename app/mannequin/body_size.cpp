@@ -69,6 +69,11 @@ constexpr std::array<const char*, mannequin::kDimensionCount> kDimensions{
 // lags.
 constexpr int kDebounceMilliseconds = 180;
 
+QString percentileText(double percentile) {
+  if (percentile < 1.0) return BodySize::tr("< P 1");
+  return percentile > 99.0 ? BodySize::tr("> P 99") : BodySize::tr("P %1").arg(percentile, 0, 'f', 0);
+}
+
 }  // namespace
 
 BodySize::BodySize(MannequinContext& context, QWidget* parent) : QWidget(parent), context_(context) {
@@ -220,9 +225,7 @@ void BodySize::showNow() {
   const double percentile = mannequin::percentileOfStature(figure.sex, stature);
   const QSignalBlocker quiet(percentile_);
   if (!percentile_->isSliderDown()) percentile_->setValue(static_cast<int>(std::lround(percentile)));
-  percentile_text_->setText(percentile < 1.0    ? tr("< P 1")
-                            : percentile > 99.0 ? tr("> P 99")
-                                                : tr("P %1").arg(percentile, 0, 'f', 0));
+  percentile_text_->setText(percentileText(percentile));
   showMeasure();
 }
 

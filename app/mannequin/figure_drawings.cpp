@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
@@ -147,10 +148,9 @@ void FigureDrawings::drawVolumes() {
   std::vector<RenderItem> items;
   for (const auto& [kind, meshes] : reach_) {
     const QColor sizes[]{theme.scene.guide, theme.selection, theme.near_miss};
+    const QColor own = kind == kReach ? theme.selection : theme.scene.axis_z;
     for (std::size_t i = 0; i < meshes.size(); ++i)
-      items.push_back(volume(meshes[i], channelsOf(kind == kSizesReach ? sizes[i / 2 % 3]
-                                                   : kind == kReach    ? theme.selection
-                                                                       : theme.scene.axis_z)));
+      items.push_back(volume(meshes[i], channelsOf(kind == kSizesReach ? sizes[i / 2 % 3] : own)));
   }
   if (isOn(kZones)) {
     for (const auto zone : {mannequin::WorkZone::kPreferred, mannequin::WorkZone::kAcceptable}) {
@@ -161,11 +161,10 @@ void FigureDrawings::drawVolumes() {
   }
   if (isOn(kSight)) {
     const auto pose = mannequin::forwardKinematics(*figure_, posture_);
-    for (const auto zone :
-         {mannequin::VisionZone::kPreferred, mannequin::VisionZone::kEyes, mannequin::VisionZone::kHead}) {
-      const std::size_t tone = zone == mannequin::VisionZone::kPreferred ? 1
-                               : zone == mannequin::VisionZone::kEyes    ? 0
-                                                                         : 2;
+    using mannequin::VisionZone;
+    constexpr std::pair<VisionZone, std::size_t> kTones[]{
+        {VisionZone::kPreferred, 1}, {VisionZone::kEyes, 0}, {VisionZone::kHead, 2}};
+    for (const auto& [zone, tone] : kTones) {
       items.push_back(volume(std::make_shared<geometry::TriangleMesh>(
                                  mannequin::visionVolume(*figure_, pose, posture_.gaze, zone, kSightLength)),
                              channelsOf(theme.score[tone])));

@@ -25,6 +25,17 @@ namespace {
 
 constexpr const char* kCurves = "measure";
 
+QString pickPrompt(bool part, bool second) {
+  if (part) return second ? MeasurePanel::tr("Pick the other part") : MeasurePanel::tr("Pick a part to measure from");
+  return second ? MeasurePanel::tr("Pick what to measure to") : MeasurePanel::tr("Pick what to measure");
+}
+
+QString aboutParts(const QString& both, const collision::DistanceResult& result) {
+  if (result.contained) return MeasurePanel::tr("%1: one lies inside the other").arg(both);
+  if (result.colliding) return MeasurePanel::tr("%1: they touch or overlap").arg(both);
+  return MeasurePanel::tr("%1, minimum distance").arg(both);
+}
+
 }  // namespace
 
 MeasurePanel::MeasurePanel(Host& host, QWidget* parent)
@@ -123,9 +134,7 @@ void MeasurePanel::pick() {
   const bool any = kind == What::kAny;
   FeatureFilter filter{any || kind == What::kFaces || kind == What::kParts, any || kind == What::kEdges,
                        any || kind == What::kCorners};
-  const bool second = picked_.size() == 1;
-  const QString prompt = kind == What::kParts ? (second ? tr("Pick the other part") : tr("Pick a part to measure from"))
-                                              : (second ? tr("Pick what to measure to") : tr("Pick what to measure"));
+  const QString prompt = pickPrompt(kind == What::kParts, picked_.size() == 1);
   note_->setText(prompt);
   pick_->setEnabled(false);
   host_.viewport().startPick(
@@ -207,9 +216,7 @@ void MeasurePanel::showParts(const std::optional<collision::DistanceResult>& res
   m.distance = result->distance;
   m.p_WA = result->p_WA;
   m.p_WB = result->p_WB;
-  showRows(m, result->contained   ? tr("%1: one lies inside the other").arg(both)
-              : result->colliding ? tr("%1: they touch or overlap").arg(both)
-                                  : tr("%1, minimum distance").arg(both));
+  showRows(m, aboutParts(both, *result));
   draw(m);
 }
 

@@ -67,10 +67,16 @@ void ConfigurationModel::setSolutions(const kinematics::RobotModel* model,
     Row row;
     row.arm = shortConfiguration(solution.configuration);
     if (row.arm.isEmpty()) row.arm = tr("Solution %1").arg(rows_.size() + 1);
-    row.way = solution.is_now ? Way::kNow : solution.within_limits ? Way::kUnknown : Way::kOutOfLimits;
-    row.way_text = solution.is_now          ? tr("current")
-                   : solution.within_limits ? travelText(*model, now, solution.q)
-                                            : limitText(*model, solution);
+    if (solution.is_now) {
+      row.way = Way::kNow;
+      row.way_text = tr("current");
+    } else if (solution.within_limits) {
+      row.way = Way::kUnknown;
+      row.way_text = travelText(*model, now, solution.q);
+    } else {
+      row.way = Way::kOutOfLimits;
+      row.way_text = limitText(*model, solution);
+    }
     row.reason = shownText(solution.reason);
     has_flags_ = has_flags_ || !solution.maker_flags.empty();
     row.solution = std::move(solution);

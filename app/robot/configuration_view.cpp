@@ -57,7 +57,8 @@ class ConfigurationDelegate final : public QStyledItemDelegate {
     }
     const bool out = way == Way::kOutOfLimits;
     const bool stale = !option.state.testFlag(QStyle::State_Enabled);
-    QColor color = stale ? theme.text3 : out ? theme.text2 : theme.text1;
+    QColor color = out ? theme.text2 : theme.text1;
+    if (stale) color = theme.text3;
     if (!stale && index.column() == ConfigurationModel::kWay && out) color = theme.words.limit;
     if (!stale && index.column() == ConfigurationModel::kWay && way == Way::kBlocked) color = theme.words.contact;
     painter->setPen(color);
@@ -104,6 +105,19 @@ QTableView* makeTable(QAbstractItemModel* model) {
   for (const int column : {static_cast<int>(ConfigurationModel::kArm), static_cast<int>(ConfigurationModel::kFlags)})
     header->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   return table;
+}
+
+QString solutionsText(int rows, int reachable, bool are_all) {
+  if (rows == 0) return {};
+  if (!are_all) return ConfigurationView::tr("%1 of many, nearest first").arg(rows);
+  return ConfigurationView::tr("%1 of %2 solutions within limits").arg(reachable).arg(rows);
+}
+
+/// At the foot where no other configuration is seen in the scene.
+QString footText(int rows, bool chosen) {
+  if (rows == 0) return ConfigurationView::tr("No inverse kinematics. Jog the joints instead.");
+  return chosen ? ConfigurationView::tr("This is the current configuration.")
+                : ConfigurationView::tr("Select a row to see it in the scene.");
 }
 
 }  // namespace
@@ -193,9 +207,7 @@ void ConfigurationView::show(std::vector<kinematics::ListedSolution> solutions) 
                       robot ? robot->joints : std::vector<double>{}, maker);
   table_->setColumnHidden(ConfigurationModel::kFlags, !model_.hasFlags());
   const int rows = model_.rowCount();
-  count_->setText(rows == 0     ? QString()
-                  : all > kMost ? tr("%1 of many, nearest first").arg(rows)
-                                : tr("%1 of %2 solutions within limits").arg(model_.reachable()).arg(rows));
+  count_->setText(solutionsText(rows, model_.reachable(), all <= kMost));
   // What was chosen stays chosen while the list says the same again.
   if (const int row = chosen.empty() ? -1 : model_.rowOf(chosen); row >= 0) table_->selectRow(row);
   std::vector<std::vector<double>> targets;
@@ -244,9 +256,7 @@ void ConfigurationView::showFoot() {
   const QString dashed = tr("The selected row is dashed in the scene.");
   switch (way) {
     case Way::kNow:
-      foot_->setText(model_.rowCount() == 0 ? tr("No inverse kinematics. Jog the joints instead.")
-                     : row < 0              ? tr("Select a row to see it in the scene.")
-                                            : tr("This is the current configuration."));
+      foot_->setText(footText(model_.rowCount(), row >= 0));
       break;
     case Way::kUnknown:
       foot_->setText(dashed + QLatin1Char(' ') + tr("Checking the path…"));

@@ -42,6 +42,13 @@ QStringList axesBelow(const workcell::DocumentState& state, const workcell::Enti
   return names;
 }
 
+/// In the order of the segments; -1 for a way that they do not offer.
+int heldBy(const HoldChoice& choice) {
+  if (manipulation::toolOf(choice.movedBy())) return 0;
+  if (!choice.is<by::Base>()) return -1;
+  return choice.keepsTool() ? 2 : 1;
+}
+
 }  // namespace
 
 HoldingView::HoldingView(RobotContext& context, QWidget* parent) : QWidget(parent), context_(context) {
@@ -109,9 +116,7 @@ void HoldingView::addSingularity(QVBoxLayout& rows) {
 
 void HoldingView::showNow() {
   if (!context_.robot()) return;
-  const HoldChoice& choice = context_.host().holdChoice();
-  const bool by_tool = manipulation::toolOf(choice.movedBy()) != nullptr;
-  held_by_->setCurrent(by_tool ? 0 : !choice.is<by::Base>() ? -1 : choice.keepsTool() ? 2 : 1);
+  held_by_->setCurrent(heldBy(context_.host().holdChoice()));
   showTools();
   showAxes();
   showSingularity();

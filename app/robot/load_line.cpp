@@ -35,9 +35,8 @@ QString loadText(const workcell::CarriedLoad& load, double payload) {
     return allowed.isEmpty() ? QObject::tr("Load: none, payload unknown")
                              : QObject::tr("Load: none, payload %1").arg(allowed);
   const auto verdict = workcell::verdictOn(load, payload);
-  QString text = verdict == workcell::LoadVerdict::kTooHeavy ? QObject::tr("Too heavy: %1 of %2 allowed")
-                 : allowed.isEmpty()                         ? QObject::tr("Load %1, payload unknown")
-                                                             : QObject::tr("Load %1 of %2 allowed");
+  QString text = allowed.isEmpty() ? QObject::tr("Load %1, payload unknown") : QObject::tr("Load %1 of %2 allowed");
+  if (verdict == workcell::LoadVerdict::kTooHeavy) text = QObject::tr("Too heavy: %1 of %2 allowed");
   text = allowed.isEmpty() ? text.arg(kilogramText(load.mass)) : text.arg(kilogramText(load.mass), allowed);
   text +=
       QObject::tr(", centre %1 from %2").arg(lengthText(glm::length(load.p_LC), 0), QString::fromStdString(load.link));

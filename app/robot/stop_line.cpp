@@ -29,9 +29,10 @@ void StopLine::show(Mark mark, const QString& sentence) {
   words_->setText(sentence);
   const Theme& theme = themeOf(this->palette());
   QPalette colors = words_->palette();
-  colors.setColor(QPalette::WindowText, mark == Mark::kLimit     ? theme.words.limit
-                                        : mark == Mark::kContact ? theme.words.contact
-                                                                 : theme.text2);
+  QColor color = theme.text2;
+  if (mark == Mark::kLimit) color = theme.words.limit;
+  if (mark == Mark::kContact) color = theme.words.contact;
+  colors.setColor(QPalette::WindowText, color);
   words_->setPalette(colors);
   update();
 }

@@ -148,9 +148,12 @@ class KeysPage : public QWidget {
   void showUse() {
     set_->setEnabled(!chosen().isEmpty());
     const QString use = keys_.useOf(edit_->keySequence(), chosen());
-    note_->setText(chosen().isEmpty() ? tr("Select a row, then press its new key.")
-                   : use.isEmpty()    ? tr("Esc, Space and B are reserved: forces off, clutch, stylus button.")
-                                      : tr("\"%1\" uses this key and would lose it.").arg(use));
+    if (chosen().isEmpty())
+      note_->setText(tr("Select a row, then press its new key."));
+    else if (use.isEmpty())
+      note_->setText(tr("Esc, Space and B are reserved: forces off, clutch, stylus button."));
+    else
+      note_->setText(tr("\"%1\" uses this key and would lose it.").arg(use));
   }
 
   KeyMap& keys_;

@@ -266,10 +266,9 @@ void MainWindow::updateTitle() {
   setWindowTitle(document_.title() + (read_only ? ' ' + tr("(open elsewhere)") : QString()) + (dirty ? " *" : "") +
                  " – HaptiCell");
   const bool has_file = !document_.document().path().empty();
+  const QString state = dirty ? tr("changed") : tr("saved");
   file_label_->setText(document_.title() + (has_file ? QStringLiteral(".hcell") : QString()) + QStringLiteral("  ·  ") +
-                       (!has_file ? tr("not saved yet")
-                        : dirty   ? tr("changed")
-                                  : tr("saved")));
+                       (has_file ? state : tr("not saved yet")));
   menuBar()->cornerWidget(Qt::TopRightCorner)->adjustSize();
   // Set again, the menu bar lays its corner out again.
   menuBar()->setCornerWidget(menuBar()->cornerWidget(Qt::TopRightCorner), Qt::TopRightCorner);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/controls/severity_face.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/plain_lines.h"
@@ -92,7 +93,8 @@ int StatusLine::paintRate(QPainter& painter, int right, const QString& name, dou
   painter.setPen(theme.text2);
   painter.drawText(QRect(left + 12, 0, 60, height()), Qt::AlignVCenter | Qt::AlignLeft, name);
   if (idle) value = 0.0;
-  const QString number = value > 0.0 ? tr("%1 Hz").arg(std::lround(value)) : idle ? tr("idle") : tr("off");
+  const QString resting = idle ? tr("idle") : tr("off");
+  const QString number = value > 0.0 ? tr("%1 Hz").arg(std::lround(value)) : resting;
   painter.setPen(value > 0.0 ? theme.text1 : theme.text3);
   painter.drawText(QRect(left + 50, 0, 58, height()), Qt::AlignVCenter | Qt::AlignRight, number);
   const QRectF bar(left + 114, 0.5 * height() - 2.0, 28, 4);
@@ -114,13 +116,10 @@ void StatusLine::paintSentence(QPainter& painter, const QRect& rect) const {
   if (!telling && mark_ != Mark::kNone) {
     paintMark(painter, mark_, mark_at, 10, theme);
   } else {
-    const char* name = telling && severity_ == Severity::kProblem   ? "crossed"
-                       : telling && severity_ == Severity::kWarning ? "warning"
-                                                                    : "info";
-    const QColor color = telling && severity_ == Severity::kProblem   ? theme.contact
-                         : telling && severity_ == Severity::kWarning ? theme.near_miss
-                                                                      : theme.text2;
-    icon(name, color).paint(&painter, QRect(rect.left(), rect.center().y() - 7, 16, 16));
+    const Severity severity = telling ? severity_ : Severity::kInformation;
+    const bool notes = severity == Severity::kInformation;
+    icon(severityIcon(severity), notes ? theme.text2 : severityColor(severity, theme))
+        .paint(&painter, QRect(rect.left(), rect.center().y() - 7, 16, 16));
   }
   const QString text = telling ? message_ : sentence_;
   const QRect text_rect = rect.adjusted(24, 0, 0, 0);

@@ -119,7 +119,8 @@ int ProxyStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     case PM_ToolBarIconSize:
       return 20;
     case PM_IndicatorWidth:
-      return isLargeSwitch(widget) ? 54 : isSwitch(widget) ? kSwitchWidth : 16;
+      if (isLargeSwitch(widget)) return 54;
+      return isSwitch(widget) ? kSwitchWidth : 16;
     case PM_IndicatorHeight:
       return isLargeSwitch(widget) ? 28 : kSwitchHeight;
     case PM_CheckBoxLabelSpacing:

@@ -8,6 +8,7 @@
 #include <QPainter>
 
 #include "app/style/fonts.h"
+#include "app/style/key_step.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
 
@@ -40,7 +41,8 @@ class Segment final : public QAbstractButton {
       drawBox(&painter, rect().adjusted(1, 1, -1, -1), isEnabled() ? theme.on : theme.line, QColor(), 3.0);
     else if (underMouse() && isEnabled())
       drawBox(&painter, rect().adjusted(1, 1, -1, -1), theme.header, QColor(), 3.0);
-    painter.setPen(!isEnabled() ? theme.text3 : isChecked() ? theme.on_text : theme.text1);
+    const QColor& text_color = isChecked() ? theme.on_text : theme.text1;
+    painter.setPen(isEnabled() ? text_color : theme.text3);
     QFont text_font = font();
     if (isChecked()) text_font.setWeight(QFont::Medium);
     painter.setFont(text_font);
@@ -120,9 +122,8 @@ void Segmented::paintEvent(QPaintEvent*) {
 }
 
 void Segmented::keyPressEvent(QKeyEvent* event) {
-  const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Down ? 1
-                   : event->key() == Qt::Key_Left || event->key() == Qt::Key_Up  ? -1
-                                                                                 : 0;
+  const int key = event->key();
+  const int step = keyStep(key, Qt::Key_Left, Qt::Key_Right) + keyStep(key, Qt::Key_Up, Qt::Key_Down);
   if (step == 0) {
     QWidget::keyPressEvent(event);
     return;

@@ -123,7 +123,8 @@ void drawIndicator(QPainter* painter, const QStyleOption* option, bool round) {
   const bool on = has(option, QStyle::State_On);
   const bool enabled = has(option, QStyle::State_Enabled);
   const QColor fill = on && enabled ? theme.on : theme.field;
-  const QColor frame = on && enabled ? theme.on : enabled ? theme.text3 : theme.line;
+  const QColor frame_off = enabled ? theme.text3 : theme.line;
+  const QColor frame = on && enabled ? theme.on : frame_off;
   const QRect rect = option->rect;
   drawBox(painter, rect, fill, frame, round ? rect.height() / 2.0 : 3.0);
   painter->save();
@@ -147,9 +148,8 @@ void drawTabShape(QPainter* painter, const QStyleOptionTab* option) {
   const Theme& theme = themeOf(option->palette);
   const bool selected = has(option, QStyle::State_Selected);
   const bool hover = has(option, QStyle::State_MouseOver);
-  painter->fillRect(option->rect, selected ? theme.dock
-                                  : hover  ? blended(theme.header, theme.text1, 0.05)
-                                           : theme.header);
+  const QColor behind = hover ? blended(theme.header, theme.text1, 0.05) : theme.header;
+  painter->fillRect(option->rect, selected ? theme.dock : behind);
   if (selected)
     painter->fillRect(QRect(option->rect.left(), option->rect.top(), option->rect.width(), 2), theme.selection);
 }

@@ -15,6 +15,12 @@ namespace {
 
 constexpr const char* kProperty = "hapticellUnits";
 
+/// How many decimals more than in millimetres say the same.
+int decimalsBeyondMillimetres(Units::Length length) {
+  if (length == Units::Length::kMillimetre) return 0;
+  return length == Units::Length::kMetre ? 3 : 1;
+}
+
 }  // namespace
 
 double Units::perMetre() const {
@@ -84,8 +90,8 @@ QString lengthText(double metres) {
 
 QString lengthText(double metres, int millimetre_decimals) {
   const Units units = unitsNow();
-  const int fewer = units.length == Units::Length::kMillimetre ? 0 : units.length == Units::Length::kMetre ? 3 : 1;
-  return numberText(units.perMetre() * metres, millimetre_decimals + fewer) + QLatin1Char(' ') + units.lengthUnit();
+  const int decimals = millimetre_decimals + decimalsBeyondMillimetres(units.length);
+  return numberText(units.perMetre() * metres, decimals) + QLatin1Char(' ') + units.lengthUnit();
 }
 
 QString angleText(double radians) {

@@ -37,6 +37,11 @@ bool isOfMillimetres(const QString& unit) {
   return unit.startsWith(QLatin1String("mm")) && (unit.size() == 2 || unit[2] == '/' || unit[2] == ' ');
 }
 
+Quantity quantityOf(const QString& unit) {
+  if (isOfMillimetres(unit)) return Quantity::kLength;
+  return unit == QStringLiteral("°") ? Quantity::kAngle : Quantity::kPlain;
+}
+
 template <std::size_t kCount>
 std::optional<double> withUnit(const QString& text, const TypedUnit (&units)[kCount]) {
   for (const TypedUnit& unit : units) {
@@ -93,10 +98,7 @@ class ChosenByClick final : public QObject {
 
 ValueField::ValueField(const Format& format, QWidget* parent)
     : QDoubleSpinBox(parent), unit_(format.unit), decimals_(format.decimals), quantity_(format.quantity) {
-  if (quantity_ == Quantity::kByUnit)
-    quantity_ = isOfMillimetres(unit_)         ? Quantity::kLength
-                : unit_ == QStringLiteral("°") ? Quantity::kAngle
-                                               : Quantity::kPlain;
+  if (quantity_ == Quantity::kByUnit) quantity_ = quantityOf(unit_);
   setButtonSymbols(NoButtons);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // It may be narrower than it likes.
   setAlignment(Qt::AlignRight | Qt::AlignVCenter);

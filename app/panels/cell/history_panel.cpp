@@ -28,10 +28,8 @@ class StepDelegate final : public QStyledItemDelegate {
     } else if (option.state.testFlag(QStyle::State_MouseOver)) {
       painter->fillRect(r, theme.header);
     }
-    icon(undone             ? "redo"
-         : index.row() == 0 ? "open"
-                            : "check",
-         undone ? theme.text3 : theme.text2)
+    const char* const done = index.row() == 0 ? "open" : "check";
+    icon(undone ? "redo" : done, undone ? theme.text3 : theme.text2)
         .paint(painter, QRect(r.left() + 12, r.center().y() - 7, 16, 16));
     painter->setFont(textFont(TextRole::kText));
     painter->setPen(undone ? theme.text3 : theme.text1);

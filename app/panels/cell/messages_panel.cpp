@@ -8,6 +8,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "app/controls/severity_face.h"
 #include "app/kit/form.h"
 #include "app/style/icon.h"
 #include "app/style/plain_lines.h"
@@ -21,10 +22,9 @@ namespace {
 // later.
 constexpr int kMostCards = 100, kMostLines = 200;
 
-QColor colorOf(Severity severity, const Theme& theme) {
-  return severity == Severity::kProblem   ? theme.contact
-         : severity == Severity::kWarning ? theme.near_miss
-                                          : theme.selection;
+QString severityName(Severity severity) {
+  if (severity == Severity::kProblem) return MessageCard::tr("Problem");
+  return severity == Severity::kWarning ? MessageCard::tr("Warning") : MessageCard::tr("Note");
 }
 
 /// Keeps a list as high as its rows, up to some of them.
@@ -107,10 +107,7 @@ MessageCard::MessageCard(const Message& message, QWidget* parent) : QWidget(pare
   }
   when_ = makeLabel(message.when.toString("HH:mm:ss"), TextRole::kSecond, true);
   row->addWidget(when_, 0, Qt::AlignTop);
-  const QString kind = message.severity == Severity::kProblem   ? tr("Problem")
-                       : message.severity == Severity::kWarning ? tr("Warning")
-                                                                : tr("Note");
-  setAccessibleName(kind + QStringLiteral(": ") + plainLines(message.title));
+  setAccessibleName(severityName(message.severity) + QStringLiteral(": ") + plainLines(message.title));
 }
 
 void MessageCard::countAgain() {
@@ -120,13 +117,10 @@ void MessageCard::countAgain() {
 void MessageCard::paintEvent(QPaintEvent*) {
   const Theme& theme = themeOf(palette());
   QPainter painter(this);
-  const QColor color = colorOf(message_.severity, theme);
+  const QColor color = severityColor(message_.severity, theme);
   drawBox(&painter, rect(), theme.header, theme.line, 2.0);
   painter.fillRect(QRect(0, 0, 3, height()), color);
-  const char* name = message_.severity == Severity::kProblem   ? "crossed"
-                     : message_.severity == Severity::kWarning ? "warning"
-                                                               : "info";
-  icon(name, color).paint(&painter, QRect(14, 9, 18, 18));
+  icon(severityIcon(message_.severity), color).paint(&painter, QRect(14, 9, 18, 18));
 }
 
 MessagesPanel::MessagesPanel(MessageLog& log, QWidget* parent) : QScrollArea(parent) {

@@ -31,6 +31,13 @@ constexpr int kNarrowLabel = 68;  // The dock is narrow.
 // Six joints have a few configurations; of more there are infinitely many. Not a matter of half or twice.
 constexpr std::size_t kFewJoints = 6;
 
+QString placeHeading(const workcell::Entity& entity, bool in_world) {
+  if (entity.figure)
+    return in_world ? PropertiesPanel::tr("Placement in world") : PropertiesPanel::tr("Placement in frame");
+  if (entity.robot) return in_world ? PropertiesPanel::tr("Base in world") : PropertiesPanel::tr("Base in frame");
+  return in_world ? PropertiesPanel::tr("Origin in world") : PropertiesPanel::tr("Origin in frame");
+}
+
 }  // namespace
 
 PropertiesPanel::PropertiesPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host) {
@@ -155,10 +162,7 @@ void PropertiesPanel::showReference() {
   reference_row_->setVisible(reference_->hasFrames());
   const bool in_world = reference_->fixedEntry() >= 0;
   tool_.heading->setText(in_world ? tr("TCP in world") : tr("TCP in frame"));
-  const bool place_in_world = in_world || reference_->goesWith(now->id);
-  place_.heading->setText(now->figure  ? (place_in_world ? tr("Placement in world") : tr("Placement in frame"))
-                          : now->robot ? (place_in_world ? tr("Base in world") : tr("Base in frame"))
-                                       : (place_in_world ? tr("Origin in world") : tr("Origin in frame")));
+  place_.heading->setText(placeHeading(*now, in_world || reference_->goesWith(now->id)));
 }
 
 Pose PropertiesPanel::reference_W() const {

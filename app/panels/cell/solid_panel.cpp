@@ -161,9 +161,7 @@ void SolidPanel::addFlags(QVBoxLayout& column) {
   connect(checked_, &QCheckBox::clicked, this, [this](bool on) { execute({.checked = on}); });
   connect(locked_, &QCheckBox::clicked, this, [this](bool on) { execute({.locked = on}); });
   connect(visible_, &QCheckBox::clicked, this, [this](bool on) { execute({.visible = on}); });
-  const auto paint = [this](const QColor& color) {
-    execute({.color = channelsOf(color)});
-  };
+  const auto paint = [this](const QColor& color) { execute({.color = channelsOf(color)}); };
   connect(color_, &SwatchRow::chosen, this, paint);
   connect(color_, &SwatchRow::otherWanted, this, [this, paint] { choosePartColor(host_, color_->current(), paint); });
 }
@@ -200,16 +198,17 @@ void SolidPanel::showTurn(const workcell::Entity& solid) {
   frame_->clear();
   for (const workcell::Frame& frame : solid.frames) frame_->addItem(QString::fromStdString(frame.name));
   const HoldChoice& hold = host_.holdChoice();
-  const int index = hold.is<by::Center>() ? 1 : hold.is<by::Frame>() ? 2 : 0;
+  const int index = hold.turnsAbout();
   turns_->setChoiceEnabled(2, !solid.frames.empty(), tr("This solid has no frame yet. Add one below."));
   turns_->setCurrent(index);
   frame_row_->setVisible(index == 2);
   if (index == 2) frame_->setCurrentText(QString::fromStdString(hold.frame()));
-  const dvec3 c = centerOf(solid);
-  const QString middle = tr("Geometric centre, %1 from own origin").arg(lengthText(glm::length(c)));
-  turn_note_->setText(index == 1   ? middle
-                      : index == 2 ? tr("Own frame %1").arg(frame_->currentText())
-                                   : tr("Own origin, from the file"));
+  if (index == 1)
+    turn_note_->setText(tr("Geometric centre, %1 from own origin").arg(lengthText(glm::length(centerOf(solid)))));
+  else if (index == 2)
+    turn_note_->setText(tr("Own frame %1").arg(frame_->currentText()));
+  else
+    turn_note_->setText(tr("Own origin, from the file"));
 }
 
 void SolidPanel::showFeel(const workcell::Entity& solid) {

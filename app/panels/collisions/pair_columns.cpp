@@ -141,7 +141,8 @@ void PairColumns::show() {
       lists_[side]->clear();
       for (const QString& name : names) {
         const workcell::Entity* entity = host_.documentModel().document().findByName(name.toStdString());
-        new QListWidgetItem(icon(!entity ? "warning" : entity->robot ? "robot" : "cube"), name, lists_[side]);
+        const char* const shape = entity && entity->robot ? "robot" : "cube";
+        new QListWidgetItem(icon(entity ? shape : "warning"), name, lists_[side]);
       }
     }
     lists_[side]->setEnabled(shown);

@@ -67,7 +67,8 @@ void PairDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   }
   painter->fillRect(QRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1), theme.header);
   QRect text = option.rect.adjusted(8, 0, -8, 0);
-  QColor color = !checked ? theme.text3 : measured ? theme.text1 : theme.text2;
+  QColor color = measured ? theme.text1 : theme.text2;
+  if (!checked) color = theme.text3;
   if (index.column() == PairTableModel::kState) {
     paintState(*painter, QPointF(text.left() + 10.0, text.center().y() + 0.5), index, theme);
     if (checked && markOf(index) == Mark::kContact) color = theme.words.contact;

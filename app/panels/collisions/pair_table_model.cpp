@@ -70,7 +70,7 @@ class RowMaker {
     return row;
   }
   static void measure(PairRow& row, const manipulation::PairState& now) {
-    row.mark = now.contact ? Mark::kContact : now.near_miss ? Mark::kNearMiss : Mark::kNone;
+    row.mark = pairMark(now);
     row.distance = now.distance;
     row.p_W = {now.p_WA, now.p_WB};
   }
@@ -160,9 +160,8 @@ std::vector<PairRow> pairRows(const workcell::DocumentState& state, const PairSo
 }
 
 QString markName(Mark mark) {
-  return mark == Mark::kContact    ? QObject::tr("Contact")
-         : mark == Mark::kNearMiss ? QObject::tr("Near miss")
-                                   : QObject::tr("Free");
+  if (mark == Mark::kContact) return QObject::tr("Contact");
+  return mark == Mark::kNearMiss ? QObject::tr("Near miss") : QObject::tr("Free");
 }
 
 std::vector<std::size_t> PairTableModel::choose() const {
@@ -213,7 +212,8 @@ int PairTableModel::find(const PairRow& pair) const {
 QVariant PairTableModel::words(const PairRow& at, int column) const {
   switch (column) {
     case kState:
-      return at.checked ? markName(at.mark) : at.one_body ? tr("Attached") : tr("Off");
+      if (at.checked) return markName(at.mark);
+      return at.one_body ? tr("Attached") : tr("Off");
     case kMoved:
       return at.moved_name;
     case kAgainst:

@@ -120,11 +120,10 @@ Mark WorkcellTreeModel::markOf(const Node& node) const {
   if (!snapshot_ || node.entity == 0 || node.kind == Kind::kTcp || node.kind == Kind::kFrame) return Mark::kNone;
   Mark mark = Mark::kNone;
   for (const auto& pair : snapshot_->pairs) {
-    const Mark of_pair = pair.contact ? Mark::kContact : pair.near_miss ? Mark::kNearMiss : Mark::kNone;
     const std::string part = node.part.toStdString();
     const bool first = pair.moved == node.entity && (node.part.isEmpty() || pair.moved_part == part);
     const bool second = pair.other == node.entity && (node.part.isEmpty() || pair.other_part == part);
-    if (first || second) mark = stronger(mark, of_pair);
+    if (first || second) mark = stronger(mark, pairMark(pair));
   }
   if (mark == Mark::kNone && node.kind == Kind::kEntity && node.entity == snapshot_->held && !snapshot_->limits.empty())
     mark = Mark::kLimit;

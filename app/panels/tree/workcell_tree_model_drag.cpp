@@ -50,9 +50,8 @@ bool WorkcellTreeModel::dropFrame(const QByteArray& dragged, int row, const Node
   if (of.kind != Kind::kTrajectory || of.name != motion || of.children.empty()) return false;
   const auto frameOf = [&](int child) { return nodes_[static_cast<std::size_t>(child)].frame->frame; };
   const bool before_a_row = !onto.frame && row >= 0 && row < static_cast<int>(of.children.size());
-  std::size_t to = onto.frame     ? onto.frame->frame
-                   : before_a_row ? frameOf(of.children[static_cast<std::size_t>(row)])
-                                  : frameOf(of.children.back());
+  const int child = before_a_row ? of.children[static_cast<std::size_t>(row)] : of.children.back();
+  std::size_t to = onto.frame ? onto.frame->frame : frameOf(child);
   if (before_a_row && to > from) --to;  // It leaves its own place.
   if (to != from) emit pointMoveWanted(motion, from, to);
   return false;

@@ -130,8 +130,13 @@ MotionChart::Shown MotionChart::shownCurve(const MotionCurve& curve, Order order
   const Units units = unitsNow();
   // Metres where figures would have five digits.
   const bool small = order == Order::kValue || order == Order::kSpeed || units.length == Units::Length::kInch;
-  one.factor = !metres ? units.perRadian() : small ? units.perMetre() : 1.0;
-  one.unit = (!metres ? units.angleUnit() : small ? units.lengthUnit() : QStringLiteral("m")) + perTime(order);
+  one.factor = small ? units.perMetre() : 1.0;
+  one.unit = small ? units.lengthUnit() : QStringLiteral("m");
+  if (!metres) {
+    one.factor = units.perRadian();
+    one.unit = units.angleUnit();
+  }
+  one.unit += perTime(order);
   return one;
 }
 

@@ -62,9 +62,10 @@ void MotionFacts::show() {
   const Motion* motion = list_.current();
   name_->setEnabled(motion != nullptr);
   if (!name_->hasFocus()) name_->setText(motion ? QString::fromStdString(motion->name) : QString());
-  if (!motion || !motion->trajectory) {
-    facts_->setText(motion ? (motion->problem.isEmpty() ? tr("loading…") : motion->problem)
-                           : tr("No motion yet. Record one, or import a file."));
+  if (!motion) {
+    facts_->setText(tr("No motion yet. Record one, or import a file."));
+  } else if (!motion->trajectory) {
+    facts_->setText(motion->problem.isEmpty() ? tr("loading…") : motion->problem);
   } else {
     const auto& trajectory = *motion->trajectory;
     QStringList words{tr("frames: %1").arg(trajectory.size()), tr("%1 s").arg(trajectory.duration(), 0, 'f', 2)};

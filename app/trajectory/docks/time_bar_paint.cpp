@@ -15,6 +15,12 @@ namespace {
 
 constexpr double kDot = 3.5;
 
+/// Of seconds at marks that stand a step apart.
+int tickDecimals(double step) {
+  if (step < 0.1) return 2;
+  return step < 1.0 ? 1 : 0;
+}
+
 }  // namespace
 
 QColor colorOf(CheckMark mark, const Theme& theme) {
@@ -41,8 +47,7 @@ void TimeBar::paintRuler(QPainter& painter) const {
     painter.fillRect(QRectF(x, kRuler - (tick.named ? 10 : 6), 1, tick.named ? 8 : 4), theme.text3);
     if (!tick.named || std::abs(x - at.x(time_)) < 44) continue;
     painter.setPen(theme.text2);
-    const double step = 60.0 / at.pixelsPerSecond();
-    const int decimals = step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
+    const int decimals = tickDecimals(60.0 / at.pixelsPerSecond());
     painter.drawText(QRectF(x - 34, 0, 68, 18), Qt::AlignCenter, tr("%1 s").arg(tick.t, 0, 'f', decimals));
   }
 }
@@ -73,7 +78,8 @@ void TimeBar::paintDots(QPainter& painter, const TrackRow& row, const QRect& bar
       const QPointF triangle[3] = {{x, y - 5}, {x + 5, y + 4}, {x - 5, y + 4}};
       painter.drawPolygon(triangle, 3);
     } else {
-      const double size = chosen ? kDot + 1.5 : dot.by_hand ? kDot + 0.5 : kDot - 1.0;
+      double size = dot.by_hand ? kDot + 0.5 : kDot - 1.0;
+      if (chosen) size = kDot + 1.5;
       painter.drawEllipse(QPointF(x, y), size, size);
     }
   }

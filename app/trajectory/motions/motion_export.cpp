@@ -83,10 +83,17 @@ workcell::FileCheck readBackCheck(const Trajectory& motion, const QString& forma
   };
 }
 
+/// Of a table; empty of a program.
+QString tableExtension(const QString& format) {
+  if (format == "csv") return ".csv";
+  if (format == "json") return ".htraj";
+  return format == "ros" ? ".yaml" : "";
+}
+
 /// Readers know tables by their extensions: under another name a copy with the right one is read first.
 Expected<void> writeChecked(const Trajectory& motion, const QString& format, const ProgramFile& file) {
   const workcell::FileCheck check = readBackCheck(motion, format, file);
-  const QString extension = format == "csv" ? ".csv" : format == "json" ? ".htraj" : format == "ros" ? ".yaml" : "";
+  const QString extension = tableExtension(format);
   const QString name = QString::fromStdString(file.name);
   const bool is_known = extension.isEmpty() || name.endsWith(extension, Qt::CaseInsensitive) ||
                         (format == "json" && name.endsWith(".json", Qt::CaseInsensitive)) ||

@@ -21,6 +21,13 @@ QLabel* saidLine(const char* name, int lines, TextRole role, bool quiet) {
   return label;
 }
 
+QString forcesText(bool connected, bool off, bool running) {
+  if (!connected) return RunSection::tr("No stylus is connected. You see the guide but do not feel it.");
+  if (!off) return RunSection::tr("Forces are on.");
+  return running ? RunSection::tr("Forces are off. You do not feel the guide.")
+                 : RunSection::tr("Forces are off. Without them you do not feel the guide.");
+}
+
 }  // namespace
 
 RunSection::RunSection(Host& host, QVBoxLayout& column, QObject* parent) : QObject(parent), host_(host) {
@@ -82,14 +89,11 @@ bool RunSection::forcesAreOff() const {
 void RunSection::showForces() {
   const auto& snapshot = host_.snapshot();
   const bool off = forcesAreOff();
-  const QString words = !snapshot || !snapshot->connected
-                            ? tr("No stylus is connected. You see the guide but do not feel it.")
-                        : !off        ? tr("Forces are on.")
-                        : is_running_ ? tr("Forces are off. You do not feel the guide.")
-                                      : tr("Forces are off. Without them you do not feel the guide.");
+  const QString words = forcesText(snapshot && snapshot->connected, off, is_running_);
   if (words != forces_->text()) forces_->setText(words);
   start_->setEnabled(has_exercise_);
-  start_->setText(is_running_ ? tr("End the run") : off ? tr("Forces on and start") : tr("Start the run"));
+  const QString start = off ? tr("Forces on and start") : tr("Start the run");
+  start_->setText(is_running_ ? tr("End the run") : start);
   without_->setEnabled(has_exercise_ && !is_running_ && off);
 }
 

@@ -187,9 +187,8 @@ void EdgePass::prepareItem(const DrawContext& context, const RenderItem& item, c
   const bool ghost = item.ghost != Ghost::kNone;
   const glm::vec4& color = frame.colors.crease;
   const fvec3 own(item.color[0], item.color[1], item.color[2]);
-  const fvec3& ghostly = item.ghost == Ghost::kOwn       ? own
-                         : item.ghost == Ghost::kTouches ? frame.colors.contact
-                                                         : frame.colors.selected;
+  const fvec3& other = item.ghost == Ghost::kTouches ? frame.colors.contact : frame.colors.selected;
+  const fvec3& ghostly = item.ghost == Ghost::kOwn ? own : other;
   program_->setUniformValue(
       "line_color",
       ghost ? QVector4D(ghostly.x, ghostly.y, ghostly.z, 1.0f)

@@ -15,7 +15,8 @@ constexpr double kBesideNumber = 8.0;
 
 /// Where a label's number begins: after its mark or patch.
 double indentOf(const OverlayLabel& label) {
-  return label.band >= 0 ? 38.0 : label.mark == Mark::kNone ? 10.0 : 30.0;
+  if (label.band >= 0) return 38.0;
+  return label.mark == Mark::kNone ? 10.0 : 30.0;
 }
 
 double cellWidth(const StripCell& cell) {

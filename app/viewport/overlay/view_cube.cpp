@@ -3,6 +3,8 @@
 
 #include <QtGlobal>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace hapticell::app {
 namespace {
@@ -29,6 +31,13 @@ const std::array<FaceDefinition, 6>& faceDefinitions() {
 
 constexpr double kEye = 5.5;         // Of the cube's own little perspective, in half edges.
 constexpr double kEdgeShare = 0.68;  // Beyond this share of a face lies its edge.
+
+/// From where to where a spot reaches along an axis of a face, at whose edge it is where `side` is not zero.
+std::pair<double, double> patchRange(double side) {
+  if (side > 0.0) return {kEdgeShare, 1.0};
+  if (side < 0.0) return {-1.0, -kEdgeShare};
+  return {-kEdgeShare, kEdgeShare};
+}
 
 }  // namespace
 
@@ -64,8 +73,7 @@ std::vector<std::array<glm::dvec2, 4>> ViewCube::patches(const ViewCubeSpot& spo
     for (int axis = 0; axis < 3; ++axis) {
       if (face.normal_W[axis] != 0.0) continue;
       (first < 0 ? first : second) = axis;
-      low[axis] = spot[axis] > 0.0 ? kEdgeShare : spot[axis] < 0.0 ? -1.0 : -kEdgeShare;
-      high[axis] = spot[axis] > 0.0 ? 1.0 : spot[axis] < 0.0 ? -kEdgeShare : kEdgeShare;
+      std::tie(low[axis], high[axis]) = patchRange(spot[axis]);
     }
     dvec3 corner = low;
     std::array<glm::dvec2, 4> patch;

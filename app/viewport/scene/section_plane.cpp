@@ -55,8 +55,8 @@ SectionPlane sectionAcross(int axis, const Camera& camera, const geometry::Bound
 SectionPlane sectionFacing(const Camera& camera, const geometry::Bounds& bounds_W) {
   const dvec3 look = glm::abs(camera.forward_W());
   // Cells stand on the floor: a level cut is only taken when looked at from nearly above.
-  const int axis = look.z > 0.9 ? 2 : (look.x > look.y ? 0 : 1);
-  return sectionAcross(axis, camera, bounds_W);
+  const int upright = look.x > look.y ? 0 : 1;
+  return sectionAcross(look.z > 0.9 ? 2 : upright, camera, bounds_W);
 }
 
 SectionPlane flipped(const SectionPlane& plane) {
@@ -65,7 +65,8 @@ SectionPlane flipped(const SectionPlane& plane) {
 
 int axisOf(const SectionPlane& plane) {
   const dvec3 n = glm::abs(plane.nhat_W);
-  return n.x >= n.y && n.x >= n.z ? 0 : (n.y >= n.z ? 1 : 2);
+  if (n.x >= n.y && n.x >= n.z) return 0;
+  return n.y >= n.z ? 1 : 2;
 }
 
 std::vector<SceneCurve> sectionCurves(const SectionPlane& plane, const geometry::Bounds& bounds_W, const Camera& camera,

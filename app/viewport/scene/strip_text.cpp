@@ -29,6 +29,11 @@ struct StripText {
   Q_DECLARE_TR_FUNCTIONS(StripText)
 };
 
+QString onContactText(workcell::OnContact on_contact) {
+  if (on_contact == workcell::OnContact::kStop) return StripText::tr("Stop");
+  return on_contact == workcell::OnContact::kSlide ? StripText::tr("Slide") : StripText::tr("Pass");
+}
+
 }  // namespace
 
 std::string millimetres(double metres) {
@@ -64,11 +69,8 @@ std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, c
   cells.push_back({contact ? Mark::kContact : Mark::kNone, force, say(StripText::tr("force"))});
   const std::string name = context.scale_name.empty() ? "" : context.scale_name + " ";
   cells.push_back({Mark::kNone, name + scaleText(snapshot.motion_scale), say(StripText::tr("scale"))});
-  const QString on_contact = context.on_contact == workcell::OnContact::kStop    ? StripText::tr("Stop")
-                             : context.on_contact == workcell::OnContact::kSlide ? StripText::tr("Slide")
-                                                                                 : StripText::tr("Pass");
-  cells.push_back(
-      {Mark::kNone, say(snapshot.stopped ? StripText::tr("Stopped") : on_contact), say(StripText::tr("on contact"))});
+  const QString on_contact = snapshot.stopped ? StripText::tr("Stopped") : onContactText(context.on_contact);
+  cells.push_back({Mark::kNone, say(on_contact), say(StripText::tr("on contact"))});
   cells.push_back({Mark::kNone, snapshot.clutched ? say(StripText::tr("Clutch")) : context.free_axes,
                    say(StripText::tr("free to move"))});
   StripCell edge{Mark::kNone, say(lengthText(snapshot.device_edge_m, 0)), say(StripText::tr("to device edge"))};

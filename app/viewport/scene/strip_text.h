@@ -11,6 +11,12 @@ namespace hapticell::app {
 
 enum class Mark { kNone, kContact, kNearMiss, kLimit };
 
+/// What a pair is marked by.
+constexpr Mark pairMark(const manipulation::PairState& pair) {
+  if (pair.contact) return Mark::kContact;
+  return pair.near_miss ? Mark::kNearMiss : Mark::kNone;
+}
+
 /// One cell of the stylus strip: a value with its unit, and what it is.
 struct StripCell {
   Mark mark = Mark::kNone;

@@ -57,6 +57,11 @@ Ray sightThrough(const FeaturePicker::Question& question) {
   return question.section ? fromSection(*question.section, ray_W) : ray_W;
 }
 
+EdgeShape shapeOf(const EdgeChain& chain) {
+  if (chain.is_circle) return EdgeShape::kCircle;
+  return chain.is_line ? EdgeShape::kLine : EdgeShape::kCurve;
+}
+
 /// The point of the segment that is nearest to the pixel in the picture, and how far it is, pixels.
 struct SeenPoint {
   dvec3 p_W{0.0};
@@ -252,9 +257,7 @@ std::optional<PickedFeature> FeaturePicker::pick(const Question& asked) {
   if (question.filter.edges && near.chain && (near.edge_pixels <= kEdgePixels || !question.filter.faces)) {
     feature.kind = FeatureKind::kEdge;
     feature.p_WQ = near.p_WEdge;
-    feature.edge = near.chain->is_circle ? EdgeShape::kCircle
-                   : near.chain->is_line ? EdgeShape::kLine
-                                         : EdgeShape::kCurve;
+    feature.edge = shapeOf(*near.chain);
     feature.center_W = X_WM * near.chain->center;
     feature.axis_W = X_WM.rotate(near.chain->axis);
     feature.radius = near.chain->radius;

@@ -71,11 +71,13 @@ const std::vector<Preset>& presets() {
 }  // namespace
 
 const std::vector<ViewGesture>& Navigation::of(ViewMotion motion) const {
-  return motion == ViewMotion::kOrbit ? orbit : motion == ViewMotion::kPan ? pan : zoom;
+  if (motion == ViewMotion::kOrbit) return orbit;
+  return motion == ViewMotion::kPan ? pan : zoom;
 }
 
 std::vector<ViewGesture>& Navigation::of(ViewMotion motion) {
-  return motion == ViewMotion::kOrbit ? orbit : motion == ViewMotion::kPan ? pan : zoom;
+  if (motion == ViewMotion::kOrbit) return orbit;
+  return motion == ViewMotion::kPan ? pan : zoom;
 }
 
 std::optional<ViewMotion> Navigation::motionFor(Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers,

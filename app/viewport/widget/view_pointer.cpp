@@ -133,7 +133,10 @@ void ViewPointer::pressFree(const QMouseEvent& event, bool over_cube) {
 void ViewPointer::setMotionFor(Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers, bool after_release) {
   const auto motion = navigation_.motionFor(buttons, modifiers, after_release);
   if (!motion) return;
-  drag_ = *motion == ViewMotion::kOrbit ? Drag::kOrbit : *motion == ViewMotion::kPan ? Drag::kPan : Drag::kZoom;
+  if (*motion == ViewMotion::kOrbit)
+    drag_ = Drag::kOrbit;
+  else
+    drag_ = *motion == ViewMotion::kPan ? Drag::kPan : Drag::kZoom;
 }
 
 void ViewPointer::moveCamera(const glm::dvec2& step) {
@@ -276,7 +279,8 @@ void ViewPointer::hover(const QPointF& position) {
       beside || picks_.open() ? 0 : frameAt(view_.scene(), camera_.now, view_.viewSize(), vec(position));
   const auto seen = beside || frame != 0 ? std::nullopt : picks_.pickAt(position);
   const workcell::EntityId entity = seen ? seen->entity : frame;
-  const QString name = entity ? hoverNameOf(view_.scene().find(entity), seen ? seen->link : -1) : QString();
+  const int link = seen ? seen->link : -1;
+  const QString name = entity ? hoverNameOf(view_.scene().find(entity), link) : QString();
   constexpr double kFar = 60.0;  // Pixels: a name that is left behind comes after.
   if (name != hover_name_ || (!name.isEmpty() && QLineF(position, hover_place_).length() > kFar)) {
     hover_name_ = name;

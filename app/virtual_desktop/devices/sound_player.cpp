@@ -102,7 +102,8 @@ void SoundPlayer::strike(SoundEvent event) {
 }
 
 QString SoundPlayer::state() const {
-  return !hasOutput() ? tr("No sound output") : on_ ? tr("Sound on") : tr("Sound off");
+  if (!hasOutput()) return tr("No sound output");
+  return on_ ? tr("Sound on") : tr("Sound off");
 }
 
 }  // namespace hapticell::app

@@ -49,7 +49,8 @@ AxesSection::AxesSection(Host& host, VirtualDesktopController& controller, QVBox
   section->addWidget(scale_note_);
   connect(axes_, &Segmented::chosen, this, [this](int index) {
     controller_.edit([&](VirtualDesktopSettings& settings) {
-      settings.axes = index == 0 ? AxesMode::kScreen : index == 1 ? AxesMode::kCell : AxesMode::kFrame;
+      constexpr AxesMode kModes[]{AxesMode::kScreen, AxesMode::kCell, AxesMode::kFrame};
+      settings.axes = kModes[index];
       settings.axes_frame = index == 2 ? axes_frame_->currentText().toStdString() : std::string();
     });
   });

@@ -41,7 +41,9 @@ void showMoved(Segmented& moved_by, const VirtualDesktopSettings& settings, cons
   const auto ways = waysOffered();
   const auto chosen =
       std::find_if(ways.begin(), ways.end(), [&](const MovedBy& way) { return isSameWay(way, settings.moved_by); });
-  const int usual = mannequin ? kWhole : robot ? kTool : entity ? kOrigin : -1;
+  int usual = entity ? kOrigin : -1;
+  if (robot) usual = kTool;
+  if (mannequin) usual = kWhole;
   moved_by.setCurrent(chosen == ways.end() ? usual : static_cast<int>(chosen - ways.begin()));
 }
 

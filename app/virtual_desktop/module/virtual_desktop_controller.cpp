@@ -347,9 +347,8 @@ void VirtualDesktopController::takeSnapshot() {
 
 void VirtualDesktopController::showDevice() {
   if (!device()) return host_.setDeviceText(deviceLine(), false);
-  const QString forces = forces_.areLost()     ? tr(" · forces lost")
-                         : snapshot_.forces_on ? tr(" · forces on")
-                                               : tr(" · forces off");
+  QString forces = snapshot_.forces_on ? tr(" · forces on") : tr(" · forces off");
+  if (forces_.areLost()) forces = tr(" · forces lost");
   host_.setDeviceText(QString::fromStdString(device()->name) + forces, !forces_.areLost());
 }
 

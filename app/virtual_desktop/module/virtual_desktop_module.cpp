@@ -201,7 +201,8 @@ void VirtualDesktopModule::showPill() {
   const bool lost = controller_->forceFacts().lost;
   if (on != pill_button_->isChecked() || lost != pill_lost_ || pill_button_->icon().isNull()) {  // Setting it paints.
     const Theme& theme = themeOf(pill_button_->palette());
-    pill_button_->setIcon(lost ? icon("warning", theme.contact) : on ? icon("forces", theme.on_text) : icon("forces"));
+    const QIcon forces = on ? icon("forces", theme.on_text) : icon("forces");
+    pill_button_->setIcon(lost ? icon("warning", theme.contact) : forces);
   }
   pill_lost_ = lost;
   pill_button_->setChecked(on);
@@ -263,7 +264,9 @@ bool VirtualDesktopModule::handleKey(int key, bool pressed, bool repeated) {
     if (!was_on && controller_->mouse().follow()) controller_->mouse().setFollow(false);
     return was_on;
   }
-  bool* const held = key == Qt::Key_Space ? &clutch_ : key == Qt::Key_B ? &button_key_ : nullptr;
+  bool* held = nullptr;
+  if (key == Qt::Key_Space) held = &clutch_;
+  if (key == Qt::Key_B) held = &button_key_;
   // What was pressed in the scene is let go wherever the pointer is by then.
   if (!held || !(pressed ? *held || host_->typedKeysAct() : *held)) return false;
   if (repeated) return true;

@@ -52,6 +52,34 @@ QLabel* quietLabel(const QString& text) {
   return label;
 }
 
+const char* resultIcon(DeviceCheck::Result result) {
+  switch (result) {
+    case DeviceCheck::Result::kGood:
+      return "check";
+    case DeviceCheck::Result::kProblem:
+      return "crossed";
+    case DeviceCheck::Result::kWarning:
+      return "warning";
+    case DeviceCheck::Result::kOpen:
+      break;
+  }
+  return "info";
+}
+
+QColor resultColor(DeviceCheck::Result result, const Theme& theme) {
+  switch (result) {
+    case DeviceCheck::Result::kGood:
+      return theme.scene.axis_z;
+    case DeviceCheck::Result::kProblem:
+      return theme.contact;
+    case DeviceCheck::Result::kWarning:
+      return theme.near_miss;
+    case DeviceCheck::Result::kOpen:
+      break;
+  }
+  return theme.text3;
+}
+
 }  // namespace
 
 CheckRows::CheckRows(QWidget* parent) : QWidget(parent) {
@@ -77,16 +105,7 @@ void CheckRows::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   int top = 4;
   for (const DeviceCheck& check : checks_) {
-    using Result = DeviceCheck::Result;
-    const char* mark = check.result == Result::kGood      ? "check"
-                       : check.result == Result::kProblem ? "crossed"
-                       : check.result == Result::kWarning ? "warning"
-                                                          : "info";
-    const QColor color = check.result == Result::kGood      ? theme.scene.axis_z
-                         : check.result == Result::kProblem ? theme.contact
-                         : check.result == Result::kWarning ? theme.near_miss
-                                                            : theme.text3;
-    icon(mark, color).paint(&painter, QRect(12, top + 10, 20, 20));
+    icon(resultIcon(check.result), resultColor(check.result, theme)).paint(&painter, QRect(12, top + 10, 20, 20));
     painter.setFont(textFont(TextRole::kSection));
     painter.setPen(theme.text1);
     painter.drawText(QRect(44, top + 6, width() - 56, 20), Qt::AlignVCenter, check.title);
