@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/log_level.h"
 
+#include <string>
+
 #include "geometry/system/plain_text.h"
 
 namespace hapticell::config {
@@ -11,7 +13,7 @@ Expected<LogLevel> logLevelFrom(std::string_view word) {
   if (word == "info") return LogLevel::kInfo;
   if (word == "debug") return LogLevel::kDebug;
   return makeError({.file = "command line",
-                    .place = "--log-level",
+                    .place = std::string("--log-level"),
                     .found = "'" + plainText(word) + "'",
                     .expected = "error, warning, info or debug"});
 }
