@@ -22,7 +22,6 @@
 #include "app/kit/form.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "geometry/system/atomic_file.h"
 #include "mannequin/motion/motion_writer.h"
@@ -135,7 +134,7 @@ bool TimePanel::saveMotion(const QString& path) {
   if (written)
     context_.host().messages().tell(Severity::kInformation, tr("The motion is saved"), path);
   else
-    context_.host().messages().tell(Severity::kProblem, tr("The motion was not saved"), shownText(written.error()));
+    context_.host().messages().tellCause(Severity::kProblem, tr("The motion was not saved"), written.error());
   return written.has_value();
 }
 
