@@ -423,6 +423,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 contient %2</translation>
     </message>
     <message>
+        <source>%1 holds the cause and your last actions. Nothing was sent. If you report the fault, you can attach this file.</source>
+        <translation>%1 contient la cause et vos dernières actions. Rien n'a été envoyé. Si vous signalez le défaut, vous pouvez joindre ce fichier.</translation>
+    </message>
+    <message>
         <source>%1 in ${%2}</source>
         <translation>%1, dans ${%2}</translation>
     </message>
@@ -797,6 +801,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 positions</source>
         <translation>%1 positions</translation>
+    </message>
+    <message>
+        <source>%1 processes have a log there</source>
+        <translation>%1 processus y ont déjà un journal</translation>
     </message>
     <message>
         <source>%1 read back from the pack</source>
@@ -1651,6 +1659,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' dépend de ce que le fichier ne donne pas ; la condition est lue comme fausse.</translation>
     </message>
     <message>
+        <source>'%1' does not exist</source>
+        <translation>aucune ne s'appelle '%1'</translation>
+    </message>
+    <message>
         <source>'%1' has an invalid placement; it is placed at its parent</source>
         <translation>'%1' a un placement qui n'en est pas un ; il est mis au placement de son parent</translation>
     </message>
@@ -1799,12 +1811,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>'%1' : %2 polygones à trous n'ont pas pu être découpés en triangles et manquent</translation>
     </message>
     <message>
-        <source>'%1': its mesh %2 is left out: %3</source>
-        <translation>'%1' : son maillage %2 est omis : %3</translation>
-    </message>
-    <message>
         <source>'%1': invalid pose; it is placed at the body above</source>
         <translation>'%1' : sa pose n'est pas valable ; il est placé sur le corps parent</translation>
+    </message>
+    <message>
+        <source>'%1': its mesh %2 is left out: %3</source>
+        <translation>'%1' : son maillage %2 est omis : %3</translation>
     </message>
     <message>
         <source>'%1': the frame of its pose is not there; it is taken in the body above</source>
@@ -2453,6 +2465,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>A property that is a text may hold a mistyped number.</source>
         <translation>Vérifiez les propriétés : l'une d'elles est un texte, peut-être un nombre mal saisi.</translation>
+    </message>
+    <message>
+        <source>A report of the crash was saved on this computer</source>
+        <translation>Un rapport du plantage a été enregistré sur cet ordinateur</translation>
     </message>
     <message>
         <source>A trajectory is not saved</source>
@@ -3673,6 +3689,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Coupling</source>
         <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Crash reports cannot be saved</source>
+        <translation>Les rapports de plantage ne peuvent pas être enregistrés</translation>
     </message>
     <message>
         <source>Create the mechanism</source>
@@ -9095,6 +9115,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le programme s'appelle '%1' : '%2' n'est pas un nom de %3 (lettres, chiffres et _, une lettre d'abord, %4 caractères au plus).</translation>
     </message>
     <message>
+        <source>The program runs on without a log file.</source>
+        <translation>Le programme continue sans fichier journal.</translation>
+    </message>
+    <message>
         <source>The program was terminated, or the power failed.</source>
         <translation>Le programme a été arrêté de l’extérieur, ou le courant a manqué.</translation>
     </message>
@@ -9261,6 +9285,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>There is no frame '%1' to move along; the cell's axes are used</source>
         <translation>Il n'y a pas de repère « %1 » à suivre ; les axes de la cellule sont utilisés</translation>
+    </message>
+    <message>
+        <source>There is no log file</source>
+        <translation>Il n'y a pas de fichier journal</translation>
     </message>
     <message>
         <source>There is no motion below this one.</source>
@@ -10599,6 +10627,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une clé que d'autres utilisateurs peuvent lire ou modifier</translation>
     </message>
     <message>
+        <source>a known pose</source>
+        <translation>une pose qui peut être déterminée</translation>
+    </message>
+    <message>
         <source>a known target</source>
         <translation>une cible connue</translation>
     </message>
@@ -10629,10 +10661,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a length of 1 within 1 %</source>
         <translation>une longueur de 1 à 1 % près</translation>
-    </message>
-    <message>
-        <source>an invalid length</source>
-        <translation>une longueur qui n'en est pas une</translation>
     </message>
     <message>
         <source>a length, a speed or a direction that is nought</source>
@@ -10751,6 +10779,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>une liste, un dictionnaire ou un texte après 'in'</translation>
     </message>
     <message>
+        <source>a log file that can be written</source>
+        <translation>un fichier journal accessible en écriture</translation>
+    </message>
+    <message>
         <source>a loop that does not end</source>
         <translation>une boucle qui ne se termine pas</translation>
     </message>
@@ -10801,10 +10833,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a marker's name, or a list of names</source>
         <translation>le nom d'un marqueur, ou une liste de noms</translation>
-    </message>
-    <message>
-        <source>an invalid mass</source>
-        <translation>une masse qui n'en est pas une</translation>
     </message>
     <message>
         <source>a mechanism</source>
@@ -10923,10 +10951,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un nombre de degrés</translation>
     </message>
     <message>
-        <source>an invalid number in the expression</source>
-        <translation>un nombre mal écrit dans l'expression</translation>
-    </message>
-    <message>
         <source>a number that is not finite</source>
         <translation>un nombre non fini</translation>
     </message>
@@ -11039,10 +11063,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>une position à portée</translation>
     </message>
     <message>
-        <source>an invalid placement</source>
-        <translation>un placement qui n'est pas valable</translation>
-    </message>
-    <message>
         <source>a plane without end</source>
         <translation>un plan infini</translation>
     </message>
@@ -11073,14 +11093,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a pose of '%1'</source>
         <translation>une pose de '%1'</translation>
-    </message>
-    <message>
-        <source>a known pose</source>
-        <translation>une pose qui peut être déterminée</translation>
-    </message>
-    <message>
-        <source>an invalid pose</source>
-        <translation>une pose qui n'en est pas une</translation>
     </message>
     <message>
         <source>a pose that is not one</source>
@@ -11163,16 +11175,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>un quaternion de norme %1</translation>
     </message>
     <message>
-        <source>an invalid quaternion</source>
-        <translation>un quaternion qui n'en est pas un</translation>
-    </message>
-    <message>
         <source>a quaternion w, x, y, z of length 1</source>
         <translation>un quaternion w, x, y, z de norme 1</translation>
-    </message>
-    <message>
-        <source>an invalid radius</source>
-        <translation>un rayon qui n'est pas valable</translation>
     </message>
     <message>
         <source>a ratio and an offset</source>
@@ -11591,10 +11595,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un fichier de trajectoire</translation>
     </message>
     <message>
-        <source>an invalid transform</source>
-        <translation>une transformation qui n'en est pas une</translation>
-    </message>
-    <message>
         <source>a tree</source>
         <translation>un arbre</translation>
     </message>
@@ -11819,10 +11819,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un angle de 100 rad au plus</translation>
     </message>
     <message>
-        <source>an invalid answer of the importer</source>
-        <translation>une réponse de l'importateur qui n'est pas valable</translation>
-    </message>
-    <message>
         <source>an arc from a place that is not known</source>
         <translation>un arc depuis une position inconnue</translation>
     </message>
@@ -11983,8 +11979,40 @@ Voulez-vous le remplacer ?</translation>
         <translation>un type entier pour la longueur de la liste</translation>
     </message>
     <message>
+        <source>an invalid answer of the importer</source>
+        <translation>une réponse de l'importateur qui n'est pas valable</translation>
+    </message>
+    <message>
+        <source>an invalid length</source>
+        <translation>une longueur qui n'en est pas une</translation>
+    </message>
+    <message>
+        <source>an invalid mass</source>
+        <translation>une masse qui n'en est pas une</translation>
+    </message>
+    <message>
+        <source>an invalid number in the expression</source>
+        <translation>un nombre mal écrit dans l'expression</translation>
+    </message>
+    <message>
+        <source>an invalid placement</source>
+        <translation>un placement qui n'est pas valable</translation>
+    </message>
+    <message>
         <source>an invalid pose</source>
         <translation>une pose non valide</translation>
+    </message>
+    <message>
+        <source>an invalid quaternion</source>
+        <translation>un quaternion qui n'en est pas un</translation>
+    </message>
+    <message>
+        <source>an invalid radius</source>
+        <translation>un rayon qui n'est pas valable</translation>
+    </message>
+    <message>
+        <source>an invalid transform</source>
+        <translation>une transformation qui n'en est pas une</translation>
     </message>
     <message>
         <source>an object</source>
@@ -12711,6 +12739,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>entrée '%1'</translation>
     </message>
     <message>
+        <source>error, warning, info or debug</source>
+        <translation>error, warning, info ou debug</translation>
+    </message>
+    <message>
         <source>every position</source>
         <translation>toutes les positions</translation>
     </message>
@@ -13085,6 +13117,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>int(%1)</source>
         <translation>int(%1)</translation>
+    </message>
+    <message>
+        <source>invalid positions</source>
+        <translation>des positions qui n'en sont pas</translation>
+    </message>
+    <message>
+        <source>invalid signs</source>
+        <translation>des signes qui ne sont pas valables</translation>
     </message>
     <message>
         <source>inverse: %1</source>
@@ -13579,12 +13619,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>left ou right</translation>
     </message>
     <message>
-        <source>left out, because it is before the first known target: %1.</source>
-        <translation>omis, car avant la première cible connue : %1.</translation>
-    </message>
-    <message>
         <source>left out, because it is after the last known target: %1.</source>
         <translation>omis, car après la dernière cible connue : %1.</translation>
+    </message>
+    <message>
+        <source>left out, because it is before the first known target: %1.</source>
+        <translation>omis, car avant la première cible connue : %1.</translation>
     </message>
     <message>
         <source>left out, because they hold no shape: %1 nodes (%2)</source>
@@ -13741,10 +13781,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>loops and branches</source>
         <translation>des boucles et des branches</translation>
-    </message>
-    <message>
-        <source>lower</source>
-        <translation>lower</translation>
     </message>
     <message>
         <source>m, mm or in</source>
@@ -15227,10 +15263,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des positions qui ne sont pas une liste</translation>
     </message>
     <message>
-        <source>invalid positions</source>
-        <translation>des positions qui n'en sont pas</translation>
-    </message>
-    <message>
         <source>positive ones</source>
         <translation>des valeurs positives</translation>
     </message>
@@ -15501,10 +15533,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>shipped or classic</source>
         <translation>shipped ou classic</translation>
-    </message>
-    <message>
-        <source>invalid signs</source>
-        <translation>des signes qui ne sont pas valables</translation>
     </message>
     <message>
         <source>simplified</source>
@@ -16723,10 +16751,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>il n'y en a pas</translation>
     </message>
     <message>
-        <source>'%1' does not exist</source>
-        <translation>aucune ne s'appelle '%1'</translation>
-    </message>
-    <message>
         <source>there is not enough memory for it</source>
         <translation>la mémoire est insuffisante</translation>
     </message>
@@ -16985,10 +17009,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>up is %1: the head is over the feet along it</source>
         <translation>le haut est %1 : la tête est au-dessus des pieds selon cet axe</translation>
-    </message>
-    <message>
-        <source>upper</source>
-        <translation>upper</translation>
     </message>
     <message>
         <source>usb </source>
