@@ -175,7 +175,7 @@ int renderPicture(const hapticell::app::RenderCommand& command) {
 void openAtStart(MainWindow& window, const QString& wanted, bool first_page) {
   if (!wanted.isEmpty()) {
     hapticell::app::openAny(window, wanted);
-    return window.files().tellLeft({});
+    return window.files().reportUnsavedCopies({});
   }
   if (first_page || !window.files().leftWork().empty()) return window.showStartPage();
   const QStringList recent = window.recentFiles().files();
@@ -346,7 +346,7 @@ int main(int argc, char** argv) {
   window.restoreLayout();
   QObject::connect(&end, &hapticell::app::EndSignals::asked, &window, &MainWindow::endNow);
   QObject::connect(&application, &hapticell::app::Application::outOfMemory, &window,
-                   [&window] { hapticell::app::tellOutOfMemory(window); });
+                   [&window] { hapticell::app::reportOutOfMemory(window); });
   int status = 0;
   if (!options.screenshot.isEmpty()) {
     const auto save = [&] {

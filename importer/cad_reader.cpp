@@ -71,7 +71,7 @@ class CadSceneBuilder {
       place_.push_back(-1);
     }
     if (loose_shapes_ > 0) addLoose();
-    tellMissing();
+    warnOfMissingShapes();
     if (scene_.meshes.empty() && !first_fault_.empty())
       return makeError({.found = first_fault_,
                         .expected = "at least one part that can be read",
@@ -230,7 +230,7 @@ class CadSceneBuilder {
     scene_.warnings.push_back(Text("%1 surfaces that belong to no solid were put into one part", loose_shapes_));
   }
 
-  void tellMissing() {
+  void warnOfMissingShapes() {
     if (without_shape_ == 0) return;
     scene_.warnings.push_back(
         Text("%1 parts have no shape (first '%2'): a file that they refer to is missing, or they hold lines only",

@@ -62,7 +62,7 @@ void PartSizes::resize() {
     if (!rows_[i]->isHidden()) sizes.push_back(fields_[i]->value() / 1000.0);
   const auto commands = workcell::resizePart(document.state(), id_, sizes);
   if (!commands) {
-    host_.messages().tellCause(Severity::kWarning, tr("The size was not changed"), commands.error());
+    host_.messages().reportCause(Severity::kWarning, tr("The size was not changed"), commands.error());
     for (ValueField* field : fields_) field->clearFocus();
     return showPart(*solid);
   }

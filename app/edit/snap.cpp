@@ -43,7 +43,7 @@ std::optional<SnapPoint> snapAt(ViewportWidget& viewport, const QPointF& positio
       look(X_WE, Snap::tr("Origin of %1").arg(name), true);
   }
   if (nearest && !is_origin) return nearest;
-  const auto feature = viewport.featureBeside(position, without);
+  const auto feature = viewport.featureNear(position, without);
   // An origin may lie unseen within its part: a corner that is seen there comes first.
   const bool is_corner = feature && feature->kind == FeatureKind::kVertex;
   if (nearest && (!is_corner || glm::distance(feature->p_WQ, nearest->X_WS.p) < kSamePlace)) return nearest;

@@ -153,7 +153,7 @@ void LiveScores::advise() {
   if (isEmpty()) return;
   if (asking_) return rests_.start();
   asking_ = true;
-  runBeside(
+  runInThreadPool(
       this,
       [figure = figure_, posture = posture_, task = task_, figures = figures_] {
         Advice advice;

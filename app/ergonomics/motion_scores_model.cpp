@@ -74,7 +74,7 @@ void MotionScoresModel::follow(const std::shared_ptr<const mannequin::Figure>& f
 void MotionScoresModel::start(bool is_new) {
   busy_ = true;
   emit changed();
-  runBeside(
+  runInThreadPool(
       this, [path = path_.toStdString(), figure = figure_, task = task_] { return read(path, *figure, task); },
       [this, is_new, path = path_, question = question_](Expected<std::shared_ptr<const Motion>> motion) {
         if (question != question_) return;

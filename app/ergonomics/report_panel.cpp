@@ -219,7 +219,7 @@ bool ReportPanel::write(const QString& path) {
   if (written) {
     context_.host().messages().tell(Severity::kInformation, tr("The report is saved"), path);
   } else {
-    context_.host().messages().tellCause(Severity::kProblem, tr("The report was not saved"), written.error());
+    context_.host().messages().reportCause(Severity::kProblem, tr("The report was not saved"), written.error());
   }
   return written.has_value();
 }
@@ -288,7 +288,7 @@ void ReportPanel::draw() {
     ergonomics::ReportPicture picture;
     int pages = 1;
   };
-  runBeside(
+  runInThreadPool(
       this,
       [input = input(), of_task = isOfTask(), page = shown_page_, width = static_cast<int>(ratio * pageWidth())] {
         const ergonomics::Report report = of_task ? ergonomics::taskReport(input) : ergonomics::postureReport(input);

@@ -219,7 +219,7 @@ void WorkplacePanel::search() {
   view_->setMap(nullptr);
   poll_.start();
   showMap();
-  runBeside(
+  runInThreadPool(
       this,
       [question = asked_.question, run = run_] {
         return manipulation::searchWorkplace(
@@ -234,7 +234,7 @@ void WorkplacePanel::search() {
           map_ = std::move(*map);
           view_->setMap(&*map_);
         } else {
-          context_.host().messages().tellCause(Severity::kWarning, tr("The workplace search failed"), map.error());
+          context_.host().messages().reportCause(Severity::kWarning, tr("The workplace search failed"), map.error());
         }
         showMap();
       });
@@ -296,7 +296,7 @@ void WorkplacePanel::take() {
 }
 
 void WorkplacePanel::checkTaken(const manipulation::WorkplaceCell& place) {
-  runBeside(
+  runInThreadPool(
       this,
       [question = asked_.question, place, after = context_.host().documentModel().document().snapshotEntities()] {
         return manipulation::workplacePromises(*question, place, after);

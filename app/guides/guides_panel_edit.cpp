@@ -141,7 +141,7 @@ void GuidesPanel::takePath() {
   Diagnostics diagnostics;
   const auto read = trajectory::readTrajectory(path.toStdString());
   if (!read) {
-    host_.messages().tellCause(Severity::kProblem, tr("The recording was not read"), read.error());
+    host_.messages().reportCause(Severity::kProblem, tr("The recording was not read"), read.error());
     return;
   }
   std::vector<dvec3> points;

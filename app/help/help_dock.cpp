@@ -45,7 +45,7 @@ class HelpDock : public QObject {
     opens("actionManual", [] { return QStringLiteral("firstSteps"); });
     opens("actionSceneText", [] { return kSceneWords; });
     auto* timer = new QTimer(this);
-    connect(timer, &QTimer::timeout, this, &HelpDock::tellReader);
+    connect(timer, &QTimer::timeout, this, &HelpDock::readAloud);
     timer->start(kReadMilliseconds);
   }
 
@@ -71,7 +71,7 @@ class HelpDock : public QObject {
   }
 
   /// The scene's text is its accessible description, so that a screen reader has it without a panel.
-  void tellReader() {
+  void readAloud() {
     const bool shown = dock_ && dock_->isVisible() && panel_->page() == kSceneWords;
     if (!QAccessible::isActive() && !shown) return;
     const QString text = now();

@@ -50,13 +50,13 @@ class MessageLog : public QObject {
     add({severity, title, text, QDateTime::currentDateTime(), std::move(actions), std::move(lines)});
   }
   /// With a text of the libraries: in the window's language here, in English in the log file.
-  void tellCause(Severity severity, const QString& title, const Text& cause) {
-    tellCause(severity, title, shownText(cause), english(cause));
+  void reportCause(Severity severity, const QString& title, const Text& cause) {
+    reportCause(severity, title, shownText(cause), english(cause));
   }
   /// The same of an error; `after` is added to what is shown.
-  void tellCause(Severity severity, const QString& title, const Error& cause, const QString& after = {}) {
-    tellCause(severity, title, shownText(cause) + (after.isEmpty() ? after : QLatin1Char(' ') + after),
-              cause.message());
+  void reportCause(Severity severity, const QString& title, const Error& cause, const QString& after = {}) {
+    reportCause(severity, title, shownText(cause) + (after.isEmpty() ? after : QLatin1Char(' ') + after),
+                cause.message());
   }
   const std::vector<Message>& messages() const { return messages_; }
 
@@ -64,7 +64,7 @@ class MessageLog : public QObject {
   void told(const hapticell::app::Message& message);
 
  private:
-  void tellCause(Severity severity, const QString& title, const QString& text, const std::string& in_english) {
+  void reportCause(Severity severity, const QString& title, const QString& text, const std::string& in_english) {
     add({severity, title, text, QDateTime::currentDateTime(), {}, {}, QString::fromStdString(in_english)});
   }
   void add(Message message) {

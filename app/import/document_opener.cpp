@@ -88,7 +88,7 @@ void DocumentOpener::start(const QString& path, const Locate& locate, const Cont
   run->path = path;
   run_ = run;
   readers_.start([this, run, locate, content, read = std::move(read)] {
-    workcell::stepBehind();
+    workcell::lowerThreadPriority();
     Diagnostics notes;
     std::vector<std::filesystem::path> missing;
     workcell::LoadOptions options;

@@ -82,10 +82,10 @@ void ExportWork::askReport(Against against) {
   if (!path.isEmpty()) reportTo(path, against, other);
 }
 
-void ExportWork::tellWritten(const QString& path, const std::vector<Text>& notes) {
+void ExportWork::reportWritten(const QString& path, const std::vector<Text>& notes) {
   const QString name = QFileInfo(path).fileName();
   for (const Text& note : notes)
-    host_.messages().tellCause(Severity::kWarning, tr("%1 was saved with warnings").arg(name), note);
+    host_.messages().reportCause(Severity::kWarning, tr("%1 was saved with warnings").arg(name), note);
   const QString folder = QFileInfo(path).absolutePath();
   host_.messages().tell(Severity::kInformation, tr("%1 is saved").arg(name), folder,
                         {{tr("Show folder"), [folder] { openWithSystem(folder); }}});
@@ -94,7 +94,7 @@ void ExportWork::tellWritten(const QString& path, const std::vector<Text>& notes
 
 void ExportWork::run(const QString& path, BackgroundWork::Work work, const QString& failed) {
   background_.start(QFileInfo(path).fileName(), std::move(work), [this, path, failed](const Error& error) {
-    host_.messages().tellCause(Severity::kProblem, failed, error);
+    host_.messages().reportCause(Severity::kProblem, failed, error);
     emit finished(path, false);
   });
 }
@@ -109,7 +109,7 @@ void ExportWork::exportTo(const QString& path, bool selection_only) {
     Diagnostics notes;
     const auto written = workcell::exportState(state, path.toStdString(), options, notes);
     HAPTICELL_TRY(written);
-    return BackgroundWork::Then([this, path, notes] { tellWritten(path, notes.warnings); });
+    return BackgroundWork::Then([this, path, notes] { reportWritten(path, notes.warnings); });
   };
   run(path, work, tr("%1 was not saved").arg(QFileInfo(path).fileName()));
 }
@@ -153,7 +153,7 @@ void ExportWork::packTo(const QString& path, bool allow_outside) {
       for (const auto& file : packed->outside) outside << plainLines(QString::fromStdString(file.string()));
       return BackgroundWork::Then([this, path, outside] { askOutside(path, outside); });
     }
-    return BackgroundWork::Then([this, path, notes] { tellWritten(path, notes.warnings); });
+    return BackgroundWork::Then([this, path, notes] { reportWritten(path, notes.warnings); });
   };
   run(path, work, tr("%1 was not saved").arg(QFileInfo(path).fileName()));
 }
@@ -176,7 +176,7 @@ void ExportWork::reportTo(const QString& path, Against against, const QString& o
     HAPTICELL_TRY(before);
     const auto written = writeChanges(workcell::compareStates(*before, state), cell, against_text, path);
     HAPTICELL_TRY(written);
-    return BackgroundWork::Then([this, path] { tellWritten(path, {}); });
+    return BackgroundWork::Then([this, path] { reportWritten(path, {}); });
   };
   run(path, work, failed);
 }

@@ -39,7 +39,7 @@ class ExportWork : public QObject {
  private:
   void run(const QString& path, BackgroundWork::Work work, const QString& failed);
   void askOutside(const QString& path, const QStringList& files);
-  void tellWritten(const QString& path, const std::vector<Text>& notes);
+  void reportWritten(const QString& path, const std::vector<Text>& notes);
 
   Host& host_;
   BackgroundWork& background_;

@@ -150,11 +150,11 @@ void FileWork::cancelOther() {
   opener_.isBusy() ? opener_.cancel() : background_.cancel();
 }
 
-void FileWork::tellError(const QString& title, const Error& error) {
-  host_.messages().tellCause(Severity::kProblem, title, error, tr("The cell is unchanged."));
+void FileWork::reportError(const QString& title, const Error& error) {
+  host_.messages().reportCause(Severity::kProblem, title, error, tr("The cell is unchanged."));
 }
 
-void FileWork::tellRemarks(const QString& name, const std::vector<Text>& remarks, const NamedParts& parts) {
+void FileWork::reportRemarks(const QString& name, const std::vector<Text>& remarks, const NamedParts& parts) {
   if (remarks.empty()) return;
   std::vector<MessageLine> lines;
   for (const RemarkLine& remark : remarkLines(remarks, parts)) {
@@ -205,7 +205,7 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
   const std::filesystem::path restored = std::exchange(restored_, {});
   const QString name = path.isEmpty() ? tr("New workcell") : QFileInfo(path).fileName();
   if (!opened->document) {
-    tellError(tr("%1 was not opened").arg(name), opened->document.error());
+    reportError(tr("%1 was not opened").arg(name), opened->document.error());
     emit this->opened(path, false);
     if (!restored.empty()) emit leftWorkChanged();
     return;
@@ -229,7 +229,7 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
     if (std::find(missing.begin(), missing.end(), std::filesystem::path(entity.cause.file)) != missing.end())
       std::erase(remarks, entity.remark);
   }
-  tellRemarks(name, remarks, partsOfCell());
+  reportRemarks(name, remarks, partsOfCell());
   offerMissing(opened->missing);
   if (guard_.isReadOnly()) {
     offer(
@@ -240,7 +240,7 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
   if (!restored.empty())
     autosaver_.adopt(restored);
   else if (!path.isEmpty())
-    tellLeft(path);  // Last, so that it stands on top.
+    reportUnsavedCopies(path);  // Last, so that it stands on top.
   emit this->opened(path, true);
 }
 
@@ -266,7 +266,7 @@ void FileWork::putOffLeft(const std::filesystem::path& run) {
   put_off_.push_back(run);
 }
 
-void FileWork::tellLeft(const QString& path) {
+void FileWork::reportUnsavedCopies(const QString& path) {
   const std::string wanted = path.isEmpty() ? "" : QFileInfo(path).absoluteFilePath().toStdString();
   for (const workcell::LeftWork& left : workcell::findLeftWork()) {
     if (left.copy.empty() || (!wanted.empty() && left.document != wanted)) continue;
@@ -313,7 +313,7 @@ void FileWork::reload(const std::vector<std::string>& paths) {
     auto reload = std::make_shared<ShapeReload>(reloadShapes(state, paths, monitor));
     if (monitor.isCancelled()) return makeError({.file = name.toStdString(), .found = "the reading was cancelled"});
     return BackgroundWork::Then([this, reload, name, text] {
-      tellRemarks(name, reload->problems, partsOfCell());
+      reportRemarks(name, reload->problems, partsOfCell());
       const auto& document = host_.documentModel().document();
       // What was removed meanwhile needs no shape.
       std::erase_if(reload->commands, [&](const workcell::Command& command) {
@@ -326,7 +326,7 @@ void FileWork::reload(const std::vector<std::string>& paths) {
     });
   };
   background_.start(name, work,
-                    [this, name](const Error& error) { tellError(tr("%1 was not reloaded").arg(name), error); });
+                    [this, name](const Error& error) { reportError(tr("%1 was not reloaded").arg(name), error); });
 }
 
 void FileWork::offerMissing(const std::vector<std::filesystem::path>& missing) {
@@ -364,7 +364,7 @@ void FileWork::import(const QStringList& paths, bool ask) {
 void FileWork::takeImported(const QString& path, const ImportSession::Result& result) {
   const QString name = QFileInfo(path).fileName();
   if (!*result) {
-    tellError(tr("%1 was not added").arg(name), result->error());
+    reportError(tr("%1 was not added").arg(name), result->error());
     emit imported(path, false);
     return;
   }
@@ -375,21 +375,21 @@ void FileWork::takeImported(const QString& path, const ImportSession::Result& re
   const auto ids = host_.documentModel().addImported(std::move((*result)->entities));
   host_.documentModel().endStep();
   if (!ids) {
-    tellError(tr("%1 was not added").arg(name), ids.error());
+    reportError(tr("%1 was not added").arg(name), ids.error());
     emit imported(path, false);
     return;
   }
   NamedParts parts;
   for (std::size_t k = 0; k < ids->size(); ++k) addNames(named[k], (*ids)[k], parts);
-  tellReport(name, report, parts);
+  reportImport(name, report, parts);
   if (!ids->empty()) host_.selection().set(ids->front());
   const bool held = host_.snapshot() && host_.snapshot()->held != 0;
   if (!held) host_.viewport().fitAll();
   emit imported(path, true);
 }
 
-void FileWork::tellReport(const QString& name, const workcell::ImportReport& report, const NamedParts& parts) {
-  tellRemarks(name, report.warnings, parts);
+void FileWork::reportImport(const QString& name, const workcell::ImportReport& report, const NamedParts& parts) {
+  reportRemarks(name, report.warnings, parts);
   host_.messages().tell(Severity::kInformation, tr("%1 is added to the cell").arg(name), reportText(report));
 }
 

@@ -49,7 +49,7 @@ class FileWork : public QObject {
   /// Not now: it is offered again at the next start.
   void putOffLeft(const std::filesystem::path& run);
   /// Says in the messages that the document at this path (empty: any) has unsaved work from a crash, if it has.
-  void tellLeft(const QString& path);
+  void reportUnsavedCopies(const QString& path);
   bool isBusy() const { return opener_.isBusy() || session_.isBusy() || background_.isBusy(); }
   Autosaver& autosaver() { return autosaver_; }
   DocumentGuard& guard() { return guard_; }
@@ -71,12 +71,12 @@ class FileWork : public QObject {
  private:
   void takeOpened(const std::shared_ptr<OpenedDocument>& opened, const QString& path);
   void takeImported(const QString& path, const ImportSession::Result& result);
-  void tellReport(const QString& name, const workcell::ImportReport& report, const NamedParts& parts);
+  void reportImport(const QString& name, const workcell::ImportReport& report, const NamedParts& parts);
   /// All as one message, grouped by kind; a click on one selects the parts that it names.
-  void tellRemarks(const QString& name, const std::vector<Text>& remarks, const NamedParts& parts);
+  void reportRemarks(const QString& name, const std::vector<Text>& remarks, const NamedParts& parts);
   NamedParts partsOfCell() const;
   void select(const std::vector<workcell::EntityId>& parts);
-  void tellError(const QString& title, const Error& error);
+  void reportError(const QString& title, const Error& error);
   void offerReload(const QStringList& paths);
   void cancelOther();
   /// Tells something with buttons, and brings the messages to the front where that is no disturbance.

@@ -126,7 +126,7 @@ void MeshCarePanel::look() {
 
 void MeshCarePanel::start(const QString& name, BackgroundWork::Work work) {
   background_.start(name, std::move(work), [this, name](const Error& error) {
-    host_.messages().tellCause(Severity::kProblem, tr("%1 is unchanged").arg(name), error);
+    host_.messages().reportCause(Severity::kProblem, tr("%1 is unchanged").arg(name), error);
   });
 }
 

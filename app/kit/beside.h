@@ -13,7 +13,7 @@ namespace hapticell::app {
 /// Does `work` in a thread of Qt's pool and hands what it gives to `then` in the GUI thread; not called if `owner` no
 /// longer exists. For work of a tenth of a second that needs no progress.
 template <class Work, class Then>
-void runBeside(QObject* owner, Work work, Then then) {
+void runInThreadPool(QObject* owner, Work work, Then then) {
   QThreadPool::globalInstance()->start(
       [owner = QPointer<QObject>(owner), work = std::move(work), then = std::move(then)]() mutable {
         auto result = std::make_shared<decltype(work())>(work());

@@ -181,13 +181,13 @@ void BodySize::begin() {
     return;
   }
   busy_ = true;
-  runBeside(
+  runInThreadPool(
       this, [entity = *entity, request = wanted_] { return resizeCommands(entity, request); },
       [this, id = entity->id](Expected<std::vector<workcell::Command>> commands) {
         busy_ = false;
         const workcell::Entity* now = context_.entity();
         if (!commands) {
-          context_.host().messages().tellCause(Severity::kWarning, tr("No mannequin of that size"), commands.error());
+          context_.host().messages().reportCause(Severity::kWarning, tr("No mannequin of that size"), commands.error());
         } else if (now && now->id == id && context_.isFree()) {
           context_.host().documentModel().executeAll(tr("Resize %1").arg(QString::fromStdString(now->name)), *commands);
         }

@@ -210,7 +210,7 @@ void FigureDrawings::askReach() {
   asking_ = true;
   const bool arms = isOn(kReach), trunk = isOn(kTrunkReach), sizes = isOn(kSizesReach);
   using Found = std::map<int, std::vector<Mesh>>;
-  runBeside(
+  runInThreadPool(
       this,
       [figure = figure_, posture = posture_, arms, trunk, sizes] {
         Found found;
@@ -284,7 +284,7 @@ void FigureDrawings::askSight() {
   if (!entity || !target) return seen_->setText(tr("Click a part first."));
   const workcell::Document& document = context_.host().documentModel().document();
   const workcell::PairDefaults defaults = manipulation::pairDefaults(context_.host().configuration());
-  runBeside(
+  runInThreadPool(
       this,
       [scenes = context_.host().scenes(), source = manipulation::sourceOf(document, defaults), mannequin = *entity,
        posture = context_.posture(),

@@ -55,7 +55,7 @@ void FigureSkins::look() {
 
 void FigureSkins::ask(const workcell::Entity& entity) {
   asking_ = true;
-  runBeside(
+  runInThreadPool(
       this, [figure = entity.figure] { return figureSkin(*figure); },
       [this, id = entity.id, figure = entity.figure](std::shared_ptr<const mannequin::FigureSkin> skin) {
         asking_ = false;

@@ -153,7 +153,7 @@ void HandsToPart::send(Hands hands, const PickedFeature& place) {
   if (!targets) return;
   busy_ = true;
   showActions();
-  runBeside(
+  runInThreadPool(
       this,
       [figure = entity->figure, from, targets = *targets,
        task = taskOf(*entity->figure, from, context_.host().holdChoice().hands())] {

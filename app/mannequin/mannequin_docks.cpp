@@ -108,11 +108,12 @@ class MannequinDocks : public QObject {
   void add(const mannequin::BodyRequest& request) {
     std::vector<std::string> taken;
     for (const auto& entity : host_.documentModel().document().state().entities) taken.push_back(entity->name);
-    runBeside(
+    runInThreadPool(
         this, [request, place = freePlace(), taken] { return newMannequin(request, place, taken); },
         [this, number = host_.documentModel().number()](Expected<workcell::Entity> made) {
           if (number != host_.documentModel().number()) return;
-          if (!made) return host_.messages().tellCause(Severity::kProblem, tr("No mannequin was added"), made.error());
+          if (!made)
+            return host_.messages().reportCause(Severity::kProblem, tr("No mannequin was added"), made.error());
           const std::string name = made->name;
           if (!host_.documentModel().execute(workcell::AddEntity{std::move(*made)})) return;
           if (const auto* entity = host_.documentModel().document().findByName(name)) {

@@ -182,7 +182,7 @@ void RobotPanel::addJog(QVBoxLayout& column) {
   rows->addWidget(stop_->line());
   connect(tabs_, &Segmented::chosen, this, [this](int tab) {
     jogs_->setCurrentIndex(tab);
-    tellTab();
+    emitShownTab();
     showNow();
   });
   connect(step_, &QComboBox::activated, this, &RobotPanel::showStep);
@@ -211,19 +211,19 @@ void RobotPanel::showHeldBack(const QString& why) {
   showStop();
 }
 
-void RobotPanel::tellTab() {
+void RobotPanel::emitShownTab() {
   emit cartesianShown(isVisible() && context_.robot() && jogs_->currentIndex() == 1);
 }
 
 void RobotPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  tellTab();
+  emitShownTab();
   showNow();
 }
 
 void RobotPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  tellTab();
+  emitShownTab();
 }
 
 void RobotPanel::showStep() {
@@ -255,7 +255,7 @@ void RobotPanel::showRobot() {
     tabs_->setCurrent(0);
     jogs_->setCurrentIndex(0);
   }
-  tellTab();
+  emitShownTab();
   held_->showNow();
   picture_->showRobot();
   showNow();

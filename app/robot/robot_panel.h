@@ -48,7 +48,7 @@ class RobotPanel : public QWidget {
  private:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
-  void tellTab();
+  void emitShownTab();
   void addEmptyState(QVBoxLayout& column);
   void addHeading(QVBoxLayout& column);
   void addHolding(QVBoxLayout& column);

@@ -19,7 +19,7 @@ bool Application::notify(QObject* receiver, QEvent* event) {
   }
 }
 
-void tellOutOfMemory(Host& host) {
+void reportOutOfMemory(Host& host) {
   host.documentModel().cancelStep();
   host.messages().tell(Severity::kProblem, Application::tr("Not enough memory"),
                        Application::tr("Your last action was not carried out, and the workcell is unchanged. Save it, "

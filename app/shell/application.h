@@ -25,6 +25,6 @@ class Application : public QApplication {
 class Host;
 
 /// What the window does then: an open step of the document is taken back, and a message says what to do.
-void tellOutOfMemory(Host& host);
+void reportOutOfMemory(Host& host);
 
 }  // namespace hapticell::app

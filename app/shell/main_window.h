@@ -129,7 +129,7 @@ class MainWindow : public QMainWindow, public Host {
   /// What the cell looks like, for the first page.
   void keepPicture();
   void watchActions();
-  void tellReport(const std::filesystem::path& folder);
+  void reportImport(const std::filesystem::path& folder);
   bool mayDiscardCopy(const workcell::LeftWork& left);
   void documentChanged();
   void updateTitle();

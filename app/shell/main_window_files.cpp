@@ -243,7 +243,7 @@ bool MainWindow::saveDocument(bool ask_where) {
   if (path.isEmpty()) return false;
   const auto saved = document_.save(path);
   if (!saved) {
-    messages_.tellCause(Severity::kProblem, tr("The workcell was not saved"), saved.error());
+    messages_.reportCause(Severity::kProblem, tr("The workcell was not saved"), saved.error());
     return false;
   }
   files_->guard().noteSaved();
@@ -316,9 +316,9 @@ void MainWindow::guardAgainstCrash(const std::string& program) {
   Autosaver& autosaver = files_->autosaver();
   const auto folder = autosaver.runFolder();
   if (!folder)
-    return messages_.tellCause(Severity::kWarning, tr("The recovery copy could not be saved"), folder.error());
+    return messages_.reportCause(Severity::kWarning, tr("The recovery copy could not be saved"), folder.error());
   const auto reports = CrashReport::makeFolder();
-  if (!reports) messages_.tellCause(Severity::kWarning, tr("Crash reports cannot be saved"), reports.error());
+  if (!reports) messages_.reportCause(Severity::kWarning, tr("Crash reports cannot be saved"), reports.error());
   std::optional<CrashReport> report;
   if (reports) report.emplace(*reports, program, trail_);
   crash_guard_ = std::make_unique<CrashGuard>([&autosaver] { return autosaver.keepNow(); },
@@ -326,16 +326,16 @@ void MainWindow::guardAgainstCrash(const std::string& program) {
   connect(&messages_, &MessageLog::told, this,
           [this](const Message& message) { trail_.add("message: " + message.title.toStdString()); });
   watchActions();
-  if (reports) tellReport(*reports);
+  if (reports) reportImport(*reports);
 }
 
-void MainWindow::tellReport(const std::filesystem::path& folder) {
-  static constexpr const char* kTold = "crash/told";
+void MainWindow::reportImport(const std::filesystem::path& folder) {
+  static constexpr const char* kDecided = "crash/told";
   const auto reports = CrashReport::reportsIn(folder);
   if (reports.empty()) return;
   const QString newest = QString::fromStdString(reports.back().filename().string());
-  if (newest <= settings_.value(kTold).toString()) return;
-  settings_.setValue(kTold, newest);
+  if (newest <= settings_.value(kDecided).toString()) return;
+  settings_.setValue(kDecided, newest);
   messages_.tell(Severity::kInformation, tr("A report of the crash was saved on this computer"),
                  tr("%1 holds the cause and your last actions. Nothing was sent. If you report the fault, you can "
                     "attach this file.")
@@ -344,7 +344,7 @@ void MainWindow::tellReport(const std::filesystem::path& folder) {
 
 void MainWindow::keepLog(config::LogLevel level, const std::string& program) {
   auto log = config::ProgramLog::open("hapticell", level);
-  if (!log) return messages_.tellCause(Severity::kWarning, tr("There is no log file"), log.error());
+  if (!log) return messages_.reportCause(Severity::kWarning, tr("There is no log file"), log.error());
   log_ = std::make_unique<WindowLog>(std::move(*log), program);
   log_->follow(*viewport_);
   log_->follow(*files_);

@@ -30,7 +30,7 @@ void tell(Host& host, const QString& file, const Expected<void>& done) {
   if (done)
     host.messages().tell(Severity::kInformation, PictureMenu::tr("%1 is saved").arg(name));
   else
-    host.messages().tellCause(Severity::kProblem, PictureMenu::tr("%1 was not saved").arg(name), done.error());
+    host.messages().reportCause(Severity::kProblem, PictureMenu::tr("%1 was not saved").arg(name), done.error());
 }
 
 RenderCommand commandFor(Host& host, const QString& file, const QSize& size) {

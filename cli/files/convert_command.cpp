@@ -179,7 +179,7 @@ Expected<double> simplifyKept(const geometry::TriangleMesh& given, workcell::Imp
     const auto promises = simplifyPromises(given, trial, options, writing);
     HAPTICELL_TRY(promises);
     if (!promises->areKept() && round < kTries) continue;
-    if (auto told = tellPromises(*promises, options.output, options.allow_miss, kept); !told)
+    if (auto told = reportPromises(*promises, options.output, options.allow_miss, kept); !told)
       return tl::unexpected(told.error());
     scene = std::move(trial);
     return deviation;

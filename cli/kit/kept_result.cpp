@@ -8,8 +8,8 @@ namespace hapticell::cli {
 
 namespace fs = std::filesystem;
 
-Expected<void> tellPromises(const Promises& promises, const std::string& path, bool allow_miss,
-                            nlohmann::ordered_json& result) {
+Expected<void> reportPromises(const Promises& promises, const std::string& path, bool allow_miss,
+                              nlohmann::ordered_json& result) {
   result["promised"] = nlohmann::ordered_json::object();
   result["measured"] = nlohmann::ordered_json::object();
   for (const Promise& promise : promises.list) {
@@ -29,7 +29,7 @@ Expected<void> writeKept(const std::string& path, const std::string& content, co
                          bool allow_miss, const MeasureFile& measure, nlohmann::ordered_json& result) {
   const auto check = [&](const fs::path& file) -> Expected<void> {
     const auto promises = measure(file);
-    return promises ? tellPromises(*promises, path, allow_miss, result) : tl::unexpected(promises.error());
+    return promises ? reportPromises(*promises, path, allow_miss, result) : tl::unexpected(promises.error());
   };
   if (!path.empty()) return workcell::writeFileChecked(path, content, check);
   const auto folder = ScratchFolder::make();

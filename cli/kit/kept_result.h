@@ -24,8 +24,8 @@ Expected<void> writeKept(const std::string& path, const std::string& content, co
 
 /// Puts `promised{}` and `measured{}` into `result`. Where a promise is missed that is the error, about `path`; with
 /// `allow_miss` a warning and the sentence in `missed`.
-Expected<void> tellPromises(const Promises& promises, const std::string& path, bool allow_miss,
-                            nlohmann::ordered_json& result);
+Expected<void> reportPromises(const Promises& promises, const std::string& path, bool allow_miss,
+                              nlohmann::ordered_json& result);
 
 /// The flag --allow-miss.
 void addAllowMiss(Subcommand command, bool& allow_miss);

@@ -120,7 +120,7 @@ Expected<void> saveRecording(const SessionWords& words, const SessionReport& ses
 }
 
 /// What was assumed of the hand path, and what of it no stylus of this kind can follow.
-void tellOfHand(const SessionWords& words, const SessionOptions& options) {
+void warnAboutHand(const SessionWords& words, const SessionOptions& options) {
   // m that a hand goes beyond the stops before it is reported: stops give a little. Half: messages on every push;
   // twice: 20 mm are lost in silence.
   constexpr double kStopsGive = 0.01;
@@ -165,7 +165,7 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   HAPTICELL_TRY(readRecording(words, options));
   const std::string device = words.device.value_or(options.configuration.haptic.device);
   HAPTICELL_TRY(readDevice(device, options));
-  tellOfHand(words, options);
+  warnAboutHand(words, options);
   return options;
 }
 

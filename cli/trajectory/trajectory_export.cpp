@@ -125,7 +125,7 @@ Expected<void> exportAsProgram(const Trajectory& given, const TrajectoryOptions&
   HAPTICELL_TRY(read);
   const auto promises = trajectory_checks::programPromises(given, *read, format->second, program);
   HAPTICELL_TRY(promises);
-  if (auto told = tellPromises(*promises, options.output, options.allow_miss, result); !told) return told;
+  if (auto told = reportPromises(*promises, options.output, options.allow_miss, result); !told) return told;
   const std::string stem = fs::path(options.output).stem().string();
   noteFileName(fs::path(files->front().name).stem().string(), stem, format->second, notes);
   auto saved = saveProgram(*read, format->second, options.output);

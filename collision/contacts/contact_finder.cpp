@@ -213,7 +213,7 @@ void ContactFinder::widen(Search& search) {
 
 /// Facets for these pairs, if they fit a much wider zone than was found; a wider one where all that is met is flat, so
 /// that facets tell it as well.
-bool ContactFinder::tellByFacets(Search& search, std::span<const std::size_t> pairs) {
+bool ContactFinder::decideByFacets(Search& search, std::span<const std::size_t> pairs) {
   bool curved = !search.found;
   for (const auto pair : pairs) {
     search.tell(pair, true);
@@ -244,7 +244,7 @@ void ContactFinder::tryFacets(Search& search, bool narrow) {
   if (way == nullptr || way->fixed || way->facets) return;
   if (!narrow && search.isCurved(heaviest, *search.found)) return;
   if (--way->resting > 0 && search.found) return;
-  if (tellByFacets(search, {&heaviest, 1}) || !narrow) return;
+  if (decideByFacets(search, {&heaviest, 1}) || !narrow) return;
   const double radius = search.radii[search.wider(kMuchWider)];
   std::vector<std::size_t> all;
   for (std::size_t pair = 0; pair < search.ways.size(); ++pair) {
@@ -252,7 +252,7 @@ void ContactFinder::tryFacets(Search& search, bool narrow) {
     if (other == nullptr || other->fixed || other->facets) continue;
     if (pair == heaviest || search.isNear(pair, radius)) all.push_back(pair);
   }
-  if (all.size() > 1) tellByFacets(search, all);
+  if (all.size() > 1) decideByFacets(search, all);
 }
 
 /// A pair told by facets goes back to its surfaces where these fit and have something round to tell: soon where the

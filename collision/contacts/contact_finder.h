@@ -58,7 +58,7 @@ class ContactFinder {
   std::size_t startLevel(const Search& search) const;
   std::optional<ZoneContacts> attempt(Search& search, std::size_t level);
   void widen(Search& search);
-  bool tellByFacets(Search& search, std::span<const std::size_t> pairs);
+  bool decideByFacets(Search& search, std::span<const std::size_t> pairs);
   void tryFacets(Search& search, bool narrow);
   void trySurfaces(Search& search, bool narrow);
   void restLonger(PairWay& way) const;

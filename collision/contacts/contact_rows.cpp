@@ -176,7 +176,8 @@ static bool isRough(const BallQuery& ball, const SurfaceElement& element, const 
 }
 
 /// The rows of a hollow element: its own, and those of its ends as alternatives.
-static Telling appendHollow(const BallQuery& ball, std::uint32_t name, const ContactRow& row, ContactGroup& group) {
+static GroupDecision appendHollow(const BallQuery& ball, std::uint32_t name, const ContactRow& row,
+                                  ContactGroup& group) {
   const SurfaceElement& element = ball.element(name);
   if (row.gap >= -ball.reach || element.trims.empty()) {
     group.rows.push_back(row);
@@ -189,11 +190,11 @@ static Telling appendHollow(const BallQuery& ball, std::uint32_t name, const Con
     end.element = name;
     end.kind = static_cast<std::uint32_t>(k + 1);
     if (end.gap < -ball.reach) continue;
-    if (isRough(ball, trim.surface, offset)) return Telling::kRough;
+    if (isRough(ball, trim.surface, offset)) return GroupDecision::kRough;
     group.rows.push_back(end);
     if (trim.surface.type == SurfaceType::kCone) endAtApex(ball, trim.surface, offset, group.rows);
   }
-  return Telling::kTold;
+  return GroupDecision::kDecided;
 }
 
 /// The row of an element that is not hollow, with its only end; several ends are left to copyForEnds().
@@ -254,15 +255,15 @@ static std::vector<ContactGroup> copyForEnds(const BallQuery& ball, const Ended&
   return next;
 }
 
-Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& elements, const ContactGroup& like,
-                     std::vector<ContactGroup>& groups) {
+GroupDecision appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& elements, const ContactGroup& like,
+                           std::vector<ContactGroup>& groups) {
   ContactGroup group = like;
   std::vector<Ended> ended;
   double deepest = -1e300;
   std::uint32_t best = elements.front();
   for (const auto name : elements) {
     const double value = elementValue(ball.element(name), ball.p_M, ball.radius);
-    if (value > ball.reach) return Telling::kTold;
+    if (value > ball.reach) return GroupDecision::kDecided;
     if (value > deepest) deepest = value, best = name;
   }
   for (const auto name : elements) {
@@ -270,18 +271,18 @@ Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& el
     const double value = elementValue(element, ball.p_M, ball.radius);
     if (value < -ball.reach && !(deepest < -ball.reach && name == best)) continue;
     ContactRow row = rowOf(ball, element.shape, ball.radius);
-    if (isRough(ball, element, row)) return Telling::kRough;
+    if (isRough(ball, element, row)) return GroupDecision::kRough;
     row.element = name;
     // Where facets stand in front of a hollow, what the exact check of the motion allows ends there.
     row.gap -= element.raised;
     if (element.shape.side >= 0.0)
       appendConvex(ball, name, row, group, ended);
-    else if (const Telling told = appendHollow(ball, name, row, group); told != Telling::kTold)
+    else if (const GroupDecision told = appendHollow(ball, name, row, group); told != GroupDecision::kDecided)
       return told;
   }
   std::vector<ContactGroup> copies{std::move(group)};
   for (const Ended& ends : ended) {
-    if (copies.size() * std::max<std::size_t>(2, ends.trims.size()) > kMostCopies) return Telling::kTooManyEnds;
+    if (copies.size() * std::max<std::size_t>(2, ends.trims.size()) > kMostCopies) return GroupDecision::kTooManyEnds;
     copies = copyForEnds(ball, ends, std::move(copies));
   }
   for (ContactGroup& copy : copies) {
@@ -289,7 +290,7 @@ Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& el
     addBisector(ball, copy.rows);
     if (!copy.rows.empty()) groups.push_back(std::move(copy));
   }
-  return Telling::kTold;
+  return GroupDecision::kDecided;
 }
 
 void keepSupports(std::vector<ContactGroup>& groups, double rotation) {

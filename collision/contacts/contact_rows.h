@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "collision/contacts/zone_contacts.h"
 #include "collision/surfaces/signature_groups.h"
 #include "collision/surfaces/surface_model.h"
-#include "collision/contacts/zone_contacts.h"
 
 namespace hapticell::collision {
 
@@ -50,8 +50,8 @@ struct BallQuery {
   }
 };
 
-enum class Telling : std::uint8_t {
-  kTold,
+enum class GroupDecision : std::uint8_t {
+  kDecided,
   kTooManyEnds,  ///< Surfaces with several ends would need too many groups.
   kRough,        ///< `rough` is not set, and within the reach a ring's quadric deviates by more than 0.05 mm, or the
                  ///< point is behind the apex of a hollow cone, where no quadric describes it.
@@ -59,8 +59,8 @@ enum class Telling : std::uint8_t {
 
 /// Appends the groups of one list of elements: copies of `like` with rows. A list gives one group, or more if a surface
 /// has several ends. If the result is not success, discard `groups` and try a smaller reach.
-Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& elements, const ContactGroup& like,
-                     std::vector<ContactGroup>& groups);
+GroupDecision appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& elements, const ContactGroup& like,
+                           std::vector<ContactGroup>& groups);
 
 /// Removes rows that another row of the group makes unnecessary within the reach.
 void dropDominated(std::vector<ContactRow>& rows, double reach);

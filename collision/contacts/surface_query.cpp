@@ -97,9 +97,9 @@ bool SurfaceQuery::addBall(const Meeting& meeting, const dvec3& p_W, double radi
   ball.rough = rough_allowed_;
   for (std::size_t i = 0; i < cell.groups.size(); ++i) {
     work_ += cell.groups[i].size();
-    const Telling telling = appendGroups(ball, cell.groups[i], like, groups_);
-    if (telling == Telling::kTold) continue;
-    rough_ = telling == Telling::kRough;
+    const GroupDecision telling = appendGroups(ball, cell.groups[i], like, groups_);
+    if (telling == GroupDecision::kDecided) continue;
+    rough_ = telling == GroupDecision::kRough;
     return false;
   }
   facets_ = facets_ || cell.facets;

@@ -65,7 +65,7 @@ class ListedSweep {
     stop.s = until_;
     stop.stopped = stopped_;
     if (stopped_) {
-      tellNearest(stop);
+      setNearest(stop);
     } else {
       stop.distance_at_least = std::min(least_at_end_, unlisted());
     }
@@ -203,7 +203,7 @@ class ListedSweep {
     return moved;
   }
 
-  void tellNearest(ListedStop& stop) {
+  void setNearest(ListedStop& stop) {
     for (std::size_t k = 0; k < near_.pairs().size(); ++k) {
       const double bound = listedBound(k, until_);
       if (bound > 0.0 && bound * bound >= stop.nearest.squared) continue;

@@ -50,7 +50,7 @@ Expected<driver::Driver*> findDriver(const std::string& name, const DriverSettin
     std::error_code ignored;
     if (name.empty() || name.find('/') != std::string::npos || !std::filesystem::exists(file, ignored)) continue;
     auto driver = loadDriver(file);
-    if (driver) tellSettings(**driver, settings);
+    if (driver) configureDriver(**driver, settings);
     return driver;
   }
   const std::vector<LoadedDriver> drivers = loadDrivers(driverFolders(), settings);

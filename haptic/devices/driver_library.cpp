@@ -55,7 +55,7 @@ Expected<driver::Driver*> loadDriver(const fs::path& file) {
   return driver;
 }
 
-void tellSettings(driver::Driver& driver, const DriverSettings& settings) {
+void configureDriver(driver::Driver& driver, const DriverSettings& settings) {
   const auto own = settings.find(driver.information().name);
   if (own == settings.end()) return;
   for (const auto& [key, value] : own->second) driver.configure(key.c_str(), value.c_str());
@@ -87,7 +87,7 @@ std::vector<LoadedDriver> loadDrivers(const std::vector<fs::path>& folders, cons
       LoadedDriver loaded{file, nullptr, {}};
       if (const auto driver = loadDriver(file)) {
         loaded.driver = *driver;
-        tellSettings(*loaded.driver, settings);
+        configureDriver(*loaded.driver, settings);
       } else {
         loaded.problem = driver.error();
       }

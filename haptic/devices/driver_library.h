@@ -31,7 +31,7 @@ Expected<driver::Driver*> loadDriver(const std::filesystem::path& file);
 std::vector<std::filesystem::path> driverFolders();
 
 /// Passes a driver its own settings.
-void tellSettings(driver::Driver& driver, const DriverSettings& settings);
+void configureDriver(driver::Driver& driver, const DriverSettings& settings);
 
 /// All drivers of the folders, by file name; if two files have the same name, the one of the first folder counts. Each
 /// driver gets its settings. Every call loads again; a file that cannot be loaded is listed with its problem.

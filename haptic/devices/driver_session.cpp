@@ -59,7 +59,7 @@ driver::Problem DriverSession::open() {
   // Until the first measurement says so; a device that wants nothing is taken at its word.
   condition_.calibrated = condition_.calibration.empty();
   condition_.answers = true;
-  tellCondition();
+  sendCondition();
   return {};
 }
 
@@ -116,7 +116,7 @@ const DriverAnswer& DriverSession::turn(const driver::Command& command) {
     askForCalibration();
     condition_.calibrated = (state.flags & driver::kCalibrated) != 0;
     condition_.docked = (state.flags & driver::kDocked) != 0;
-    tellCondition();
+    sendCondition();
   }
   calibrateIfAsked();
   keep(device_->write(allowed(command)), false);
@@ -143,7 +143,7 @@ void DriverSession::calibrateIfAsked() {
   report(std::string(capabilities_.name) + ": it could not be calibrated: " + problem.found + fix);
 }
 
-void DriverSession::tellCondition() {
+void DriverSession::sendCondition() {
   if (!options_.care || condition_ == told_) return;
   told_ = condition_;
   options_.care->tell(condition_);
@@ -191,7 +191,7 @@ void DriverSession::tryAgain() {
 
 void DriverSession::report(const std::string& sentence) {
   condition_.sentence = sentence;
-  tellCondition();
+  sendCondition();
   if (options_.report) options_.report(sentence);
 }
 

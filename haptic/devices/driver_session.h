@@ -65,7 +65,7 @@ class DriverSession {
   void tryAgain();
   void askForCalibration();
   void calibrateIfAsked();
-  void tellCondition();
+  void sendCondition();
   void report(const std::string& sentence);
 
   driver::Driver& driver_;

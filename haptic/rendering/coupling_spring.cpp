@@ -17,8 +17,8 @@ constexpr double kOffsetDecay = 0.05e-3, kOffsetDecayTime = 0.001;
 constexpr double kFadeTime = 0.005;   // s, of a small offset in contact (docs/dev/feel.md, 6).
 constexpr double kOffsetGone = 1e-6;  // m.
 constexpr double kPull = 1e-3;        // N.
-// A yielded spring comes back under a hand that rests (docs/dev/feel.md, 7). Of all but the last half and twice pass the
-// tests of this folder and YieldedSpring's.
+// A yielded spring comes back under a hand that rests (docs/dev/feel.md, 7). Of all but the last half and twice pass
+// the tests of this folder and YieldedSpring's.
 constexpr double kAtRest = 0.3e-3;       // m that a hand at rest stays within,
 constexpr double kRested = 0.2;          // and for so many s.
 constexpr double kRestDrifts = 5e-3;     // m/s: a hand that gives way to what comes back rests, too.
@@ -67,7 +67,7 @@ void CouplingSpring::changeStretch(const MetricVector& before_D, const MetricVec
   offset_D_ += borne_before - borne(after_D);
 }
 
-void CouplingSpring::beginAnew(const MetricVector& stretch_D, bool contact) {
+void CouplingSpring::restartStretch(const MetricVector& stretch_D, bool contact) {
   stretch_D_ = stretch_D;
   yield_ = 0.0;
   const MetricVector new_D = borne(stretch_D);

@@ -39,7 +39,7 @@ class CouplingSpring {
   void changeStretch(const MetricVector& before_D, const MetricVector& after_D);
   /// After a jump of the stylus the spring was not stretched by the hand: it is created again at the stylus's new pose.
   /// Its force continues from the old value and reaches the new one as the offset decays.
-  void beginAnew(const MetricVector& stretch_D, bool contact);
+  void restartStretch(const MetricVector& stretch_D, bool contact);
   /// Sets the stretch; returns the increase since the last tick. `by_set_D`: the part of it that the change of sets
   /// caused.
   MetricVector stretchTo(const MetricVector& stretch_D, const MetricVector& by_set_D, const MetricVector& stylus_step);
@@ -64,8 +64,10 @@ class CouplingSpring {
 
   const HeldSpring& last() const { return last_; }
   const MetricVector& offset_D() const { return offset_D_; }
-  double yielded() const { return yielded_; }  ///< J of the hand's work that went into yielding and is not recovered
-                                               ///< yet.
+  double yielded() const {
+    return yielded_;
+  }  ///< J of the hand's work that went into yielding and is not recovered
+     ///< yet.
 
  private:
   MetricVector borne(const MetricVector& stretch_D);

@@ -21,8 +21,8 @@ constexpr double kTrustForce = 0.8;
 /// Of the stiffness. Half passes, twice fails ForceRenderer.MeetsTheEdgeOfAZoneWithoutAStep.
 constexpr double kTrustShare = 0.3;
 constexpr double kStiff = 1000.0;  // N/m, above which a spring trembles. Half and twice pass the tests of this folder.
-/// J within a second: then nothing unpaid up to kStiff (docs/dev/feel.md, 7: a gear's teeth had made 0.56 mJ). Half fails
-/// ForceRendererEnergy.IsTrueAgainAfterTheHandLiftedByWhatWasHeldBack, twice passes the tests of this folder.
+/// J within a second: then nothing unpaid up to kStiff (docs/dev/feel.md, 7: a gear's teeth had made 0.56 mJ). Half
+/// fails ForceRendererEnergy.IsTrueAgainAfterTheHandLiftedByWhatWasHeldBack, twice passes the tests of this folder.
 constexpr double kMostMade = 0.36e-3;
 
 bool isFiniteStep(const ProxyStep& step) {
@@ -99,9 +99,9 @@ ProxyStep ForceRenderer::changeSet(const Pose& X_DS, double dt, SetJump& jump) {
 }
 
 /// After a jump of the stylus: returns the proxy's step, which is zero.
-MetricVector ForceRenderer::beginAnew(const ProxyStep& solved, const MetricVector& stretch_D) {
+MetricVector ForceRenderer::restartStretch(const ProxyStep& solved, const MetricVector& stretch_D) {
   trust_D_ = solved.trust_D;
-  spring_.beginAnew(stretch_D, solved.contact);
+  spring_.restartStretch(stretch_D, solved.contact);
   return {};
 }
 
@@ -190,7 +190,7 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   const bool late = isLate(solved);
   if (late) solved.contact = false;
   const MetricVector proxy_step =
-      jumped ? beginAnew(solved, stretch_D) : takeOutJump(solved, stretch_D, jump, stylus_step, dt);
+      jumped ? restartStretch(solved, stretch_D) : takeOutJump(solved, stretch_D, jump, stylus_step, dt);
   // A proxy that needs several ticks to come goes by itself: what it drags along by the damper nobody has paid for.
   const bool catches_up = length(solved.lag_D) > 0.0;
   velocities_.add(stylus_step, catches_up ? stylus_step : proxy_step, options_.stiffness, dt);

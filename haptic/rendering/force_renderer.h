@@ -111,7 +111,7 @@ class ForceRenderer {
   ProxyStep changeSet(const Pose& X_DS, double dt, SetJump& jump);
   bool isLate(const ProxyStep& solved) const;
   MetricVector stretchOf(const ProxyStep& solved, const Pose& X_DS) const;
-  MetricVector beginAnew(const ProxyStep& solved, const MetricVector& stretch_D);
+  MetricVector restartStretch(const ProxyStep& solved, const MetricVector& stretch_D);
   MetricVector takeOutJump(const ProxyStep& solved, const MetricVector& stretch_D, const SetJump& jump,
                            const MetricVector& stylus_step, double dt);
   void updateSpring(const ProxyStep& solved, const MetricVector& stylus_step, double dt);

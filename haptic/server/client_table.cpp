@@ -276,7 +276,7 @@ void ClientTable::broadcast() {
       told_state_ = loop_.state();
       told_ns_ = clock_.now();
     }
-    tellOfStall(loop_.state().client_stalled);
+    reportStall(loop_.state().client_stalled);
   }
   if (!loop_.updateFigures()) return;
   LinkFigures link;
@@ -301,7 +301,7 @@ bool ClientTable::isNews(const HapticState& state) const {
          moved(state.X_DP, told_state_.X_DP);
 }
 
-void ClientTable::tellOfStall(bool stalled) {
+void ClientTable::reportStall(bool stalled) {
   if (stalled == stalled_) return;
   stalled_ = stalled;
   if (controller_ == nullptr) return;
@@ -318,7 +318,7 @@ bool ClientTable::overdue(const Client& client, std::int64_t now) const {
   return seconds(now - client.heard_ns) > options_.silence_time;
 }
 
-void ClientTable::tellCondition() {
+void ClientTable::sendCondition() {
   if (options_.care == nullptr || options_.care->changes() == told_condition_) return;
   told_condition_ = options_.care->changes();
   const DeviceCondition condition = options_.care->condition();
@@ -329,7 +329,7 @@ void ClientTable::tellCondition() {
 }
 
 void ClientTable::sweep() {
-  tellCondition();
+  sendCondition();
   if (controller_ != nullptr && controllers_process_ && controllers_process_->isDying()) {
     controllers_process_.reset();
     drop(*controller_, "is gone");

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "haptic/transport/message_stream.h"
 #include "haptic/protocol/codec.h"
 #include "haptic/protocol/heartbeat.h"
 #include "haptic/server/beat_watch.h"
 #include "haptic/server/network_server.h"
 #include "haptic/server/peer_process.h"
 #include "haptic/server/report_budget.h"
+#include "haptic/transport/message_stream.h"
 
 namespace hapticell::haptic {
 
@@ -71,8 +71,8 @@ class ClientTable {
   void report(ReportBudget::Kind kind, const std::string& sentence);
   void report(const Client& client, const std::string& sentence);
   bool isNews(const HapticState& state) const;
-  void tellOfStall(bool stalled);
-  void tellCondition();
+  void reportStall(bool stalled);
+  void sendCondition();
   bool overdue(const Client& client, std::int64_t now) const;
   bool controllerIsSilent() const;
 

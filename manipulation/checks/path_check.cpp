@@ -29,7 +29,7 @@ constexpr double kLever = 0.25;
 constexpr double kJointTolerance = 1e-6;
 /// Frames between two reports of progress: some tenths of a second. Half: more calls; twice: cancelling takes up to
 /// twice as long.
-constexpr std::size_t kFramesBetweenTold = 20;
+constexpr std::size_t kFramesPerReport = 20;
 
 /// Everything that could meet, as the held entity knows it: its own parts, what hangs on it, and what stands. A motion
 /// is looked at whole, so every pair blocks, those that the user passes through too.
@@ -298,7 +298,7 @@ class PathWalk {
     result_.least_clearance = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < trajectory.size(); ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(trajectory.size());
-      if (options_.progress && i % kFramesBetweenTold == 0 && !options_.progress(share)) {
+      if (options_.progress && i % kFramesPerReport == 0 && !options_.progress(share)) {
         result_.cancelled = true;
         break;
       }

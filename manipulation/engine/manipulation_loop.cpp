@@ -101,7 +101,7 @@ struct ManipulationLoop::Worker {
         configuration(the_configuration),
         on_felt(std::move(told_of_contact)) {
     preparer = std::thread([this] {
-      workcell::stepBehind();
+      workcell::lowerThreadPriority();
       prepareScenes();
     });
     stepper = std::thread([this] { run(); });

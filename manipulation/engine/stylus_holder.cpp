@@ -226,7 +226,7 @@ void StylusHolder::updateLoad() {
 }
 
 /// Once for each two entities.
-void StylusHolder::tellWherePlain() {
+void StylusHolder::noticeSimplifiedContacts() {
   const std::vector<std::size_t>& touching = contacts_.contacts();
   if (!held() || touching.empty() || !held()->isPlain()) return;
   const HeldPair& pair = held()->pairs()[touching.front()];
@@ -249,7 +249,7 @@ void StylusHolder::follow(const ScriptedEntities& scripted) {
   updateLoad();
   sets_.update({moved, hand_, state, guides_, scripted, now}, input_.link());
   if (moved != nullptr) contacts_.look(*moved, sets_.built(), state.X_DP, now, input_.stateTime(now));
-  tellWherePlain();
+  noticeSimplifiedContacts();
   for (const std::size_t i : contacts_.contacts())
     stopped_ = stopped_ || held()->pairs()[i].on_contact == workcell::OnContact::kStop;
 }

@@ -91,7 +91,7 @@ class StylusHolder {
   void updateMapping();
   void setClutched(bool clutched);
   void updateLoad();
-  void tellWherePlain();
+  void noticeSimplifiedContacts();
   Pose frameOfAxes();
 
   CellState& cell_;

@@ -155,11 +155,11 @@ bool FigureWay::goRound() {
   const EntityConfiguration start = held_->accepted();
   const dvec3 before = kBeforeTheBody * hands->facing_W(start);
   const dvec3 p_WM = held_->movedFrame().p;
-  using Anew = PostureFinder::Anew;
-  const auto solved = [&](const dvec3& p, Anew anew) { return hands->solvedAnew(start, p, anew, interrupted_); };
+  using StartFrom = PostureFinder::StartFrom;
+  const auto solved = [&](const dvec3& p, StartFrom anew) { return hands->solvedFrom(start, p, anew, interrupted_); };
   std::vector<EntityConfiguration> near, far;
   bool is_in_reach = false;
-  for (const Anew anew : {Anew::kAsItStands, Anew::kUpright}) {
+  for (const StartFrom anew : {StartFrom::kPresent, StartFrom::kUpright}) {
     const auto goals = solved(X_WTarget_.p, anew);
     if (goals.empty()) continue;
     is_in_reach = true;
@@ -175,23 +175,23 @@ bool FigureWay::goRound() {
   if (may_step_ && missing() > kFarOff && walkThere(*hands)) return true;
   // Who steps comes nearer: then only the height has to be one that a hand gets to.
   const dvec3 as_high(p_WM.x + before.x, p_WM.y + before.y, X_WTarget_.p.z);
-  if (may_step_ && !is_in_reach) is_in_reach = !solved(as_high, Anew::kUpright).empty();
+  if (may_step_ && !is_in_reach) is_in_reach = !solved(as_high, StartFrom::kUpright).empty();
   if (!is_in_reach) return false;
-  if (near.empty() && far.empty()) near = solved(p_WM + before, Anew::kUpright);
+  if (near.empty() && far.empty()) near = solved(p_WM + before, StartFrom::kUpright);
   if (!far.empty() && goBy({far.front()})) return true;
   return !near.empty() && goBy({near.front()});
 }
 
 /// To where the target is before the body, upright if that is free, and the hands to it; else only there.
 bool FigureWay::walkThere(const PostureFinder& hands) {
-  using Anew = PostureFinder::Anew;
+  using StartFrom = PostureFinder::StartFrom;
   const EntityConfiguration start = held_->accepted();
   const auto ups = hands.upright(start);
   const dvec3 before = kBeforeTheBody * hands.facing_W(start);
-  const auto near = hands.solvedAnew(start, held_->movedFrame().p + before, Anew::kAsItStands, interrupted_);
+  const auto near = hands.solvedFrom(start, held_->movedFrame().p + before, StartFrom::kPresent, interrupted_);
   const auto places = hands.uprightBefore(ups.front(), X_WTarget_.p);
   for (const EntityConfiguration& there : places) {
-    const auto goals = hands.solvedAnew(there, X_WTarget_.p, Anew::kAsItStands, interrupted_);
+    const auto goals = hands.solvedFrom(there, X_WTarget_.p, StartFrom::kPresent, interrupted_);
     for (std::size_t i = 0; i < std::min(goals.size(), kGoalsTried) && !isInterrupted(); ++i) {
       for (const EntityConfiguration& up : ups)
         if (goBy({up, there, goals[i]}) || goBy({up, goals[i]})) return true;

@@ -45,13 +45,13 @@ HeldModel::HeldModel(std::shared_ptr<const PreparedScene> scene, const Entity& e
       form_(entity),
       taken_(standingOf(entity, placements)),
       members_{{entity.id, 0, 0, 0}} {
-  if (with_axes) standOnAxes(placements, notes);
+  if (with_axes) mountOnAxes(placements, notes);
   gatherCarried(placements);
   gatherParts();
 }
 
 /// What cannot go along stands still: a locked axis, one with closed loops.
-void HeldModel::standOnAxes(const Placements& placements, std::vector<Text>& notes) {
+void HeldModel::mountOnAxes(const Placements& placements, std::vector<Text>& notes) {
   if (!form_.robot || form_.kind == workcell::EntityKind::kMannequin) return;
   const std::vector<Footing> footings = footingsOf(*scene_, *scene_->find(id_));
   for (const Footing& footing : footings) {

@@ -88,7 +88,7 @@ class HeldModel {
     Pose X_LE;
     std::vector<double> joints;
   };
-  void standOnAxes(const Placements& placements, std::vector<Text>& notes);
+  void mountOnAxes(const Placements& placements, std::vector<Text>& notes);
   void gatherCarried(const Placements& placements);
   void gatherParts();
 

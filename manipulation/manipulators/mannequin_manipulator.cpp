@@ -198,17 +198,17 @@ bool MannequinManipulator::mayReach(const Posture& upright, const dvec3& p_WM) c
   return glm::length(way) < arm + kTrunkAdds;
 }
 
-std::vector<EntityConfiguration> MannequinManipulator::solvedAnew(const EntityConfiguration& from, const dvec3& p_WM,
-                                                                  Anew anew,
+std::vector<EntityConfiguration> MannequinManipulator::solvedFrom(const EntityConfiguration& from, const dvec3& p_WM,
+                                                                  StartFrom anew,
                                                                   const std::function<bool()>& interrupted) const {
   const Posture stands = postureOf(from);
   const Feet feet = feetOf(stands);
-  const Posture start = anew == Anew::kUpright ? uprightOn(feet, "standing") : stands;
-  if (anew == Anew::kUpright && !mayReach(start, p_WM)) return {};
+  const Posture start = anew == StartFrom::kUpright ? uprightOn(feet, "standing") : stands;
+  if (anew == StartFrom::kUpright && !mayReach(start, p_WM)) return {};
   const dvec3 forward = facing_W(from), lateral = glm::cross(dvec3(0.0, 0.0, 1.0), forward);
   const dquat q_WM = movedFrame(configurationOf(start)).q;
   const std::vector<double> yaws =
-      anew == Anew::kUpright ? std::vector<double>{0.0, kYawTried, -kYawTried} : std::vector<double>{0.0};
+      anew == StartFrom::kUpright ? std::vector<double>{0.0, kYawTried, -kYawTried} : std::vector<double>{0.0};
   std::vector<std::pair<double, EntityConfiguration>> found;
   for (const double yaw : yaws) {
     for (int i = -kTurnsTried; i <= kTurnsTried; ++i) {

@@ -43,7 +43,7 @@ class MannequinManipulator final : public MannequinBody, public PostureFinder {
   std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone, double lever) const override;
 
   const PostureFinder* postureFinder() const override { return this; }
-  std::vector<EntityConfiguration> solvedAnew(const EntityConfiguration& from, const dvec3& p_WM, Anew anew,
+  std::vector<EntityConfiguration> solvedFrom(const EntityConfiguration& from, const dvec3& p_WM, StartFrom anew,
                                               const std::function<bool()>& interrupted) const override;
   std::vector<EntityConfiguration> upright(const EntityConfiguration& from) const override;
   std::vector<EntityConfiguration> uprightBefore(const EntityConfiguration& from, const dvec3& p_WM) const override;

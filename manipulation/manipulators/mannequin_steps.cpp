@@ -253,7 +253,7 @@ double setLeg(const mannequin::Figure& figure, mannequin::Side side, const Pose&
 
 /// The same; the heel of a lifted foot may rise where the ankle bends no farther, and the foot with it, so that the
 /// toes stay above the floor.
-double standLeg(const mannequin::Figure& figure, mannequin::Side side, bool lifted, Pose& foot,
+double placeLeg(const mannequin::Figure& figure, mannequin::Side side, bool lifted, Pose& foot,
                 mannequin::Posture& posture) {
   const Pose flat = foot;
   const dvec3 ball(figure.sole.ball_x, 0.0, 0.0);
@@ -270,12 +270,12 @@ double standLeg(const mannequin::Figure& figure, mannequin::Side side, bool lift
 }
 
 /// Both legs; what the worse of them is beyond its limits, which leaves the posture half set.
-double standLegs(const mannequin::Figure& figure, FootPlaces& feet, mannequin::Posture& posture) {
+double placeLegs(const mannequin::Figure& figure, FootPlaces& feet, mannequin::Posture& posture) {
   const double floor = std::min(feet[0].p.z, feet[1].p.z);
   double worst = 0.0;
   for (const mannequin::Side side : {mannequin::Side::kLeft, mannequin::Side::kRight}) {
     Pose& foot = feet[static_cast<std::size_t>(side)];
-    worst = std::max(worst, standLeg(figure, side, foot.p.z > floor + kOnFloor, foot, posture));
+    worst = std::max(worst, placeLeg(figure, side, foot.p.z > floor + kOnFloor, foot, posture));
     if (worst > kLittleBent) break;
   }
   return worst;
@@ -302,7 +302,7 @@ std::optional<mannequin::Posture> goneWith(const mannequin::Figure& figure, mann
       if (length > longest) posture.X_WR.p += (1.0 - longest / length) * down;
     }
   }
-  if (standLegs(figure, to, posture) > 0.0) return std::nullopt;
+  if (placeLegs(figure, to, posture) > 0.0) return std::nullopt;
   return posture;
 }
 
@@ -314,7 +314,7 @@ mannequin::Posture stoodOn(const mannequin::Figure& figure, const mannequin::Pos
     // little here: without this it would be stuck there.
     for (int i = 0; i <= kRises; ++i) {
       FootPlaces places = feet;
-      const double beyond = standLegs(figure, places, posture);
+      const double beyond = placeLegs(figure, places, posture);
       if (beyond == 0.0) return posture;
       if (beyond > kLittleBent) break;
       posture.X_WR.p.z += kRise * beyond;

@@ -15,11 +15,12 @@ struct EntityConfiguration;
 class PostureFinder {
  public:
   /// Start of a search for a posture: the present posture, or upright on the same feet with hanging arms.
-  enum class Anew { kAsItStands, kUpright };
+  enum class StartFrom { kPresent, kUpright };
   /// Postures with the moved frame at `p_WM` (within a millimetre), solved again, the nearest to `from` first. The
   /// hands' orientation is free, so that the arms may come from another side; from upright, also to either side. The
   /// feet stay. Empty if `interrupted` (may be empty) returns true during the search.
-  virtual std::vector<EntityConfiguration> solvedAnew(const EntityConfiguration& from, const dvec3& p_WM, Anew anew,
+  virtual std::vector<EntityConfiguration> solvedFrom(const EntityConfiguration& from, const dvec3& p_WM,
+                                                      StartFrom anew,
                                                       const std::function<bool()>& interrupted) const = 0;
   /// Upright postures on the same feet: with hanging arms, and with the arms in front of the body.
   virtual std::vector<EntityConfiguration> upright(const EntityConfiguration& from) const = 0;

@@ -103,7 +103,7 @@ void BodySolver::measure() {
   errors_.merit += balance_weight_ * outside * outside;
 }
 
-void standOn(const Figure& figure, const std::array<SegmentPlace, 2>& feet, BodyState& state) {
+void placeFeet(const Figure& figure, const std::array<SegmentPlace, 2>& feet, BodyState& state) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const LegAngles leg = legInverse(figure, side, state.root, feet[static_cast<std::size_t>(side)]);
     if (leg.violation == 0.0 && leg.missing < 1e-9) setLeg(state, side, leg);
@@ -122,7 +122,7 @@ bool BodySolver::step(const StepLimits& limits) {
   const FigurePose pose_before = pose_;
   const TaskErrors errors_before = errors_;
   applyStep(move, axes, state_);
-  standOn(*figure_, task_->feet, state_);
+  placeFeet(*figure_, task_->feet, state_);
   placeSegments(*figure_, state_, pose_);
   // A held object is judged as it will be held: by the right arm's closed form where that can.
   if (!task_->held || !bindHeld()) measure();

@@ -108,7 +108,7 @@ class BodySolver {
 Segment segmentOfVariable(int variable);
 
 /// Replaces legs by their closed form where that keeps the limits.
-void standOn(const Figure& figure, const std::array<SegmentPlace, 2>& feet, BodyState& state);
+void placeFeet(const Figure& figure, const std::array<SegmentPlace, 2>& feet, BodyState& state);
 
 /// The comfortable direction of all variables (dqc of the step), `share` of the way (docs/dev/mannequin.md).
 void wishComfort(const Figure& figure, const ResolvedTask& task, const BodyState& state, const FigurePose& pose,

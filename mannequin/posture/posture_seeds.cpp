@@ -81,7 +81,7 @@ LegAngles insideLimits(Side side, LegAngles leg) {
 
 /// Puts legs under the trunk and the centre of mass over the feet: twice, because the legs follow. Returns what the
 /// legs break.
-double standTrunk(const Figure& figure, const ResolvedTask& task, BodyState& state) {
+double placeTrunk(const Figure& figure, const ResolvedTask& task, BodyState& state) {
   const Stance stance = stanceOf(task.feet);
   FigurePose pose;
   double cost = 0.0;
@@ -181,7 +181,7 @@ void PostureSeeds::makeBatch() {
   for (std::size_t k = 0; k < kBatch; ++k) {
     const Ranked& entry = ranked_[given_ + k];
     BodyState trunk = trunkFor(figure_, task_, present_, leanOf(entry.index));
-    costs[k] = standTrunk(figure_, task_, trunk) + 0.5 * entry.cost;
+    costs[k] = placeTrunk(figure_, task_, trunk) + 0.5 * entry.cost;
     setGirdles(figure_, task_, trunk);
     const SeededState armed = withArms(figure_, task_, trunk, 10);
     batch_[k] = armed.state;

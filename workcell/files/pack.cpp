@@ -85,7 +85,7 @@ bool areOnOneDisk(const fs::path& a, const fs::path& b) {
 }
 
 /// Beside the place, so that it can take it; inside of it, where it is a folder that cannot be replaced.
-Expected<ScratchFolder> folderBeside(const fs::path& place) {
+Expected<ScratchFolder> scratchFolderNextTo(const fs::path& place) {
   std::error_code ignored;
   if (!fs::exists(place, ignored)) return ScratchFolder::make(place.parent_path());
   if (areOnOneDisk(place, place.parent_path())) {
@@ -137,7 +137,7 @@ Expected<PackReport> packDocument(const DocumentState& state, const fs::path& fo
   fs::create_directories(place.parent_path(), fault);
   if (fault)
     return makeError({.file = folder.string(), .found = fault.message(), .expected = "a folder that can be made"});
-  auto aside = folderBeside(place);
+  auto aside = scratchFolderNextTo(place);
   HAPTICELL_TRY(aside);
   auto report = packAside(state, *plan, aside->path(), name, monitor);
   if (!report) return makeError(inPlace(report.error(), aside->path(), place));

@@ -9,7 +9,7 @@
 
 namespace hapticell::workcell {
 
-void stepBehind() {
+void lowerThreadPriority() {
 #ifdef __linux__
   // Of 19: in the middle, so that a busy machine's window and loops go first. Half: reading takes from them; twice: it
   // stands still beside other work.

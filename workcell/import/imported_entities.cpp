@@ -137,10 +137,10 @@ class SceneConverter {
       if (!node.robot && hasShape(node)) entity.mesh = meshes_[static_cast<std::size_t>(node.mesh)];
       add(std::move(entity));
     }
-    tellEmpty(empty);
+    warnOfEmpty(empty);
   }
 
-  void tellEmpty(const std::vector<std::string>& empty) {
+  void warnOfEmpty(const std::vector<std::string>& empty) {
     if (empty.empty()) return;
     // Names in a message; the rest is counted. Half, twice: shorter or longer messages.
     constexpr std::size_t kNamed = 5;

@@ -44,7 +44,7 @@ Expected<ImportResult> importNow(const ImportRequest& request, ImportMonitor& mo
 
 Importer::Importer(std::function<void(ImportId)> listener)
     : listener_(std::move(listener)), thread_([this] {
-        stepBehind();
+        lowerThreadPriority();
         run();
       }) {}
 

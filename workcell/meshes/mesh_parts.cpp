@@ -111,7 +111,7 @@ std::string colorName(const Color& color) {
 }
 
 /// Nothing is joined in silence.
-void tellJoined(const std::vector<std::vector<const MeshLabel*>>& used, Diagnostics& diagnostics) {
+void warnOfJoined(const std::vector<std::vector<const MeshLabel*>>& used, Diagnostics& diagnostics) {
   std::size_t objects = 0, solids = 0;
   for (const auto& labels : used) {
     std::set<std::pair<std::size_t, std::string>> names;
@@ -192,7 +192,7 @@ std::vector<MeshPart> partsOf(RawMesh raw, const std::map<std::string, Color>& m
   std::vector<std::vector<const MeshLabel*>> used(count);
   for (std::size_t k = 0; k < solids.size(); ++k) used[solids[k]].push_back(&raw.labels[pieces.pieces[k].label]);
   name(parts, used);
-  if (split && !too_many) tellJoined(used, diagnostics);
+  if (split && !too_many) warnOfJoined(used, diagnostics);
   return parts;
 }
 

@@ -26,7 +26,7 @@ bool isConsequence(const sdf::Error& error) {
          error.Message().find("Failed to load a world") != std::string::npos;
 }
 
-void tellComplaints(const sdf::Errors& errors, std::vector<Text>& warnings) {
+void reportComplaints(const sdf::Errors& errors, std::vector<Text>& warnings) {
   // Messages of sdformat that are shown; the rest is counted. Half, twice: shorter or longer lists.
   constexpr std::size_t kMost = 8;
   std::vector<std::string> told;
@@ -175,7 +175,7 @@ Expected<SdfSource> SdfSource::load(const fs::path& file) {
     if (!source.world())
       return makeError({.file = file.string(), .found = "no model", .expected = "<model name=\"…\">"});
   }
-  tellComplaints(errors, source.warnings_);
+  reportComplaints(errors, source.warnings_);
   return source;
 }
 

@@ -89,7 +89,7 @@ bool ContactLogPage::save(const QString& path) {
     host_.messages().tell(Severity::kInformation, tr("The log is saved"), path);
     return true;
   }
-  host_.messages().tellCause(Severity::kProblem, tr("The log was not saved"), written.error());
+  host_.messages().reportCause(Severity::kProblem, tr("The log was not saved"), written.error());
   return false;
 }
 

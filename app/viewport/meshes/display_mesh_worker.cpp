@@ -42,7 +42,7 @@ void DisplayMeshWorker::makeLasting(const std::shared_ptr<const geometry::Triang
   lasting_.start([this, mesh, crease_angle, waiting] {
     const std::shared_ptr<PreparedMesh> answer = waiting.lock();
     if (!answer) return;
-    workcell::stepBehind();
+    workcell::lowerThreadPriority();
     const bool first_is_whole = answer->first.steps.size() == 1 && mesh->triangles.size() <= kLargeMesh;
     answer->mesh = first_is_whole ? answer->first : makeDisplayMesh(*mesh, crease_angle, &given_up_);
     addDetailSteps(answer->mesh, crease_angle, &given_up_);
@@ -64,7 +64,7 @@ std::shared_ptr<PreparedMesh> DisplayMeshWorker::prepare(std::shared_ptr<const g
   first_.start([this, crease_angle, mesh = std::move(mesh), waiting = std::weak_ptr(prepared)] {
     const std::shared_ptr<PreparedMesh> answer = waiting.lock();
     if (!answer) return;
-    workcell::stepBehind();
+    workcell::lowerThreadPriority();
     answer->first = mesh->triangles.size() > kLargeMesh ? makeDisplayMesh(clustered(*mesh, kRoughCells), kSkinCrease)
                                                         : makeDisplayMesh(*mesh, crease_angle, &given_up_);
     answer->first_ready.store(true, std::memory_order_release);

@@ -196,7 +196,7 @@ const FeaturePicker::Patch& FeaturePicker::patchAbout(const Hit& hit, const coll
   return *patch_;
 }
 
-std::optional<FeaturePicker::Hit> FeaturePicker::meetOrBeside(Question& question, Ray& ray_W) {
+std::optional<FeaturePicker::Hit> FeaturePicker::hitOrNear(Question& question, Ray& ray_W) {
   ray_W = sightThrough(question);
   if (auto hit = meet(question, ray_W)) return hit;
   // Right through an edge of the mesh nothing is met: a little beside it.
@@ -226,7 +226,7 @@ FeaturePicker::Snap FeaturePicker::snap(const Patch& patch, const Pose& X_WM, co
 std::optional<PickedFeature> FeaturePicker::pick(const Question& asked) {
   Question question = asked;
   Ray ray_W;
-  const std::optional<Hit> hit = meetOrBeside(question, ray_W);
+  const std::optional<Hit> hit = hitOrNear(question, ray_W);
   if (!hit) return std::nullopt;
   const Pose& X_WM = hit->item->X_WM;
   PickedFeature feature;

@@ -63,7 +63,7 @@ class FeaturePicker {
     dvec3 p_WEdge{0.0}, p_WCorner{0.0};
     double edge_pixels = 1e300, corner_pixels = 1e300;
   };
-  static std::optional<Hit> meetOrBeside(Question& question, Ray& ray_W);
+  static std::optional<Hit> hitOrNear(Question& question, Ray& ray_W);
   static Snap snap(const Patch& patch, const Pose& X_WM, const Question& question);
   static std::optional<Hit> meet(const Question& question, const Ray& ray_W);
   std::shared_ptr<const Incidence> incidenceOf(const std::shared_ptr<const geometry::TriangleMesh>& mesh);

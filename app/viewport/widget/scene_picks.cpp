@@ -77,9 +77,9 @@ dvec3 ScenePicks::pointUnder(const QPointF& position) {
   return ray.origin_W + depth / glm::dot(ray.direction_W, view_.camera().forward_W()) * ray.direction_W;
 }
 
-std::optional<PickedFeature> ScenePicks::featureBeside(const QPointF& position,
-                                                       const std::vector<workcell::EntityId>& without,
-                                                       const FeatureFilter& filter) {
+std::optional<PickedFeature> ScenePicks::featureNear(const QPointF& position,
+                                                     const std::vector<workcell::EntityId>& without,
+                                                     const FeatureFilter& filter) {
   const Frame frame = view_.makeFrame();
   const Ray ray_W = view_.camera().rayThrough(pixelOf(position), view_.viewSize());
   std::optional<PickedFeature> nearest;

@@ -29,8 +29,8 @@ class ScenePicks {
   dvec3 pointUnder(const QPointF& position);
   /// See ViewportWidget.
   std::optional<PickedFeature> featureAt(const QPointF& position, const FeatureFilter& filter);
-  std::optional<PickedFeature> featureBeside(const QPointF& position, const std::vector<workcell::EntityId>& without,
-                                             const FeatureFilter& filter);
+  std::optional<PickedFeature> featureNear(const QPointF& position, const std::vector<workcell::EntityId>& without,
+                                           const FeatureFilter& filter);
   std::vector<workcell::EntityId> entitiesIn(const QRectF& box, bool touching);
 
   /// The pick that was asked for; a pick that is still open is answered with nothing first.

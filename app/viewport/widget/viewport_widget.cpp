@@ -300,10 +300,10 @@ std::optional<PickedFeature> ViewportWidget::featureAt(const QPointF& position, 
   return picks_->featureAt(position, filter);
 }
 
-std::optional<PickedFeature> ViewportWidget::featureBeside(const QPointF& position,
-                                                           const std::vector<workcell::EntityId>& without,
-                                                           const FeatureFilter& filter) {
-  return picks_->featureBeside(position, without, filter);
+std::optional<PickedFeature> ViewportWidget::featureNear(const QPointF& position,
+                                                         const std::vector<workcell::EntityId>& without,
+                                                         const FeatureFilter& filter) {
+  return picks_->featureNear(position, without, filter);
 }
 
 std::vector<workcell::EntityId> ViewportWidget::entitiesIn(const QRectF& box, bool touching) {

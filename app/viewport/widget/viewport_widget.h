@@ -62,8 +62,8 @@ class ViewportWidget : public QOpenGLWidget {
   std::optional<PickedFeature> featureAt(const QPointF& position, const FeatureFilter& filter = {});
   /// The nearest face, edge or corner at a place, looking through the entities of `without`: what a part that is
   /// dragged may snap to.
-  std::optional<PickedFeature> featureBeside(const QPointF& position, const std::vector<workcell::EntityId>& without,
-                                             const FeatureFilter& filter = {});
+  std::optional<PickedFeature> featureNear(const QPointF& position, const std::vector<workcell::EntityId>& without,
+                                           const FeatureFilter& filter = {});
   /// Entities in a box of the widget (pixels at 100 %): wholly inside, or, `touching`, those too that reach into it.
   std::vector<workcell::EntityId> entitiesIn(const QRectF& box, bool touching);
   /// Lines over the scene, kept by `owner` until it gives others (none: takes them away). Others are drawn without

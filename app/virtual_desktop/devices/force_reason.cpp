@@ -75,51 +75,49 @@ double longestUnnoticed(const TouchSight& sight) {
 }
 
 ForceReason forceReason(const ForceFacts& facts) {
-  using Mend = ForceReason::Mend;
-  if (!facts.started) return {tr("Forces off"), tr("No stylus is connected"), Mend::kConnect, tr("Connect")};
+  using Fix = ForceReason::Fix;
+  if (!facts.started) return {tr("Forces off"), tr("No stylus is connected"), Fix::kConnect, tr("Connect")};
   if (facts.watching)
-    return {tr("Forces off"), tr("Another window controls the stylus; this one observes"), Mend::kTakeStylus,
+    return {tr("Forces off"), tr("Another window controls the stylus; this one observes"), Fix::kTakeStylus,
             tr("Take control")};
   if (!facts.connected) {
     // What to do about it stands beside the device's state.
     const QString problem = shownText(facts.problem.what);
     const QString why = problem.isEmpty() ? tr("Waiting for the haptic server") : problem;
-    return {tr("Forces off"), why, Mend::kStartServer, tr("Start the server")};
+    return {tr("Forces off"), why, Fix::kStartServer, tr("Start the server")};
   }
   if (facts.device_fault)
-    return {tr("Forces off"), tr("The device is not responding. Check its cable and power"), Mend::kNone, {}};
+    return {tr("Forces off"), tr("The device is not responding. Check its cable and power"), Fix::kNone, {}};
   if (facts.stalled)
-    return {tr("Forces off"),
-            tr("The simulation is not responding. Forces return when it responds again"),
-            Mend::kNone,
-            {}};
-  if (facts.forceless) return {tr("No forces"), tr("This device has no force feedback"), Mend::kNone, {}};
+    return {
+        tr("Forces off"), tr("The simulation is not responding. Forces return when it responds again"), Fix::kNone, {}};
+  if (facts.forceless) return {tr("No forces"), tr("This device has no force feedback"), Fix::kNone, {}};
   if (!facts.on && !facts.wanted && facts.lost)
     return {tr("Forces off"),
             tr("The haptic server stopped, so forces are off. Press Ctrl+Space to turn them on again"),
-            Mend::kNone,
+            Fix::kNone,
             {}};
-  if (!facts.on && !facts.wanted) return {tr("Forces off"), tr("Press Ctrl+Space to turn them on"), Mend::kNone, {}};
+  if (!facts.on && !facts.wanted) return {tr("Forces off"), tr("Press Ctrl+Space to turn them on"), Fix::kNone, {}};
   if (!facts.on && facts.cut)
     return {tr("Forces off"),
             tr("The server switched them off. Move the stylus to free space, or press Esc, then Ctrl+Space"),
-            Mend::kNone,
+            Fix::kNone,
             {}};
-  if (!facts.on) return {tr("Forces pending"), tr("Move the stylus into free space"), Mend::kNone, {}};
+  if (!facts.on) return {tr("Forces pending"), tr("Move the stylus into free space"), Fix::kNone, {}};
   const QString ramp = facts.ramp < 0.999 ? tr("Ramp %1 %, 1 N/ms limit").arg(std::lround(100.0 * facts.ramp))
                                           : tr("Ramp done, 1 N/ms limit");
-  if (facts.ramp < 0.999) return {tr("Forces on"), ramp, Mend::kNone, {}};
-  if (!facts.held) return {tr("Forces on"), tr("Nothing is held. Press the stylus button to hold it"), Mend::kNone, {}};
+  if (facts.ramp < 0.999) return {tr("Forces on"), ramp, Fix::kNone, {}};
+  if (!facts.held) return {tr("Forces on"), tr("Nothing is held. Press the stylus button to hold it"), Fix::kNone, {}};
   if (!facts.checked)
-    return {tr("Forces on"), tr("The held entity is not checked for collision"), Mend::kCheck, tr("Check it")};
+    return {tr("Forces on"), tr("The held entity is not checked for collision"), Fix::kCheck, tr("Check it")};
   if (facts.at_edge)
     return {tr("Forces on"),
             tr("The device is at the edge of its workspace. Hold Space and move the hand back"),
-            Mend::kNone,
+            Fix::kNone,
             {}};
   if (facts.passes)
-    return {tr("Forces on"), tr("Contact mode is Pass: contacts are shown, not felt"), Mend::kSlide, tr("Slide")};
-  return {tr("Forces on"), ramp, Mend::kNone, {}};
+    return {tr("Forces on"), tr("Contact mode is Pass: contacts are shown, not felt"), Fix::kSlide, tr("Slide")};
+  return {tr("Forces on"), ramp, Fix::kNone, {}};
 }
 
 QString scaleNote(double motion_scale) {

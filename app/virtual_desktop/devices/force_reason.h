@@ -13,30 +13,30 @@ namespace hapticell::app {
 
 /// What the panel knows of the forces.
 struct ForceFacts {
-  bool started = false;       ///< The loop runs.
-  bool connected = false;     ///< A haptic server answers, and this window has the stylus.
-  bool watching = false;      ///< It answers, but another window has the stylus.
-  bool forceless = false;     ///< The device has no motors: a 3-D mouse.
-  bool device_fault = false;  ///< The device itself does not answer.
-  bool stalled = false;       ///< The simulation loop is not responding: the server lets the force fade.
-  bool wanted = false;        ///< The user has switched forces on.
-  bool on = false;            ///< They act.
-  bool cut = false;           ///< They went off though nobody asked for it, and are not back yet.
-  bool lost = false;          ///< They went off with the server, and were not asked for since.
-  bool at_edge = false;       ///< The device is at the end of its range.
-  double ramp = 0.0;          ///< 0 .. 1.
+  bool started = false;         ///< The loop runs.
+  bool connected = false;       ///< A haptic server answers, and this window has the stylus.
+  bool watching = false;        ///< It answers, but another window has the stylus.
+  bool forceless = false;       ///< The device has no motors: a 3-D mouse.
+  bool device_fault = false;    ///< The device itself does not answer.
+  bool stalled = false;         ///< The simulation loop is not responding: the server lets the force fade.
+  bool wanted = false;          ///< The user has switched forces on.
+  bool on = false;              ///< They act.
+  bool cut = false;             ///< They went off though nobody asked for it, and are not back yet.
+  bool lost = false;            ///< They went off with the server, and were not asked for since.
+  bool at_edge = false;         ///< The device is at the end of its range.
+  double ramp = 0.0;            ///< 0 .. 1.
   haptic::LinkProblem problem;  ///< Why there is no connection; may be empty.
-  bool held = true;           ///< Something is held.
-  bool checked = true;        ///< It takes part in collision checks.
-  bool passes = false;        ///< On contact it passes: contacts are only shown.
+  bool held = true;             ///< Something is held.
+  bool checked = true;          ///< It takes part in collision checks.
+  bool passes = false;          ///< On contact it passes: contacts are only shown.
 };
 
 /// The state of the forces in two words, one line with the reason, and how to fix it.
 struct ForceReason {
-  enum class Mend { kNone, kConnect, kStartServer, kTakeStylus, kCheck, kSlide };
+  enum class Fix { kNone, kConnect, kStartServer, kTakeStylus, kCheck, kSlide };
   QString state;
   QString why;
-  Mend mend = Mend::kNone;
+  Fix fix = Fix::kNone;
   QString button;  ///< Text of the button that fixes it; empty for kNone.
 };
 

@@ -58,15 +58,15 @@ ForceSection::ForceSection(Host& host, VirtualDesktopController& controller, QVB
   mending_row->setContentsMargins(0, 4, 0, 4);
   mend_why_ = makeLive(3, TextRole::kSecond, true);
   mend_ = new QPushButton;
-  mend_->setObjectName("buttonMend");
+  mend_->setObjectName("buttonFix");
   mend_->setProperty("main", true);
   mending_row->addWidget(mend_why_, 1);
   mending_row->addWidget(mend_);
-  meter_or_mend_ = new QStackedWidget;
-  meter_or_mend_->addWidget(meter_);
-  meter_or_mend_->addWidget(mending);
-  meter_or_mend_->setFixedHeight(kMendHeight);
-  section->addWidget(meter_or_mend_);
+  meter_or_fix_ = new QStackedWidget;
+  meter_or_fix_->addWidget(meter_);
+  meter_or_fix_->addWidget(mending);
+  meter_or_fix_->setFixedHeight(kMendHeight);
+  section->addWidget(meter_or_fix_);
   connect(mend_, &QPushButton::clicked, this, &ForceSection::mend);
   connect(forces_, &QCheckBox::clicked, this, [this](bool on) {
     controller_.setForces(on);
@@ -81,11 +81,11 @@ void ForceSection::show() {
   forces_->setEnabled(facts.connected);
   forces_->setChecked(facts.connected && facts.wanted);
   state_->setText(reason.state);
-  const bool broken = reason.mend != ForceReason::Mend::kNone;
+  const bool broken = reason.fix != ForceReason::Fix::kNone;
   why_->setText(broken ? tr("No forces felt") : reason.why);
   mend_why_->setText(reason.why);
   mend_->setText(reason.button);
-  meter_or_mend_->setCurrentIndex(broken ? 1 : 0);
+  meter_or_fix_->setCurrentIndex(broken ? 1 : 0);
   force_now_->setText(QString::fromStdString(newtons(now.force_n)));
   meter_->setForce(now.force_n);
 }
@@ -96,13 +96,13 @@ void ForceSection::showDevice() {
 }
 
 void ForceSection::mend() {
-  using Mend = ForceReason::Mend;
-  const Mend how = forceReason(controller_.forceFacts()).mend;
-  if (how == Mend::kConnect) controller_.connectDevice();
-  if (how == Mend::kStartServer) controller_.startServer();
-  if (how == Mend::kTakeStylus) controller_.takeStylus();
-  if (how == Mend::kSlide) controller_.setOnContact(workcell::OnContact::kSlide);
-  if (how == Mend::kCheck)
+  using Fix = ForceReason::Fix;
+  const Fix how = forceReason(controller_.forceFacts()).fix;
+  if (how == Fix::kConnect) controller_.connectDevice();
+  if (how == Fix::kStartServer) controller_.startServer();
+  if (how == Fix::kTakeStylus) controller_.takeStylus();
+  if (how == Fix::kSlide) controller_.setOnContact(workcell::OnContact::kSlide);
+  if (how == Fix::kCheck)
     host_.documentModel().execute(workcell::SetProperties{.id = controller_.snapshot().held, .checked = true});
 }
 

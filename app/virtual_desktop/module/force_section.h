@@ -33,7 +33,7 @@ class ForceSection : public QObject {
   VirtualDesktopController& controller_;
   QCheckBox* forces_;
   QLabel *state_, *why_, *force_now_, *mend_why_;
-  QStackedWidget* meter_or_mend_;
+  QStackedWidget* meter_or_fix_;
   ForceMeter* meter_;
   QPushButton* mend_;
 };

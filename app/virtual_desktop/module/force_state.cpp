@@ -25,7 +25,7 @@ void ForceState::reset() {
 void ForceState::snapshotCame(bool cut) {
   since_snapshot_.start();
   if (owner_.snapshot().forces_on) cut_ = false;
-  if (cut) tellOfCut();
+  if (cut) reportCut();
 }
 
 ForceFacts ForceState::facts() const {
@@ -59,13 +59,13 @@ ForceFacts ForceState::facts() const {
   return facts;
 }
 
-void ForceState::tellOfCut() {
+void ForceState::reportCut() {
   cut_ = true;
   owner_.sound().strike(SoundEvent::kFault);
   owner_.host().messages().tell(Severity::kWarning, QObject::tr("Forces switched off"), forceReason(facts()).why);
 }
 
-void ForceState::tellOfLoss() {
+void ForceState::reportLoss() {
   owner_.sound().strike(SoundEvent::kFault);
   if (owner_.isWatching() || owner_.link().isRefused()) {
     owner_.host().messages().tell(Severity::kProblem,

@@ -27,11 +27,11 @@ class ForceState {
   /// A snapshot came. `cut`: they went off though nobody asked for it, by the server's safety chain.
   void snapshotCame(bool cut);
   /// They went off because the server is gone.
-  void tellOfLoss();
+  void reportLoss();
   ForceFacts facts() const;
 
  private:
-  void tellOfCut();
+  void reportCut();
 
   VirtualDesktopController& owner_;
   QElapsedTimer since_snapshot_;

@@ -114,7 +114,7 @@ bool InputControl::hasFreeHand() const {
 
 void InputControl::addFreeHand() {
   const std::string what = devices_.isRightGlove() ? "hand:right" : "hand:left";
-  runBeside(
+  runInThreadPool(
       &owner_,
       [what] {
         Diagnostics diagnostics;
@@ -122,7 +122,8 @@ void InputControl::addFreeHand() {
       },
       [this](Expected<workcell::Entity> made) {
         if (!made)
-          return owner_.host().messages().tellCause(Severity::kProblem, QObject::tr("No hand was added"), made.error());
+          return owner_.host().messages().reportCause(Severity::kProblem, QObject::tr("No hand was added"),
+                                                      made.error());
         const workcell::Document& document = owner_.host().documentModel().document();
         made->name = document.uniqueName(made->name);
         made->X_WE.p = owner_.host().viewport().camera().target_W;

@@ -46,8 +46,8 @@ void StationServer::use(const QString& host, int port) {
   auto kept = writeSetting(userConfigurationFile(), QStringLiteral("server.host"), host);
   if (kept) kept = writeSetting(userConfigurationFile(), QStringLiteral("server.port"), QString::number(port));
   if (!kept)
-    host_.messages().tellCause(Severity::kWarning, tr("%1 is used, but only until you quit.").arg(address()),
-                               kept.error());
+    host_.messages().reportCause(Severity::kWarning, tr("%1 is used, but only until you quit.").arg(address()),
+                                 kept.error());
 }
 
 void StationServer::setProfile(const QString& profile) {

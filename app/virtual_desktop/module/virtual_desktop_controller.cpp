@@ -62,7 +62,7 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
   connect(&sound_, &SoundPlayer::changed, this,
           [this] { host_.setSoundText(sound_.state(), sound_.isOn() && sound_.hasOutput()); });
   connect(&timer_, &QTimer::timeout, this, &VirtualDesktopController::tick);
-  connect(&lister_, &DeviceLister::plugged, this, &VirtualDesktopController::tellOfPlugged);
+  connect(&lister_, &DeviceLister::plugged, this, &VirtualDesktopController::reportConnectedDevice);
   followHost();
 }
 
@@ -104,8 +104,8 @@ void VirtualDesktopController::connectDevice() {
   if (loop_) return;
   auto options = haptic::linkOptionsFor(station_.host().toStdString(), static_cast<std::uint16_t>(station_.port()));
   if (!options) {
-    host_.messages().tellCause(Severity::kProblem, tr("The key for the haptic server cannot be used."),
-                               options.error());
+    host_.messages().reportCause(Severity::kProblem, tr("The key for the haptic server cannot be used."),
+                                 options.error());
     return;
   }
   options->accept_watching = true;  // Where another window has the stylus, the user is asked.
@@ -288,7 +288,7 @@ void VirtualDesktopController::take(const std::vector<manipulation::Result>& res
 
 void VirtualDesktopController::followConnection() {
   const bool connected = isConnected();
-  if (!connected && (forcesWanted() || snapshot_.forces_on)) forces_.tellOfLoss();
+  if (!connected && (forcesWanted() || snapshot_.forces_on)) forces_.reportLoss();
   forces_.connectionChanged();  // Never on by a reconnection.
   loop_->post(command::SetForces{false});
   loop_->postSecond(command::SetForces{false});
@@ -353,7 +353,7 @@ void VirtualDesktopController::showDevice() {
   host_.setDeviceText(QString::fromStdString(device()->name) + forces, !forces_.areLost());
 }
 
-void VirtualDesktopController::tellOfPlugged(const ListedDevice& device) {
+void VirtualDesktopController::reportConnectedDevice(const ListedDevice& device) {
   const QString mends = device.problem + QLatin1Char(' ') + device.fix;
   host_.messages().tell(Severity::kInformation, tr("%1 has been plugged in").arg(device.name),
                         device.usable ? tr("Choose it in the panel Virtual Desktop.") : mends);

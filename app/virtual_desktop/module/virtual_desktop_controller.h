@@ -116,7 +116,7 @@ class VirtualDesktopController : public QObject {
   void forgetCell();
   void take(const std::vector<manipulation::Result>& results);
   void handleMoved(const manipulation::result::Moved& moved);
-  void tellOfPlugged(const ListedDevice& device);
+  void reportConnectedDevice(const ListedDevice& device);
   void showDevice();
   void updateStrip();
   void takeEntityChoices();

@@ -33,7 +33,7 @@ bool isSameBody(const Figure& a, const Figure& b) {
          std::abs(a.body[Dimension::kStature] - b.body[Dimension::kStature]) < mannequin::kSameStature;
 }
 
-BodyAtTask asItStands(const Figure& figure, const Posture& posture, const WorkTask& task) {
+BodyAtTask presentBody(const Figure& figure, const Posture& posture, const WorkTask& task) {
   BodyAtTask body;
   body.figure = figure;
   body.posture = posture;
@@ -118,7 +118,7 @@ std::vector<BodyAtTask> atSameTask(const std::vector<mannequin::NamedFigure>& bo
                                    const Posture& posture, const WorkTask& task) {
   std::vector<BodyAtTask> result;
   for (const mannequin::NamedFigure& body : bodies) {
-    result.push_back(isSameBody(figure, body.figure) ? asItStands(figure, posture, task)
+    result.push_back(isSameBody(figure, body.figure) ? presentBody(figure, posture, task)
                                                      : solveFor(figure, posture, body.figure, task));
     result.back().name = body.name;
   }

@@ -44,7 +44,7 @@ TEST(OutOfMemory, GivesUpWhatWasAskedAndSaysSo) {
   auto* application = qobject_cast<Application*>(qApp);
   ASSERT_NE(application, nullptr);
   MainWindow& window = page.window();
-  const auto told = QObject::connect(application, &Application::outOfMemory, [&window] { tellOutOfMemory(window); });
+  const auto told = QObject::connect(application, &Application::outOfMemory, [&window] { reportOutOfMemory(window); });
   const std::size_t before = window.messages().messages().size();
   bool tried = false;
   QTimer::singleShot(0, &window, [&] {

@@ -32,8 +32,8 @@ TEST(WindowLog, HoldsStartFilesMessagesDeviceAndEnd) {
     page.addBox("a box", 0.1);
     ASSERT_TRUE(page.window().documentModel().save(cell));
     ASSERT_TRUE(page.open(cell));
-    page.window().messages().tellCause(Severity::kProblem, "It was not read",
-                                       Error{.file = "part.stl", .found = "3 bytes", .expected = "a mesh"});
+    page.window().messages().reportCause(Severity::kProblem, "It was not read",
+                                         Error{.file = "part.stl", .found = "3 bytes", .expected = "a mesh"});
     page.window().setDeviceText("Touch", true);
     page.window().setDeviceText("Touch", true);
     page.trigger("actionSelectAll");

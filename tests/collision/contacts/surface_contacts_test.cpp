@@ -70,7 +70,7 @@ bool tell(const SurfaceModel& model, const collision::SignatureCell& cell, const
   BallQuery ball{model, Pose{}, p, 0.0, 0.0, zone, &cell};
   ball.rough = false;
   return std::all_of(cell.groups.begin(), cell.groups.end(), [&](const auto& elements) {
-    return appendGroups(ball, elements, {}, groups) == collision::Telling::kTold;
+    return appendGroups(ball, elements, {}, groups) == collision::GroupDecision::kDecided;
   });
 }
 

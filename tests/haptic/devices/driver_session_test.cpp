@@ -63,7 +63,7 @@ struct Pushing {
   }
   double force() const { return driver.device.commands.back().force[2]; }
   /// As the force loop does it: nothing until it is told that it may.
-  void beginAnew() {
+  void restartStretch() {
     EXPECT_TRUE(turn({}).takes_force);
     for (const double newtons : {0.1, 1.0, 2.0}) turn(push(newtons));
     EXPECT_EQ(force(), 2.0);
@@ -90,7 +90,7 @@ TEST(DriverSession, WhatWasMeasuredLongAgoIsGivenNoForce) {
     it.driver.device.answer = Status::kOk;
     for (int i = 0; i < 100; ++i) it.turn(push(2.0));
     EXPECT_EQ(it.force(), 0.0) << "not in one step";
-    it.beginAnew();
+    it.restartStretch();
   }
 }
 
@@ -100,7 +100,7 @@ TEST(DriverSession, WhatWasHeldBackOnceBeginsAnew) {
     trouble();
     for (int i = 0; i < 50; ++i) it.turn(push(2.0));
     EXPECT_EQ(it.force(), 0.0);
-    it.beginAnew();
+    it.restartStretch();
   };
   Pushing uncalibrated, forceless, stalled, held;
   expectHeld(uncalibrated, [&] {

@@ -129,7 +129,7 @@ TEST(ForceLoop, TheClientMayAskForAnotherStiffness) {
 TEST(ForceLoop, AnOutdatedSetAndOneElsewhereChangeNothing) {
   VirtualSession session;
   session.press();
-  session.link().sendSet(floorSet(1));  // Anew: its number counts for 2.5 s.
+  session.link().sendSet(floorSet(1));  // StartFrom: its number counts for 2.5 s.
   session.run(200);
   session.link().sendSet(floorSet(0, 0.004));
   session.run(200);

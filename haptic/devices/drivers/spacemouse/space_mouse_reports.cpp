@@ -170,7 +170,7 @@ Status takeSpaceMouseReport(std::span<const std::uint8_t> report, SpaceMouseStat
   const MouseAxes axes = model != nullptr ? model->axes : MouseAxes::kToUserAndDown;
   const bool stated = layout != nullptr && layout->statesAxes();
   const Status status = stated ? takeByLayout(report, *layout, axes, state) : takeKnown(report, axes, state);
-  if (status == Status::kOk) state.buttons = buttonsOf(state, model != nullptr ? model->keys : MouseKeys::kAsTold);
+  if (status == Status::kOk) state.buttons = buttonsOf(state, model != nullptr ? model->keys : MouseKeys::kAsReported);
   return status;
 }
 

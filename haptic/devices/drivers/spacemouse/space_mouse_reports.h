@@ -18,7 +18,7 @@ enum class MouseAxes : std::uint8_t {
 
 /// How a mouse numbers its keys.
 enum class MouseKeys : std::uint8_t {
-  kAsTold,      ///< Usage n is button n - 1.
+  kAsReported,  ///< Usage n is button n - 1.
   kPro,         ///< 15 keys with gaps,
   kEnterprise,  ///< 31 keys, nine of which are sent as a list: report 28.
 };
@@ -29,7 +29,7 @@ struct SpaceMouseModel {
   const char* name;
   std::uint32_t buttons;
   MouseAxes axes = MouseAxes::kToUserAndDown;
-  MouseKeys keys = MouseKeys::kAsTold;
+  MouseKeys keys = MouseKeys::kAsReported;
 };
 
 /// State of a 3D mouse after its reports so far, in D's axes.

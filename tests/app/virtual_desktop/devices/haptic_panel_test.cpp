@@ -42,10 +42,10 @@ float loudest(const std::vector<float>& samples) {
 
 TEST(ForceReason, NoForceAlwaysHasAReasonAndWhatMendsIt) {
   ForceFacts facts;
-  EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kConnect);
+  EXPECT_EQ(forceReason(facts).fix, ForceReason::Fix::kConnect);
   facts.started = true;
   facts.problem = {Text("No haptic server answers at %1.", "127.0.0.1:4747")};
-  EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kStartServer);
+  EXPECT_EQ(forceReason(facts).fix, ForceReason::Fix::kStartServer);
   EXPECT_EQ(forceReason(facts).why, "No haptic server answers at 127.0.0.1:4747.");
   facts.connected = true;
   EXPECT_EQ(forceReason(facts).state, "Forces off");
@@ -66,11 +66,11 @@ TEST(ForceReason, ForcesThatCannotBeFeltSayWhyAndOfferTheRemedy) {
   facts.started = facts.connected = facts.wanted = facts.on = true;
   facts.ramp = 1.0;
   facts.passes = true;
-  EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kSlide);
+  EXPECT_EQ(forceReason(facts).fix, ForceReason::Fix::kSlide);
   facts.checked = false;
-  EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kCheck);
+  EXPECT_EQ(forceReason(facts).fix, ForceReason::Fix::kCheck);
   facts.held = false;
-  EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kNone);
+  EXPECT_EQ(forceReason(facts).fix, ForceReason::Fix::kNone);
   EXPECT_TRUE(forceReason(facts).why.contains("Nothing is held"));
   facts.ramp = 0.5;
   EXPECT_EQ(forceReason(facts).why, "Ramp 50 %, 1 N/ms limit") << "the ramp comes first";

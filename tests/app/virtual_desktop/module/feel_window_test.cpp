@@ -7,8 +7,8 @@
 #include <QPushButton>
 #include <QWheelEvent>
 
-#include "app/panels/collisions/contact_log_model.h"
 #include "app/controls/strip_chart.h"
+#include "app/panels/collisions/contact_log_model.h"
 #include "app/viewport/scene/strip_text.h"
 #include "haptic/client/tcp_link.h"
 #include "manipulation/holding/motion_mapping.h"
@@ -343,10 +343,12 @@ TEST(FeelWindow, AContactThatIsFeltIsSeenAndTheDelayIsTold) {
   constexpr std::size_t kContacts = 8;
   for (std::size_t contact = 0; contact < kContacts; ++contact) {
     page.drag(0.0, 0.035 / page.metresPerPixel());
-    ASSERT_TRUE(WindowPage::until([&] { return page.window().viewport().touchFigures().contacts > contact; }, kPatience));
+    ASSERT_TRUE(
+        WindowPage::until([&] { return page.window().viewport().touchFigures().contacts > contact; }, kPatience));
     page.drag(0.0, -0.035 / page.metresPerPixel());
     const auto touches = [&] {
-      return std::any_of(page.now().pairs.begin(), page.now().pairs.end(), [](const auto& pair) { return pair.contact; });
+      return std::any_of(page.now().pairs.begin(), page.now().pairs.end(),
+                         [](const auto& pair) { return pair.contact; });
     };
     ASSERT_TRUE(WindowPage::until([&] { return !touches(); }, kPatience));
   }
@@ -377,7 +379,7 @@ struct WatchingPage : ServerFirst, CellPage {
     options.program = "Other window";
     return options;
   }
-  QPushButton& button() { return *find<QPushButton>("buttonMend"); }
+  QPushButton& button() { return *find<QPushButton>("buttonFix"); }
   haptic::TcpLink other;
 };
 
@@ -392,7 +394,7 @@ TEST(SecondWindow, WatchesAndTakesTheStylusOnlyWhenItsUserSaysSo) {
   QTest::qWait(1500);
   EXPECT_EQ(page.other.linkState(), haptic::LinkState::kConnected);
   EXPECT_EQ(page.other.grantedKind(), haptic::ClientKind::kController);
-  page.press("buttonMend");
+  page.press("buttonFix");
   EXPECT_TRUE(WindowPage::until([&] { return status.deviceWorks(); }, kPatience)) << status.device().toStdString();
   EXPECT_TRUE(WindowPage::until([&] { return page.other.linkState() != haptic::LinkState::kConnected; }, kPatience));
 }
