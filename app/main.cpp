@@ -35,6 +35,7 @@
 #include "app/viewport/drawing/graphics_probe.h"
 #include "app/views/render_command.h"
 #include "config/configuration.h"
+#include "config/log_level.h"
 #include "config/program_version.h"
 #include "config/user_folders.h"
 
@@ -48,6 +49,7 @@ struct Options {
   QSize size{1600, 900};
   int delay_ms = 1500;
   QString language;
+  hapticell::config::LogLevel log_level = hapticell::config::LogLevel::kInfo;
   bool exit = false, module = true, measure = false, measure_start = false, probe = false;
 };
 
@@ -94,9 +96,15 @@ void addOptions(QCommandLineParser& parser) {
        {"seconds", "For --render to a video (mp4, webm, mkv, gif): duration of one turn.", "s", "8"},
        {"no-floor", "For --render: do not draw the floor grid."},
        {"config", "hapticell.toml whose values override the shipped ones.", "file"},
+       {"log-level", "What the log file holds: error, warning, info or debug.", "level", "info"},
        {"no-module", "Do not start Virtual Desktop automatically."},
        {"probe-graphics", "Print the OpenGL of the display as JSON, then quit (for hapticell-cli doctor)."},
        {{"v", "version"}, "Print version, commit, compiler and libraries, then quit."}});
+}
+
+/// Version, commit, compiler and libraries.
+std::string programText() {
+  return hapticell::config::versionText("hapticell", {{"Qt", qVersion()}});
 }
 
 /// --help and --version, which need no display. False for everything else.
@@ -108,8 +116,7 @@ bool answersWithoutDisplay(int argc, char** argv) {
   QCoreApplication application(argc, argv);
   QCommandLineParser parser;
   addOptions(parser);
-  const std::string text = version ? hapticell::config::versionText("hapticell", {{"Qt", qVersion()}}) + "\n"
-                                   : parser.helpText().toStdString();
+  const std::string text = version ? programText() + "\n" : parser.helpText().toStdString();
   std::fputs(text.c_str(), stdout);
   return true;
 }
@@ -130,6 +137,9 @@ Options parse() {
   options.probe = parser.isSet("probe-graphics");
   options.module = !parser.isSet("no-module");
   options.delay_ms = qBound(0, parser.value("delay").toInt(), 600000);
+  const auto level = hapticell::config::logLevelFrom(parser.value("log-level").toStdString());
+  if (!level) refuse(QString::fromStdString(level.error().message()));
+  options.log_level = *level;
   const auto size = sizeFrom(parser.value("size"));
   if (parser.isSet("size") && !size)
     refuse(QString("--size: '%1' is not a size. Enter WIDTHxHEIGHT, each from 1 to %2 pixels.")
@@ -324,7 +334,10 @@ int main(int argc, char** argv) {
   const hapticell::app::EndSignals end;  // Before anything is started that must not be left behind.
   MainWindow window(*configuration, settings);
   if (!options.theme.isEmpty()) window.setTheme(options.theme != "light");
-  if (remembers) window.guardAgainstCrash();
+  if (remembers) {
+    window.keepLog(options.log_level, programText());
+    window.guardAgainstCrash(programText());
+  }
   window.resize(options.size);
   window.show();
   openAtStart(window, options.file, remembers && window.userSettings().value("start/page", true).toBool());

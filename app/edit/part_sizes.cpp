@@ -10,7 +10,6 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/kit/form.h"
-#include "app/style/library_text.h"
 #include "app/style/value_field.h"
 #include "workcell/document/part_resize.h"
 #include "workcell/entity/built_in_parts.h"
@@ -63,7 +62,7 @@ void PartSizes::resize() {
     if (!rows_[i]->isHidden()) sizes.push_back(fields_[i]->value() / 1000.0);
   const auto commands = workcell::resizePart(document.state(), id_, sizes);
   if (!commands) {
-    host_.messages().tell(Severity::kWarning, tr("The size was not changed"), shownText(commands.error()));
+    host_.messages().reportCause(Severity::kWarning, tr("The size was not changed"), commands.error());
     for (ValueField* field : fields_) field->clearFocus();
     return showPart(*solid);
   }

@@ -214,8 +214,7 @@ void ErgonomicsPanel::chooseOwnLimits() {
   const QString file = askToOpen(this, tr("Custom hand force limits"), {}, tr("Tables (*.csv);;All files (*)"));
   if (file.isEmpty()) return;
   const auto read = scores_.chooseOwnLimits(file);
-  if (!read)
-    context_.host().messages().tell(Severity::kProblem, tr("The limits were not read"), shownText(read.error()));
+  if (!read) context_.host().messages().reportCause(Severity::kProblem, tr("The limits were not read"), read.error());
 }
 
 void ErgonomicsPanel::showScores() {

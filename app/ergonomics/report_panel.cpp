@@ -23,7 +23,6 @@
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/style/icon.h"
-#include "app/style/library_text.h"
 #include "app/style/segmented.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "mannequin/shape/figure_model.h"
@@ -220,7 +219,7 @@ bool ReportPanel::write(const QString& path) {
   if (written) {
     context_.host().messages().tell(Severity::kInformation, tr("The report is saved"), path);
   } else {
-    context_.host().messages().tell(Severity::kProblem, tr("The report was not saved"), shownText(written.error()));
+    context_.host().messages().reportCause(Severity::kProblem, tr("The report was not saved"), written.error());
   }
   return written.has_value();
 }

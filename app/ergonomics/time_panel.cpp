@@ -136,7 +136,7 @@ bool TimePanel::saveMotion(const QString& path) {
   if (written)
     context_.host().messages().tell(Severity::kInformation, tr("The motion is saved"), path);
   else
-    context_.host().messages().tell(Severity::kProblem, tr("The motion was not saved"), shownText(written.error()));
+    context_.host().messages().reportCause(Severity::kProblem, tr("The motion was not saved"), written.error());
   return written.has_value();
 }
 

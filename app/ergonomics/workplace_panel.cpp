@@ -234,8 +234,7 @@ void WorkplacePanel::search() {
           map_ = std::move(*map);
           view_->setMap(&*map_);
         } else {
-          context_.host().messages().tell(Severity::kWarning, tr("The workplace search failed"),
-                                          shownText(map.error()));
+          context_.host().messages().reportCause(Severity::kWarning, tr("The workplace search failed"), map.error());
         }
         showMap();
       });

@@ -20,7 +20,6 @@
 #include "app/kit/file_dialog.h"
 #include "app/kit/form.h"
 #include "app/kit/switch_list.h"
-#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "trajectory/files/trajectory_io.h"
 
@@ -142,7 +141,7 @@ void GuidesPanel::takePath() {
   Diagnostics diagnostics;
   const auto read = trajectory::readTrajectory(path.toStdString());
   if (!read) {
-    host_.messages().tell(Severity::kProblem, tr("The recording was not read"), shownText(read.error()));
+    host_.messages().reportCause(Severity::kProblem, tr("The recording was not read"), read.error());
     return;
   }
   std::vector<dvec3> points;

@@ -5,8 +5,12 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "app/style/library_text.h"
+#include "geometry/system/error.h"
 
 namespace hapticell::app {
 
@@ -33,6 +37,7 @@ struct Message {
   QDateTime when;
   std::vector<MessageAction> actions = {};
   std::vector<MessageLine> lines = {};  ///< Where there are any, panels list them instead of `text`.
+  QString english = {};                 ///< `text` in English, for the log file; empty: it is known as shown only.
 };
 
 /// The messages so far, newest last. Never a window in front of the scene. GUI thread.
@@ -40,10 +45,18 @@ class MessageLog : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
-  void tell(Severity severity, const QString& title, const QString& text = {},
-            std::vector<MessageAction> actions = {}, std::vector<MessageLine> lines = {}) {
-    messages_.push_back({severity, title, text, QDateTime::currentDateTime(), std::move(actions), std::move(lines)});
-    emit told(messages_.back());
+  void tell(Severity severity, const QString& title, const QString& text = {}, std::vector<MessageAction> actions = {},
+            std::vector<MessageLine> lines = {}) {
+    add({severity, title, text, QDateTime::currentDateTime(), std::move(actions), std::move(lines)});
+  }
+  /// With a text of the libraries: in the window's language here, in English in the log file.
+  void reportCause(Severity severity, const QString& title, const Text& cause) {
+    reportCause(severity, title, shownText(cause), english(cause));
+  }
+  /// The same of an error; `after` is added to what is shown.
+  void reportCause(Severity severity, const QString& title, const Error& cause, const QString& after = {}) {
+    reportCause(severity, title, shownText(cause) + (after.isEmpty() ? after : QLatin1Char(' ') + after),
+                cause.message());
   }
   const std::vector<Message>& messages() const { return messages_; }
 
@@ -51,6 +64,14 @@ class MessageLog : public QObject {
   void told(const hapticell::app::Message& message);
 
  private:
+  void reportCause(Severity severity, const QString& title, const QString& text, const std::string& in_english) {
+    add({severity, title, text, QDateTime::currentDateTime(), {}, {}, QString::fromStdString(in_english)});
+  }
+  void add(Message message) {
+    messages_.push_back(std::move(message));
+    emit told(messages_.back());
+  }
+
   std::vector<Message> messages_;
 };
 

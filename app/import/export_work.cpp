@@ -14,7 +14,6 @@
 #include "app/import/change_page.h"
 #include "app/kit/file_dialog.h"
 #include "app/kit/system_open.h"
-#include "app/style/library_text.h"
 #include "app/style/plain_lines.h"
 #include "workcell/files/pack.h"
 #include "workcell/files/scene_export.h"
@@ -86,7 +85,7 @@ void ExportWork::askReport(Against against) {
 void ExportWork::reportWritten(const QString& path, const std::vector<Text>& notes) {
   const QString name = QFileInfo(path).fileName();
   for (const Text& note : notes)
-    host_.messages().tell(Severity::kWarning, tr("%1 was saved with warnings").arg(name), shownText(note));
+    host_.messages().reportCause(Severity::kWarning, tr("%1 was saved with warnings").arg(name), note);
   const QString folder = QFileInfo(path).absolutePath();
   host_.messages().tell(Severity::kInformation, tr("%1 is saved").arg(name), folder,
                         {{tr("Show folder"), [folder] { openWithSystem(folder); }}});
@@ -95,7 +94,7 @@ void ExportWork::reportWritten(const QString& path, const std::vector<Text>& not
 
 void ExportWork::run(const QString& path, BackgroundWork::Work work, const QString& failed) {
   background_.start(QFileInfo(path).fileName(), std::move(work), [this, path, failed](const Error& error) {
-    host_.messages().tell(Severity::kProblem, failed, shownText(error));
+    host_.messages().reportCause(Severity::kProblem, failed, error);
     emit finished(path, false);
   });
 }

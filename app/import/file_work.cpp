@@ -22,7 +22,6 @@
 #include "app/import/shape_reload.h"
 #include "app/kit/file_dialog.h"
 #include "app/style/dock_title_bar.h"
-#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "config/configuration.h"
 #include "workcell/format/document_io.h"
@@ -152,7 +151,7 @@ void FileWork::cancelOther() {
 }
 
 void FileWork::reportError(const QString& title, const Error& error) {
-  host_.messages().tell(Severity::kProblem, title, shownText(error) + " " + tr("The cell is unchanged."));
+  host_.messages().reportCause(Severity::kProblem, title, error, tr("The cell is unchanged."));
 }
 
 void FileWork::reportRemarks(const QString& name, const std::vector<Text>& remarks, const NamedParts& parts) {

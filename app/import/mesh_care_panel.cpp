@@ -12,7 +12,6 @@
 #include "app/host/selection.h"
 #include "app/import/import_choices.h"
 #include "app/kit/form.h"
-#include "app/style/library_text.h"
 #include "app/style/segmented.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
@@ -127,7 +126,7 @@ void MeshCarePanel::look() {
 
 void MeshCarePanel::start(const QString& name, BackgroundWork::Work work) {
   background_.start(name, std::move(work), [this, name](const Error& error) {
-    host_.messages().tell(Severity::kProblem, tr("%1 is unchanged").arg(name), shownText(error));
+    host_.messages().reportCause(Severity::kProblem, tr("%1 is unchanged").arg(name), error);
   });
 }
 

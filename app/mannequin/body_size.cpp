@@ -16,7 +16,6 @@
 #include "app/kit/thread_pool_task.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
-#include "app/style/library_text.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 
@@ -193,8 +192,7 @@ void BodySize::begin() {
         busy_ = false;
         const workcell::Entity* now = context_.entity();
         if (!commands) {
-          context_.host().messages().tell(Severity::kWarning, tr("No mannequin of that size"),
-                                          shownText(commands.error()));
+          context_.host().messages().reportCause(Severity::kWarning, tr("No mannequin of that size"), commands.error());
         } else if (now && now->id == id && context_.isFree()) {
           context_.host().documentModel().executeAll(tr("Resize %1").arg(QString::fromStdString(now->name)), *commands);
         }

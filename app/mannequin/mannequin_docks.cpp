@@ -31,7 +31,6 @@
 #include "app/mannequin/mannequin_panel.h"
 #include "app/mannequin/marker_panel.h"
 #include "app/style/dock_title_bar.h"
-#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 
 namespace hapticell::app {
@@ -114,7 +113,7 @@ class MannequinDocks : public QObject {
         [this, number = host_.documentModel().number()](Expected<workcell::Entity> made) {
           if (number != host_.documentModel().number()) return;
           if (!made)
-            return host_.messages().tell(Severity::kProblem, tr("No mannequin was added"), shownText(made.error()));
+            return host_.messages().reportCause(Severity::kProblem, tr("No mannequin was added"), made.error());
           const std::string name = made->name;
           if (!host_.documentModel().execute(workcell::AddEntity{std::move(*made)})) return;
           if (const auto* entity = host_.documentModel().document().findByName(name)) {

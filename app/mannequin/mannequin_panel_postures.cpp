@@ -121,7 +121,7 @@ bool MannequinPanel::savePostureFile(const QString& path) {
   if (written) {
     context_.host().messages().tell(Severity::kInformation, tr("The posture is saved"), path);
   } else {
-    context_.host().messages().tell(Severity::kProblem, tr("The posture was not saved"), shownText(written.error()));
+    context_.host().messages().reportCause(Severity::kProblem, tr("The posture was not saved"), written.error());
   }
   return written.has_value();
 }

@@ -90,7 +90,7 @@ void MarkerPanel::open(const QString& path) {
       this, [file = path.toStdString()] { return mannequin::readC3d(file); },
       [this, path](Expected<mannequin::MarkerClip> clip) {
         if (clip) return take(std::move(*clip), path);
-        context_.host().messages().tell(Severity::kWarning, tr("The markers cannot be shown"), shownText(clip.error()));
+        context_.host().messages().reportCause(Severity::kWarning, tr("The markers cannot be shown"), clip.error());
       });
 }
 
@@ -108,7 +108,7 @@ void MarkerPanel::take(mannequin::MarkerClip clip, const QString& path) {
                      .arg(clip_.seconds(), 0, 'f', 1)
                      .arg(1.0 / clip_.frame_time, 0, 'f', 0));
   for (const Text& warning : clip_.warnings)
-    context_.host().messages().tell(Severity::kWarning, QFileInfo(path).fileName(), shownText(warning));
+    context_.host().messages().reportCause(Severity::kWarning, QFileInfo(path).fileName(), warning);
   const auto set = mannequin::recogniseMarkers(clip_);
   context_.host().messages().tell(
       Severity::kInformation, QFileInfo(path).fileName(),

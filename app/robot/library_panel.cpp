@@ -20,7 +20,6 @@
 #include "app/kit/form.h"
 #include "app/robot/robot_facts.h"
 #include "app/style/icon.h"
-#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "workcell/import/entity_source.h"
 
@@ -87,7 +86,7 @@ LibraryPanel::LibraryPanel(Host& host, QWidget* parent) : QWidget(parent), host_
   Diagnostics diagnostics;
   model_ = new LibraryModel(workcell::listLibraryRobots(diagnostics), this);
   for (const Text& warning : diagnostics.warnings)
-    host_.messages().tell(Severity::kWarning, tr("A library robot was not loaded"), shownText(warning));
+    host_.messages().reportCause(Severity::kWarning, tr("A library robot was not loaded"), warning);
   filter_.setSourceModel(model_);
   pool_.setMaxThreadCount(1);
   auto* whole = new QVBoxLayout(this);
@@ -277,7 +276,7 @@ std::optional<workcell::Entity> LibraryPanel::chosenRobot() {
   Diagnostics diagnostics;
   auto loaded = workcell::EntityLoader({}).load("library:" + model_->robot(row).name, 0.0, diagnostics);
   if (!loaded) {
-    host_.messages().tell(Severity::kProblem, tr("The robot was not added"), shownText(loaded.error()));
+    host_.messages().reportCause(Severity::kProblem, tr("The robot was not added"), loaded.error());
     return std::nullopt;
   }
   loaded->joints = kinematics::restPositions(*loaded->robot);

@@ -232,8 +232,7 @@ void MechanismPanel::addSample(MechanismSample sample) {
   const Pose X_WB = bounds.isEmpty() ? Pose::identity() : Pose::translation({bounds.max.x + 1.0, bounds.center().y, 0});
   auto parts = sampleParts(sample, X_WB, document.document());
   if (!parts)
-    return context_.host().messages().tell(Severity::kProblem, tr("The sample was not added"),
-                                           shownText(parts.error()));
+    return context_.host().messages().reportCause(Severity::kProblem, tr("The sample was not added"), parts.error());
   document.beginStep(tr("Add sample %1").arg(tr(nameOf(sample))));
   workcell::MakeMechanism make{parts->name, {}, parts->joints};
   bool done = true;

@@ -20,6 +20,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "geometry/system/assertion.h"
 #endif
@@ -38,6 +39,7 @@ struct Guarded {
   std::array<char, 4096> note{};
   std::array<char, 256> uncaught{};
   std::function<bool()> keep;
+  std::optional<CrashReport> report;
   sem_t wake;
   std::atomic<bool> broken{false}, ended{false};
   std::atomic<pid_t> breaker{0};
@@ -70,27 +72,28 @@ const char* nameOf(int signal) {
   }
 }
 
-void writeNote(int signal) {
+const char* causeOf(int signal) {
+  if (signal == SIGABRT && *brokenContract()) return brokenContract();
+  if (signal == SIGABRT && *guarded->uncaught.data()) return guarded->uncaught.data();
+  return nameOf(signal);
+}
+
+void writeNote(const Crash& crash) {
   const int file = ::open(guarded->note.data(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   if (file < 0) return;
-  const char* contract = brokenContract();
-  const char* uncaught = guarded->uncaught.data();
-  if (signal == SIGABRT && *contract) {
-    writeText(file, contract);
-  } else if (signal == SIGABRT && *uncaught) {
-    writeText(file, uncaught);
-  } else {
-    writeText(file, nameOf(signal));
-  }
+  writeText(file, crash.cause);
+  writeText(file, " [");
+  writeText(file, crash.thread);
+  writeText(file, "]\n");
+  ::close(file);
+}
+
+void writeCrash(int signal) {
   std::array<char, 32> thread{};
   ::prctl(PR_GET_NAME, thread.data());
-  writeText(file, " [");
-  writeText(file, thread.data());
-  writeText(file, "]\nHaptiCell " HAPTICELL_VERSION "\n");
-  writeText(file, guarded->keeping == Keeping::kKept ? "the work was kept\n" : "the work could not be kept\n");
-  std::array<void*, 64> calls;
-  ::backtrace_symbols_fd(calls.data(), ::backtrace(calls.data(), static_cast<int>(calls.size())), file);
-  ::close(file);
+  const Crash crash{causeOf(signal), thread.data(), guarded->keeping == Keeping::kKept};
+  writeNote(crash);
+  if (guarded->report) guarded->report->write(crash);
 }
 
 void waitForKeeper() {
@@ -113,7 +116,7 @@ void handleBreak(int signal) {
   if (!guarded->broken.exchange(true)) {
     guarded->breaker = thread;
     waitForKeeper();
-    writeNote(signal);
+    writeCrash(signal);
   } else if (guarded->breaker != thread) {
     // The first one ends the program for all; the keeper that broke too must not keep it waiting.
     if (is_keeper) guarded->keeping = Keeping::kFailed;
@@ -153,11 +156,13 @@ void runKeeper() {
 
 }  // namespace
 
-CrashGuard::CrashGuard(std::function<bool()> keep, const std::filesystem::path& note) {
+CrashGuard::CrashGuard(std::function<bool()> keep, const std::filesystem::path& note,
+                       std::optional<CrashReport> report) {
   const std::string path = note.string();
   if (guarded || path.size() >= sizeof guarded->note) return;
   guarded = new Guarded;
   guarded->keep = std::move(keep);
+  guarded->report = std::move(report);
   std::memcpy(guarded->note.data(), path.c_str(), path.size() + 1);
   std::array<void*, 1> first;
   ::backtrace(first.data(), 1);  // Loads what it needs now: later there may be no memory.
@@ -190,7 +195,7 @@ CrashGuard::~CrashGuard() {
   guarded = nullptr;
 }
 #else
-CrashGuard::CrashGuard(std::function<bool()>, const std::filesystem::path&) {}
+CrashGuard::CrashGuard(std::function<bool()>, const std::filesystem::path&, std::optional<CrashReport>) {}
 CrashGuard::~CrashGuard() = default;
 #endif
 

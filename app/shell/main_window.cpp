@@ -21,16 +21,17 @@
 #include "app/measure/measure_dock.h"
 #include "app/panels/tree/tree_edits.h"
 #include "app/settings/settings_dock.h"
+#include "app/shell/action_watch.h"
 #include "app/shell/command_box.h"
 #include "app/shell/crash_guard.h"
 #include "app/shell/escape_key.h"
 #include "app/shell/panels.h"
 #include "app/shell/window_keys.h"
+#include "app/shell/window_log.h"
 #include "app/start/recent_files.h"
 #include "app/start/start_page.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
-#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/views/view_actions.h"
 #include "manipulation/scene/scene_service.h"
@@ -314,6 +315,7 @@ void MainWindow::setSnapshot(const std::optional<manipulation::SceneSnapshot>& s
 
 void MainWindow::setDeviceText(const QString& text, bool works) {
   status_.line().setDevice(text, works);
+  if (log_) log_->noteDevice(text, works);
 }
 void MainWindow::setGuiRate(double hertz) {
   status_.setGuiRate(hertz);

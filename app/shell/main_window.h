@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
@@ -13,6 +14,7 @@
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
 #include "app/host/user_settings.h"
+#include "app/shell/action_trail.h"
 #include "app/shell/actions.h"
 #include "app/shell/go_back.h"
 #include "app/shell/layouts.h"
@@ -22,15 +24,18 @@
 #include "app/shell/typed_keys.h"
 #include "app/shell/view_menus.h"
 #include "app/viewport/widget/viewport_widget.h"
+#include "config/log_level.h"
 #include "workcell/files/autosave.h"
 
 namespace hapticell::app {
 
+class ActionWatch;
 class CrashGuard;
 class FileWork;
 class RecentFiles;
 class StartPage;
 class TabbedDocks;
+class WindowLog;
 
 /// The host window: scene in the middle, docks round it, modules from the Applications menu. It knows of no device and
 /// of no force; it works without any module.
@@ -86,8 +91,11 @@ class MainWindow : public QMainWindow, public Host {
   /// cell, what is not saved is kept as after a crash and offered at the next start, modules end with their server.
   void endNow();
   /// From here on what is not saved is kept to the last edit when the program breaks (CrashGuard), and what broke is
-  /// noted for the next start. For the program itself; once.
-  void guardAgainstCrash();
+  /// noted for the next start, with a report in a file. Says once where the report of an earlier crash is. `program`:
+  /// version, commit, compiler and libraries, in lines. For the program itself; once.
+  void guardAgainstCrash(const std::string& program);
+  /// From here on the window writes its log file. Where it cannot, a message says so. For the program itself; once.
+  void keepLog(config::LogLevel level, const std::string& program);
   /// The whole window with the finished picture of the scene.
   QPixmap picture();
 
@@ -120,6 +128,8 @@ class MainWindow : public QMainWindow, public Host {
   void connectLeftWork();
   /// What the cell looks like, for the first page.
   void keepPicture();
+  void watchActions();
+  void reportImport(const std::filesystem::path& folder);
   bool mayDiscardCopy(const workcell::LeftWork& left);
   void documentChanged();
   void updateTitle();
@@ -140,7 +150,10 @@ class MainWindow : public QMainWindow, public Host {
   Layouts layouts_;
   std::unique_ptr<ModuleLoader> modules_;
   std::unique_ptr<FileWork> files_;
+  ActionTrail trail_;
   std::unique_ptr<CrashGuard> crash_guard_;
+  std::unique_ptr<ActionWatch> action_watch_;
+  std::unique_ptr<WindowLog> log_;
   const std::shared_ptr<manipulation::SceneService> scenes_;  ///< Threads of questions hold it too.
   GoBack go_back_;
   TypedKeys typed_keys_;

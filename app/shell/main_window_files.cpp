@@ -13,16 +13,20 @@
 #include <QTimer>
 #include <QUrl>
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "app/import/file_work.h"
 #include "app/kit/file_dialog.h"
 #include "app/panels/tree/tree_edits.h"
+#include "app/shell/action_watch.h"
 #include "app/shell/crash_guard.h"
+#include "app/shell/crash_report.h"
 #include "app/shell/file_opening.h"
 #include "app/shell/main_window.h"
+#include "app/shell/window_log.h"
 #include "app/start/recent_files.h"
 #include "app/start/start_page.h"
-#include "app/style/library_text.h"
 
 namespace hapticell::app {
 
@@ -239,10 +243,11 @@ bool MainWindow::saveDocument(bool ask_where) {
   if (path.isEmpty()) return false;
   const auto saved = document_.save(path);
   if (!saved) {
-    messages_.tell(Severity::kProblem, tr("The workcell was not saved"), shownText(saved.error()));
+    messages_.reportCause(Severity::kProblem, tr("The workcell was not saved"), saved.error());
     return false;
   }
   files_->guard().noteSaved();
+  if (log_) log_->noteSaved(path);
   recentFiles().add(path);
   keepPicture();
   files_->autosaver().discard();
@@ -307,15 +312,52 @@ void MainWindow::whenRecorded(const std::function<void()>& then) {
   recording_.stop();
 }
 
-void MainWindow::guardAgainstCrash() {
+void MainWindow::guardAgainstCrash(const std::string& program) {
   Autosaver& autosaver = files_->autosaver();
   const auto folder = autosaver.runFolder();
-  if (!folder) {
-    messages_.tell(Severity::kWarning, tr("The recovery copy could not be saved"), shownText(folder.error()));
-    return;
-  }
-  crash_guard_ =
-      std::make_unique<CrashGuard>([&autosaver] { return autosaver.keepNow(); }, workcell::crashNoteIn(*folder));
+  if (!folder)
+    return messages_.reportCause(Severity::kWarning, tr("The recovery copy could not be saved"), folder.error());
+  const auto reports = CrashReport::makeFolder();
+  if (!reports) messages_.reportCause(Severity::kWarning, tr("Crash reports cannot be saved"), reports.error());
+  std::optional<CrashReport> report;
+  if (reports) report.emplace(*reports, program, trail_);
+  crash_guard_ = std::make_unique<CrashGuard>([&autosaver] { return autosaver.keepNow(); },
+                                              workcell::crashNoteIn(*folder), std::move(report));
+  connect(&messages_, &MessageLog::told, this,
+          [this](const Message& message) { trail_.add("message: " + message.title.toStdString()); });
+  watchActions();
+  if (reports) reportImport(*reports);
+}
+
+void MainWindow::reportImport(const std::filesystem::path& folder) {
+  static constexpr const char* kDecided = "crash/told";
+  const auto reports = CrashReport::reportsIn(folder);
+  if (reports.empty()) return;
+  const QString newest = QString::fromStdString(reports.back().filename().string());
+  if (newest <= settings_.value(kDecided).toString()) return;
+  settings_.setValue(kDecided, newest);
+  messages_.tell(Severity::kInformation, tr("A report of the crash was saved on this computer"),
+                 tr("%1 holds the cause and your last actions. Nothing was sent. If you report the fault, you can "
+                    "attach this file.")
+                     .arg(QString::fromStdString(reports.back().string())));
+}
+
+void MainWindow::keepLog(config::LogLevel level, const std::string& program) {
+  auto log = config::ProgramLog::open("hapticell", level);
+  if (!log) return messages_.reportCause(Severity::kWarning, tr("There is no log file"), log.error());
+  log_ = std::make_unique<WindowLog>(std::move(*log), program);
+  log_->follow(*viewport_);
+  log_->follow(*files_);
+  log_->follow(messages_);
+  watchActions();
+}
+
+void MainWindow::watchActions() {
+  if (action_watch_) return;
+  action_watch_ = std::make_unique<ActionWatch>(*this, [this](const QString& name) {
+    trail_.add(name.toStdString());
+    if (log_) log_->noteAction(name);
+  });
 }
 
 void MainWindow::endNow() {

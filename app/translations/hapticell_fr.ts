@@ -447,6 +447,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 plus haut</translation>
     </message>
     <message>
+        <source>%1 holds the cause and your last actions. Nothing was sent. If you report the fault, you can attach this file.</source>
+        <translation>%1 contient la cause et vos dernières actions. Rien n'a été envoyé. Si vous signalez le défaut, vous pouvez joindre ce fichier.</translation>
+    </message>
+    <message>
         <source>%1 in ${%2}</source>
         <translation>%1, dans ${%2}</translation>
     </message>
@@ -865,6 +869,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 positions</source>
         <translation>%1 positions</translation>
+    </message>
+    <message>
+        <source>%1 processes have a log there</source>
+        <translation>%1 processus y ont déjà un journal</translation>
     </message>
     <message>
         <source>%1 responds at %2.</source>
@@ -2527,6 +2535,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Un programme n'a pas de temps : la durée des lignes est leur longueur divisée par leur vitesse ; les mouvements articulaires sont pris à 1 m/s et 180 deg/s fois leur pourcentage.</translation>
     </message>
     <message>
+        <source>A report of the crash was saved on this computer</source>
+        <translation>Un rapport du plantage a été enregistré sur cet ordinateur</translation>
+    </message>
+    <message>
         <source>A trajectory is not saved</source>
         <translation>Une trajectoire n'est pas enregistrée</translation>
     </message>
@@ -3761,6 +3773,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Coupling</source>
         <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Crash reports cannot be saved</source>
+        <translation>Les rapports de plantage ne peuvent pas être enregistrés</translation>
     </message>
     <message>
         <source>Create a new key (hapticell-haptic-server --pair). If nobody has read this one, run chmod 600 on it.</source>
@@ -9183,6 +9199,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le programme s'appelle '%1' : '%2' n'est pas un nom de %3 (lettres, chiffres et _, une lettre d'abord, %4 caractères au plus).</translation>
     </message>
     <message>
+        <source>The program runs on without a log file.</source>
+        <translation>Le programme continue sans fichier journal.</translation>
+    </message>
+    <message>
         <source>The program was terminated, or the power failed.</source>
         <translation>Le programme a été arrêté de l’extérieur, ou le courant a manqué.</translation>
     </message>
@@ -9345,6 +9365,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>There is no frame '%1' to move along; the cell's axes are used</source>
         <translation>Il n'y a pas de repère « %1 » à suivre ; les axes de la cellule sont utilisés</translation>
+    </message>
+    <message>
+        <source>There is no log file</source>
+        <translation>Il n'y a pas de fichier journal</translation>
     </message>
     <message>
         <source>There is no motion below this one.</source>
@@ -10869,6 +10893,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a list, a dictionary or a text after 'in'</source>
         <translation>une liste, un dictionnaire ou un texte après 'in'</translation>
+    </message>
+    <message>
+        <source>a log file that can be written</source>
+        <translation>un fichier journal accessible en écriture</translation>
     </message>
     <message>
         <source>a loop that depends on %1</source>
@@ -12865,6 +12893,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>entry '%1'</source>
         <translation>entrée '%1'</translation>
+    </message>
+    <message>
+        <source>error, warning, info or debug</source>
+        <translation>error, warning, info ou debug</translation>
     </message>
     <message>
         <source>everything that was packed</source>

@@ -14,7 +14,6 @@
 #include "app/host/message_log.h"
 #include "app/kit/action_face.h"
 #include "app/kit/file_dialog.h"
-#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "app/views/render_command.h"
@@ -31,7 +30,7 @@ void tell(Host& host, const QString& file, const Expected<void>& done) {
   if (done)
     host.messages().tell(Severity::kInformation, PictureMenu::tr("%1 is saved").arg(name));
   else
-    host.messages().tell(Severity::kProblem, PictureMenu::tr("%1 was not saved").arg(name), shownText(done.error()));
+    host.messages().reportCause(Severity::kProblem, PictureMenu::tr("%1 was not saved").arg(name), done.error());
 }
 
 RenderCommand commandFor(Host& host, const QString& file, const QSize& size) {

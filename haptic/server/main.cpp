@@ -7,11 +7,16 @@
 #include <time.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "config/configuration.h"
+#include "config/program_log.h"
 #include "config/program_version.h"
 #include "config/user_folders.h"
 #include "geometry/system/plain_text.h"
@@ -87,9 +92,23 @@ void writeFaults(ForceLoop& loop, FaultFiles& files) {
     spdlog::warn("Fault ({}) at tick {}: {}", toString(record.kind), record.tick, written.error().message());
 }
 
+/// Each line of what is printed, for the log file as well.
+void logLines(config::ProgramLog* log, const std::string& text) {
+  if (log == nullptr) return;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) log->write(config::LogLevel::kInfo, line);
+}
+
+void printReport(ForceLoop& loop, config::ProgramLog* log) {
+  loop.updateReport();
+  const std::string report = loopReport(loop.report());
+  std::fputs(report.c_str(), stderr);
+  logLines(log, report);
+}
+
 /// Waits for a signal to end, or for the time to be over; prints the figures at SIGUSR1.
 void waitForTheEnd(ForceLoop& loop, const sigset_t& signals, double seconds, FaultFiles& faults,
-                   const RecordingDevice* recording) {
+                   const RecordingDevice* recording, config::ProgramLog* log) {
   const RealClock clock;
   const std::int64_t end = clock.now() + toNanoseconds(seconds);
   bool told = false;
@@ -105,9 +124,7 @@ void waitForTheEnd(ForceLoop& loop, const sigset_t& signals, double seconds, Fau
     const timespec wait{static_cast<time_t>(left / 1'000'000'000), static_cast<long>(left % 1'000'000'000)};
     const int signal = sigtimedwait(&signals, nullptr, &wait);
     if (signal == SIGINT || signal == SIGTERM) return;
-    if (signal != SIGUSR1) continue;
-    loop.updateReport();
-    std::fputs(loopReport(loop.report()).c_str(), stderr);
+    if (signal == SIGUSR1) printReport(loop, log);
   }
 }
 
@@ -120,7 +137,7 @@ sigset_t blockSignals() {
   return signals;
 }
 
-Expected<void> serve(const ServerOptions& asked) {
+Expected<void> serve(const ServerOptions& asked, config::ProgramLog* log) {
   const auto configuration = config::loadConfiguration(asked.config);
   HAPTICELL_TRY(configuration);
   auto options = networkOptions(asked, *configuration);
@@ -149,19 +166,44 @@ Expected<void> serve(const ServerOptions& asked) {
   HAPTICELL_TRY(network);
   runner.start();
   for (const Text& warning : runner.warnings()) spdlog::warn("{}", english(warning));
-  std::printf("hapticell-haptic-server listens on %s:%u: %s at %g Hz.\n", (*network)->address().c_str(),
-              static_cast<unsigned>((*network)->port()), device.capabilities().name.c_str(),
-              configuration->haptic.rate_hz);
+  const std::string listening =
+      fmt::format("hapticell-haptic-server listens on {}:{}: {} at {:g} Hz.", (*network)->address(), (*network)->port(),
+                  device.capabilities().name, configuration->haptic.rate_hz);
+  std::puts(listening.c_str());
   std::fflush(stdout);
+  logLines(log, listening);
   FaultFiles faults(asked.fault_log.empty() ? config::userStateFolder()
                                             : Expected<std::filesystem::path>(asked.fault_log));
-  waitForTheEnd(loop, signals, asked.seconds, faults, recording);
+  waitForTheEnd(loop, signals, asked.seconds, faults, recording, log);
 
   runner.stop();  // Force zero before anything else ends.
   network->reset();
-  loop.updateReport();
-  std::fputs(loopReport(loop.report()).c_str(), stderr);
+  printReport(loop, log);
   return recording != nullptr ? recording->finish() : Expected<void>();
+}
+
+/// The server's own lines go to standard error and to the log file; null: only to the former.
+std::unique_ptr<config::ProgramLog> startLog(config::LogLevel level, const std::string& version) {
+  constexpr std::array kLevels{spdlog::level::err, spdlog::level::warn, spdlog::level::info, spdlog::level::debug};
+  spdlog::set_level(kLevels[static_cast<std::size_t>(level)]);
+  auto log = config::ProgramLog::open("hapticell-haptic-server", level);
+  if (!log) {
+    spdlog::warn("{}", plainText("There is no log file: " + log.error().message(), kLongestLine));
+    return nullptr;
+  }
+  spdlog::default_logger()->sinks().push_back((*log)->sink());
+  spdlog::flush_on(spdlog::level::trace);
+  logLines(log->get(), version);
+  return std::move(*log);
+}
+
+Expected<void> start(const ServerOptions& asked, const std::string& version) {
+  if (asked.pair) return pair(asked);
+  const auto log = startLog(asked.log_level, version);
+  auto served = serve(asked, log.get());
+  if (log && !served) log->write(config::LogLevel::kError, served.error().message());
+  if (log) log->write(config::LogLevel::kInfo, "hapticell-haptic-server ends");
+  return served;
 }
 
 int run(int count, char** words) {
@@ -171,14 +213,14 @@ int run(int count, char** words) {
     std::fputs(std::string(serverUsage()).c_str(), stdout);
     return 0;
   }
+  const std::string spdlog_version = std::to_string(SPDLOG_VER_MAJOR) + "." + std::to_string(SPDLOG_VER_MINOR) + "." +
+                                     std::to_string(SPDLOG_VER_PATCH);
+  const std::string version = config::versionText("hapticell-haptic-server", {{"spdlog", spdlog_version}});
   if (options && options->version) {
-    const std::string spdlog_version = std::to_string(SPDLOG_VER_MAJOR) + "." + std::to_string(SPDLOG_VER_MINOR) + "." +
-                                       std::to_string(SPDLOG_VER_PATCH);
-    const std::string text = config::versionText("hapticell-haptic-server", {{"spdlog", spdlog_version}});
-    std::puts(text.c_str());
+    std::puts(version.c_str());
     return 0;
   }
-  const auto served = options.and_then([](const auto& asked) { return asked.pair ? pair(asked) : serve(asked); });
+  const auto served = options.and_then([&version](const auto& asked) { return start(asked, version); });
   if (served) return 0;
   std::fprintf(stderr, "hapticell-haptic-server: %s\n", served.error().message().c_str());
   return 2;

@@ -44,6 +44,11 @@ Expected<void> setValue(ServerOptions& options, std::string_view option, std::st
   if (option == "--key") options.key = value;
   if (option == "--record") options.record = value;
   if (option == "--fault-log") options.fault_log = value;
+  if (option == "--log-level") {
+    const auto level = config::logLevelFrom(value);
+    HAPTICELL_TRY(level);
+    options.log_level = *level;
+  }
   if (option == "--port") {
     options.port = number<std::uint16_t>(value, 0, 65535);
     if (!options.port) return refuse(option, found, Text("a port from 0 (any) to 65535"));
@@ -62,8 +67,8 @@ Expected<void> setValue(ServerOptions& options, std::string_view option, std::st
 }
 
 bool takesValue(std::string_view option) {
-  for (const std::string_view known : {"--device", "--listen", "--config", "--key", "--record", "--fault-log", "--port",
-                                       "--seconds", "--state-rate"}) {
+  for (const std::string_view known : {"--device", "--listen", "--config", "--key", "--record", "--fault-log",
+                                       "--log-level", "--port", "--seconds", "--state-rate"}) {
     if (option == known) return true;
   }
   return false;
@@ -103,6 +108,7 @@ Options:
   --config FILE      a hapticell.toml to read besides the usual ones
   --record FILE      record the device's session, for --device replay:FILE
   --fault-log DIR    where the two seconds around a fault are written (default: ~/.local/state/hapticell)
+  --log-level LEVEL  error, warning, info or debug: how much goes to standard error and to the log file (default: info)
   --state-rate HZ    how often the stylus's state is sent at most (default: 1000)
   --seconds N        end by itself after so long
   --no-real-time     do not ask for real-time priority and locked memory

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "config/log_level.h"
 #include "geometry/system/error.h"
 
 namespace hapticell::haptic {
@@ -21,8 +22,8 @@ struct ServerOptions {
   double state_rate_hz = 1000.0;
   std::string record;     ///< A *.hdev file for recording the device's session; empty: no recording.
   std::string fault_log;  ///< Folder for the ticks around a fault; empty: the default one.
-  std::string
-      key;  ///< Key file that clients need, wherever it listens; empty: the user's own key beyond this machine.
+  config::LogLevel log_level = config::LogLevel::kInfo;  ///< Of standard error and of the log file.
+  std::string key;  ///< Key file that clients need, wherever it listens; empty: the user's own key beyond this machine.
   bool pair = false;      ///< Make and save a key, show its code and exit.
   bool real_time = true;  ///< Request real-time priority and locked memory.
   bool help = false, version = false;

@@ -36,6 +36,25 @@ TEST(Configuration, ShippedFileEqualsTheBuiltInValues) {
   }
 }
 
+TEST(Configuration, OfVersion01IsRead) {
+  const auto kept = readConfiguration(test::sourceFile("tests/samples/0.1/hapticell.toml").string());
+  ASSERT_TRUE(kept) << kept.error().message();
+  EXPECT_EQ(kept->haptic.rate_hz, 500.0);
+  EXPECT_EQ(kept->haptic.device, "touch");
+  EXPECT_EQ(kept->haptic.stiffness, 800.0);
+  EXPECT_EQ(kept->server.host, "192.168.1.20");
+  EXPECT_EQ(kept->server.port, 4800);
+  EXPECT_TRUE(kept->manipulation.hold_to_move);
+  EXPECT_EQ(kept->manipulation.safety_distance, 0.002);
+  EXPECT_FALSE(kept->robot.self_collision);
+  EXPECT_EQ(kept->scale.fine, 0.1);
+  EXPECT_EQ(kept->gui.theme, "light");
+  EXPECT_FALSE(kept->gui.sound);
+  EXPECT_EQ(kept->hand.mass, 0.2);
+  EXPECT_EQ(kept->materials.at("steel").friction, 0.25);
+  EXPECT_EQ(kept->materials.at("rubber").friction, 0.9);
+}
+
 TEST(Configuration, EveryKeyStandsInTheShippedFile) {
   const std::string text = textOf(test::sourceFile("config/hapticell.toml"));
   for (const Setting& setting : settings(Configuration{})) {

@@ -58,7 +58,7 @@ CopyFacts copyFactsIn(const std::filesystem::path& run);
 std::filesystem::path copyIn(const std::filesystem::path& run);
 /// Path of a picture of the copy, if the program made one (JPEG).
 std::filesystem::path pictureIn(const std::filesystem::path& run);
-/// Where the program notes what broke: a line of text, then what a developer reads.
+/// Where the program notes what broke, as one line of text.
 std::filesystem::path crashNoteIn(const std::filesystem::path& run);
 
 /// A document as it was when its run ended without saving it.

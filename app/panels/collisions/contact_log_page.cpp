@@ -10,7 +10,6 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/kit/file_dialog.h"
-#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "geometry/system/atomic_file.h"
 
@@ -90,7 +89,7 @@ bool ContactLogPage::save(const QString& path) {
     host_.messages().tell(Severity::kInformation, tr("The log is saved"), path);
     return true;
   }
-  host_.messages().tell(Severity::kProblem, tr("The log was not saved"), shownText(written.error()));
+  host_.messages().reportCause(Severity::kProblem, tr("The log was not saved"), written.error());
   return false;
 }
 

@@ -188,7 +188,7 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
         }
         return BackgroundWork::Then([this, names, path, notes, frames = written.size()] {
           for (const Text& note : notes)
-            host_.messages().tell(Severity::kInformation, tr("Exported program"), shownText(note));
+            host_.messages().reportCause(Severity::kInformation, tr("Exported program"), note);
           const QString line =
               tr("Saved: %1; frames: %2. Tool, base and safety settings are those of the controller. Check them there")
                   .arg(names.join(QStringLiteral(", ")))
@@ -199,7 +199,7 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
         });
       },
       [this, path](const Error& error) {
-        host_.messages().tell(Severity::kWarning, tr("The motion was not exported"), shownText(error));
+        host_.messages().reportCause(Severity::kWarning, tr("The motion was not exported"), error);
         emit told(shownText(error), true);
         emit finished(path, false);
       });
@@ -257,7 +257,7 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
         });
       },
       [this, paths](const Error& error) {
-        host_.messages().tell(Severity::kWarning, tr("The motion was not imported"), shownText(error));
+        host_.messages().reportCause(Severity::kWarning, tr("The motion was not imported"), error);
         emit told(shownText(error), true);
         emit finished(paths.front(), false);
       });

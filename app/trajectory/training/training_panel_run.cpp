@@ -144,11 +144,11 @@ void TrainingPanel::finish(const trajectory::Trajectory& run) {
   }
   attempt.kind = runs_->kind();
   auto kept = results_.keepRun(run);
-  if (!kept) host_.messages().tell(Severity::kWarning, tr("The run cannot be replayed later"), shownText(kept.error()));
+  if (!kept) host_.messages().reportCause(Severity::kWarning, tr("The run cannot be replayed later"), kept.error());
   attempt.recording = kept.value_or(std::string());
   results_.session().attempts.push_back(attempt);
   if (const auto written = results_.keep(); !written)
-    host_.messages().tell(Severity::kWarning, tr("The result was not saved"), shownText(written.error()));
+    host_.messages().reportCause(Severity::kWarning, tr("The result was not saved"), written.error());
   help_->setValue(100.0 * results_.session().nextHelp());
   shown_results_->fillRuns(results_.session());
   say(attempt.success ? tr("Passed with %1 points").arg(attempt.score.points, 0, 'f', 0)

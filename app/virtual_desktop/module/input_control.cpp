@@ -122,8 +122,8 @@ void InputControl::addFreeHand() {
       },
       [this](Expected<workcell::Entity> made) {
         if (!made)
-          return owner_.host().messages().tell(Severity::kProblem, QObject::tr("No hand was added"),
-                                               shownText(made.error()));
+          return owner_.host().messages().reportCause(Severity::kProblem, QObject::tr("No hand was added"),
+                                                      made.error());
         const workcell::Document& document = owner_.host().documentModel().document();
         made->name = document.uniqueName(made->name);
         made->X_WE.p = owner_.host().viewport().camera().target_W;

@@ -6,7 +6,6 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/settings/configuration_page.h"
-#include "app/style/library_text.h"
 #include "app/virtual_desktop/devices/station_pairing.h"
 
 namespace hapticell::app {
@@ -47,8 +46,8 @@ void StationServer::use(const QString& host, int port) {
   auto kept = writeSetting(userConfigurationFile(), QStringLiteral("server.host"), host);
   if (kept) kept = writeSetting(userConfigurationFile(), QStringLiteral("server.port"), QString::number(port));
   if (!kept)
-    host_.messages().tell(Severity::kWarning, tr("%1 is used, but only until you quit.").arg(address()),
-                          shownText(kept.error()));
+    host_.messages().reportCause(Severity::kWarning, tr("%1 is used, but only until you quit.").arg(address()),
+                                 kept.error());
 }
 
 void StationServer::setProfile(const QString& profile) {

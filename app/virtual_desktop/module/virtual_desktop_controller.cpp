@@ -104,8 +104,8 @@ void VirtualDesktopController::connectDevice() {
   if (loop_) return;
   auto options = haptic::linkOptionsFor(station_.host().toStdString(), static_cast<std::uint16_t>(station_.port()));
   if (!options) {
-    host_.messages().tell(Severity::kProblem, tr("The key for the haptic server cannot be used."),
-                          shownText(options.error()));
+    host_.messages().reportCause(Severity::kProblem, tr("The key for the haptic server cannot be used."),
+                                 options.error());
     return;
   }
   options->accept_watching = true;  // Where another window has the stylus, the user is asked.

@@ -6,14 +6,15 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include "app/kit/kept_picture.h"
 #include "app/settings/configuration_page.h"
 #include "app/settings/key_map.h"
 #include "app/settings/toml_edit.h"
 #include "app/settings/user_choices.h"
-#include "app/kit/kept_picture.h"
 #include "app/start/recent_files.h"
 #include "app/views/saved_views.h"
 #include "config/configuration.h"
+#include "tests/support/test_data.h"
 
 namespace hapticell::app {
 namespace {
@@ -33,6 +34,23 @@ TEST(UserSettings, AreThereAgainAtTheNextStart) {
   EXPECT_EQ(again.value("units/length").toInt(), 3);
   EXPECT_EQ(again.keysBelow("keys"), QStringList{"actionFit"});
   EXPECT_FALSE(again.value("gone").isValid());
+}
+
+TEST(UserSettings, OfVersion01AreRead) {
+  QTemporaryDir folder;
+  const QString file = folder.filePath("window.ini");
+  ASSERT_TRUE(QFile::copy(QString::fromStdString(test::sourceFile("tests/samples/0.1/window.ini").string()), file));
+  const UserSettings settings(file);
+  EXPECT_EQ(languageFrom(settings), "fr");
+  EXPECT_EQ(settings.value("theme").toString(), "light");
+  EXPECT_EQ(settings.keysBelow("keys"), QStringList{"actionFit"});
+  EXPECT_FALSE(settings.value("start/page").toBool());
+  const Units units = unitsFrom(settings);
+  EXPECT_EQ(units.length, Units::Length::kCentimetre);
+  EXPECT_EQ(units.length_decimals, 3);
+  EXPECT_EQ(units.angle_decimals, 2);
+  EXPECT_TRUE(navigationFrom(settings) == navigationPreset("solidworks"));
+  EXPECT_FALSE(navigationFrom(settings) == navigationPreset("hapticell"));
 }
 
 TEST(UserSettings, TellOfChangesOnlyWhereTheyAreSome) {

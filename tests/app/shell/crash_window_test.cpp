@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <QDir>
+#include <QFile>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
@@ -25,6 +27,7 @@
 namespace hapticell::app {
 namespace {
 
+constexpr const char* kProgram = "hapticell 9.9.9\ncommit: 0123456789ab\nlibraries: Qt";
 constexpr double kPlace = 0.75;  // m, of the last edit.
 
 void breakContract() {
@@ -56,8 +59,10 @@ void breakBy(const std::string& way) {
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
   CellPage page;
-  page.window().guardAgainstCrash();
+  page.window().guardAgainstCrash(kProgram);
   if (!cell.isEmpty() && !page.open(cell)) std::_Exit(3);
+  page.trigger("actionSelectAll");
+  page.window().messages().tell(Severity::kInformation, "told before the crash");
   const workcell::EntityId part = page.addBox("edited", 0.1);
   QTimer::singleShot(0, &page.window(), [&] {
     page.window().documentModel().execute(workcell::SetPlacement{part, Pose::translation({kPlace, 0.0, 0.0})});
@@ -90,6 +95,17 @@ struct Crash {
   }
 };
 
+/// The reports of crashes, oldest first.
+QStringList reports(const Crash& crash) {
+  const QDir folder(crash.folder.filePath("state/hapticell/crashes"));
+  QStringList texts;
+  for (const QString& name : folder.entryList({"crash-*.txt"}, QDir::Files, QDir::Name)) {
+    QFile file(folder.filePath(name));
+    if (file.open(QIODevice::ReadOnly)) texts << QString::fromUtf8(file.readAll());
+  }
+  return texts;
+}
+
 struct Restart : CellPage {
   Restart() { window().showStartPage(); }
   QList<LeftWorkCard*> cards() { return window().findChildren<LeftWorkCard*>("leftWork"); }
@@ -121,6 +137,37 @@ TEST_P(CrashedWindow, KeepsTheWorkToTheLastEditAndSaysWhatBroke) {
   EXPECT_TRUE(page.document().isDirty());
   EXPECT_TRUE(page.window().files().leftWork().empty()) << "it is this run's now";
   page.window().files().autosaver().discard();
+}
+
+TEST_P(CrashedWindow, LeavesOneReport) {
+  Crash crash;
+  crash.by(GetParam());
+  const QStringList texts = reports(crash);
+  ASSERT_EQ(texts.size(), 1);
+  for (const char* part :
+       {"cause: ", "thread: ", "kept in the recovery copy", "hapticell 9.9.9", "commit: 0123456789ab",
+        "actionSelectAll", "message: told before the crash", "calls, innermost first:\n/"})
+    EXPECT_TRUE(texts[0].contains(part)) << part << " is missing:\n" << texts[0].toStdString();
+}
+
+TEST(CrashReport, IsToldOnceByTheNextStart) {
+  Crash crash;
+  crash.by("memory");
+  const QString settings = crash.folder.filePath("window.ini");
+  const auto told = [&settings] {
+    MainWindow window({}, settings);
+    window.guardAgainstCrash(kProgram);
+    QStringList texts;
+    for (const Message& message : window.messages().messages())
+      if (message.title == "A report of the crash was saved on this computer") texts << message.text;
+    return texts;
+  };
+  const QStringList first = told();
+  ASSERT_EQ(first.size(), 1);
+  EXPECT_TRUE(first[0].contains("hapticell/crashes/crash-")) << first[0].toStdString();
+  EXPECT_TRUE(first[0].contains("Nothing was sent")) << first[0].toStdString();
+  EXPECT_TRUE(told().isEmpty());
+  EXPECT_EQ(reports(crash).size(), 1) << "it is kept";
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, CrashedWindow, testing::Values("contract", "worker", "memory", "uncaught", "twice"));

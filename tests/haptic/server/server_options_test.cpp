@@ -13,8 +13,9 @@ Expected<ServerOptions> parse(const std::vector<std::string_view>& words) {
 }
 
 TEST(ServerOptions, AllOfThem) {
-  const auto options = parse({"--device", "touch", "--listen=::1", "--port", "0", "--config", "my.toml",
-                              "--seconds=2.5", "--state-rate", "60", "--no-real-time", "--key=a.key", "--pair"});
+  const auto options =
+      parse({"--device", "touch", "--listen=::1", "--port", "0", "--config", "my.toml", "--seconds=2.5", "--state-rate",
+             "60", "--no-real-time", "--key=a.key", "--pair", "--log-level=debug"});
   ASSERT_TRUE(options.has_value());
   EXPECT_EQ(options->device, "touch");
   EXPECT_EQ(options->listen, "::1");
@@ -25,6 +26,7 @@ TEST(ServerOptions, AllOfThem) {
   EXPECT_FALSE(options->real_time);
   EXPECT_EQ(options->key, "a.key");
   EXPECT_TRUE(options->pair);
+  EXPECT_EQ(options->log_level, config::LogLevel::kDebug);
 }
 
 TEST(ServerOptions, NoneIsLoopbackAndAsConfigured) {
@@ -36,11 +38,13 @@ TEST(ServerOptions, NoneIsLoopbackAndAsConfigured) {
   EXPECT_TRUE(options->real_time);
   EXPECT_EQ(options->key, "");
   EXPECT_FALSE(options->pair);
+  EXPECT_EQ(options->log_level, config::LogLevel::kInfo);
 }
 
 TEST(ServerOptions, BadWordsAreNamed) {
   const std::vector<std::vector<std::string_view>> bad = {{"--port"},
                                                           {"--port", "66000"},
+                                                          {"--log-level", "loud"},
                                                           {"--port", "-1"},
                                                           {"--port", "47x"},
                                                           {"--port", ""},

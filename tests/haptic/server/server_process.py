@@ -6,9 +6,9 @@ import subprocess
 
 
 class Server:
-    def __init__(self, program, *options):
+    def __init__(self, program, *options, environment=None):
         self.process = subprocess.Popen([program, "--port", "0", "--no-real-time", *options], stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE, text=True)
+                                        stderr=subprocess.PIPE, text=True, env=environment)
         self.line = self.process.stdout.readline()
         found = re.search(r"listens on (.*):(\d+): (.*) at (\S+) Hz", self.line)
         if not found:

@@ -60,6 +60,30 @@ def test_takes_device_and_configuration():
         assert "rate_hz" in said and "my.toml" in said, said
 
 
+def test_writes_its_log_in_the_state_folder():
+    with tempfile.TemporaryDirectory() as folder:
+        environment = dict(os.environ, XDG_STATE_HOME=folder)
+        logs = pathlib.Path(folder) / "hapticell" / "logs"
+        with Server(PROGRAM, environment=environment) as first, Server(PROGRAM, environment=environment) as second:
+            for server in (first, second):
+                status, errors = server.end()
+                assert status == 0, errors
+        for name in ("hapticell-haptic-server.log", "hapticell-haptic-server-2.log"):
+            log = (logs / name).read_text()
+            assert "commit: " in log and "listens on" in log and "Force loop:" in log and "server ends" in log, log
+        with Server(PROGRAM, "--log-level", "error", environment=environment) as server:
+            assert server.end()[0] == 0
+        assert (logs / "hapticell-haptic-server.log").read_text().count("listens on") == 1
+
+
+def test_serves_without_a_log_where_none_can_be_written():
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "hapticell").write_text("no folder")
+        with Server(PROGRAM, environment=dict(os.environ, XDG_STATE_HOME=folder)) as server:
+            status, errors = server.end()
+            assert status == 0 and errors.count("There is no log file: ") == 1, errors
+
+
 def privileges(process):
     """Users, groups and capabilities of a process, as the kernel tells them."""
     lines = pathlib.Path(f"/proc/{process}/status").read_text().splitlines()

@@ -57,6 +57,16 @@ Cell cellOf(const std::string& stem) {
   return cell;
 }
 
+TEST(Exercise, OfVersion01IsReadWithItsCellAndMotion) {
+  const fs::path folder = hapticell::test::sourceFile("tests/samples/0.1");
+  const auto kept = readExercise(folder / "extraction.hexercise");
+  ASSERT_TRUE(kept) << kept.error().message();
+  EXPECT_EQ(kept->name, "Extraction");
+  EXPECT_EQ(kept->workcell, folder / "extraction.hcell");
+  EXPECT_EQ(kept->recording, folder / "extraction-expert.htraj");
+  EXPECT_EQ(kept->tube_radius, 0.015);
+}
+
 TEST(ExerciseFile, IsComparedFieldByField) {
   const test::TemporaryFolder folder;
   Exercise exercise;

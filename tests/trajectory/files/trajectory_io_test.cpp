@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/test_data.h"
 #include "tests/trajectory/motion/motions.h"
 #include "trajectory/editing/editing.h"
 #include "trajectory/files/ros_trajectory.h"
@@ -61,6 +62,16 @@ void expectEqualBits(const Trajectory& a, const Trajectory& b, bool poses) {
     }
     for (std::size_t j = 0; j < a.joint_names.size(); ++j) EXPECT_EQ(a.joints(i)[j], b.joints(i)[j]) << i;
   }
+}
+
+TEST(TrajectoryFile, OfVersion01IsRead) {
+  std::vector<Text> notes;
+  const auto kept = readTrajectory(hapticell::test::sourceFile("tests/samples/0.1/extraction-expert.htraj"), &notes);
+  ASSERT_TRUE(kept) << kept.error().message();
+  EXPECT_TRUE(notes.empty()) << english(notes);
+  EXPECT_EQ(kept->size(), 12u);
+  EXPECT_EQ((*kept)[0].X_WT.p.z, 0.14237772996932505);
+  EXPECT_TRUE(kept->findChannel("force_z").has_value());
 }
 
 TEST_F(TrajectoryFiles, NamesOfPointsComeBack) {

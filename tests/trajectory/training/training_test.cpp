@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/test_data.h"
 #include "tests/trajectory/motion/motions.h"
 #include "trajectory/editing/editing.h"
 #include "trajectory/training/path_progress.h"
@@ -34,6 +35,18 @@ Trajectory inAndOut() {
     motion.addFrame({t, Pose::translation({0, 0, -0.05 * (t <= 1.0 ? t : 2.0 - t)})});
   }
   return motion;
+}
+
+TEST(Training, ResultsOfVersion01AreRead) {
+  const auto kept = readTraining(hapticell::test::sourceFile("tests/samples/0.1/kim.htrain"));
+  ASSERT_TRUE(kept) << kept.error().message();
+  EXPECT_EQ(kept->trainee, "Kim");
+  ASSERT_EQ(kept->attempts.size(), 2u);
+  EXPECT_TRUE(kept->attempts[0].success);
+  EXPECT_EQ(kept->attempts[0].score.points, 71.5);
+  EXPECT_EQ(kept->attempts[1].score.contacts, 7);
+  EXPECT_EQ(kept->attempts[1].kind, RunKind::kPractice);
+  EXPECT_EQ(kept->nextHelp(), 0.8);
 }
 
 TEST(PathProgress, TellsTheWayInFromTheWayOut) {

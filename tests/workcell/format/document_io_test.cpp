@@ -7,6 +7,8 @@
 
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <utility>
 
 #include "geometry/shapes/mass_properties.h"
 #include "geometry/shapes/shapes.h"
@@ -87,6 +89,19 @@ class DocumentFile : public ::testing::Test {
   test::TemporaryFolder folder;
   fs::path path;
 };
+
+TEST(KeptDocuments, OfVersion01OpenWithoutAWord) {
+  const std::map<std::string, std::pair<std::size_t, std::string>> cells{
+      {"extraction.hcell", {7, "filter unit"}}, {"robot.hcell", {1, "robot"}}, {"workbench.hcell", {19, "operator"}}};
+  for (const auto& [name, facts] : cells) {
+    Diagnostics diagnostics;
+    const auto kept = loadDocument(hapticell::test::sourceFile("tests/samples/0.1/" + name), diagnostics);
+    ASSERT_TRUE(kept) << kept.error().message();
+    EXPECT_TRUE(diagnostics.warnings.empty()) << name << ": " << english(diagnostics.warnings);
+    EXPECT_EQ(kept->state().entities.size(), facts.first) << name;
+    EXPECT_NE(kept->findByName(facts.second), nullptr) << name;
+  }
+}
 
 TEST_F(DocumentFile, AFreeHandIsSavedWithItsFingersAndIsOneAgain) {
   Document cell;
