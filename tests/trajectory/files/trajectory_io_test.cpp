@@ -148,7 +148,7 @@ TEST_F(TrajectoryFiles, NumbersDoNotFollowTheLocale) {
 TEST_F(TrajectoryFiles, FaultsNameFileAndPlace) {
   const std::string head = R"({"format":"hapticell-trajectory","version":1,"joints":["a"],"frames":)";
   const std::pair<std::string, std::string> faults[] = {
-      {"{", "not JSON"},
+      {"{", "invalid JSON"},
       {R"({"format":"other"})", "format"},
       {R"({"format":"hapticell-trajectory","version":2})", "newer"},
       {head + "[[0,0,0,0,1,0,0,0]]}", "frame 0"},

@@ -391,7 +391,7 @@ TEST(RecordedByAnyProgram, UpIsReportedAndCanBeTold) {
   const auto lying = mannequin::recordedMotion(*clip, told);
   ASSERT_TRUE(lying);
   EXPECT_EQ(lying->up, mannequin::UpAxis::kY);
-  EXPECT_NE(english(lying->assumptions.front()).find("as given; the head is over the feet along the file's z axis"),
+  EXPECT_NE(english(lying->assumptions.front()).find("as set; the head is above the feet along the file's z axis"),
             std::string::npos);
   const auto score = scoreMotion(*lying, *mannequin::makeFigure({}), MotionMethod::kRula, {});
   EXPECT_GT(score->frames.front().trunk_inclination, 70.0);

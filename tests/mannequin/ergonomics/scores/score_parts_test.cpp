@@ -49,7 +49,7 @@ TEST_F(ForceTables, WithoutASourceTheFilesNameIsIt) {
 }
 
 TEST_F(ForceTables, WhatIsWrongIsRefusedByLineAndName) {
-  EXPECT_THAT(problem("limit_n\n"), HasSubstr("row"));
+  EXPECT_THAT(problem("limit_n\n"), HasSubstr("line of values"));
   EXPECT_NE(problem(""), "");
   EXPECT_THAT(problem("limit_n,colour\n100,red\n"), HasSubstr("colour"));
   EXPECT_THAT(problem("limit_n\nmany\n"), HasSubstr("line 2"));

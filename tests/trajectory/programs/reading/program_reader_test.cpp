@@ -113,7 +113,7 @@ TEST(ProgramReader, KrlOfAPendantWithBaseRelativeMovesLoopsAndARoutine) {
   EXPECT_NEAR(motion[2].t - motion[1].t, 0.75 + 0.05 / 0.5, 1e-9);
   EXPECT_TRUE(says(read->notes, "Line 20: left out")) << all(read->notes);
   EXPECT_TRUE(says(read->notes, "xhome")) << all(read->notes);
-  EXPECT_TRUE(says(read->notes, "lines 7, 8, 34, 35")) << all(read->notes);
+  EXPECT_TRUE(says(read->notes, ": 7, 8, 34, 35")) << all(read->notes);
 }
 
 TEST(ProgramReader, KrlWithNewInlineFormsAndCircles) {
@@ -203,7 +203,7 @@ ENDMODULE
   expectPose(motion, 6, {0.1, 0.0, 0.6}, {0, 0, 1, 0});
   expectPose(motion, 7, {0.101, 0.002, 0.603}, {0, 0, 1, 0});
   EXPECT_TRUE(
-      says(read->notes, "Line 16: left out, as it comes before the first known target: a target given by joints"))
+      says(read->notes, "Line 16: left out, because it is before the first known target: a target given by joints"))
       << all(read->notes);
 }
 
