@@ -168,6 +168,7 @@ int main(int count, char** words) {
   char* folder = unpackedFolder(self, offset);
   setenv("APPDIR", folder, 1);
   setenv("APPIMAGE", self, 1);
+  setenv("ARGV0", words[0] != NULL ? words[0] : "", 1);
   char* program = text("%s/AppRun", folder);
   execv(program, words);
   stop("%s cannot be started: %s", program, strerror(errno));
