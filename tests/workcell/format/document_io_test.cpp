@@ -243,7 +243,7 @@ TEST(DocumentText, NamesEntityAndKeyOfABadValue) {
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "hand:left:male:0"}})")), HasSubstr("0.1 to 99.9"));
   const std::string two =
       R"({"name": "a", "source": {"file": "sphere:1"}}, {"name": "a", "source": {"file": "sphere:1"}})";
-  EXPECT_THAT(refused(document(two)), HasSubstr("taken"));
+  EXPECT_THAT(refused(document(two)), HasSubstr("already in use"));
 }
 
 TEST(DocumentText, WarnsOfUnknownKeysAndNames) {

@@ -133,7 +133,7 @@ TEST(MeshReader, IsIndependentOfTheLocale) {
   const TriangleMesh mesh = parsed("v 0.5 0 0\nv 1.5 0 0\nv 0 2.25 0\nf 1 2 3\n", "a.obj");
   std::setlocale(LC_ALL, "C");
   EXPECT_NEAR(mesh.bounds().max.y, 2.25, 0.0);
-  EXPECT_THAT(refused("v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj"), HasSubstr("line 1: vertex with '0,5'"));
+  EXPECT_THAT(refused("v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj"), HasSubstr("line 1: a vertex with '0,5'"));
 }
 
 TEST(StlReader, RefusesTruncatedBinary) {
@@ -158,8 +158,8 @@ TEST(StlReader, NamesTheTriangleWithABadVertex) {
   mesh.vertices.push_back({0.0, std::nan(""), 0.0});
   mesh.triangles[4][1] = 8;
   EXPECT_THAT(refused(test::stlBinary(mesh), "nan.stl"),
-              HasSubstr("nan.stl, triangle 5 of 12: vertex with the coordinate nan"));
-  EXPECT_THAT(refused(test::stlAscii(mesh), "nan.stl"), HasSubstr("line 33: vertex with the coordinate nan"));
+              HasSubstr("nan.stl, triangle 5 of 12: a vertex with the coordinate nan"));
+  EXPECT_THAT(refused(test::stlAscii(mesh), "nan.stl"), HasSubstr("line 33: a vertex with the coordinate nan"));
   mesh.vertices.back() = {0.0, 0.0, -std::numeric_limits<double>::infinity()};
   EXPECT_THAT(refused(test::stlBinary(mesh), "inf.stl"), HasSubstr("coordinate -inf"));
   mesh.vertices.back() = {1e30, 0.0, 0.0};
@@ -169,7 +169,7 @@ TEST(StlReader, NamesTheTriangleWithABadVertex) {
 TEST(StlReader, RefusesTruncatedText) {
   const std::string text = test::stlAscii(geometry::makeBox(dvec3(1.0)));
   EXPECT_THAT(refused(text.substr(0, text.rfind("endsolid")), "a.stl"), HasSubstr("the file ends"));
-  EXPECT_THAT(refused(text.substr(0, text.rfind("endloop")), "a.stl"), HasSubstr("the file ends; expected 'endloop'"));
+  EXPECT_THAT(refused(text.substr(0, text.rfind("endloop")), "a.stl"), HasSubstr("the file ends too early; expected 'endloop'"));
   EXPECT_THAT(refused("solid\nfacet normal 0 0 1\nouter loop\nvertex 1 2\n", "a.stl"),
               HasSubstr("the file ends inside a vertex"));
   EXPECT_THAT(refused("solid\nendsolid\n", "a.stl"), HasSubstr("no triangles"));
@@ -221,7 +221,7 @@ TEST(ObjReader, RefusesWhatDoesNotFit) {
   EXPECT_THAT(refused(three + "f 1 2 99999999999999999999\n", "a.obj"), HasSubstr("line 4"));
   EXPECT_THAT(refused("v 0 0\n" + three + "f 1 2 3\n", "a.obj"), HasSubstr("line 1: a vertex with fewer than three"));
   EXPECT_THAT(refused("v 0 inf 0\n" + three + "f 1 2 3\n", "a.obj"),
-              HasSubstr("line 1: vertex with the coordinate inf"));
+              HasSubstr("line 1: a vertex with the coordinate inf"));
   EXPECT_THAT(refused(std::string("\xFF\xFEv\0 \0", 6), "a.obj"), HasSubstr("UTF-16"));
   EXPECT_THAT(refused("", "a.obj"), HasSubstr("empty"));
 }
@@ -242,7 +242,7 @@ TEST(PlyReader, RefusesWhatDoesNotFit) {
       refused("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
               "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n",
               "a.ply"),
-      HasSubstr("vertex 3 of 3: vertex with the coordinate nan"));
+      HasSubstr("vertex 3 of 3: a vertex with the coordinate nan"));
 }
 
 TEST(PlyReader, ReadsTriangleStripsAndQuads) {

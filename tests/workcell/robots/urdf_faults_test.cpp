@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"MimicCircle",
               robotText(kTwoLinks + linkText("c") + jointText("j", "a", "b", "continuous", "<mimic joint=\"k\"/>") +
                         jointText("k", "b", "c", "continuous", "<mimic joint=\"j\"/>")),
-              {"circle"}}),
+              {"mimics itself"}}),
     [](const auto& case_info) { return case_info.param.name; });
 
 TEST(UrdfFaults, DeepNestingIsRefusedBeforeAnyParserRecurses) {
