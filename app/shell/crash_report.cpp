@@ -11,6 +11,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <string_view>
 #include <utility>
 
@@ -53,7 +54,7 @@ struct Now {
 
   static Now get() {
     using namespace std::chrono;
-    const auto now = floor<seconds>(system_clock::now());
+    const sys_seconds now{seconds(std::time(nullptr))};
     const auto midnight = floor<days>(now);
     const year_month_day date(midnight);
     const hh_mm_ss time(now - midnight);

@@ -66,7 +66,8 @@ void WindowLog::noteSaved(const QString& path) {
 }
 
 void WindowLog::noteDevice(const QString& text, bool works) {
-  const QString state = text.isEmpty() ? QStringLiteral("none") : works ? text : text + " (does not work)";
+  QString state = text.isEmpty() ? QStringLiteral("none") : text;
+  if (!text.isEmpty() && !works) state += QStringLiteral(" (does not work)");
   if (std::exchange(device_, state) != state) write(LogLevel::kInfo, "device: " + state);
 }
 

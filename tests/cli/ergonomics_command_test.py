@@ -292,9 +292,9 @@ def test_own_limits_of_the_hands_force(case):
     assert not found["partial"], found
     right = next(limit for limit in found["limits"] if limit["method"] == "own" and limit["hand"] == "right")
     assert right["limit_n"] == 30 and abs(right["share"] - 2.4 * 9.80665 / 30) < 1e-9
-    for text, name in (("hand,force\nany,3\n", "force"), ("limit_n\n-3\n", "limit_n"), ("limit_n\n", "row"), ("hand\nleft\n", "limit_n"),
+    for text, name in (("hand,force\nany,3\n", "force"), ("limit_n\n-3\n", "limit_n"), ("limit_n\n", "line of values"), ("hand\nleft\n", "limit_n"),
                        ("hand,limit_n\nboth,3\n", "hand"), ("height_from_m,height_to_m,limit_n\n2,1,3\n", "height_to_m"),
-                       ("limit_n\n1,2\n", "fields"), ("", "names")):
+                       ("limit_n\n1,2\n", "fields"), ("", "no header line")):
         table.write_text(text)
         assert name in case.run(*figure, "--force-limits", table, expect=2), text
 

@@ -207,7 +207,7 @@ def test_models_that_include_each_other(folder):
     file.write_text("<sdf version='1.6'><world name='w'><include><uri>model://c0</uri></include></world></sdf>")
     run = Run("inspect", file)
     assert run.status in (0, 2) and "Segmentation" not in run.said, run.said
-    assert run.status == 2 or any("takes itself in" in w for w in json.loads(run.answer)["warnings"]), run.answer
+    assert run.status == 2 or any("it includes itself" in w for w in json.loads(run.answer)["warnings"]), run.answer
 
 
 def gltf(nodes, **more):
@@ -223,7 +223,7 @@ def test_nodes_that_unfold(folder):
     doubled = [{"children": [k + 1, k + 1], "mesh": 0} for k in range(60)] + [{"mesh": 0}]
     circle = [{"children": [1], "mesh": 0}, {"children": [2]}, {"children": [1]}]
     chain = [{"children": [k + 1]} for k in range(100_000)] + [{"mesh": 0}]
-    for name, nodes, says in (("doubled", doubled, "expands to more than"), ("circle", circle, "holds itself"), ("chain", chain, "levels")):
+    for name, nodes, says in (("doubled", doubled, "expands to more than"), ("circle", circle, "contains itself"), ("chain", chain, "levels")):
         file = folder / f"{name}.gltf"
         file.write_text(gltf(nodes))
         refused(name, "inspect", file, says=says)
@@ -256,7 +256,7 @@ def test_components_that_unfold(folder):
     doubled = "".join(f"<object id='{k}'>{uses(k + 1, k + 1)}</object>" for k in range(60)) + f"<object id='60'>{MESH}</object>"
     circle = f"<object id='0'>{uses(1)}</object><object id='1'>{uses(0)}</object>"
     nested = "<object id='0'>" + "<components>" * 100_000
-    for name, objects, says in (("doubled", doubled, "expands to more than"), ("circle", circle, "holds itself"), ("nested", nested, "nested")):
+    for name, objects, says in (("doubled", doubled, "expands to more than"), ("circle", circle, "contains itself"), ("nested", nested, "nested")):
         three_mf(folder / f"{name}.3mf", objects, "<item objectid='0'/>")
         refused(name, "inspect", folder / f"{name}.3mf", says=says)
     three_mf(folder / "items.3mf", f"<object id='0'>{MESH}</object>", "<item objectid='0'/>" * 400_000)
@@ -281,7 +281,7 @@ def test_instances_that_unfold(folder):
     doubled = "".join(uses(k, k + 1, k + 1) for k in range(40)) + last
     circle = uses(0, 1) + uses(1, 0)
     start = "<node id='root'><instance_node url='#n0'/></node>"
-    for name, nodes, says in (("doubled", doubled, "expands to more than"), ("circle", circle, "holds itself")):
+    for name, nodes, says in (("doubled", doubled, "expands to more than"), ("circle", circle, "contains itself")):
         file = folder / f"{name}.dae"
         file.write_text(collada(nodes, start))
         refused(name, "inspect", file, says=says)

@@ -185,7 +185,7 @@ TEST_F(FileCommands, WhatIsWrongIsOneSentenceAndNothingIsWritten) {
       {{"--add", "part.obj,pose=1,2,3"}, "seven numbers"},
       {{"--add", "part.obj,pose=0,0,0,1,0,0,nan"}, "seven numbers"},
       {{"--add", "part.obj,pose=0,0,0,2,0,0,0"}, "length 1"},
-      {{"--add", "part.obj,name=a", "--add", "part.obj,name=a"}, "taken"},
+      {{"--add", "part.obj,name=a", "--add", "part.obj,name=a"}, "already in use"},
       {{"--add", "mannequin:male:500"}, "0.1 to 99.9"},
       {{"--add", "library:nothing"}, "library:nothing"},
       {{"--add", "box:1,2"}, "box:length (above 0), width (above 0), height (above 0)"},
