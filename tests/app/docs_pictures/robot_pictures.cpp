@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of the docks of robots.
+#include "tests/app/docs_pictures/picture_page.h"
+
+namespace hapticell::app {
+namespace {
+
+/// A configuration beside the present one, as a ghost.
+void configurations(const PictureTask& task) {
+  PicturePage page(task, Stylus::kSimulated);
+  ASSERT_TRUE(page.openShipped("workcells/demo.hcell"));
+  page.look({2.45, -1.85, 1.85}, {0.72, 0.1, 0.80});
+  page.showDock("dockCollisions");
+  page.select(page.document().findByName("robot")->id);
+  page.showDock("dockRobot");
+  auto* table = page.find<QTableView>("tableConfigurations");
+  ASSERT_NE(table, nullptr);
+  constexpr int kRow = 2;
+  ASSERT_TRUE(PicturePage::until([&] { return table->model()->rowCount() > kRow; }, PicturePage::kPatience));
+  PicturePage::rest(2000);  // The ways there are computed, and the rows sorted by them.
+  page.click(table->viewport(), table->visualRect(table->model()->index(kRow, 0)).center());
+  const auto ghosts = [&] { return page.window().viewport().scene().ghosts().size(); };
+  ASSERT_TRUE(PicturePage::until([&] { return ghosts() == 1u; }, PicturePage::kPatience)) << "no ghost";
+  page.keep();
+}
+
+void library(const PictureTask& task) {
+  PicturePage page(PictureTask{task.name, {1200, 800}, task.dock, task.file}, Stylus::kNone);
+  page.trigger("actionAddRobot");
+  page.keepDock(task.size);
+}
+
+}  // namespace
+
+std::vector<DocsPicture> robotPictures() {
+  return {{"robot-configurations", {1300, 731}, "dockRobot", configurations},
+          {"robot-library", {345, 980}, "dockAddRobot", library}};
+}
+
+}  // namespace hapticell::app
