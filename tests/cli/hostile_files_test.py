@@ -287,7 +287,7 @@ def test_instances_that_unfold(folder):
         refused(name, "inspect", file, says=says)
     file = folder / "own.dae"
     file.write_text(collada("", "<node id='a'><instance_node url='#a'/><instance_geometry url='#g'/></node>"))
-    refused("a node in itself", "inspect", file, says="holds itself")
+    refused("a node in itself", "inspect", file, says="contains itself")
     file = folder / "sound.dae"
     file.write_text(collada(uses(0, 40, 40) + last, start))
     assert Run("inspect", file).status == 0, "twice is harmless"
