@@ -41,7 +41,7 @@ ALLOWED = {
     "app": {"*"},
 }
 # Tests that belong to no folder of the program, or serve several of one.
-TESTS_BESIDE = {"support", "architecture", "consumer", "fuzz", "app/pages", "haptic/devices/odd_drivers"}
+TESTS_BESIDE = {"support", "architecture", "consumer", "fuzz", "app/docs_pictures", "app/pages", "haptic/devices/odd_drivers"}
 # Foreign headers that only some folders may see.
 FOREIGN = {
     r"^Q[A-Z]|^QtCore|^Qt": {"app"},
