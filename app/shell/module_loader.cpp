@@ -19,7 +19,7 @@ ModuleLoader::~ModuleLoader() {
 
 QStringList ModuleLoader::defaultFolders() {
   const QDir program(QCoreApplication::applicationDirPath());
-  return {program.filePath("modules"), program.filePath("../lib/hapticell/modules")};
+  return {program.filePath("modules"), program.filePath("../" HAPTICELL_LIBRARY_FOLDER "/hapticell/modules")};
 }
 
 void ModuleLoader::load(const QStringList& folders) {

@@ -19,7 +19,8 @@ class ModuleLoader {
   ~ModuleLoader();
   /// Loads every hapticell-module-* of the folders; problems() lists those that do not load.
   void load(const QStringList& folders);
-  /// Where modules are looked for: `modules` beside the program, then lib/hapticell/modules of the installation.
+  /// Where modules are looked for: `modules` beside the program, then hapticell/modules in the lib folder of the
+  /// installation.
   static QStringList defaultFolders();
   const std::vector<Module*>& modules() const { return modules_; }
   const QStringList& problems() const { return problems_; }

@@ -66,7 +66,7 @@ std::vector<fs::path> driverFolders() {
   for (const fs::path& folder : config::absoluteEntries(std::getenv("HAPTICELL_DRIVERS"))) folders.push_back(folder);
   for (const fs::path& programs : config::programFolders()) {
     folders.push_back(programs / "drivers");
-    folders.push_back(programs.parent_path() / "lib" / "hapticell" / "drivers");
+    folders.push_back(programs.parent_path() / HAPTICELL_LIBRARY_FOLDER / "hapticell" / "drivers");
   }
   if (const auto own = config::userLibraryFolder()) folders.push_back(*own / "drivers");
   return folders;

@@ -27,7 +27,7 @@ struct LoadedDriver {
 Expected<driver::Driver*> loadDriver(const std::filesystem::path& file);
 
 /// The folders that are searched for drivers: those of HAPTICELL_DRIVERS (separated by `:`), `drivers` next to the
-/// program, `lib/hapticell/drivers` of its installation, `~/.local/lib/hapticell/drivers`.
+/// program, `hapticell/drivers` in the lib folder of its installation, `~/.local/lib/hapticell/drivers`.
 std::vector<std::filesystem::path> driverFolders();
 
 /// Passes a driver its own settings.

@@ -92,7 +92,7 @@ def test_settings_and_plug_ins_that_others_may_write_are_refused(folder):
     (drivers / "odd.so").chmod(0o666)
     listing = json.loads(run("devices", folder=folder, HAPTICELL_DRIVERS=drivers).stdout)
     odd = next(driver for driver in listing["drivers"] if driver["name"] == "odd")
-    assert not odd["usable"] and "other users may write" in odd["problem"], odd
+    assert not odd["usable"] and "other users can write" in odd["problem"], odd
 
 
 def code_of(folder):

@@ -68,7 +68,7 @@ TEST(PairingKey, WhatIsNoCodeIsRefused) {
   EXPECT_THAT(PairingKey::parse(code.substr(1)).error().message(), HasSubstr("27 characters"));
   EXPECT_THAT(PairingKey::parse(code + "0").error().message(), HasSubstr("29 characters"));
   EXPECT_THAT(PairingKey::parse("U" + code.substr(1)).error().message(), HasSubstr("'U'"));
-  EXPECT_THAT(PairingKey::parse(std::string(100'000, '7')).error().message(), HasSubstr("signs"));
+  EXPECT_THAT(PairingKey::parse(std::string(100'000, '7')).error().message(), HasSubstr("characters"));
 }
 
 TEST(PairingKey, AFileIsForItsOwnerOnly) {
