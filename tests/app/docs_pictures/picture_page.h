@@ -157,6 +157,7 @@ class PicturePage : public ServerFirst, public CellPage {
     };
     until([&] { return !works(); }, kPatience);
     until([this] { return window().viewport().missingParts() == 0; }, kPatience);
+    if (task_.dock) showDock(task_.dock);  // A selection or a hold may have raised another one.
     until([this] { return window().viewport().isFinished(); }, 5000);  // Never, while something moves.
   }
   /// Something stands in the middle of the scene; beside it lie the cube and the strips.
