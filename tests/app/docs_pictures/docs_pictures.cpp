@@ -107,7 +107,7 @@ std::string plan(const Words& words) {
   for (const DocsPicture& picture : allPictures()) {
     const QString name = QString::fromLatin1(picture.name);
     if (!isWanted(words, name)) continue;
-    const PictureTask task{name, picture.size, picture.dock, fileOf(words, name)};
+    const PictureTask task{name, picture.size, picture.dock, fileOf(words, name), picture.window};
     const QString test = QString(name).replace('-', '_');  // In a filter, a minus begins what is left out.
     testing::RegisterTest("Picture", qPrintable(test), nullptr, nullptr, __FILE__, __LINE__,
                           [take = picture.take, task]() -> testing::Test* { return new Taken(take, task); });

@@ -28,7 +28,7 @@ void lookAtAll(PicturePage& page) {
 
 void importDock(const PictureTask& task) {
   HAPTICELL_DATA_OR_SKIP(file, kAssembly);
-  PicturePage page(PictureTask{task.name, {1200, 800}, task.dock, task.file}, Stylus::kNone);
+  PicturePage page(PictureTask{task.name, {1200, 800}, task.dock, task.file, {}}, Stylus::kNone);
   page.window().importFiles({file});
   const auto isRead = [&] { return page.find<QAbstractButton>("importAccept")->isEnabled(); };
   ASSERT_TRUE(PicturePage::until(isRead, PicturePage::kPatience));
@@ -85,8 +85,8 @@ void snp(const PictureTask& task) {
 
 std::vector<DocsPicture> importPictures() {
   return {{"import-dialog", {348, 503}, "dockImport", importDock},
-          {"import-tree", {1200, 675}, "dockVirtualDesktop", importTree},
-          {"import-obj", {1200, 675}, "dockVirtualDesktop", importObj},
+          {"import-tree", {1200, 675}, "dockVirtualDesktop", importTree, {1600, 900}},
+          {"import-obj", {1200, 675}, "dockVirtualDesktop", importObj, {1600, 900}},
           {"ariac", {1600, 900}, "dockVirtualDesktop", ariac},
           {"snp", {1600, 900}, "dockVirtualDesktop", snp}};
 }

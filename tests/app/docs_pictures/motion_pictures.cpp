@@ -66,7 +66,7 @@ void sweptVolume(const PictureTask& task) {
 
 std::vector<DocsPicture> motionPictures() {
   return {{"motion-curves", {1600, 900}, "dockTrajectory", curves},
-          {"swept-volume", {1000, 625}, "dockTrajectory", sweptVolume}};
+          {"swept-volume", {1000, 625}, "dockTrajectory", sweptVolume, {1600, 1000}}};
 }
 
 }  // namespace hapticell::app

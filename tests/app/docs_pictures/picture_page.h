@@ -26,7 +26,7 @@ class PicturePage : public ServerFirst, public CellPage {
 
   PicturePage(const PictureTask& task, Stylus stylus) : CellPage(on(withoutMotion())), hand(server.loop), task_(task) {
     window().setTheme(!task.name.contains("light"));
-    window().resize(task.size);
+    window().resize(task.window.isEmpty() ? task.size : task.window);
     window().loadModules(ModuleLoader::defaultFolders());
     if (stylus == Stylus::kSimulated) {
       EXPECT_TRUE(window().startModule("Virtual Desktop"));
@@ -119,7 +119,10 @@ class PicturePage : public ServerFirst, public CellPage {
   void keep() {
     finish();
     expectScene();
-    keepImage(window().picture().toImage());
+    const QImage whole = window().picture().toImage();
+    EXPECT_TRUE(task_.window.isEmpty() || whole.size() == task_.window) << "the window has another size";
+    keepImage(task_.window.isEmpty() ? whole
+                                     : whole.scaled(task_.size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
   }
   /// Only the scene.
   void keepScene() {
@@ -157,6 +160,7 @@ class PicturePage : public ServerFirst, public CellPage {
     };
     until([&] { return !works(); }, kPatience);
     until([this] { return window().viewport().missingParts() == 0; }, kPatience);
+    if (task_.dock) showDock(task_.dock);  // A selection or a hold may have raised another one.
     until([this] { return window().viewport().isFinished(); }, 5000);  // Never, while something moves.
   }
   /// Something stands in the middle of the scene; beside it lie the cube and the strips.

@@ -13,6 +13,7 @@ struct PictureTask {
   QSize size;
   const char* dock;  ///< Must be visible in the picture; null: no dock.
   QString file;      ///< Where it goes.
+  QSize window{};    ///< Of the window, if the picture shows it smaller.
 };
 
 /// A picture of the documents and the function that takes it. The function reports with gtest: it fails if what it shows
@@ -22,6 +23,7 @@ struct DocsPicture {
   QSize size;
   const char* dock;
   void (*take)(const PictureTask& task);
+  QSize window{};
 };
 
 // A table for each kind.

@@ -25,7 +25,7 @@ void configurations(const PictureTask& task) {
 }
 
 void library(const PictureTask& task) {
-  PicturePage page(PictureTask{task.name, {1200, 800}, task.dock, task.file}, Stylus::kNone);
+  PicturePage page(PictureTask{task.name, {1200, 800}, task.dock, task.file, {}}, Stylus::kNone);
   page.trigger("actionAddRobot");
   page.keepDock(task.size);
 }
@@ -33,7 +33,7 @@ void library(const PictureTask& task) {
 }  // namespace
 
 std::vector<DocsPicture> robotPictures() {
-  return {{"robot-configurations", {1300, 731}, "dockRobot", configurations},
+  return {{"robot-configurations", {1300, 731}, "dockRobot", configurations, {1600, 900}},
           {"robot-library", {345, 980}, "dockAddRobot", library}};
 }
 
