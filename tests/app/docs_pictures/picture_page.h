@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QTemporaryDir>
 #include <QThreadPool>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "app/shell/module_loader.h"
 #include "config/configuration.h"
@@ -22,7 +24,7 @@ enum class Stylus { kNone, kSimulated };
 class PicturePage : public ServerFirst, public CellPage {
  public:
   static constexpr int kRough = 0, kMedium = 1;  // Scales, as the dock has them.
-  static constexpr int kPatience = 60000;  // ms: a slow machine that draws by its processor.
+  static constexpr int kPatience = 60000;        // ms: a slow machine that draws by its processor.
 
   PicturePage(const PictureTask& task, Stylus stylus) : CellPage(on(withoutMotion())), hand(server.loop), task_(task) {
     window().setTheme(!task.name.contains("light"));
@@ -39,8 +41,13 @@ class PicturePage : public ServerFirst, public CellPage {
   }
   const manipulation::SceneSnapshot& now() { return *window().snapshot(); }
   bool openShipped(const char* name) {
-    const auto file = config::findShippedFile(name);
-    if (!file || !open(QString::fromStdString(*file))) return false;
+    const auto shipped = config::findShippedFile(name);
+    if (!shipped) return false;
+    // A copy, with the robots beside it: the window writes recordings to the folder of the cell.
+    namespace fs = std::filesystem;
+    const fs::path from(*shipped), all = from.parent_path().parent_path(), to(copies_.path().toStdString());
+    fs::copy(all, to, fs::copy_options::recursive | fs::copy_options::skip_existing);
+    if (!open(QString::fromStdString((to / from.lexically_relative(all)).string()))) return false;
     return until([this] { return !window().files().isBusy() && entities() > 0; }, kPatience);
   }
   static haptic::HandPath shippedHand(const char* name) {
@@ -179,6 +186,7 @@ class PicturePage : public ServerFirst, public CellPage {
     EXPECT_TRUE(problem.isEmpty()) << problem.toStdString();
   }
   PictureTask task_;
+  QTemporaryDir copies_;  ///< Of shipped cells.
 };
 
 }  // namespace hapticell::app
