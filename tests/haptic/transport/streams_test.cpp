@@ -119,21 +119,24 @@ TEST_F(TransportStreams, WhatGoesOverTheSocketIsNotThePlainText) {
   auto server = SecureStreams(SecureStreams::Side::kServer, key).make(std::move(server_socket));
   // Somebody in between copies all bytes, and keeps them.
   std::string heard;
-  const auto copy = [&](tcp::socket& from, tcp::socket& to) {
-    auto buffer = std::make_shared<std::array<char, 4096>>();
-    auto next = std::make_shared<std::function<void()>>();
-    *next = [&, buffer, next] {
-      from.async_read_some(asio::buffer(*buffer), [&, buffer, next](std::error_code failed, std::size_t bytes) {
+  struct Copier {
+    tcp::socket& from;
+    tcp::socket& to;
+    std::string& heard;
+    std::array<char, 4096> buffer{};
+    void copyNext() {
+      from.async_read_some(asio::buffer(buffer), [this](std::error_code failed, std::size_t bytes) {
         if (failed) return;
-        heard.append(buffer->data(), bytes);
-        asio::write(to, asio::buffer(buffer->data(), bytes));
-        (*next)();
+        heard.append(buffer.data(), bytes);
+        asio::write(to, asio::buffer(buffer.data(), bytes));
+        copyNext();
       });
-    };
-    (*next)();
+    }
   };
-  copy(middle_left, middle_right);
-  copy(middle_right, middle_left);
+  Copier to_server{middle_left, middle_right, heard};
+  Copier to_client{middle_right, middle_left, heard};
+  to_server.copyNext();
+  to_client.copyNext();
   Streams ends{std::move(client), std::move(server)};
   const auto [first, second] = shakeHands(ends);
   ASSERT_FALSE(first || second);
@@ -144,6 +147,8 @@ TEST_F(TransportStreams, WhatGoesOverTheSocketIsNotThePlainText) {
   EXPECT_NE(heard.find(key.identity()), std::string::npos) << "the name of the key goes in the clear";
   middle_left.close();
   middle_right.close();
+  io_.restart();
+  io_.poll();  // the reads end while the copiers are still there
 }
 
 TEST_F(TransportStreams, AnotherKeyIsNoKey) {
