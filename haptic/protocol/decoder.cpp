@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstring>
+#include <optional>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include "geometry/system/plain_text.h"
 #include "haptic/protocol/codec.h"
-#include "haptic/protocol/hapticell_generated.h"
-#include "haptic/protocol/wire_values.h"
+#include "haptic/protocol/wire_fields.h"
 
 namespace hapticell::haptic {
 
@@ -24,211 +26,135 @@ tl::unexpected<Error> refuse(Text place, Text found, Text expected) {
                     .fix = ""});
 }
 
-/// What others wrote, as it may be logged and drawn.
-Expected<std::string> text(const flatbuffers::String* text, const std::string& place) {
-  if (text == nullptr) return std::string();
-  if (text->size() > kMaxTextBytes) {
-    return refuse(place, Text("%1 bytes", text->size()), Text("at most %1", kMaxTextBytes));
-  }
-  return plainText({text->c_str(), text->size()}, kMaxTextBytes);
-}
-
-Expected<ClientKind> clientKind(wire::ClientKind kind, const std::string& place) {
-  if (kind == wire::ClientKind_Controller) return ClientKind::kController;
-  if (kind == wire::ClientKind_Watcher) return ClientKind::kWatcher;
-  return refuse(place, Text("client kind %1", static_cast<int>(kind)), Text("0 (controller) or 1 (observer)"));
-}
-
-/// A struct that must be there: a pose, a vector.
 template <typename T>
-bool copy(const T* from, auto& to) {
-  if (from == nullptr) return false;
-  to = fromWire(*from);
-  return true;
-}
+Expected<void> read(const wireType<T>& from, T& to);
 
-Expected<void> read(const wire::Hello& from, Hello& to) {
-  const auto kind = clientKind(from.kind(), "Hello.kind");
-  const auto program = text(from.program(), "Hello.program");
-  HAPTICELL_TRY(kind);
-  HAPTICELL_TRY(program);
-  to = {from.protocol_version(), *kind, from.accept_watching(), *program, from.wants_condition(), from.take_over()};
-  return {};
-}
+/// Reads the fields of a table up to the first fault.
+template <typename Table>
+class FieldReader {
+ public:
+  explicit FieldReader(const Table& from) : from_(from) {}
+  const std::optional<Error>& fault() const { return fault_; }
 
-Expected<void> read(const wire::Device& from, DeviceDescription& to) {
-  auto name = text(from.name(), "Device.name");
-  HAPTICELL_TRY(name);
-  if (!copy(from.workspace_min(), to.workspace_min) || !copy(from.workspace_max(), to.workspace_max)) {
-    return refuse("Device", Text("the workspace is missing"), Text("workspace_min and workspace_max"));
-  }
-  to.name = std::move(*name);
-  to.simulated = from.simulated();
-  to.resolution = from.resolution();
-  to.peak_force = from.peak_force();
-  to.continuous_force = from.continuous_force();
-  to.stiffness = from.stiffness();
-  to.damping = from.damping();
-  to.measured_axes = from.measured_axes();
-  to.driven_axes = from.driven_axes();
-  to.buttons = from.buttons();
-  to.peak_torque = from.peak_torque();
-  if (!isWellFormed(to))
-    return refuse("Device", Text("a value is out of range"), Text("finite numbers, and a minimum below the maximum"));
-  return {};
-}
-
-Expected<void> read(const wire::Welcome& from, Welcome& to) {
-  const auto kind = clientKind(from.kind(), "Welcome.kind");
-  HAPTICELL_TRY(kind);
-  if (from.device() == nullptr) return refuse("Welcome", Text("no device"), Text("a device"));
-  to.protocol_version = from.protocol_version();
-  to.kind = *kind;
-  to.tick_rate_hz = from.tick_rate_hz();
-  if (!(to.tick_rate_hz > 0.0 && to.tick_rate_hz <= 1e5)) {
-    return refuse("Welcome.tick_rate_hz", std::to_string(to.tick_rate_hz), Text("above 0, at most 100000"));
-  }
-  return read(*from.device(), to.device);
-}
-
-Expected<void> read(const wire::Refusal& from, Refusal& to) {
-  auto sentence = text(from.sentence(), "Refusal.sentence");
-  auto subject = text(from.subject(), "Refusal.subject");
-  HAPTICELL_TRY(sentence);
-  HAPTICELL_TRY(subject);
-  // A server of a later release may have more reasons; its sentence tells them.
-  const bool known = from.reason() <= wire::RefusalReason_MAX;
-  to = {std::move(*sentence), known ? static_cast<RefusalReason>(from.reason()) : RefusalReason::kOther,
-        std::move(*subject)};
-  return {};
-}
-
-bool read(const wire::Constraint& from, Constraint& to) {
-  if (from.kind() > wire::ConstraintKind_MAX || !copy(from.gradient(), to.gradient)) return false;
-  to.group = from.group();
-  to.kind = static_cast<ConstraintKind>(from.kind());
-  to.reach = from.reach();
-  to.gap = from.gap();
-  to.curvature = {};
-  if (from.curvature() != nullptr) {
-    for (std::size_t i = 0; i < to.curvature.size(); ++i) {
-      to.curvature[i] = from.curvature()->values()->Get(static_cast<flatbuffers::uoffset_t>(i));
+  template <typename T>
+  void operator()(T& to, const auto& field) {
+    if (fault_) return;
+    const auto got = (from_.*field.get)();
+    if constexpr (std::is_pointer_v<decltype(got)>) {
+      to = got != nullptr ? fromWire(*got) : T{};
+    } else if constexpr (std::is_enum_v<T>) {
+      const std::optional<T> known = fromWire(got);
+      if (known) to = *known;
+      if (!known) fail(field.name, Text("the unknown number %1", static_cast<int>(got)), Text("one of hapticell.fbs"));
+    } else {
+      to = got;
     }
   }
-  to.has_trim = from.trim() != nullptr;
-  to.trim_gap = to.has_trim ? from.trim()->gap() : 0.0;
-  to.trim_gradient = to.has_trim ? fromWire(from.trim()->gradient()) : Vector6{};
-  to.stiffness = from.stiffness();
-  to.damping = from.damping();
-  to.friction = from.friction();
-  to.id = from.id();
-  to.velocity_D = from.velocity() != nullptr ? fromWire(*from.velocity()) : dvec3(0.0);
-  return true;
-}
-
-Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
-  if (!copy(from.reference(), to.X_DR))
-    return refuse("ConstraintSet", Text("the reference pose is missing"), Text("a pose"));
-  to.sequence = from.sequence();
-  to.stamp_ns = from.stamp_ns();
-  to.zone_radius = from.zone_radius();
-  to.count = from.constraints() == nullptr ? 0 : from.constraints()->size();
-  if (to.count > kMaxConstraints) {
-    return refuse("ConstraintSet.constraints", Text("%1 entries", to.count), Text("at most %1", kMaxConstraints));
+  void required(auto& to, const auto& field) {
+    if (fault_) return;
+    const auto* got = (from_.*field.get)();
+    if (got == nullptr) return fail(field.name, Text("the field is missing"), Text("a value"));
+    to = fromWire(*got);
   }
-  for (std::size_t i = 0; i < to.count; ++i) {
-    const wire::Constraint* entry = from.constraints()->Get(static_cast<flatbuffers::uoffset_t>(i));
-    if (!read(*entry, to.constraints[i])) {
-      return refuse(Text("constraint %1", i), Text("an unknown kind, or the gradient is missing"),
-                    Text("kind 0, 1 or 2 and a gradient"));
+  void trim(Constraint& to, const auto& field) {
+    const wire::Trim* got = (from_.*field.get)();
+    to.has_trim = got != nullptr;
+    to.trim_gap = got != nullptr ? got->gap() : 0.0;
+    to.trim_gradient = got != nullptr ? fromWire(got->gradient()) : Vector6{};
+  }
+  void known(auto& to, const auto& is_known, const auto& number) {
+    to.reset();
+    if ((from_.*is_known.get)()) to = (from_.*number.get)();
+  }
+  void text(std::string& to, const auto& field) { take((from_.*field.get)(), to, field.name); }
+  void texts(std::vector<std::string>& to, const auto& field) {
+    const auto* got = (from_.*field.get)();
+    const std::size_t count = got != nullptr ? got->size() : 0;
+    to.clear();
+    if (count > kMaxCalibrationSteps)
+      return fail(field.name, Text("%1 steps", count), Text("at most %1", kMaxCalibrationSteps));
+    to.resize(count);
+    for (std::size_t i = 0; i < count; ++i) take(got->Get(static_cast<flatbuffers::uoffset_t>(i)), to[i], field.name);
+  }
+  void table(auto& to, const auto& field) {
+    if (fault_) return;
+    const auto* got = (from_.*field.get)();
+    if (got == nullptr) return fail(field.name, Text("the field is missing"), Text("a value"));
+    if (const auto read_part = read(*got, to); !read_part) fault_ = read_part.error();
+  }
+  void tables(auto& to, std::size_t& count, const auto& field) {
+    if (fault_) return;
+    const auto* got = (from_.*field.get)();
+    count = got != nullptr ? got->size() : 0;
+    if (count > to.size()) return fail(field.name, Text("%1 entries", count), Text("at most %1", to.size()));
+    for (std::size_t i = 0; i < count && !fault_; ++i) {
+      const auto read_part = read(*got->Get(static_cast<flatbuffers::uoffset_t>(i)), to[i]);
+      if (!read_part) fault_ = read_part.error();
     }
   }
-  if (!isWellFormed(to)) {
-    return refuse("ConstraintSet", Text("a number that is not finite or out of its range"),
-                  Text("finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a zone above "
-                       "0, and no negative stiffness, damping or friction"));
+
+ private:
+  void fail(const char* place, Text found, Text expected) {
+    fault_ = refuse(std::string(place), std::move(found), std::move(expected)).value();
   }
-  return {};
-}
-
-Expected<void> read(const wire::State& from, HapticState& to) {
-  if (!copy(from.stylus(), to.X_DS) || !copy(from.proxy(), to.X_DP) || !copy(from.velocity(), to.v_DS) ||
-      !copy(from.force(), to.force_D)) {
-    return refuse("State", Text("a field is missing"), Text("stylus, proxy, velocity and force"));
+  /// What others wrote, as it may be logged and drawn.
+  void take(const flatbuffers::String* from, std::string& to, const char* place) {
+    if (fault_) return;
+    to.clear();
+    if (from == nullptr) return;
+    if (from->size() > kMaxTextBytes)
+      return fail(place, Text("%1 bytes", from->size()), Text("at most %1", kMaxTextBytes));
+    to = plainText({from->c_str(), from->size()}, kMaxTextBytes);
   }
-  to.torque_D = from.torque() != nullptr ? fromWire(*from.torque()) : dvec3(0.0);
-  to.tick = from.tick();
-  to.server_stamp_ns = from.server_stamp_ns();
-  to.buttons = from.buttons();
-  to.adopted_set = from.adopted_set();
-  to.forces_on = from.forces_on();
-  to.force_ramp = from.force_ramp();
-  to.motor_temperature = from.motor_temperature();
-  to.device_fault = from.device_fault();
-  to.client_stalled = from.client_stalled();
-  if (!isWellFormed(to))
-    return refuse("State", Text("a number that is not finite or out of its range"),
-                  Text("valid poses, finite numbers"));
+
+  const Table& from_;
+  std::optional<Error> fault_;
+};
+
+// What a message must satisfy besides; most of it is isWellFormed().
+template <typename T>
+Expected<void> checkedNumbers(const T&) {
   return {};
 }
-
-Expected<void> read(const wire::Statistics& from, ServerStatistics& to) {
-  to = {from.rate_hz(),      from.late_p50_ms(),   from.late_p99_ms(),    from.late_max_ms(),    from.ticks(),
-        from.missed_ticks(), from.round_trip_ms(), from.set_age_p50_ms(), from.set_age_p99_ms(), from.late_sets(),
-        from.refused_sets(), from.dropped_sets(),  std::nullopt};
-  if (from.clock_known()) to.clock_offset_ms = from.clock_offset_ms();
-  if (!isWellFormed(to))
-    return refuse("Statistics", Text("a number that is negative or not finite"), Text("finite numbers, 0 or more"));
-  return {};
+Expected<void> checkedNumbers(const DeviceDescription& device) {
+  if (isWellFormed(device)) return {};
+  return refuse("Device", Text("a value is out of range"), Text("finite numbers, and a minimum below the maximum"));
+}
+Expected<void> checkedNumbers(const Welcome& welcome) {
+  if (welcome.tick_rate_hz > 0.0 && welcome.tick_rate_hz <= 1e5) return {};
+  return refuse("Welcome.tick_rate_hz", std::to_string(welcome.tick_rate_hz), Text("above 0, at most 100000"));
+}
+Expected<void> checkedNumbers(const ConstraintSet& set) {
+  if (isWellFormed(set)) return {};
+  return refuse("ConstraintSet", Text("a number that is not finite or out of its range"),
+                Text("finite numbers within the bounds of docs/library/protocol.md, a unit quaternion, a zone above "
+                     "0, and no negative stiffness, damping or friction"));
+}
+Expected<void> checkedNumbers(const HapticState& state) {
+  if (isWellFormed(state)) return {};
+  return refuse("State", Text("a number that is not finite or out of its range"), Text("valid poses, finite numbers"));
+}
+Expected<void> checkedNumbers(const ServerStatistics& statistics) {
+  if (isWellFormed(statistics)) return {};
+  return refuse("Statistics", Text("a number that is negative or not finite"), Text("finite numbers, 0 or more"));
+}
+Expected<void> checkedNumbers(const HapticControl& control) {
+  if (isWellFormed(control)) return {};
+  return refuse("Control", Text("a stiffness, damping or load that is negative, not finite or too large"),
+                Text("0 or more, within the bounds of docs/library/protocol.md"));
+}
+Expected<void> checkedNumbers(const HandTarget& target) {
+  if (isWellFormed(target)) return {};
+  return refuse("HandTarget", Text("an invalid pose"),
+                Text("finite numbers, at most 1 000 000 m, and a unit quaternion"));
 }
 
-Expected<void> read(const wire::Control& from, HapticControl& to) {
-  to = {from.forces_enabled(), from.stiffness(), from.damping(), {}};
-  to.load.mass = from.load_mass();
-  to.load.damping = from.load_damping();
-  to.load.friction = from.load_friction();
-  if (from.load_weight() != nullptr) to.load.weight_D = fromWire(*from.load_weight());
-  if (!isWellFormed(to))
-    return refuse("Control", Text("a stiffness, damping or load that is negative, not finite or too large"),
-                  Text("0 or more, within the bounds of docs/library/protocol.md"));
-  return {};
-}
-
-Expected<void> read(const wire::HandTarget& from, HandTarget& to) {
-  if (!copy(from.pose(), to.X_DH)) return refuse("HandTarget", Text("the pose is missing"), Text("a pose"));
-  to.holding = from.holding();
-  to.buttons = from.buttons();
-  if (!isWellFormed(to))
-    return refuse("HandTarget", Text("an invalid pose"),
-                  Text("finite numbers, at most 1 000 000 m, and a unit quaternion"));
-  return {};
-}
-
-Expected<void> read(const wire::Heartbeat& from, Heartbeat& to) {
-  to = {from.sent_ns(), from.echo_ns(), from.held_ns()};
-  return {};
-}
-
-Expected<void> read(const wire::DeviceCondition& from, DeviceCondition& to) {
-  const std::size_t steps = from.calibration() == nullptr ? 0 : from.calibration()->size();
-  if (steps > kMaxCalibrationSteps) {
-    return refuse("DeviceCondition.calibration", Text("%1 steps", steps), Text("at most %1", kMaxCalibrationSteps));
-  }
-  to = {from.answers(), from.calibrated(), from.docked(), {}, {}};
-  for (std::size_t i = 0; i < steps; ++i) {
-    auto step = text(from.calibration()->Get(static_cast<flatbuffers::uoffset_t>(i)), "DeviceCondition.calibration");
-    HAPTICELL_TRY(step);
-    to.calibration.push_back(std::move(*step));
-  }
-  auto sentence = text(from.sentence(), "DeviceCondition.sentence");
-  HAPTICELL_TRY(sentence);
-  to.sentence = std::move(*sentence);
-  return {};
-}
-
-Expected<void> read(const wire::Calibrate& from, Calibrate& to) {
-  to = {from.step()};
-  return {};
+template <typename T>
+Expected<void> read(const wireType<T>& from, T& to) {
+  FieldReader fields(from);
+  wireFields(fields, to);
+  if (fields.fault()) return tl::unexpected(*fields.fault());
+  return checkedNumbers(to);
 }
 
 /// Reads into the alternative that `message` holds already, if it is the right one: a set is large.

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "geometry/system/assertion.h"
 #include "haptic/protocol/codec.h"
-#include "haptic/protocol/hapticell_generated.h"
-#include "haptic/protocol/wire_values.h"
+#include "haptic/protocol/wire_fields.h"
 
 namespace hapticell::haptic {
 
@@ -15,110 +19,96 @@ using flatbuffers::Offset;
 
 namespace {
 
-Offset<flatbuffers::String> text(FlatBufferBuilder& builder, std::string_view text) {
-  return builder.CreateString(text.substr(0, kMaxTextBytes));
-}
+template <typename T>
+Offset<wireType<T>> write(FlatBufferBuilder& builder, const T& message);
 
-Offset<wire::Hello> write(FlatBufferBuilder& builder, const Hello& hello) {
-  return wire::CreateHello(builder, hello.protocol_version, toWire(hello.kind), hello.accept_watching,
-                           text(builder, hello.program), hello.wants_condition, hello.take_over);
-}
+/// No message has more texts, lists and tables in it.
+constexpr std::size_t kMostParts = 2;
 
-Offset<wire::Device> write(FlatBufferBuilder& builder, const DeviceDescription& device) {
-  const auto name = text(builder, device.name);
-  const wire::Vector3 least = toWire(device.workspace_min), most = toWire(device.workspace_max);
-  return wire::CreateDevice(builder, name, device.simulated, &least, &most, device.resolution, device.peak_force,
-                            device.continuous_force, device.stiffness, device.damping, device.measured_axes,
-                            device.driven_axes, device.buttons, device.peak_torque);
-}
+/// Writes what a table refers to, which FlatBuffers wants finished before the table begins.
+struct PartWriter {
+  FlatBufferBuilder& builder;
+  std::array<flatbuffers::uoffset_t, kMostParts> parts{};
+  std::size_t count = 0;
 
-Offset<wire::Welcome> write(FlatBufferBuilder& builder, const Welcome& welcome) {
-  const auto device = write(builder, welcome.device);
-  return wire::CreateWelcome(builder, welcome.protocol_version, toWire(welcome.kind), welcome.tick_rate_hz, device);
-}
-
-Offset<wire::Refusal> write(FlatBufferBuilder& builder, const Refusal& refusal) {
-  const auto sentence = text(builder, refusal.sentence), subject = text(builder, refusal.subject);
-  return wire::CreateRefusal(builder, sentence, static_cast<wire::RefusalReason>(refusal.reason), subject);
-}
-
-Offset<wire::Constraint> write(FlatBufferBuilder& builder, const Constraint& constraint) {
-  const wire::Vector6 gradient = toWire(constraint.gradient);
-  const wire::SymmetricMatrix6 curvature(constraint.curvature);
-  const wire::Trim trim(constraint.trim_gap, toWire(constraint.trim_gradient));
-  const bool curved =
-      std::any_of(constraint.curvature.begin(), constraint.curvature.end(), [](double v) { return v != 0.0; });
-  const wire::Vector3 velocity = toWire(constraint.velocity_D);
-  wire::ConstraintBuilder entry(builder);
-  if (constraint.velocity_D != dvec3(0.0)) entry.add_velocity(&velocity);
-  entry.add_id(constraint.id);
-  entry.add_friction(constraint.friction);
-  entry.add_damping(constraint.damping);
-  entry.add_stiffness(constraint.stiffness);
-  if (constraint.has_trim) entry.add_trim(&trim);
-  if (curved) entry.add_curvature(&curvature);
-  entry.add_gradient(&gradient);
-  entry.add_gap(constraint.gap);
-  entry.add_group(constraint.group);
-  entry.add_reach(constraint.reach);
-  entry.add_kind(static_cast<wire::ConstraintKind>(constraint.kind));
-  return entry.Finish();
-}
-
-Offset<wire::ConstraintSet> write(FlatBufferBuilder& builder, const ConstraintSet& set) {
-  HAPTICELL_DEMAND(set.count <= kMaxConstraints);
-  std::array<Offset<wire::Constraint>, kMaxConstraints> entries;
-  std::transform(set.active().begin(), set.active().end(), entries.begin(),
-                 [&](const Constraint& constraint) { return write(builder, constraint); });
-  const auto constraints = builder.CreateVector(entries.data(), set.count);
-  const wire::Pose reference = toWire(set.X_DR);
-  return wire::CreateConstraintSet(builder, set.sequence, set.stamp_ns, &reference, set.zone_radius, constraints);
-}
-
-Offset<wire::State> write(FlatBufferBuilder& builder, const HapticState& state) {
-  const wire::Pose stylus = toWire(state.X_DS), proxy = toWire(state.X_DP);
-  const wire::Vector3 velocity = toWire(state.v_DS), force = toWire(state.force_D);
-  const wire::Vector3 torque = toWire(state.torque_D);
-  return wire::CreateState(builder, state.tick, state.server_stamp_ns, &stylus, &proxy, &velocity, &force,
-                           state.buttons, state.adopted_set, state.forces_on, state.force_ramp, state.motor_temperature,
-                           state.device_fault, &torque, state.client_stalled);
-}
-
-Offset<wire::Statistics> write(FlatBufferBuilder& builder, const ServerStatistics& s) {
-  return wire::CreateStatistics(builder, s.rate_hz, s.late_p50_ms, s.late_p99_ms, s.late_max_ms, s.ticks,
-                                s.missed_ticks, s.round_trip_ms, s.set_age_p50_ms, s.set_age_p99_ms, s.late_sets,
-                                s.refused_sets, s.clock_offset_ms.has_value(), s.clock_offset_ms.value_or(0.0),
-                                s.dropped_sets);
-}
-
-Offset<wire::Control> write(FlatBufferBuilder& builder, const HapticControl& control) {
-  const wire::Vector3 weight = toWire(control.load.weight_D);
-  return wire::CreateControl(builder, control.forces_enabled, control.stiffness, control.damping, control.load.mass,
-                             control.load.damping, control.load.friction, &weight);
-}
-
-Offset<wire::HandTarget> write(FlatBufferBuilder& builder, const HandTarget& target) {
-  const wire::Pose pose = toWire(target.X_DH);
-  return wire::CreateHandTarget(builder, target.holding, &pose, target.buttons);
-}
-
-Offset<wire::Heartbeat> write(FlatBufferBuilder& builder, const Heartbeat& beat) {
-  return wire::CreateHeartbeat(builder, beat.sent_ns, beat.echo_ns, beat.held_ns);
-}
-
-Offset<wire::DeviceCondition> write(FlatBufferBuilder& builder, const DeviceCondition& condition) {
-  std::vector<Offset<flatbuffers::String>> steps;
-  for (const std::string& step : condition.calibration) {
-    if (steps.size() < kMaxCalibrationSteps) steps.push_back(text(builder, step));
+  void operator()(const auto&, const auto&) {}
+  void required(const auto&, const auto&) {}
+  void trim(const auto&, const auto&) {}
+  void known(const auto&, const auto&, const auto&) {}
+  void text(std::string_view text, const auto&) { add(cut(text)); }
+  void texts(const std::vector<std::string>& texts, const auto&) {
+    std::array<Offset<flatbuffers::String>, kMaxCalibrationSteps> offsets;
+    const std::size_t sent = std::min(texts.size(), offsets.size());
+    std::transform(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(sent), offsets.begin(),
+                   [this](const std::string& text) { return cut(text); });
+    add(builder.CreateVector(offsets.data(), sent));
   }
-  const auto calibration = builder.CreateVector(steps);
-  const auto sentence = text(builder, condition.sentence);
-  return wire::CreateDeviceCondition(builder, condition.answers, condition.calibrated, condition.docked, calibration,
-                                     sentence);
-}
+  void table(const auto& message, const auto&) { add(write(builder, message)); }
+  void tables(const auto& messages, std::size_t used, const auto&) {
+    HAPTICELL_DEMAND(used <= kMaxConstraints);
+    std::array<Offset<wire::Constraint>, kMaxConstraints> offsets;
+    std::transform(messages.begin(), messages.begin() + used, offsets.begin(),
+                   [this](const auto& message) { return write(builder, message); });
+    add(builder.CreateVector(offsets.data(), used));
+  }
 
-Offset<wire::Calibrate> write(FlatBufferBuilder& builder, const Calibrate& calibrate) {
-  return wire::CreateCalibrate(builder, calibrate.step);
+ private:
+  Offset<flatbuffers::String> cut(std::string_view text) { return builder.CreateString(text.substr(0, kMaxTextBytes)); }
+  void add(auto offset) {
+    HAPTICELL_DEMAND(count < kMostParts);
+    parts[count++] = offset.o;
+  }
+};
+
+/// Writes the fields of a table; `parts` come from a PartWriter of the same message.
+template <typename Builder>
+struct FieldWriter {
+  Builder& builder;
+  std::span<const flatbuffers::uoffset_t> parts;
+
+  template <typename T>
+  void operator()(const T& value, const auto& field) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      (builder.*field.add)(value);
+    } else if constexpr (std::is_enum_v<T>) {
+      (builder.*field.add)(toWire(value));
+    } else if (value != T{}) {
+      required(value, field);
+    }
+  }
+  void required(const auto& value, const auto& field) {
+    const auto on_wire = toWire(value);
+    (builder.*field.add)(&on_wire);
+  }
+  void trim(const Constraint& constraint, const auto& field) {
+    const wire::Trim trim(constraint.trim_gap, toWire(constraint.trim_gradient));
+    if (constraint.has_trim) (builder.*field.add)(&trim);
+  }
+  void known(const auto& value, const auto& is_known, const auto& number) {
+    (builder.*is_known.add)(value.has_value());
+    (builder.*number.add)(value.value_or(0.0));
+  }
+  void text(const auto&, const auto& field) { part(field.add); }
+  void texts(const auto&, const auto& field) { part(field.add); }
+  void table(const auto&, const auto& field) { part(field.add); }
+  void tables(const auto&, std::size_t, const auto& field) { part(field.add); }
+
+ private:
+  template <typename Part>
+  void part(void (Builder::*add)(Offset<Part>)) {
+    (builder.*add)(Offset<Part>(parts.front()));
+    parts = parts.subspan(1);
+  }
+};
+
+template <typename T>
+Offset<wireType<T>> write(FlatBufferBuilder& builder, const T& message) {
+  PartWriter parts{builder};
+  wireFields(parts, message);
+  typename wireType<T>::Builder table(builder);
+  FieldWriter<typename wireType<T>::Builder> fields{table, std::span(parts.parts).first(parts.count)};
+  wireFields(fields, message);
+  return table.Finish();
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "haptic/protocol/hapticell_generated.h"
 #include "haptic/protocol/messages.h"
 
@@ -16,8 +19,18 @@ inline wire::Pose toWire(const Pose& X) {
 inline wire::Vector6 toWire(const Vector6& v) {
   return {wire::Vector3(v[0], v[1], v[2]), wire::Vector3(v[3], v[4], v[5])};
 }
+inline wire::SymmetricMatrix6 toWire(const SymmetricMatrix6& m) {
+  return wire::SymmetricMatrix6(m);
+}
+// The enumerations of the wire and of the program have the same numbers.
 inline wire::ClientKind toWire(ClientKind kind) {
-  return kind == ClientKind::kController ? wire::ClientKind_Controller : wire::ClientKind_Watcher;
+  return static_cast<wire::ClientKind>(kind);
+}
+inline wire::RefusalReason toWire(RefusalReason reason) {
+  return static_cast<wire::RefusalReason>(reason);
+}
+inline wire::ConstraintKind toWire(ConstraintKind kind) {
+  return static_cast<wire::ConstraintKind>(kind);
 }
 
 inline dvec3 fromWire(const wire::Vector3& v) {
@@ -30,11 +43,36 @@ inline Vector6 fromWire(const wire::Vector6& v) {
   return {v.linear().x(), v.linear().y(), v.linear().z(), v.angular().x(), v.angular().y(), v.angular().z()};
 }
 
+inline SymmetricMatrix6 fromWire(const wire::SymmetricMatrix6& m) {
+  SymmetricMatrix6 values;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = m.values()->Get(static_cast<flatbuffers::uoffset_t>(i));
+  return values;
+}
+/// Empty: a kind that this release does not know, which is refused.
+inline std::optional<ClientKind> fromWire(wire::ClientKind kind) {
+  return kind <= wire::ClientKind_MAX ? std::optional(static_cast<ClientKind>(kind)) : std::nullopt;
+}
+inline std::optional<ConstraintKind> fromWire(wire::ConstraintKind kind) {
+  return kind <= wire::ConstraintKind_MAX ? std::optional(static_cast<ConstraintKind>(kind)) : std::nullopt;
+}
+/// A server of a later release may have more reasons; its sentence tells them.
+inline std::optional<RefusalReason> fromWire(wire::RefusalReason reason) {
+  return reason <= wire::RefusalReason_MAX ? static_cast<RefusalReason>(reason) : RefusalReason::kOther;
+}
+
 template <typename T>
 struct WireType;
 template <>
 struct WireType<Hello> {
   using Type = wire::Hello;
+};
+template <>
+struct WireType<DeviceDescription> {
+  using Type = wire::Device;
+};
+template <>
+struct WireType<Constraint> {
+  using Type = wire::Constraint;
 };
 template <>
 struct WireType<Welcome> {
@@ -68,7 +106,6 @@ template <>
 struct WireType<Heartbeat> {
   using Type = wire::Heartbeat;
 };
-
 template <>
 struct WireType<DeviceCondition> {
   using Type = wire::DeviceCondition;
