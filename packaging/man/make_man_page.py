@@ -3,6 +3,7 @@
 """Writes a program's man page from what it prints for --help and --version, those of its commands included.
 
 usage: make_man_page.py PROGRAM OUTPUT [RELATED_PROGRAM...]
+       HAPTICELL_EMULATOR in the environment runs PROGRAM, where it is one for another processor
 """
 import os
 import pathlib
@@ -15,8 +16,11 @@ ENTRY = re.compile(r"^ {2,}(\S.*?)(?:\s{2,}(\S.*))?$")
 ENVIRONMENT = {**os.environ, "LC_ALL": "C", "COLUMNS": "4000"}
 
 
+EMULATOR = os.environ.get("HAPTICELL_EMULATOR", "").split()
+
+
 def said(program, *words):
-    return subprocess.run([program, *words], capture_output=True, text=True, check=True, timeout=60, env=ENVIRONMENT).stdout
+    return subprocess.run([*EMULATOR, program, *words], capture_output=True, text=True, check=True, timeout=60, env=ENVIRONMENT).stdout
 
 
 def quoted(text):
