@@ -39,7 +39,7 @@ class Progress : public Assimp::ProgressHandler {
  public:
   explicit Progress(ParentLink& parent) : parent_(parent) {}
   bool Update(float share) override {
-    if (share >= 0.0f) parent_.progress(0.8 * static_cast<double>(share), "reading");
+    if (share >= 0.0f) parent_.progress(0.8 * static_cast<double>(share), Text("reading"));
     return true;
   }
 

@@ -39,8 +39,8 @@ class Indicator : public Message_ProgressIndicator {
  public:
   explicit Indicator(CadProgress progress) : progress_(std::move(progress)) {}
 
-  void setStage(const std::string& stage) {
-    stage_ = stage;
+  void setStage(Text stage) {
+    stage_ = std::move(stage);
     progress_(GetPosition(), stage_);
   }
 
@@ -49,7 +49,7 @@ class Indicator : public Message_ProgressIndicator {
 
  private:
   CadProgress progress_;
-  std::string stage_ = "reading";
+  Text stage_ = "reading";
 };
 
 /// Metres per unit by its name in a STEP file; 0 where it is not known.
@@ -107,7 +107,7 @@ Expected<CadDocument> openStep(const std::string& name, const Message_ProgressRa
                            ? Text("1 damaged entry (%1)", damaged.front())
                            : Text("%1 damaged entries (the first: %2)", damaged.size(), damaged.front());
     // Where the library breaks down at them, this is the place that is named.
-    indicator.setStage("reading " + english(which));
+    indicator.setStage(Text("reading %1", which));
     result.warnings.push_back(
         Text("The file has %1; parts made from it can be missing or wrong. Export the file again.", which));
   }

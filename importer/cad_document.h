@@ -28,7 +28,7 @@ struct CadDocument {
 CadDocument newCadDocument();
 
 /// Is given the share that is done, from 0 to 1, and what is going on.
-using CadProgress = std::function<void(double, const std::string&)>;
+using CadProgress = std::function<void(double, const Text&)>;
 
 /// Reads STEP or IGES, recognised by the content. Errors in words; may throw.
 Expected<CadDocument> openCad(const std::filesystem::path& file, const CadProgress& progress);

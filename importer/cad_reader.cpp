@@ -181,8 +181,8 @@ class CadSceneBuilder {
   /// Nothing where the part is one at which the libraries give up; the others are there without it.
   std::optional<MeshedShape> meshedPart(const TopoDS_Shape& shape, const std::string& name) {
     const int number = ++done_, all = std::max(total_, done_);
-    const std::string of = " part " + std::to_string(number) + " of " + std::to_string(all) + ", ";
-    parent_.progress(kReading + (1.0 - kReading) * (number - 1) / all, "meshing" + of + name);
+    parent_.progress(kReading + (1.0 - kReading) * (number - 1) / all,
+                     Text("meshing part %1 of %2, %3", number, all, name));
     Error fault{.found = "content that makes the reader crash"};
     if (!reading_.skipped.contains(number)) {
       parent_.beginPart(number);
@@ -259,9 +259,9 @@ class CadSceneBuilder {
 }  // namespace
 
 Expected<ImportedScene> readCad(const Reading& reading, ParentLink& parent) {
-  parent.progress(0.02, "reading");
+  parent.progress(0.02, Text("reading"));
   const auto cad =
-      openCad(reading.file, [&](double share, const std::string& stage) { parent.progress(kReading * share, stage); });
+      openCad(reading.file, [&](double share, const Text& stage) { parent.progress(kReading * share, stage); });
   HAPTICELL_TRY(cad);
   HAPTICELL_TRY(checkTree(*cad));
   return CadSceneBuilder(*cad, reading, parent).build(*cad);

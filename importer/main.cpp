@@ -85,7 +85,7 @@ Expected<std::string> readOne(const Call& call, const fs::path& file, ParentLink
   if (scene->meshes.empty()) {
     return hapticell::makeError({.found = "no shape in it", .expected = "at least one solid or surface"});
   }
-  parent.progress(1.0, "handing over");
+  parent.progress(1.0, hapticell::Text("handing over"));
   return hapticell::workcell::sceneBytes(*scene);
 }
 
@@ -125,7 +125,7 @@ Expected<void> readAll(const Call& call, ParentLink& parent) {
   for (const fs::path& file : files) {
     parent.setRange(static_cast<double>(entries.size()) / static_cast<double>(files.size()),
                     static_cast<double>(entries.size() + 1) / static_cast<double>(files.size()));
-    parent.progress(0.0, "reading " + file.filename().string());
+    parent.progress(0.0, hapticell::Text("reading %1", file.filename().string()));
     const auto bytes = guarded<std::string>([&] { return readOne(call, file, parent); });
     const Error error = bytes ? Error{} : bytes.error();
     entries.push_back({bytes.has_value(), bytes ? *bytes : parent.flatParts(error)});

@@ -14,14 +14,6 @@ namespace hapticell::importer {
 
 namespace {
 
-/// One part of a line: tabs and line ends would break it.
-std::string flat(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  }
-  return text;
-}
-
 bool writeAll(int file, const std::string& bytes) {
   for (std::size_t at = 0; at < bytes.size();) {
     const ssize_t written = ::write(file, bytes.data() + at, bytes.size() - at);
@@ -38,7 +30,7 @@ void ParentLink::line(const std::string& text) {
   writeAll(workcell::kLinesDescriptor, text + "\n");
 }
 
-void ParentLink::progress(double share, const std::string& stage) {
+void ParentLink::progress(double share, const Text& stage) {
   // Of the progress: a pixel of the bar. Half: twice the lines; twice: steps are seen.
   constexpr double kStep = 0.01;
   share = from_ + share * (to_ - from_);
@@ -47,7 +39,7 @@ void ParentLink::progress(double share, const std::string& stage) {
   stage_ = stage;
   char text[40];
   std::snprintf(text, sizeof text, "progress %.3f ", share);
-  line(text + flat(stage));
+  line(text + packed(stage));
 }
 
 void ParentLink::setRange(double from, double to) {

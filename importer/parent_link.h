@@ -12,7 +12,7 @@ namespace hapticell::importer {
 class ParentLink {
  public:
   /// Share of the whole work, 0 to 1, and what is going on. Reported at most a hundred times.
-  void progress(double share, const std::string& stage);
+  void progress(double share, const Text& stage);
   /// From here on 0 to 1 of progress() are these shares of the whole: one of several files.
   void setRange(double from, double to);
   /// Before a part that may break the process down: the parent runs it again without that part.
@@ -30,7 +30,7 @@ class ParentLink {
  private:
   void line(const std::string& text);
   double told_ = -1.0, from_ = 0.0, to_ = 1.0;
-  std::string stage_;
+  Text stage_;
 };
 
 }  // namespace hapticell::importer

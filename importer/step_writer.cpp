@@ -185,7 +185,8 @@ class StepBuilder {
     setColor(label, node);
     if (node.origin) keepFaceColors(label, node);
     parts_[key] = label;
-    parent_.progress(0.8 * static_cast<double>(parts_.size()) / static_cast<double>(scene_.nodes.size()), "collecting");
+    parent_.progress(0.8 * static_cast<double>(parts_.size()) / static_cast<double>(scene_.nodes.size()),
+                     Text("collecting"));
     return label;
   }
 
@@ -210,7 +211,7 @@ class StepBuilder {
   Expected<TopoDS_Shape> exactShape(const SceneNode& node) {
     auto& source = sources_[node.origin->file];
     if (!source) {
-      auto cad = openCad(node.origin->file, [](double, const std::string&) {});
+      auto cad = openCad(node.origin->file, [](double, const Text&) {});
       if (!cad) {
         Error error = cad.error();
         error.place = node.origin->file;
@@ -279,7 +280,7 @@ Expected<void> writeStep(const workcell::ImportedScene& scene, const std::filesy
   Interface_Static::SetCVal("write.step.schema", "AP214IS");
   Interface_Static::SetCVal("write.step.unit", "MM");
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  parent.progress(0.85, "writing");
+  parent.progress(0.85, Text("writing"));
   if (!writer.Transfer(cad->document, STEPControl_AsIs)) {
     return makeError({.found = "the parts cannot be written as STEP"});
   }

@@ -105,7 +105,7 @@ void ExportWork::exportTo(const QString& path, bool selection_only) {
   const auto work = [this, path, state](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
     workcell::ExportOptions options;
     options.monitor = &monitor;
-    monitor.report("writing", 0.0);
+    monitor.report(Text("writing"), 0.0);
     Diagnostics notes;
     const auto written = workcell::exportState(state, path.toStdString(), options, notes);
     HAPTICELL_TRY(written);
@@ -144,7 +144,7 @@ void ExportWork::packTo(const QString& path, bool allow_outside) {
   const std::string name = (host_.documentModel().title() + ".hcell").toStdString();
   const auto work = [this, path, state, name,
                      scope](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
-    monitor.report("packing", 0.0);
+    monitor.report(Text("packing"), 0.0);
     Diagnostics notes;
     const auto packed = workcell::pack(state, path.toStdString(), name, scope, notes, &monitor);
     HAPTICELL_TRY(packed);

@@ -22,6 +22,7 @@
 #include "app/import/shape_reload.h"
 #include "app/kit/file_dialog.h"
 #include "app/style/dock_title_bar.h"
+#include "app/style/library_text.h"
 #include "app/viewport/widget/viewport_widget.h"
 #include "config/configuration.h"
 #include "workcell/format/document_io.h"
@@ -57,7 +58,7 @@ bool isSample(const QString& path) {
 /// What the scene shows, for the first page; none while the hand holds something, which must not wait.
 QImage smallPicture(Host& host) {
   constexpr int kWidth = 496;
-  return host.snapshot() && host.snapshot()->held != 0 ? QImage() : host.viewport().smallPicture(kWidth);
+  return host.snapshot() && host.snapshot()->stylus.held != 0 ? QImage() : host.viewport().smallPicture(kWidth);
 }
 
 }  // namespace
@@ -137,10 +138,10 @@ void FileWork::showOther() {
   std::optional<OtherWork> other;
   if (opener_.isBusy()) {
     const workcell::ImportProgress progress = opener_.progress();
-    other = OtherWork{opener_.name(), QString::fromStdString(progress.stage), progress.share};
+    other = OtherWork{opener_.name(), shownText(progress.stage), progress.share};
   } else if (background_.isBusy()) {
     const workcell::ImportProgress progress = background_.progress();
-    other = OtherWork{background_.name(), QString::fromStdString(progress.stage), progress.share};
+    other = OtherWork{background_.name(), shownText(progress.stage), progress.share};
   }
   panel_->setOtherWork(other);
   showPanel();
@@ -182,7 +183,7 @@ void FileWork::select(const std::vector<workcell::EntityId>& parts) {
 
 void FileWork::offer(Severity severity, const QString& title, const QString& text, std::vector<MessageAction> actions) {
   host_.messages().tell(severity, title, text, std::move(actions));
-  const bool held = host_.snapshot() && host_.snapshot()->held != 0;
+  const bool held = host_.snapshot() && host_.snapshot()->stylus.held != 0;
   auto* messages = host_.window().findChild<QDockWidget*>("dockMessages");
   if (messages && !held) messages->raise();
 }
@@ -383,7 +384,7 @@ void FileWork::takeImported(const QString& path, const ImportSession::Result& re
   for (std::size_t k = 0; k < ids->size(); ++k) addNames(named[k], (*ids)[k], parts);
   reportImport(name, report, parts);
   if (!ids->empty()) host_.selection().set(ids->front());
-  const bool held = host_.snapshot() && host_.snapshot()->held != 0;
+  const bool held = host_.snapshot() && host_.snapshot()->stylus.held != 0;
   if (!held) host_.viewport().fitAll();
   emit imported(path, true);
 }

@@ -14,6 +14,7 @@
 #include "app/import/import_choice_fields.h"
 #include "app/import/import_progress.h"
 #include "app/kit/form.h"
+#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
 
@@ -234,7 +235,7 @@ void ImportPanel::showProgress() {
   QString stage = other_ ? other_->stage : QString();
   if (file) {
     share = file->progress.share;
-    stage = file->queued ? tr("Waiting for the previous file") : QString::fromStdString(file->progress.stage);
+    stage = file->queued ? tr("Waiting for the previous file") : shownText(file->progress.stage);
   }
   QString words = capital(stage.isEmpty() ? tr("Reading") : stage);
   if (file != shown) words = QFileInfo(file->path).fileName() + QStringLiteral(": ") + words;

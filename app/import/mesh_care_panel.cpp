@@ -149,7 +149,7 @@ void MeshCarePanel::simplify() {
   start(QString::fromStdString(entity->name),
         [this, id = entity->id, mesh = entity->mesh, source,
          tolerance = 0.001 * tolerance_->value()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
-          monitor.report("simplifying", 0.1);
+          monitor.report(Text("simplifying"), 0.1);
           auto made = workcell::simplify(*mesh, tolerance);
           HAPTICELL_TRY(made);
           const QString told =
@@ -186,7 +186,7 @@ void MeshCarePanel::chooseProxy(int kind) {
   start(QString::fromStdString(entity->name),
         [this, id = entity->id, mesh = entity->mesh, kind = static_cast<CollisionProxy::Kind>(kind),
          tolerance = 0.001 * tolerance_->value()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
-          monitor.report("making what is checked", 0.1);
+          monitor.report(Text("preparing the collision shape"), 0.1);
           auto proxy = workcell::makeProxy(*mesh, kind, tolerance);
           HAPTICELL_TRY(proxy);
           auto made = std::make_shared<CollisionProxy>(std::move(*proxy));

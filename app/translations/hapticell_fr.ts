@@ -2199,10 +2199,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>/s³</translation>
     </message>
     <message>
-        <source>0 (controller) or 1 (observer)</source>
-        <translation>0 (client actif) ou 1 (observateur)</translation>
-    </message>
-    <message>
         <source>0 (not pressed), 1 (first button), 2 (second button) or 3 (both)</source>
         <translation>0 (relâché), 1 (premier bouton), 2 (second bouton) ou 3 (les deux)</translation>
     </message>
@@ -10451,10 +10447,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un écart de %1 m, %2 rad</translation>
     </message>
     <message>
-        <source>a device</source>
-        <translation>un périphérique</translation>
-    </message>
-    <message>
         <source>a device profile</source>
         <translation>un profil de périphérique</translation>
     </message>
@@ -10525,10 +10517,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a face with fewer than three vertices</source>
         <translation>une face avec trop peu de coins</translation>
-    </message>
-    <message>
-        <source>a field is missing</source>
-        <translation>un champ manque</translation>
     </message>
     <message>
         <source>a file</source>
@@ -11169,10 +11157,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>a port from 0 (any) to 65535</source>
         <translation>un port de 0 (n'importe lequel) à 65535</translation>
-    </message>
-    <message>
-        <source>a pose</source>
-        <translation>une pose</translation>
     </message>
     <message>
         <source>a pose of '%1'</source>
@@ -12211,10 +12195,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>un type d'axe inconnu</translation>
     </message>
     <message>
-        <source>an unknown kind, or the gradient is missing</source>
-        <translation>un type inconnu ou aucun gradient</translation>
-    </message>
-    <message>
         <source>an unknown user</source>
         <translation>un utilisateur inconnu</translation>
     </message>
@@ -12623,6 +12603,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>vérifié</translation>
     </message>
     <message>
+        <source>checking</source>
+        <translation>vérification</translation>
+    </message>
+    <message>
         <source>chord</source>
         <translation>flèche</translation>
     </message>
@@ -12635,12 +12619,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>distance</translation>
     </message>
     <message>
-        <source>client kind %1</source>
-        <translation>type de client %1</translation>
-    </message>
-    <message>
         <source>closed</source>
         <translation>fermé</translation>
+    </message>
+    <message>
+        <source>collecting</source>
+        <translation>collecte des pièces</translation>
     </message>
     <message>
         <source>columns x, y, z</source>
@@ -12669,10 +12653,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>constant, contact or dynamics</source>
         <translation>constant, contact ou dynamics</translation>
-    </message>
-    <message>
-        <source>constraint %1</source>
-        <translation>contrainte %1</translation>
     </message>
     <message>
         <source>contact</source>
@@ -13175,6 +13155,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>hand:left ou hand:right, et :SEX:PERCENTILE</translation>
     </message>
     <message>
+        <source>handing over</source>
+        <translation>transmission</translation>
+    </message>
+    <message>
         <source>hapticell-haptic-server --help lists the options.</source>
         <translation>Lancez hapticell-haptic-server --help pour la liste des options.</translation>
     </message>
@@ -13651,10 +13635,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>des kilogrammes, plus de 0</translation>
     </message>
     <message>
-        <source>kind 0, 1 or 2 and a gradient</source>
-        <translation>un type 0, 1 ou 2 et un gradient</translation>
-    </message>
-    <message>
         <source>known</source>
         <translation>connu</translation>
     </message>
@@ -13917,6 +13897,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>meshes that cannot be read: convert them to STL, OBJ or PLY</source>
         <translation>maillages illisibles : convertissez-les en STL, OBJ ou PLY</translation>
+    </message>
+    <message>
+        <source>meshing part %1 of %2, %3</source>
+        <translation>maillage de la pièce %1 sur %2, %3</translation>
     </message>
     <message>
         <source>message type %1</source>
@@ -14715,6 +14699,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>l'un de [opw], [dh], [[chain]], [delta], [hexapod], [urdf]</translation>
     </message>
     <message>
+        <source>one of hapticell.fbs</source>
+        <translation>l’une de celles de hapticell.fbs</translation>
+    </message>
+    <message>
         <source>one of the %1 vertices</source>
         <translation>un des %1 sommets</translation>
     </message>
@@ -14821,6 +14809,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>packages that are not found: put the package folder next to the robot file or above it, or add its path to ROS_PACKAGE_PATH</source>
         <translation>paquets introuvables : placez le dossier du paquet à côté ou au-dessus du fichier du robot, ou indiquez son emplacement dans ROS_PACKAGE_PATH</translation>
+    </message>
+    <message>
+        <source>packing</source>
+        <translation>compression</translation>
     </message>
     <message>
         <source>pair rule</source>
@@ -14967,6 +14959,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>practice, retention ou transfer</translation>
     </message>
     <message>
+        <source>preparing the collision shape</source>
+        <translation>préparation de la forme contrôlée</translation>
+    </message>
+    <message>
         <source>printable text of at most 200 characters</source>
         <translation>des caractères imprimables, 200 au plus</translation>
     </message>
@@ -14989,6 +14985,22 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>range() with a step of 0</source>
         <translation>range() avec un pas de 0</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>lecture</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>lecture de %1</translation>
+    </message>
+    <message>
+        <source>reading meshes</source>
+        <translation>lecture des maillages</translation>
+    </message>
+    <message>
+        <source>reading part %1 of %2</source>
+        <translation>lecture de la pièce %1 sur %2</translation>
     </message>
     <message>
         <source>reading took longer than %1 s</source>
@@ -15215,6 +15227,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>simplifié</translation>
     </message>
     <message>
+        <source>simplifying</source>
+        <translation>simplification</translation>
+    </message>
+    <message>
         <source>simulation bodies</source>
         <translation>des corps de simulation</translation>
     </message>
@@ -15337,10 +15353,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>stylus button</source>
         <translation>bouton du stylet</translation>
-    </message>
-    <message>
-        <source>stylus, proxy, velocity and force</source>
-        <translation>stylet, proxy, vitesse et force</translation>
     </message>
     <message>
         <source>sudo usermod -aG dialout %1, then log in again</source>
@@ -15677,6 +15689,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the field '%1' is not kept.</source>
         <translation>le champ '%1' n'est pas conservé.</translation>
+    </message>
+    <message>
+        <source>the field is missing</source>
+        <translation>le champ manque</translation>
     </message>
     <message>
         <source>the fields of docs/user/formats.md</source>
@@ -16303,10 +16319,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>la pose et les axes de la cellule</translation>
     </message>
     <message>
-        <source>the pose is missing</source>
-        <translation>pas de pose</translation>
-    </message>
-    <message>
         <source>the pose or the status is missing or invalid</source>
         <translation>la pose ou l'état manque ou n'est pas valide</translation>
     </message>
@@ -16361,10 +16373,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the reading was cancelled</source>
         <translation>la lecture a été annulée</translation>
-    </message>
-    <message>
-        <source>the reference pose is missing</source>
-        <translation>pas de pose de référence</translation>
     </message>
     <message>
         <source>the result of %1() is too large or undefined</source>
@@ -16543,6 +16551,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>la clé inconnue '%1'</translation>
     </message>
     <message>
+        <source>the unknown number %1</source>
+        <translation>le numéro inconnu %1</translation>
+    </message>
+    <message>
         <source>the unpacked size exceeds the limit</source>
         <translation>la taille décompressée dépasse la limite</translation>
     </message>
@@ -16569,10 +16581,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>the work object, which the file does not define</source>
         <translation>l'objet de travail dont le fichier n'a pas de valeur</translation>
-    </message>
-    <message>
-        <source>the workspace is missing</source>
-        <translation>pas d'espace de travail</translation>
     </message>
     <message>
         <source>there are no joints for the toes; the feet follow the ankles</source>
@@ -16971,12 +16979,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>sans une plage</translation>
     </message>
     <message>
-        <source>workspace_min and workspace_max</source>
-        <translation>workspace_min et workspace_max</translation>
-    </message>
-    <message>
         <source>worst RULA %1 (P5 woman %2, P50 woman %3, P50 man %4, P95 man %5).</source>
         <translation>pire RULA %1 (femme P5 %2, femme P50 %3, homme P50 %4, homme P95 %5).</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>écriture</translation>
     </message>
     <message>
         <source>x, y and z</source>

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "geometry/system/plain_text.h"
+#include "geometry/system/text.h"
 
 namespace hapticell::cli {
 
@@ -34,11 +35,11 @@ void ProgressLine::show() {
   if (progress.stage.empty()) return;
   const int percent = static_cast<int>(100.0 * progress.share);
   if (terminal_) {
-    std::fprintf(stderr, "\r\033[K%3d %%  %s", percent, plainText(progress.stage, 60).c_str());
+    std::fprintf(stderr, "\r\033[K%3d %%  %s", percent, plainText(english(progress.stage), 60).c_str());
     std::fflush(stderr);
   } else if (percent / 10 > tenths_) {
     tenths_ = percent / 10;
-    std::fprintf(stderr, "%3d %%  %s\n", percent, plainText(progress.stage).c_str());
+    std::fprintf(stderr, "%3d %%  %s\n", percent, plainText(english(progress.stage)).c_str());
   }
   shown_ = true;
 }

@@ -177,7 +177,7 @@ class StateReader {
     if (!options_.monitor) return;
     const double n = static_cast<double>(count), k = static_cast<double>(index);
     options_.monitor->setRange(k / n, (k + 1.0) / n);
-    options_.monitor->report("reading part " + std::to_string(index + 1) + " of " + std::to_string(count), 0.0);
+    options_.monitor->report(Text("reading part %1 of %2", index + 1, count), 0.0);
   }
 
   void readEntity(const Json& json, std::size_t index) {

@@ -153,7 +153,7 @@ Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const Imp
     HAPTICELL_TRY(scene);
     return entitiesFromScene(std::move(*scene), {file.string()}, options, diagnostics);
   }
-  if (monitor) monitor->report("reading", 0.0);
+  if (monitor) monitor->report(Text("reading"), 0.0);
   if (!isBuiltIn(what) && !looksLikeRobot(file)) return loadMeshTree(file, options, diagnostics);
   ImportMonitor* const usual = monitor_;
   if (monitor) monitor_ = monitor;

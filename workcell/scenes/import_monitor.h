@@ -3,21 +3,23 @@
 
 #include <atomic>
 #include <mutex>
-#include <string>
+#include <utility>
+
+#include "geometry/system/text.h"
 
 namespace hapticell::workcell {
 
 struct ImportProgress {
-  std::string stage;   ///< "reading", "meshing part 3 of 8, bolt", "checking" ...; English.
+  Text stage;          ///< "reading", "meshing part 3 of 8, bolt", "checking" ...
   double share = 0.0;  ///< Of the whole import, 0 to 1, never falling.
 };
 
 /// Between the one who imports and the one who waits: progress one way, the wish to stop the other. Any thread.
 class ImportMonitor {
  public:
-  void report(const std::string& stage, double share) {
+  void report(Text stage, double share) {
     const std::lock_guard lock(mutex_);
-    progress_.stage = stage;
+    progress_.stage = std::move(stage);
     share = from_ + share * (to_ - from_);
     if (share > progress_.share) progress_.share = share < 1.0 ? share : 1.0;
   }

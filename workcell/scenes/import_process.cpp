@@ -162,7 +162,7 @@ class Lines {
   bool done = false;
   std::optional<Error> error;
   std::optional<int> last_part;  ///< That it began.
-  std::string stage;             ///< That it told last.
+  Text stage;                    ///< That it told last.
 
   void add(std::string_view bytes) {
     // Bytes of a line that never ends: guards memory against a broken child. Half, twice: no effect.
@@ -192,7 +192,7 @@ class Lines {
       const std::size_t space = line.find(' ');
       const std::optional<double> share = parseNumber(line.substr(0, space));
       if (!share || space == std::string_view::npos) return;
-      stage = line.substr(space + 1);
+      stage = unpackedText(line.substr(space + 1)).value_or(Text());
       if (call_.monitor) call_.monitor->report(stage, *share);
     }
   }
@@ -211,7 +211,7 @@ Error tookTooLong(const ImporterCall& call, const Lines& lines, double seconds) 
   Error error = inFile(call, Text("reading took longer than %1 s", text),
                        Text("a file that can be read in the time for its size"),
                        Text("Export it again or in another format, or split it into several files."));
-  if (!lines.stage.empty()) error.place = Text(lines.stage);
+  if (!lines.stage.empty()) error.place = lines.stage;
   return error;
 }
 
@@ -243,7 +243,7 @@ Error brokeDown(const ImporterCall& call, const Lines& lines, int status) {
   Error error =
       inFile(call, Text("content that makes the reader crash"), Text("an undamaged file"),
              Text("Export it again or in another format (STEP, glTF, STL), without the part that this message names."));
-  error.place = lines.stage.empty() ? Text("at its start") : Text(lines.stage);
+  error.place = lines.stage.empty() ? Text("at its start") : lines.stage;
   return error;
 }
 

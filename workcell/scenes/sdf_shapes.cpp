@@ -112,7 +112,7 @@ SdfShapes::MeshPointer SdfShapes::meshOfFile(const sdf::Mesh& mesh, const std::s
   const auto [known, is_new] = known_.try_emplace(file.file.string() + size + mesh.Submesh());
   if (!is_new) return known->second;
   auto read = wholeOrPart(file.file, mesh);
-  if (monitor_) monitor_->report("reading meshes", 1.0 - 1.0 / (1.0 + 0.1 * static_cast<double>(known_.size())));
+  if (monitor_) monitor_->report(Text("reading meshes"), 1.0 - 1.0 / (1.0 + 0.1 * static_cast<double>(known_.size())));
   if (!read) {
     notes_.warn(Text("'%1': its mesh %2 is left out: %3", owner, file.uri, read.error().text()));
     return nullptr;

@@ -30,7 +30,7 @@ QString distanceText(const PoseDistance& distance) {
   return lengthText(distance.position, 2) + QStringLiteral(", %1°").arg(kDegrees * distance.angle, 0, 'f', 2);
 }
 
-std::function<bool(double)> progressOf(workcell::ImportMonitor& monitor, const std::string& stage) {
+std::function<bool(double)> progressOf(workcell::ImportMonitor& monitor, const Text& stage) {
   return [&monitor, stage](double share) {
     monitor.report(stage, share);
     return !monitor.isCancelled();
@@ -47,7 +47,7 @@ Expected<manipulation::PathCheckOptions> optionsFor(const Trajectory& trajectory
     HAPTICELL_TRY(moved_by);
     options.hold.moved_by = std::move(*moved_by);
   }
-  options.progress = progressOf(monitor, "checking");
+  options.progress = progressOf(monitor, Text("checking"));
   return options;
 }
 

@@ -41,12 +41,17 @@ class FakeImporter : public ::testing::Test {
   /// The shell command by which the importer says that error.
   static std::string sayingError(const Error& error) { return "echo 'error " + packed(error) + "' >&4"; }
 
+  /// The shell command by which the importer says how far it is.
+  static std::string sayingProgress(double share, const Text& stage) {
+    return "echo 'progress " + std::to_string(share) + " " + packed(stage) + "' >&4; ";
+  }
+
   test::TemporaryFolder folder_;
 };
 
 TEST_F(FakeImporter, ACrashIsOneSentenceOfWhatWasFoundAndWhatHelps) {
   for (const char* const end : {"kill -SEGV $$", "kill -ABRT $$", "exit 3"}) {
-    const auto scene = read(std::string("echo progress 0.7 meshing part 2 of 3, Flange >&4; ") + end);
+    const auto scene = read(sayingProgress(0.7, Text("meshing part %1 of %2, %3", 2, 3, "Flange")) + end);
     ASSERT_FALSE(scene);
     EXPECT_THAT(scene.error().message(),
                 HasSubstr("part.step, meshing part 2 of 3, Flange: content that makes the reader crash; expected an "
@@ -114,16 +119,16 @@ TEST_F(FakeImporter, AHangEndsWithTheTimeAllowed) {
 TEST_F(FakeImporter, OneThatSpeaksAndThenHangsEndsToo) {
   ImportLimits limits;
   limits.seconds = 0.3;
-  EXPECT_FALSE(read("echo progress 0.5 reading >&4; exec sleep 100", limits));
+  EXPECT_FALSE(read(sayingProgress(0.5, "reading") + "exec sleep 100", limits));
 }
 
 TEST_F(FakeImporter, CancellingKillsIt) {
   ImportMonitor monitor;
   std::thread user([&] {
-    while (monitor.progress().stage != "meshing") std::this_thread::yield();
+    while (monitor.progress().stage != Text("meshing")) std::this_thread::yield();
     monitor.cancel();
   });
-  const auto scene = read("echo progress 0.7 meshing >&4; exec sleep 100", {}, &monitor);
+  const auto scene = read(sayingProgress(0.7, "meshing") + "exec sleep 100", {}, &monitor);
   user.join();
   ASSERT_FALSE(scene);
   EXPECT_THAT(scene.error().message(), HasSubstr("cancelled"));
