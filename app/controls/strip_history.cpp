@@ -12,7 +12,7 @@ void StripHistory::add(const manipulation::SceneSnapshot& snapshot) {
   const bool known = !snapshot.pairs.empty() && std::isfinite(snapshot.free_gap_m);
   StripSample fresh{snapshot.time_s,
                     known ? snapshot.free_gap_m : std::numeric_limits<double>::quiet_NaN(),
-                    snapshot.force_n,
+                    snapshot.stylus.force_n,
                     false,
                     false,
                     snapshot.server.rate_hz,

@@ -51,7 +51,7 @@ bool EntityGizmo::isShownElsewhere(const std::vector<workcell::EntityId>& ids) c
     const Pose& X_WE = host_.documentModel().document().find(id)->X_WE;
     const workcell::Entity* shown = scene.find(id);
     const Pose X_WShown = shown ? scene.placement_W(*shown) : X_WE;
-    return (snapshot && snapshot->held == id) || X_WShown.p != X_WE.p || X_WShown.q != X_WE.q;
+    return (snapshot && snapshot->stylus.held == id) || X_WShown.p != X_WE.p || X_WShown.q != X_WE.q;
   });
 }
 

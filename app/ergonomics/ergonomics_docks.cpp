@@ -199,7 +199,7 @@ class ErgonomicsDocks : public QObject {
 
   void bringToFront(QDockWidget* dock) {
     const auto& snapshot = host_.snapshot();
-    if (snapshot && (snapshot->held != 0 || snapshot->forces_on)) return;
+    if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
     dock->show();
     dock->raise();
   }

@@ -63,11 +63,11 @@ void appendLive(const SceneModel& scene, QStringList& lines) {
                            : SceneText::tr("%1 is %2 from %3: a near miss.").arg(a, lengthText(pair.distance), b));
   }
   if (!now->limits.empty()) lines << SceneText::tr("%n limits reached.", nullptr, static_cast<int>(now->limits.size()));
-  const workcell::Entity* held = scene.find(now->held);
+  const workcell::Entity* held = scene.find(now->stylus.held);
   lines << (held ? SceneText::tr("Held by the stylus: %1.").arg(QString::fromStdString(held->name))
                  : SceneText::tr("Nothing is held."));
-  lines << (now->forces_on ? SceneText::tr("Forces are on: %1.").arg(forceText(now->force_n))
-                           : SceneText::tr("Forces are off."));
+  lines << (now->stylus.forces_on ? SceneText::tr("Forces are on: %1.").arg(forceText(now->stylus.force_n))
+                                  : SceneText::tr("Forces are off."));
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ mannequin::Posture MannequinContext::posture() const {
 }
 
 bool MannequinContext::isHeld() const {
-  return id_ && host_.snapshot() && host_.snapshot()->held == id_;
+  return id_ && host_.snapshot() && host_.snapshot()->stylus.held == id_;
 }
 
 bool MannequinContext::isFree() const {

@@ -143,7 +143,7 @@ class MannequinDocks : public QObject {
 
   void bringToFront() {
     const auto& snapshot = host_.snapshot();
-    if (snapshot && (snapshot->held != 0 || snapshot->forces_on)) return;
+    if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
     dock_->show();
     dock_->raise();
   }

@@ -126,7 +126,7 @@ void JointMover::play(const manipulation::JointMotion& motion) {
   travel_.seconds = std::clamp(motion.time_s, kShortest, kLongest);
   clock_.start();
   const auto& snapshot = context_.host().snapshot();
-  if (!context_.host().configuration().gui.motion || (snapshot && snapshot->held != 0)) return finishTravel();
+  if (!context_.host().configuration().gui.motion || (snapshot && snapshot->stylus.held != 0)) return finishTravel();
   playing_.start();
 }
 

@@ -80,7 +80,7 @@ Pose RobotContext::tool_W() const {
 }
 
 bool RobotContext::isHeld() const {
-  return robot() && host_.snapshot() && host_.snapshot()->held == robot_;
+  return robot() && host_.snapshot() && host_.snapshot()->stylus.held == robot_;
 }
 
 bool RobotContext::isFree() const {

@@ -133,7 +133,7 @@ class RobotDocks : public QObject {
 
   void bringToFront(QDockWidget* dock) {
     const auto& snapshot = host_.snapshot();
-    if (snapshot && (snapshot->held != 0 || snapshot->forces_on)) return;
+    if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
     dock->show();
     dock->raise();
   }

@@ -36,7 +36,7 @@ void RobotStop::show() {
   const auto& snapshot = context_.host().snapshot();
   if (context_.isHeld() && snapshot && !snapshot->limits.empty()) {
     const manipulation::LimitState& limit = snapshot->limits.front();
-    const bool pushes = limit.holds && snapshot->forces_on;
+    const bool pushes = limit.holds && snapshot->stylus.forces_on;
     return line_->show(Mark::kLimit, shownText(limit.text) +
                                          (pushes ? QObject::tr(" and pushes back on the stylus.") : QObject::tr(".")));
   }

@@ -22,7 +22,7 @@ MotionMemory::Places GoBack::placesNow() const {
 void GoBack::start() {
   // s of motion that one step of going back takes; what one remembers having done. Half, twice: more or fewer presses.
   constexpr double kSeconds = 10.0;
-  if (host_.snapshot() && host_.snapshot()->held != 0) {
+  if (host_.snapshot() && host_.snapshot()->stylus.held != 0) {
     waits_ = true;
     return host_.holdChoice().letGo();
   }
@@ -32,7 +32,7 @@ void GoBack::start() {
 }
 
 void GoBack::snapshotCame() {
-  if (waits_ && (!host_.snapshot() || host_.snapshot()->held == 0)) start();
+  if (waits_ && (!host_.snapshot() || host_.snapshot()->stylus.held == 0)) start();
 }
 
 }  // namespace hapticell::app

@@ -305,7 +305,7 @@ void MainWindow::setSnapshot(const std::optional<manipulation::SceneSnapshot>& s
   viewport_->scene().setSnapshot(snapshot);
   // Numbers change ten times a second; what moves, in the next frame.
   const bool numbers = status_.showNumbers(!snapshot);
-  if (numbers && snapshot && snapshot->held != 0) go_back_.look();
+  if (numbers && snapshot && snapshot->stylus.held != 0) go_back_.look();
   go_back_.snapshotCame();
   if (viewport_->scene().revision() != before)
     viewport_->refresh();

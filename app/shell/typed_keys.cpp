@@ -78,7 +78,7 @@ bool TypedKeys::act() const {
   const QWidget* scene = &host_.viewport();
   if (under == scene || (under && under->parentWidget() == scene && under->property("seeThrough").toBool()))
     return true;
-  return host_.snapshot() && host_.snapshot()->held != 0 && !isList(focus);
+  return host_.snapshot() && host_.snapshot()->stylus.held != 0 && !isList(focus);
 }
 
 bool TypedKeys::isOurs(const QWidget* widget) const {

@@ -26,22 +26,27 @@ struct EntityState {
 
 /// A limit that is near or holds the entity, and so explains why it does not follow.
 struct LimitState {
-  Text text;         ///< "A5 is 1.2 deg from its upper limit"
+  Text text;       ///< "A5 is 1.2 deg from its upper limit"
   int joint = -1;  ///< Index among the robot's joints; -1 if the limit is not a joint's.
   LimitKind kind = LimitKind::kJoint;
   double gap = 0.0;    ///< m that the moved frame can still move.
   bool holds = false;  ///< It limits the motion now.
 };
 
-/// State of a second stylus, for the window.
-struct SecondStylusState {
-  bool connected = false, forces_on = false, device_fault = false;
-  workcell::EntityId held = 0;  ///< 0 if it holds nothing.
+/// One stylus and what it holds, for the window.
+struct StylusState {
+  bool connected = false;
+  bool forces_on = false;
+  bool device_fault = false;    ///< The device cannot be read or commanded; the force is zero.
+  bool loop_stalled = false;    ///< The haptic server got no constraint set for 2 s and lets the force fade.
+  workcell::EntityId held = 0;  ///< 0 if nothing is held.
+  double force_ramp = 0.0;      ///< 0 .. 1.
   Pose X_WStylus;               ///< As drawn in the cell.
   Pose X_DS;                    ///< In its own workspace.
-  dvec3 force_W{0.0};           ///< N on that hand, in the cell's axes.
+  dvec3 force_W{0.0};           ///< On the hand, N, mapped to the cell's axes.
   double force_n = 0.0;
-  double motion_scale = 1.0;
+  double motion_scale = 1.0;   ///< Metres in the cell per metre of hand motion.
+  double device_edge_m = 0.0;  ///< To the edge of the device's workspace.
 };
 
 /// The data that the manipulation loop passes to the window each step: a value, the newest wins, no lock between the
@@ -53,21 +58,10 @@ struct SceneSnapshot {
       entities;                  ///< Only those that differ from the document (the held entity and what moves with it).
   std::vector<PairState> pairs;  ///< Nearest first.
   std::vector<LimitState> limits;
-  workcell::EntityId held = 0;  ///< 0 if nothing is held.
+  StylusState stylus;
   bool clutched = false;
-  bool stopped = false;  ///< A pair in mode *Stop* holds the entity.
-  bool connected = false;
-  bool forces_on = false;
-  bool device_fault = false;  ///< The device cannot be read or commanded; the force is zero.
-  bool loop_stalled = false;  ///< The haptic server got no constraint set for 2 s and lets the force fade.
-  double force_ramp = 0.0;    ///< 0 .. 1.
-  Pose X_WStylus;             ///< The stylus as drawn in the cell.
-  Pose X_DS;                  ///< The stylus in its own workspace.
-  dvec3 force_W{0.0};         ///< On the hand, N, mapped to the cell's axes.
-  double force_n = 0.0;
-  double motion_scale = 1.0;   ///< Metres in the cell per metre of hand motion.
-  double device_edge_m = 0.0;  ///< To the edge of the device's workspace.
-  double free_gap_m = 0.0;     ///< Nearest free pair.
+  bool stopped = false;     ///< A pair in mode *Stop* holds the entity.
+  double free_gap_m = 0.0;  ///< Nearest free pair.
   double rate_manipulation_hz = 0.0, step_p99_ms = 0.0;
   /// When the newest contact was first felt, ns of this program's steady clock: the force loop's tick, converted to
   /// that clock. 0 before the first.
@@ -81,9 +75,10 @@ struct SceneSnapshot {
     std::size_t frames = 0;   ///< Kept so far, of all entities.
     std::size_t by_hand = 0;  ///< Those of them added by the user.
   } recording;
-  std::optional<SecondStylusState> second;  ///< Set if there is a second stylus.
-  haptic::LinkProblem problem;              ///< Why the stylus is not connected; empty if it is.
-  /// The state of the held entity, in a sentence or two: "Gripper G2 is 6.4 mm from Clamp tower B", and the limit that holds it.
+  std::optional<StylusState> second;  ///< Set if there is a second stylus.
+  haptic::LinkProblem problem;        ///< Why the stylus is not connected; empty if it is.
+  /// The state of the held entity, in a sentence or two: "Gripper G2 is 6.4 mm from Clamp tower B", and the limit that
+  /// holds it.
   std::vector<Text> status;
 };
 

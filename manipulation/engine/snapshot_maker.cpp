@@ -86,24 +86,24 @@ void SnapshotMaker::addEntities(StylusGrip& grip, const ContactWatch& contacts, 
   addPairs(*held, contacts, snapshot);
   snapshot.entities.push_back(stateOf(held->id(), held->standing(), snapshot.pairs));
   for (const auto& [id, at] : carried) snapshot.entities.push_back(stateOf(id, at, snapshot.pairs));
-  snapshot.held = held->id();
+  snapshot.stylus.held = held->id();
 }
 
 void SnapshotMaker::addStylus(const StylusInput& input, const MotionMapping& mapping, SceneSnapshot& snapshot) {
-  snapshot.connected = input.isConnected();
-  snapshot.motion_scale = mapping.scale();
+  snapshot.stylus.connected = input.isConnected();
+  snapshot.stylus.motion_scale = mapping.scale();
   snapshot.server = input.statistics();
   const std::optional<haptic::HapticState>& state = input.state();
   if (!state) return;
-  snapshot.forces_on = state->forces_on;
-  snapshot.device_fault = state->device_fault;
-  snapshot.loop_stalled = state->client_stalled;
-  snapshot.force_ramp = state->force_ramp;
-  snapshot.X_DS = state->X_DS;
-  snapshot.X_WStylus = mapping.toCell(state->X_DS);
-  snapshot.force_W = mapping.axes() * state->force_D;
-  snapshot.force_n = glm::length(state->force_D);
-  if (const auto device = input.link().device()) snapshot.device_edge_m = edgeOf(*device, state->X_DS.p);
+  snapshot.stylus.forces_on = state->forces_on;
+  snapshot.stylus.device_fault = state->device_fault;
+  snapshot.stylus.loop_stalled = state->client_stalled;
+  snapshot.stylus.force_ramp = state->force_ramp;
+  snapshot.stylus.X_DS = state->X_DS;
+  snapshot.stylus.X_WStylus = mapping.toCell(state->X_DS);
+  snapshot.stylus.force_W = mapping.axes() * state->force_D;
+  snapshot.stylus.force_n = glm::length(state->force_D);
+  if (const auto device = input.link().device()) snapshot.stylus.device_edge_m = edgeOf(*device, state->X_DS.p);
 }
 
 Text SnapshotMaker::sentenceOf(const HeldEntity& held, const SceneSnapshot& snapshot) const {

@@ -125,7 +125,7 @@ const workcell::Entity* PropertiesPanel::entity() const {
 }
 
 bool PropertiesPanel::isHeld() const {
-  return entity() && host_.snapshot() && host_.snapshot()->held == entity()->id;
+  return entity() && host_.snapshot() && host_.snapshot()->stylus.held == entity()->id;
 }
 
 std::vector<double> PropertiesPanel::joints() const {

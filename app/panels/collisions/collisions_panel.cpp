@@ -196,7 +196,7 @@ void CollisionsPanel::showPairs() {
 }
 
 workcell::EntityId CollisionsPanel::movedEntity() const {
-  if (host_.snapshot() && host_.snapshot()->held) return host_.snapshot()->held;
+  if (host_.snapshot() && host_.snapshot()->stylus.held) return host_.snapshot()->stylus.held;
   return host_.selection().current();
 }
 
@@ -216,7 +216,7 @@ void CollisionsPanel::showRows(std::vector<PairRow> rows) {
 void CollisionsPanel::showSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
   if (snapshot) log_page_->take(*snapshot);
   const workcell::EntityId moved = movedEntity();
-  if (!snapshot || snapshot->held == 0) rest_.watch(host_.preparedScene(), moved);
+  if (!snapshot || snapshot->stylus.held == 0) rest_.watch(host_.preparedScene(), moved);
   rest_.takeResults();
   if (auto touching = rest_.takeTouching()) question_->ask(std::move(*touching));
   if (host_.documentModel().document().state().entities.empty())

@@ -69,7 +69,8 @@ void ContactLog::follow(Tracker& tracker, const Key& key, const Now& now, const 
   const auto [interval, begins] = tracker.see(key, now.time_s);
   State& state = interval.data;
   if (begins) {
-    state = {name_of(pair.moved, pair.moved_part), name_of(pair.other, pair.other_part), pair.distance, now.force_n};
+    state = {name_of(pair.moved, pair.moved_part), name_of(pair.other, pair.other_part), pair.distance,
+             now.force_n};
     add({began, now.time_s, state.moved, state.other, pair.distance, now.force_n, 0.0});
   }
   state.least_distance = std::min(state.least_distance, pair.distance);
@@ -96,11 +97,11 @@ void ContactLog::take(const manipulation::SceneSnapshot& snapshot, const Namer& 
   last_s_ = snapshot.time_s;
   for (const manipulation::PairState& pair : snapshot.pairs) {
     const Key key{pair.moved, pair.moved_part, pair.other, pair.other_part};
-    const Now now{&pair, snapshot.time_s, snapshot.force_n};
+    const Now now{&pair, snapshot.time_s, snapshot.stylus.force_n};
     if (pair.near_miss || pair.contact) follow(near_, key, now, name_of, ContactEvent::Kind::kNearMissBegan);
     if (pair.contact) follow(touching_, key, now, name_of, ContactEvent::Kind::kContactBegan);
   }
-  const bool released = snapshot.held == 0;
+  const bool released = snapshot.stylus.held == 0;
   endThose(touching_, snapshot.time_s, released, ContactEvent::Kind::kContactEnded);
   endThose(near_, snapshot.time_s, released, ContactEvent::Kind::kNearMissEnded);
 }

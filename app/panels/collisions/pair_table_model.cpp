@@ -129,7 +129,7 @@ QString onContactName(workcell::OnContact on_contact) {
 std::vector<PairRow> pairRows(const workcell::DocumentState& state, const PairSources& sources,
                               workcell::EntityId moved, const workcell::PairDefaults& defaults) {
   const RowMaker maker(state, moved, defaults);
-  const bool held = sources.snapshot && sources.snapshot->held == moved;
+  const bool held = sources.snapshot && sources.snapshot->stylus.held == moved;
   const std::vector<manipulation::PairState>* now = held ? &sources.snapshot->pairs : sources.at_rest;
   std::vector<PairRow> measured, far, off;
   std::set<std::pair<workcell::EntityId, workcell::EntityId>> seen;

@@ -81,7 +81,7 @@ void WorkcellTreeModel::takeRows(std::vector<Node> fresh) {
 /// What the stylus holds, and what a second one holds; 0: nothing.
 std::array<workcell::EntityId, 2> WorkcellTreeModel::heldEntities() const {
   if (!snapshot_) return {};
-  return {snapshot_->held, snapshot_->second ? snapshot_->second->held : 0};
+  return {snapshot_->stylus.held, snapshot_->second ? snapshot_->second->held : 0};
 }
 
 bool WorkcellTreeModel::isHeld(const workcell::Entity* entity) const {
@@ -125,7 +125,8 @@ Mark WorkcellTreeModel::markOf(const Node& node) const {
     const bool second = pair.other == node.entity && (node.part.isEmpty() || pair.other_part == part);
     if (first || second) mark = stronger(mark, pairMark(pair));
   }
-  if (mark == Mark::kNone && node.kind == Kind::kEntity && node.entity == snapshot_->held && !snapshot_->limits.empty())
+  if (mark == Mark::kNone && node.kind == Kind::kEntity && node.entity == snapshot_->stylus.held &&
+      !snapshot_->limits.empty())
     mark = Mark::kLimit;
   return mark;
 }

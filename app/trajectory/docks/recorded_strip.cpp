@@ -28,7 +28,7 @@ QWidget* RecordedStrip::chart() const {
 
 bool RecordedStrip::show(std::optional<double> seconds, const TimeAxis& axis) {
   const auto& now = host_.snapshot();
-  const bool live = seconds && now && now->connected;
+  const bool live = seconds && now && now->stylus.connected;
   if (live) {
     chart_->take(now);
     from_s_ = chart_->history().now() - *seconds;

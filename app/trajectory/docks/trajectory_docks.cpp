@@ -235,7 +235,7 @@ class TrajectoryDocks : public QObject {
 
   bool handWorks() const {
     const auto& snapshot = host_.snapshot();
-    return snapshot && (snapshot->held != 0 || snapshot->forces_on);
+    return snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on);
   }
 
   void openMotion(const QString& section) {

@@ -73,8 +73,9 @@ void RunSection::show(const State& state) {
   way_->setValue(is_running_ ? static_cast<int>(100.0 * state.share) : 0);
   const auto& snapshot = host_.snapshot();
   if (is_running_)
-    state_->setText(snapshot && snapshot->held == 0 ? tr("Hold the part with the stylus")
-                                                    : tr("%1 % of the path").arg(100.0 * state.share, 0, 'f', 0));
+    state_->setText(snapshot && snapshot->stylus.held == 0
+                        ? tr("Hold the part with the stylus")
+                        : tr("%1 % of the path").arg(100.0 * state.share, 0, 'f', 0));
   else if (!state.note.isEmpty())
     state_->setText(state.note);
   else
@@ -83,13 +84,13 @@ void RunSection::show(const State& state) {
 
 bool RunSection::forcesAreOff() const {
   const auto& snapshot = host_.snapshot();
-  return snapshot && snapshot->connected && !snapshot->forces_on;
+  return snapshot && snapshot->stylus.connected && !snapshot->stylus.forces_on;
 }
 
 void RunSection::showForces() {
   const auto& snapshot = host_.snapshot();
   const bool off = forcesAreOff();
-  const QString words = forcesText(snapshot && snapshot->connected, off, is_running_);
+  const QString words = forcesText(snapshot && snapshot->stylus.connected, off, is_running_);
   if (words != forces_->text()) forces_->setText(words);
   start_->setEnabled(has_exercise_);
   const QString start = off ? tr("Forces on and start") : tr("Start the run");

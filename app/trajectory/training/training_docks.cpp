@@ -61,7 +61,7 @@ TrainingDocks::TrainingDocks(Host& host, MotionList& list, QObject* parent) : QO
 
 void TrainingDocks::open() {
   const auto& snapshot = host_.snapshot();
-  if (snapshot && (snapshot->held != 0 || snapshot->forces_on)) return;
+  if (snapshot && (snapshot->stylus.held != 0 || snapshot->stylus.forces_on)) return;
   dock_->show();
   dock_->raise();
 }

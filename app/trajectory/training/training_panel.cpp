@@ -182,7 +182,7 @@ void TrainingPanel::editExercise(bool fresh) {
 
 void TrainingPanel::play(const trajectory::Trajectory& run) {
   const auto& snapshot = host_.snapshot();
-  if (snapshot && snapshot->held != 0) return say(tr("Release what is held first."), true);
+  if (snapshot && snapshot->stylus.held != 0) return say(tr("Release what is held first."), true);
   emit sceneWanted();
   const auto played = play_->play(expert_, run);
   if (!played) say(shownText(played.error()), true);

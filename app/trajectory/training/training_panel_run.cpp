@@ -56,7 +56,7 @@ bool TrainingPanel::placeAtBeginning() {
     say(shownText(replay.error()), true);
     return false;
   }
-  if (const auto& snapshot = host_.snapshot(); snapshot && snapshot->held != 0) {
+  if (const auto& snapshot = host_.snapshot(); snapshot && snapshot->stylus.held != 0) {
     say(tr("Release what is held first, then start the run."), true);
     return false;
   }

@@ -23,7 +23,7 @@ std::string pairNames(const SceneModel& scene, const manipulation::PairState& pa
 std::string limitWords(const manipulation::SceneSnapshot& snapshot) {
   const manipulation::LimitState& limit = snapshot.limits.front();
   const std::string words = shownText(limit.text).toStdString();
-  return limit.holds && snapshot.forces_on ? words + OverlayText::tr(" and pushes back").toStdString() : words;
+  return limit.holds && snapshot.stylus.forces_on ? words + OverlayText::tr(" and pushes back").toStdString() : words;
 }
 
 }  // namespace
@@ -44,8 +44,8 @@ std::vector<OverlayLabel> overlayLabels(const SceneModel& scene) {
     labels.push_back({kNearMissKey, near->near_miss ? Mark::kNearMiss : Mark::kNone, millimetres(near->distance),
                       pairNames(scene, *near), 0.5 * (near->p_WA + near->p_WB)});
   if (!snapshot.limits.empty())
-    labels.push_back(
-        {kLimitKey, Mark::kLimit, OverlayText::tr("Limit").toStdString(), limitWords(snapshot), snapshot.X_WStylus.p});
+    labels.push_back({kLimitKey, Mark::kLimit, OverlayText::tr("Limit").toStdString(), limitWords(snapshot),
+                      snapshot.stylus.X_WStylus.p});
   return labels;
 }
 
@@ -60,23 +60,23 @@ double forceArrowOpacity(double newtons) {
 dvec3 forceArrowStart_W(const manipulation::SceneSnapshot& snapshot) {
   const auto contact =
       std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return p.contact; });
-  return contact != snapshot.pairs.end() ? contact->p_WB : snapshot.X_WStylus.p;
+  return contact != snapshot.pairs.end() ? contact->p_WB : snapshot.stylus.X_WStylus.p;
 }
 
 std::optional<ForceArrow> forceArrow(const manipulation::SceneSnapshot& snapshot, const Camera& camera,
                                      const ViewSize& size) {
-  const double opacity = forceArrowOpacity(snapshot.force_n);
-  const double force = glm::length(snapshot.force_W);
+  const double opacity = forceArrowOpacity(snapshot.stylus.force_n);
+  const double force = glm::length(snapshot.stylus.force_W);
   if (opacity <= 0.0 || force <= 0.0) return std::nullopt;
   const auto from = camera.project(forceArrowStart_W(snapshot), size);
   if (!from) return std::nullopt;
-  const dvec3 direction = snapshot.force_W / force;
+  const dvec3 direction = snapshot.stylus.force_W / force;
   const glm::dvec2 seen(glm::dot(direction, camera.right_W()), -glm::dot(direction, camera.up_W()));
   const double share = glm::length(seen);
   const glm::dvec2 along = share > 1e-6 ? seen / share : glm::dvec2(0, -1);
   // Seen from its end an arrow is short, but it never disappears.
-  const double length = forceArrowLength(snapshot.force_n) * std::max(share, 0.25);
-  return ForceArrow{*from, *from + length * along, opacity, newtons(snapshot.force_n)};
+  const double length = forceArrowLength(snapshot.stylus.force_n) * std::max(share, 0.25);
+  return ForceArrow{*from, *from + length * along, opacity, newtons(snapshot.stylus.force_n)};
 }
 
 }  // namespace hapticell::app

@@ -24,10 +24,10 @@ std::vector<PenTag> penTags(const Overlay& overlay) {
   std::vector<PenTag> tags;
   if (!overlay.scene || !overlay.scene->snapshot()) return tags;
   const manipulation::SceneSnapshot& snapshot = *overlay.scene->snapshot();
-  if (!snapshot.connected || !snapshot.second || !snapshot.second->connected) return tags;
-  const double pixel = overlay.camera.metresPerPixel(snapshot.X_WStylus.p, overlay.size);
+  if (!snapshot.stylus.connected || !snapshot.second || !snapshot.second->connected) return tags;
+  const double pixel = overlay.camera.metresPerPixel(snapshot.stylus.X_WStylus.p, overlay.size);
   for (const bool second : {false, true}) {
-    const Pose& X_WS = second ? snapshot.second->X_WStylus : snapshot.X_WStylus;
+    const Pose& X_WS = second ? snapshot.second->X_WStylus : snapshot.stylus.X_WStylus;
     const dvec3 middle_W = X_WS.p + (penPixels(overlay.size) + kAway) * pixel * X_WS.rotate(stylusDirection_S());
     const auto middle = overlay.camera.project(middle_W, overlay.size);
     if (!middle) continue;

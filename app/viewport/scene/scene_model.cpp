@@ -36,8 +36,8 @@ bool sameScene(const manipulation::SceneSnapshot& a, const manipulation::SceneSn
   const auto secondPen = [](const manipulation::SceneSnapshot& s) {
     return s.second && s.second->connected ? s.second->X_WStylus : Pose::identity();
   };
-  return samePose(a.X_WStylus, b.X_WStylus) && samePose(secondPen(a), secondPen(b)) && a.held == b.held &&
-         a.connected == b.connected &&
+  return samePose(a.stylus.X_WStylus, b.stylus.X_WStylus) && samePose(secondPen(a), secondPen(b)) &&
+         a.stylus.held == b.stylus.held && a.stylus.connected == b.stylus.connected &&
          std::equal(a.entities.begin(), a.entities.end(), b.entities.begin(), b.entities.end(), sameEntity) &&
          sameMarks(a, b) && sameMarks(b, a);
 }
@@ -220,7 +220,7 @@ std::vector<double> SceneModel::joints(const workcell::Entity& entity) const {
 
 std::uint32_t SceneModel::marks(const workcell::Entity& entity, const std::string& part) const {
   std::uint32_t state = kPlain;
-  const bool held = snapshot_ && snapshot_->held == entity.id;
+  const bool held = snapshot_ && snapshot_->stylus.held == entity.id;
   if (held || std::find(selected_.begin(), selected_.end(), entity.id) != selected_.end()) state |= kSelected;
   if (entity.id == hovered_) state |= kHovered;
   if (!snapshot_) return state;

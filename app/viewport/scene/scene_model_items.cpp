@@ -21,7 +21,7 @@ constexpr double kSamePlace = 1.5e-4;
 /// What a stylus holds, or what is chosen alone: what the hand or the eye is at; with all that hangs on it.
 std::vector<workcell::EntityId> SceneModel::held() const {
   std::vector<workcell::EntityId> ids;
-  if (snapshot_ && snapshot_->held != 0) ids.push_back(snapshot_->held);
+  if (snapshot_ && snapshot_->stylus.held != 0) ids.push_back(snapshot_->stylus.held);
   if (snapshot_ && snapshot_->second && snapshot_->second->held != 0) ids.push_back(snapshot_->second->held);
   if (selected_.size() == 1) ids.push_back(selected_.front());
   const auto has = [&ids](workcell::EntityId id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
@@ -144,8 +144,8 @@ std::vector<RenderItem> SceneModel::items(const StylusLook& stylus) const {
   for (const auto& [owner, ghosts] : ghosts_)
     for (const GhostPose& ghost : ghosts) appendGhost(ghost, result);
   for (const auto& [owner, extras] : extras_) result.insert(result.end(), extras.begin(), extras.end());
-  if (stylus.length <= 0.0 || !snapshot_ || !snapshot_->connected) return result;
-  appendStylus(stylus, snapshot_->X_WStylus, result);
+  if (stylus.length <= 0.0 || !snapshot_ || !snapshot_->stylus.connected) return result;
+  appendStylus(stylus, snapshot_->stylus.X_WStylus, result);
   if (!snapshot_->second || !snapshot_->second->connected) return result;
   static const StylusMesh second = makeSecondStylusMesh();
   const bool dark_theme = stylus.body == penColor(false, true);

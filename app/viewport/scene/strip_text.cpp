@@ -65,16 +65,16 @@ std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, c
                 say(StripText::tr("clearance"))};
   if (known && (free->near_miss || free->distance <= context.near_miss_distance)) gap.mark = Mark::kNearMiss;
   cells.push_back(gap);
-  const std::string force = snapshot.forces_on ? newtons(snapshot.force_n) : say(StripText::tr("off"));
+  const std::string force = snapshot.stylus.forces_on ? newtons(snapshot.stylus.force_n) : say(StripText::tr("off"));
   cells.push_back({contact ? Mark::kContact : Mark::kNone, force, say(StripText::tr("force"))});
   const std::string name = context.scale_name.empty() ? "" : context.scale_name + " ";
-  cells.push_back({Mark::kNone, name + scaleText(snapshot.motion_scale), say(StripText::tr("scale"))});
+  cells.push_back({Mark::kNone, name + scaleText(snapshot.stylus.motion_scale), say(StripText::tr("scale"))});
   const QString on_contact = snapshot.stopped ? StripText::tr("Stopped") : onContactText(context.on_contact);
   cells.push_back({Mark::kNone, say(on_contact), say(StripText::tr("on contact"))});
   cells.push_back({Mark::kNone, snapshot.clutched ? say(StripText::tr("Clutch")) : context.free_axes,
                    say(StripText::tr("free to move"))});
-  StripCell edge{Mark::kNone, say(lengthText(snapshot.device_edge_m, 0)), say(StripText::tr("to device edge"))};
-  if (snapshot.device_edge_m < 0.005) edge.mark = Mark::kLimit;
+  StripCell edge{Mark::kNone, say(lengthText(snapshot.stylus.device_edge_m, 0)), say(StripText::tr("to device edge"))};
+  if (snapshot.stylus.device_edge_m < 0.005) edge.mark = Mark::kLimit;
   cells.push_back(edge);
   return cells;
 }

@@ -23,7 +23,7 @@ constexpr QImage::Format kOverlayFormat = QImage::Format_ARGB32_Premultiplied;
 std::vector<StripCell> ViewOverlay::spokenNumbers() const {
   const auto& snapshot = view_.scene().snapshot();
   std::vector<StripCell> said;
-  if (snapshot && snapshot->connected) said = stripCells(*snapshot, strip_);
+  if (snapshot && snapshot->stylus.connected) said = stripCells(*snapshot, strip_);
   for (const OverlayLabel& label : overlayLabels(view_.scene()))
     said.push_back({label.mark, label.number, label.names});
   return said;
@@ -54,7 +54,7 @@ std::vector<OverlayLabel> ViewOverlay::allLabels() const {
 Strips ViewOverlay::strips() const {
   const auto& snapshot = view_.scene().snapshot();
   Strips strips;
-  const bool stylus = snapshot && snapshot->connected && (snapshot->forces_on || figure_strip_.empty());
+  const bool stylus = snapshot && snapshot->stylus.connected && (snapshot->stylus.forces_on || figure_strip_.empty());
   if (stylus) strips.push_back(stripCells(*snapshot, strip_));
   if (!figure_strip_.empty()) strips.push_back(figure_strip_);
   return strips;
@@ -109,7 +109,7 @@ KeptFree ViewOverlay::keptFree(const Overlay& overlay) const {
     const auto end = view_.camera().project(X_WS.p + length * X_WS.rotate(stylusDirection_S()), size);
     if (tip && end) add(*tip, *end, 12.0);
   };
-  if (snapshot->connected) addPen(snapshot->X_WStylus);
+  if (snapshot->stylus.connected) addPen(snapshot->stylus.X_WStylus);
   if (snapshot->second && snapshot->second->connected) addPen(snapshot->second->X_WStylus);
   return kept;
 }

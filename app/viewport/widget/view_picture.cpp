@@ -97,8 +97,8 @@ void ViewPicture::showNewPart() {
 /// Something is held with forces on: a contact that is felt is to be seen at once.
 bool ViewPicture::touchMatters() const {
   const auto& now = view_.scene().snapshot();
-  return now &&
-         ((now->forces_on && now->held != 0) || (now->second && now->second->forces_on && now->second->held != 0));
+  return now && ((now->stylus.forces_on && now->stylus.held != 0) ||
+                 (now->second && now->second->forces_on && now->second->held != 0));
 }
 
 void ViewPicture::drawMoving(double now) {

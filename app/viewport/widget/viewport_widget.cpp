@@ -83,7 +83,7 @@ Frame ViewportWidget::makeFrame() const {
   frame.colors = frameColors(theme, scene_.colouredSets());
   SceneModel::StylusLook look;
   if (scene_.snapshot())
-    look.length = penPixels(viewSize()) * camera().metresPerPixel(scene_.snapshot()->X_WStylus.p, viewSize());
+    look.length = penPixels(viewSize()) * camera().metresPerPixel(scene_.snapshot()->stylus.X_WStylus.p, viewSize());
   look.body = penColor(false, theme.dark);
   look.band = triple(theme.selection);
   frame.items = scene_.items(look);

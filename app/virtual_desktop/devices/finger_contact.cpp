@@ -16,7 +16,8 @@ constexpr double kTouch = 0.35;
 
 FingerVibration fingerVibration(const manipulation::SceneSnapshot& snapshot, workcell::EntityId figure,
                                 mannequin::Side side, double peak_n) {
-  const double pressed = peak_n > 0.0 && snapshot.forces_on ? std::clamp(snapshot.force_n / peak_n, 0.0, 1.0) : 0.0;
+  const double pressed =
+      peak_n > 0.0 && snapshot.stylus.forces_on ? std::clamp(snapshot.stylus.force_n / peak_n, 0.0, 1.0) : 0.0;
   FingerVibration strength{};
   for (const manipulation::PairState& pair : snapshot.pairs) {
     if (!pair.contact) continue;

@@ -162,9 +162,9 @@ std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& f
                      : QString())});
   checks.push_back(contactsCheck(now.server));
   checks.push_back(sightCheck(sight));
-  const bool edge = now.device_edge_m < 0.005;
+  const bool edge = now.stylus.device_edge_m < 0.005;
   checks.push_back({edge ? Result::kWarning : Result::kGood, tr("Range of motion"),
-                    tr("%1 to the edge of the workspace").arg(lengthText(now.device_edge_m, 0))});
+                    tr("%1 to the edge of the workspace").arg(lengthText(now.stylus.device_edge_m, 0))});
   return checks;
 }
 

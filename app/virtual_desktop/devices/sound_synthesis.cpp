@@ -41,8 +41,9 @@ SoundCue soundCue(const manipulation::SceneSnapshot& now, const manipulation::Sc
   const double seconds = now.time_s - before.time_s;
   if (now.pairs.empty() || before.pairs.empty() || !(seconds > 0.0)) return cue;
   cue.approach_speed = std::max(0.0, (before.pairs.front().distance - now.pairs.front().distance) / seconds);
-  if (cue.contact && std::any_of(before.pairs.begin(), before.pairs.end(), in_contact) && now.held == before.held)
-    cue.sliding_speed = glm::distance(now.X_WStylus.p, before.X_WStylus.p) / seconds;
+  if (cue.contact && std::any_of(before.pairs.begin(), before.pairs.end(), in_contact) &&
+      now.stylus.held == before.stylus.held)
+    cue.sliding_speed = glm::distance(now.stylus.X_WStylus.p, before.stylus.X_WStylus.p) / seconds;
   return cue;
 }
 

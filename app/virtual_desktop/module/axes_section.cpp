@@ -90,7 +90,7 @@ void AxesSection::showSettings() {
 }
 
 void AxesSection::showScale() {
-  scale_note_->setText(scaleNote(controller_.snapshot().motion_scale));
+  scale_note_->setText(scaleNote(controller_.snapshot().stylus.motion_scale));
 }
 
 }  // namespace hapticell::app

@@ -86,8 +86,8 @@ void ForceSection::show() {
   mend_why_->setText(reason.why);
   fix_->setText(reason.button);
   meter_or_fix_->setCurrentIndex(broken ? 1 : 0);
-  force_now_->setText(QString::fromStdString(newtons(now.force_n)));
-  meter_->setForce(now.force_n);
+  force_now_->setText(QString::fromStdString(newtons(now.stylus.force_n)));
+  meter_->setForce(now.stylus.force_n);
 }
 
 void ForceSection::showDevice() {
@@ -103,7 +103,7 @@ void ForceSection::fix() {
   if (how == Fix::kTakeStylus) controller_.takeStylus();
   if (how == Fix::kSlide) controller_.setOnContact(workcell::OnContact::kSlide);
   if (how == Fix::kCheck)
-    host_.documentModel().execute(workcell::SetProperties{.id = controller_.snapshot().held, .checked = true});
+    host_.documentModel().execute(workcell::SetProperties{.id = controller_.snapshot().stylus.held, .checked = true});
 }
 
 }  // namespace hapticell::app

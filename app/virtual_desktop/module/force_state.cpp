@@ -24,7 +24,7 @@ void ForceState::reset() {
 
 void ForceState::snapshotCame(bool cut) {
   since_snapshot_.start();
-  if (owner_.snapshot().forces_on) cut_ = false;
+  if (owner_.snapshot().stylus.forces_on) cut_ = false;
   if (cut) reportCut();
 }
 
@@ -36,22 +36,22 @@ ForceFacts ForceState::facts() const {
   facts.lost = lost_;
   facts.forceless = owner_.device() && owner_.device()->driven_axes == 0;
   facts.wanted = wanted_;
-  facts.on = facts.connected && owner_.snapshot().forces_on;
-  facts.ramp = owner_.snapshot().force_ramp;
-  facts.device_fault = facts.connected && owner_.snapshot().device_fault;
+  facts.on = facts.connected && owner_.snapshot().stylus.forces_on;
+  facts.ramp = owner_.snapshot().stylus.force_ramp;
+  facts.device_fault = facts.connected && owner_.snapshot().stylus.device_fault;
   // ms without a snapshot until the loop counts as dead; by trial. Half: said where a loop is only busy; twice: a dead
   // loop is unsaid for longer.
   constexpr qint64 kStalled = 2000;
   facts.stalled =
       facts.connected && wanted_ &&
-      (owner_.snapshot().loop_stalled || (since_snapshot_.isValid() && since_snapshot_.elapsed() > kStalled));
+      (owner_.snapshot().stylus.loop_stalled || (since_snapshot_.isValid() && since_snapshot_.elapsed() > kStalled));
   facts.cut = cut_;
   // m to the workspace's edge that count as there: the stops give a little. Half: it flickers; twice: said before the
   // stop is felt.
   constexpr double kEdge = 1e-3;
-  facts.at_edge = owner_.device() && owner_.snapshot().device_edge_m < kEdge;
-  facts.held = owner_.snapshot().held != 0;
-  if (const workcell::Entity* held = owner_.host().documentModel().document().find(owner_.snapshot().held)) {
+  facts.at_edge = owner_.device() && owner_.snapshot().stylus.device_edge_m < kEdge;
+  facts.held = owner_.snapshot().stylus.held != 0;
+  if (const workcell::Entity* held = owner_.host().documentModel().document().find(owner_.snapshot().stylus.held)) {
     facts.checked = held->checked;
     facts.passes = owner_.settings().on_contact == workcell::OnContact::kPass;
   }

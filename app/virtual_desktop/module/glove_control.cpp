@@ -27,16 +27,16 @@ void GloveControl::vibrate(const GlovedHand& hand) {
   const double peak = owner_.device() ? owner_.device()->peak_force : 0.0;
   FingerVibration strength = fingerVibration(owner_.snapshot(), hand.entity, hand.side, peak);
   const bool touches = std::any_of(strength.begin(), strength.end(), [](double each) { return each > 0.0; });
-  const bool other_held = owner_.snapshot().held != 0 && owner_.snapshot().held != hand.entity;
-  if (!touches && other_held && owner_.snapshot().forces_on && peak > 0.0)
-    strength.fill(owner_.snapshot().force_n / peak);
+  const bool other_held = owner_.snapshot().stylus.held != 0 && owner_.snapshot().stylus.held != hand.entity;
+  if (!touches && other_held && owner_.snapshot().stylus.forces_on && peak > 0.0)
+    strength.fill(owner_.snapshot().stylus.force_n / peak);
   inputs_.vibrateGlove(strength);
 }
 
 bool GloveControl::mayGrasp(workcell::EntityId entity, workcell::EntityId hand) const {
   const workcell::Entity* part = owner_.host().documentModel().document().find(entity);
   return part && part->kind == workcell::EntityKind::kSolid && !part->locked && part->attachment.to.empty() &&
-         entity != hand && entity != owner_.snapshot().held;
+         entity != hand && entity != owner_.snapshot().stylus.held;
 }
 
 /// What thumb and fingers close on goes with the hand; opened, they let it go where it is.

@@ -36,9 +36,9 @@ void LoopFeed::postGuides() const {
 /// The loop may still be at the cell before.
 bool LoopFeed::isOfCell(const manipulation::SceneSnapshot& snapshot) const {
   const auto isOld = [this](workcell::EntityId id) { return id != 0 && id <= closed_ids_; };
-  return !isOld(snapshot.held) && std::none_of(snapshot.pairs.begin(), snapshot.pairs.end(), [&](const auto& pair) {
-    return isOld(pair.moved) || isOld(pair.other);
-  });
+  return !isOld(snapshot.stylus.held) &&
+         std::none_of(snapshot.pairs.begin(), snapshot.pairs.end(),
+                      [&](const auto& pair) { return isOld(pair.moved) || isOld(pair.other); });
 }
 
 Pose LoopFeed::cameraPose_W() const {

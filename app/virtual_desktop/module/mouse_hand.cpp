@@ -40,11 +40,11 @@ void MouseHand::update() {
   const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
   MouseStylus::State state;
   state.usable = owner_.isConnected() && owner_.link().isSimulated();
-  state.holding_entity = owner_.snapshot().held != 0;
+  state.holding_entity = owner_.snapshot().stylus.held != 0;
   state.q_WD = owner_.axes_W();
-  state.scale = owner_.snapshot().motion_scale;
-  state.p_WTip = owner_.snapshot().X_WStylus.p;
-  state.d_WPen = owner_.snapshot().X_WStylus.rotate(stylusDirection_S());
+  state.scale = owner_.snapshot().stylus.motion_scale;
+  state.p_WTip = owner_.snapshot().stylus.X_WStylus.p;
+  state.d_WPen = owner_.snapshot().stylus.X_WStylus.rotate(stylusDirection_S());
   state.pen_length = penPixels(size) * viewport.camera().metresPerPixel(state.p_WTip, size);
   if (const auto& device = owner_.device())
     state.workspace_min = device->workspace_min, state.workspace_max = device->workspace_max;

@@ -131,7 +131,7 @@ void SecondStylusControl::follow() {
 void SecondStylusControl::updateMouse(manipulation::SceneSnapshot& snapshot) {
   MouseStylus::State state;
   if (snapshot.second && device_) {
-    manipulation::SecondStylusState& second = *snapshot.second;
+    manipulation::StylusState& second = *snapshot.second;
     const dquat q_WD = owner_.axes_W();
     second.X_WStylus.q = glm::normalize(q_WD * second.X_DS.q);
     const ViewportWidget& viewport = owner_.host().viewport();

@@ -288,7 +288,7 @@ void VirtualDesktopController::take(const std::vector<manipulation::Result>& res
 
 void VirtualDesktopController::followConnection() {
   const bool connected = isConnected();
-  if (!connected && (forcesWanted() || snapshot_.forces_on)) forces_.reportLoss();
+  if (!connected && (forcesWanted() || snapshot_.stylus.forces_on)) forces_.reportLoss();
   forces_.connectionChanged();  // Never on by a reconnection.
   loop_->post(command::SetForces{false});
   loop_->postSecond(command::SetForces{false});
@@ -326,19 +326,19 @@ void VirtualDesktopController::takeSnapshot() {
   if (!loop_ || !loop_->latest(fresh) || !feed_.isOfCell(fresh)) return;
   sound_.play(soundCue(fresh, snapshot_));
   const bool connected = isConnected();
-  const bool cut = connected && snapshot_.forces_on && !fresh.forces_on && forcesWanted();
+  const bool cut = connected && snapshot_.stylus.forces_on && !fresh.stylus.forces_on && forcesWanted();
   snapshot_ = std::move(fresh);
   if (!connected) {  // What the server said last is not so any more.
     snapshot_.server = {};
-    snapshot_.forces_on = false;
-    snapshot_.force_n = 0.0;
+    snapshot_.stylus.forces_on = false;
+    snapshot_.stylus.force_n = 0.0;
   }
   forces_.snapshotCame(cut);
   const int period = snapshot_.idle ? std::max(kIdlePeriod, busyPeriod()) : busyPeriod();
   if (timer_.interval() != period) timer_.setInterval(period);
   // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
   const dquat q_WD = feed_.axes_W();
-  snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);
+  snapshot_.stylus.X_WStylus.q = glm::normalize(q_WD * snapshot_.stylus.X_DS.q);
   mouse_.update();
   second_.updateMouse(snapshot_);
   host_.setGuiRate(guiRate());
@@ -347,7 +347,7 @@ void VirtualDesktopController::takeSnapshot() {
 
 void VirtualDesktopController::showDevice() {
   if (!device()) return host_.setDeviceText(deviceLine(), false);
-  QString forces = snapshot_.forces_on ? tr(" · forces on") : tr(" · forces off");
+  QString forces = snapshot_.stylus.forces_on ? tr(" · forces on") : tr(" · forces off");
   if (forces_.areLost()) forces = tr(" · forces lost");
   host_.setDeviceText(QString::fromStdString(device()->name) + forces, !forces_.areLost());
 }

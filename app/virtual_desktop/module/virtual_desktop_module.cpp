@@ -150,7 +150,7 @@ void VirtualDesktopModule::chooseFirstRobot() {
 /// What is chosen in the scene or in the tree is what the stylus takes next.
 void VirtualDesktopModule::followSelection(workcell::EntityId entity) {
   const workcell::Entity* chosen = host_->documentModel().document().find(entity);
-  if (!chosen || chosen->locked || controller_->snapshot().held != 0) return;
+  if (!chosen || chosen->locked || controller_->snapshot().stylus.held != 0) return;
   VirtualDesktopSettings settings = controller_->settings();
   if (settings.entity == entity) return;
   settings.entity = entity;
@@ -197,7 +197,7 @@ void VirtualDesktopModule::addPill() {
 
 void VirtualDesktopModule::showPill() {
   if (!pill_button_) return;
-  const bool on = controller_->snapshot().forces_on;
+  const bool on = controller_->snapshot().stylus.forces_on;
   const bool lost = controller_->forceFacts().lost;
   if (on != pill_button_->isChecked() || lost != pill_lost_ || pill_button_->icon().isNull()) {  // Setting it paints.
     const Theme& theme = themeOf(pill_button_->palette());
@@ -259,7 +259,7 @@ void VirtualDesktopModule::addMenu() {
 bool VirtualDesktopModule::handleKey(int key, bool pressed, bool repeated) {
   if (key == Qt::Key_Escape && pressed) {
     // Always, whatever has the focus: forces off first.
-    const bool was_on = controller_->forcesWanted() || controller_->snapshot().forces_on;
+    const bool was_on = controller_->forcesWanted() || controller_->snapshot().stylus.forces_on;
     controller_->setForces(false);
     if (!was_on && controller_->mouse().follow()) controller_->mouse().setFollow(false);
     return was_on;

@@ -43,7 +43,7 @@ WorkspaceSection::WorkspaceSection(VirtualDesktopController& controller, QVBoxLa
 void WorkspaceSection::show() {
   const manipulation::SceneSnapshot& now = controller_.snapshot();
   if (const auto& device = controller_.device()) {
-    const dvec3 low = device->workspace_min, high = device->workspace_max, tip = now.X_DS.p;
+    const dvec3 low = device->workspace_min, high = device->workspace_max, tip = now.stylus.X_DS.p;
     workspace_->setState({low.x, low.y, low.z}, {high.x, high.y, high.z}, {tip.x, tip.y, tip.z}, true);
     const dvec3 size = high - low;
     const auto number = [](double metres) { return lengthText(metres, 0).section(QLatin1Char(' '), 0, 0); };
@@ -52,7 +52,7 @@ void WorkspaceSection::show() {
                          keyLine("C", tr("contact mode"), theme) + keyLine("B", tr("stylus button"), theme);
     text_->setText(QStringLiteral("%1 × %2 × %3<br>%4<table style=\"margin-top:6px\" cellpadding=\"1\">%5</table>")
                        .arg(number(size.x), number(size.y), lengthText(size.z, 0))
-                       .arg(tr("%1 to the edge").arg(lengthText(now.device_edge_m, 0)), keys));
+                       .arg(tr("%1 to the edge").arg(lengthText(now.stylus.device_edge_m, 0)), keys));
   } else {
     workspace_->setState({-0.08, -0.065, -0.065}, {0.08, 0.065, 0.065}, {0, 0, 0}, false);
     text_->setText(tr("No device"));

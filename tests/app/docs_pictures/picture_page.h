@@ -36,7 +36,7 @@ class PicturePage : public ServerFirst, public CellPage {
     window().restoreLayout();
     settle();
     if (stylus == Stylus::kNone) return;
-    EXPECT_TRUE(until([this] { return window().snapshot() && now().connected; }, kPatience)) << "no stylus";
+    EXPECT_TRUE(until([this] { return window().snapshot() && now().stylus.connected; }, kPatience)) << "no stylus";
     hand.put(dvec3(0.0));
   }
   const manipulation::SceneSnapshot& now() { return *window().snapshot(); }
@@ -93,14 +93,14 @@ class PicturePage : public ServerFirst, public CellPage {
     chooseSegment("segmentsAxes", 1);
     chooseSegment("segmentsScale", scale);
     trigger("actionForcesOn");
-    ASSERT_TRUE(until([this] { return now().forces_on; }, kPatience)) << "forces do not come";
+    ASSERT_TRUE(until([this] { return now().stylus.forces_on; }, kPatience)) << "forces do not come";
   }
   /// The hand at `p_DH` presses the stylus's button: it holds the chosen entity.
   void take(const dvec3& p_DH) {
     hand.put(p_DH);
     rest(700);
     hand.put(p_DH, true);
-    ASSERT_TRUE(until([this] { return now().held != 0; }, kPatience)) << "nothing is held";
+    ASSERT_TRUE(until([this] { return now().stylus.held != 0; }, kPatience)) << "nothing is held";
     hand.put(p_DH);
     rest(300);
   }

@@ -144,7 +144,7 @@ TEST(GizmoInTheScene, IsGoneWhileAHandHasThePartAndBackWhereItWasPut) {
   ASSERT_EQ(arrows().size(), 1u);
   const dvec3 before = arrows().front();
   manipulation::SceneSnapshot snapshot;  // It hangs on what is held: held is another entity.
-  snapshot.held = page.right;
+  snapshot.stylus.held = page.right;
   snapshot.entities.push_back({page.left, Pose::translation({0, 0.1, 0}), {}});
   page.window().setSnapshot(snapshot);
   EXPECT_TRUE(arrows().empty());

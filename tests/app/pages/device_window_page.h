@@ -112,18 +112,18 @@ class DevicePage : public OwnUser, public CellPage {
     settle();
   }
   const std::optional<manipulation::SceneSnapshot>& snapshot() { return window().viewport().scene().snapshot(); }
-  std::optional<manipulation::SecondStylusState> second() { return snapshot() ? snapshot()->second : std::nullopt; }
+  std::optional<manipulation::StylusState> second() { return snapshot() ? snapshot()->second : std::nullopt; }
   /// Waits until the stylus is connected and stands still; of two, both, beside each other.
   testing::AssertionResult stylusesRest(bool both = true) {
     std::uint64_t seen = 0;
     dvec3 last_first{0.0}, last_second{0.0};
     int rests = 0;
     const auto rest = [&] {
-      if (!snapshot() || !snapshot()->connected) return false;
+      if (!snapshot() || !snapshot()->stylus.connected) return false;
       if (snapshot()->step == seen) return rests > 10;
       if (both && !(second() && second()->connected)) return false;
       seen = snapshot()->step;
-      const dvec3 first_at = snapshot()->X_WStylus.p;
+      const dvec3 first_at = snapshot()->stylus.X_WStylus.p;
       const dvec3 second_at = both ? second()->X_WStylus.p : first_at + dvec3(1.0);
       const double moved = glm::length(first_at - last_first) + glm::length(second_at - last_second);
       last_first = first_at;
@@ -174,7 +174,7 @@ class DevicePage : public OwnUser, public CellPage {
 
 inline bool connected(DevicePage& page) {
   const auto& snapshot = page.window().viewport().scene().snapshot();
-  return snapshot && snapshot->connected;
+  return snapshot && snapshot->stylus.connected;
 }
 
 }  // namespace hapticell::app

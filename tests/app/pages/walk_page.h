@@ -30,7 +30,7 @@ class WalkPage : public ServerFirst, public CellPage {
     window().loadModules(ModuleLoader::defaultFolders());
     EXPECT_TRUE(window().startModule("Virtual Desktop"));
     window().restoreLayout();
-    EXPECT_TRUE(until([this] { return window().snapshot() && window().snapshot()->connected; }, kPatience));
+    EXPECT_TRUE(until([this] { return window().snapshot() && window().snapshot()->stylus.connected; }, kPatience));
     trigger("actionFirstPage");
     activate();
   }

@@ -115,7 +115,7 @@ TEST(Tools, TheFrameInTheSceneGoesWithTheRobotWhoeverMovesIt) {
   std::vector<double> led = page.joints();
   led[1] += 0.3;
   manipulation::SceneSnapshot snapshot;  // As from the stylus that drags it.
-  snapshot.held = robot;
+  snapshot.stylus.held = robot;
   snapshot.entities.push_back({robot, page.selected()->X_WE, led});
   page.window().setSnapshot(snapshot);
   EXPECT_LT(glm::length(drawnFrame(page, "X") - tool(led)), 1e-9);

@@ -123,7 +123,7 @@ void useCellA(CellPage& page, const QTemporaryDir& folder) {
   page.find<QLineEdit>("filterPairs")->setText("oth");
   manipulation::SceneSnapshot snapshot;
   snapshot.time_s = 1.0;
-  snapshot.held = part;
+  snapshot.stylus.held = part;
   manipulation::PairState pair;
   pair.moved = part;
   pair.other = page.document().findByName("other")->id;

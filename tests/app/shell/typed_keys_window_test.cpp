@@ -169,7 +169,7 @@ TEST(TypedKeys, TheStylusThatHoldsAPartIsInTheSceneWhereverThePointerIs) {
   page.window().viewport().setFocus();
   EXPECT_FALSE(page.window().typedKeysAct());
   manipulation::SceneSnapshot snapshot;
-  snapshot.held = page.part;
+  snapshot.stylus.held = page.part;
   page.window().setSnapshot(snapshot);
   EXPECT_TRUE(page.window().typedKeysAct());
   page.find<QTreeView>("treeWorkcell")->setFocus();

@@ -122,7 +122,8 @@ TEST(Window, WorksWithoutModulesAndStartsTheOneThatIsThere) {
   // The test stands beside the program, so the modules' folder is there too.
   if (page.window().startModule("Virtual Desktop")) {
     EXPECT_TRUE(page.hasDock("dockVirtualDesktop"));
-    EXPECT_FALSE(page.window().snapshot() && page.window().snapshot()->forces_on) << "forces are never on by a start";
+    EXPECT_FALSE(page.window().snapshot() && page.window().snapshot()->stylus.forces_on)
+        << "forces are never on by a start";
   } else {
     ADD_FAILURE() << "the module was not found";
   }
@@ -188,8 +189,8 @@ TEST(Window, LabelsOverlapNeitherEachOtherNorTheArrowsOfTheGizmo) {
   viewport.fit(viewport.scene().bounds_W(), false);
   page.trigger("actionMove");
   manipulation::SceneSnapshot snapshot;
-  snapshot.connected = true;
-  snapshot.X_WStylus = Pose::translation({0.02, 0.02, 0.02});
+  snapshot.stylus.connected = true;
+  snapshot.stylus.X_WStylus = Pose::translation({0.02, 0.02, 0.02});
   manipulation::PairState near;
   near.moved = near.other = part;
   near.distance = 0.0461;
@@ -199,13 +200,13 @@ TEST(Window, LabelsOverlapNeitherEachOtherNorTheArrowsOfTheGizmo) {
   contact.contact = true;
   contact.p_WB = dvec3(0.02);
   snapshot.pairs = {near, contact};
-  snapshot.forces_on = true;
-  snapshot.force_n = 1.4;
+  snapshot.stylus.forces_on = true;
+  snapshot.stylus.force_n = 1.4;
   for (int degrees = 0; degrees < 360; degrees += 30) {
     const double angle = degrees * std::numbers::pi / 180.0;
-    snapshot.force_W =
+    snapshot.stylus.force_W =
         1.4 * (std::cos(angle) * viewport.camera().right_W() + std::sin(angle) * viewport.camera().up_W());
-    snapshot.X_WStylus.p.x += 1e-3;  // Seen: it is drawn anew.
+    snapshot.stylus.X_WStylus.p.x += 1e-3;  // Seen: it is drawn anew.
     page.window().setSnapshot(snapshot);
     viewport.grabFramebuffer();
     const std::vector<PlacedLabel>& labels = viewport.drawnLabels();

@@ -264,16 +264,16 @@ TEST_F(EngineTest, ForcesOfALostServerDoNotComeBackWithTheNext) {
     engine.fillSnapshot(snapshot);
     return snapshot;
   };
-  ASSERT_TRUE(shown().forces_on);
+  ASSERT_TRUE(shown().stylus.forces_on);
   link.connected = false;
   moveTo({0, 0, 0});
-  EXPECT_FALSE(shown().forces_on);
-  EXPECT_EQ(shown().force_n, 0.0);
+  EXPECT_FALSE(shown().stylus.forces_on);
+  EXPECT_EQ(shown().stylus.force_n, 0.0);
   link.state = {};  // The next server has not been asked for forces.
   link.connected = true;
   moveTo({0, 0, 0});
   EXPECT_FALSE(link.control.forces_enabled) << "what is sent at the new connection";
-  EXPECT_FALSE(shown().forces_on);
+  EXPECT_FALSE(shown().stylus.forces_on);
 }
 
 TEST_F(EngineTest, SnapshotShowsTheNearestPair) {
@@ -281,7 +281,7 @@ TEST_F(EngineTest, SnapshotShowsTheNearestPair) {
   moveTo({0, 0, -0.005});
   SceneSnapshot snapshot;
   engine.fillSnapshot(snapshot);
-  EXPECT_EQ(snapshot.held, 2U);
+  EXPECT_EQ(snapshot.stylus.held, 2U);
   ASSERT_FALSE(snapshot.pairs.empty());
   EXPECT_NEAR(snapshot.pairs[0].distance, 0.015, 1e-9);
   EXPECT_EQ(english(snapshot.status), "box is 15.0 mm from table");

@@ -129,7 +129,7 @@ class ManipulationLoopTest : public testing::Test {
     loop->post(command::SetForces{true});
     ASSERT_TRUE(comesTrue([&] {
       loop->post(command::Grab{2});  // Refused as long as the scene is being prepared.
-      return loop->latest(snapshot) && snapshot.held == 2 && snapshot.force_ramp == 1.0;
+      return loop->latest(snapshot) && snapshot.stylus.held == 2 && snapshot.stylus.force_ramp == 1.0;
     }));
   }
 
@@ -139,8 +139,8 @@ class ManipulationLoopTest : public testing::Test {
 };
 
 TEST_F(ManipulationLoopTest, StepsAndShowsWithNothingInItsScene) {
-  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.step > 10 && s.connected; }));
-  EXPECT_EQ(snapshot.held, 0U);
+  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.step > 10 && s.stylus.connected; }));
+  EXPECT_EQ(snapshot.stylus.held, 0U);
   EXPECT_TRUE(loop->takeResults().empty());
   const std::uint64_t step = snapshot.step;
   ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot&) { return true; })) << "a newer one";
@@ -157,9 +157,9 @@ TEST_F(ManipulationLoopTest, RestsWhileNothingIsHeldAndWakesByACommandByForcesAn
   seen.setHand({0.0, 0.0, 0.01});
   ASSERT_TRUE(takesSnapshotWhere(works));
   ASSERT_TRUE(takesSnapshotWhere(idle));
-  EXPECT_NEAR(snapshot.X_DS.p.z, 0.01, 1e-3) << "it goes on looking";
+  EXPECT_NEAR(snapshot.stylus.X_DS.p.z, 0.01, 1e-3) << "it goes on looking";
   loop->post(command::SetForces{true});
-  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.force_ramp == 1.0; }));
+  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.stylus.force_ramp == 1.0; }));
   EXPECT_FALSE(snapshot.idle);
   const std::uint64_t step = snapshot.step;
   ASSERT_TRUE(takesSnapshotWhere([step](const SceneSnapshot& s) { return s.step > step + 600; }));
@@ -169,7 +169,7 @@ TEST_F(ManipulationLoopTest, RestsWhileNothingIsHeldAndWakesByACommandByForcesAn
 TEST_F(ManipulationLoopTest, TakesCommandsMovesWhatIsHeldAndFeelsTheTable) {
   holdTheBox();
   seen.setHand({0.0, 0.0, -0.024});
-  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.force_n > 1.0; }));
+  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.stylus.force_n > 1.0; }));
   ASSERT_EQ(snapshot.entities.size(), 1U);
   EXPECT_EQ(snapshot.entities[0].id, 2U);
   EXPECT_TRUE(snapshot.entities[0].in_contact);
@@ -244,7 +244,7 @@ TEST_F(ManipulationLoopTest, TakesTheNewestDocumentAndKeepsWhatIsHeld) {
         test::solid(3, "plate", geometry::makeBox({0.2, 0.2, 0.01 + 1e-4 * i}), Pose::translation({0.5, 0, 0.1})));
     loop->post(command::SetDocument{std::move(entities), {}});
   }
-  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.held == 2; }));
+  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.stylus.held == 2; }));
   seen.setHand({0.02, 0.0, 0.0});
   ASSERT_TRUE(
       takesSnapshotWhere([](const SceneSnapshot& s) { return !s.entities.empty() && s.entities[0].X_WE.p.x > 0.015; }));
@@ -263,7 +263,7 @@ TEST_F(ManipulationLoopTest, MayBePostedToFromManyThreadsAndEndedMeanwhile) {
   }
   for (std::thread& user : users) user.join();
   loop->post(command::SetScale{{ScaleLevel::kNumber, 2.0}});
-  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.motion_scale == 2.0; }));
+  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.stylus.motion_scale == 2.0; }));
 }
 
 }  // namespace

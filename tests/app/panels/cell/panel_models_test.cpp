@@ -34,7 +34,7 @@ void fill(DocumentModel& document) {
 
 manipulation::SceneSnapshot nearTo(workcell::EntityId other, double distance, bool contact) {
   manipulation::SceneSnapshot now;
-  now.held = 3;
+  now.stylus.held = 3;
   manipulation::PairState pair;
   pair.moved = 3, pair.other = other;
   pair.distance = distance;
@@ -238,7 +238,7 @@ TEST(StripHistory, KeepsTheLastSecondsAndTheExtremes) {
   auto now = nearTo(2, 0.050, false);
   for (int i = 0; i < 30000; ++i) {
     now.time_s = 0.001 * i;
-    now.force_n = i == 25003 ? 5.0 : 0.0;
+    now.stylus.force_n = i == 25003 ? 5.0 : 0.0;
     now.free_gap_m = i == 25003 ? 0.001 : 0.050;
     history.add(now);
   }

@@ -187,10 +187,10 @@ TEST(PairSets, ColumnsTakeWhatIsPickedAddedAndDropped) {
 TEST(ContactLogPage, FillsFromTheLoopAndIsSaved) {
   CollisionsPage page;
   manipulation::SceneSnapshot snapshot;
-  snapshot.held = page.hovering;
+  snapshot.stylus.held = page.hovering;
   for (int i = 0; i < 10; ++i) {
     snapshot.time_s = 0.1 * i;
-    snapshot.force_n = i > 5 ? 1.5 : 0.0;
+    snapshot.stylus.force_n = i > 5 ? 1.5 : 0.0;
     manipulation::PairState pair;
     pair.moved = page.hovering, pair.other = page.table;
     pair.distance = i > 5 ? 0.0 : 0.02 - 0.003 * i;

@@ -19,8 +19,8 @@ std::string nameOf(workcell::EntityId entity, const std::string& part) {
 manipulation::SceneSnapshot at(double time_s, double gap, double force_n = 0.0) {
   manipulation::SceneSnapshot snapshot;
   snapshot.time_s = time_s;
-  snapshot.held = 1;
-  snapshot.force_n = force_n;
+  snapshot.stylus.held = 1;
+  snapshot.stylus.force_n = force_n;
   manipulation::PairState pair;
   pair.moved = 1, pair.other = 2;
   pair.distance = gap;

@@ -284,14 +284,14 @@ TEST(TrajectoryDock, ForceAndGapAreDrawnWhileRecording) {
   auto* chart = page.find<MotionChart>("motionChart");
   EXPECT_FALSE(live->isVisible());
   manipulation::SceneSnapshot now;
-  now.connected = true;
+  now.stylus.connected = true;
   now.pairs.resize(1);
   now.time_s = 50.0;
   now.free_gap_m = 0.02;
   page.key(Qt::Key_R);
   const auto tell = [&](double force) {
     now.time_s += 0.1;
-    now.force_n = force;
+    now.stylus.force_n = force;
     page.window().setSnapshot(now);
     const auto& samples = live->history().samples();
     return MotionPage::until([&] { return !samples.empty() && samples.back().force_n == force; },

@@ -160,7 +160,7 @@ TEST(TrainingDock, ForcesAreAskedForAtTheStart) {
   forces.setParent(&page.window());
   QSignalSpy switched(&forces, &QAction::triggered);
   manipulation::SceneSnapshot snapshot;
-  snapshot.connected = true;
+  snapshot.stylus.connected = true;
   page.window().setSnapshot(snapshot);
   const auto* start = page.find<QAbstractButton>("buttonStartRun");
   const QString plain = start->text();

@@ -73,7 +73,7 @@ TEST(PenLook, IsAFifthOfTheViewsHeightWithinBounds) {
 /// A number at each pen's end while there are two; where they would cover each other the second gives way.
 TEST(PenTags, StandAtTheEndsOfTwoPens) {
   manipulation::SceneSnapshot snapshot;
-  snapshot.connected = true;
+  snapshot.stylus.connected = true;
   snapshot.second.emplace();
   const auto tagsOf = [](const manipulation::SceneSnapshot& shown) {
     const SceneModel scene = sceneWith(shown);
@@ -112,7 +112,7 @@ TEST(ForceArrow, LengthAndOpacityAreAsTheVisualLanguageSays) {
 
 TEST(ForceArrow, StartsAtTheContact) {
   manipulation::SceneSnapshot snapshot;
-  snapshot.X_WStylus = Pose::translation({9, 9, 9});
+  snapshot.stylus.X_WStylus = Pose::translation({9, 9, 9});
   EXPECT_EQ(forceArrowStart_W(snapshot), dvec3(9, 9, 9));
   snapshot.pairs = {pair(0.004, false), pair(0.5, true)};
   EXPECT_EQ(forceArrowStart_W(snapshot), dvec3(0.5, 0, 0));

@@ -71,7 +71,7 @@ TEST(SceneModel, WhatIsHeldAndWhatIsNearKeepsItsShape) {
   using Ids = std::vector<workcell::EntityId>;
   EXPECT_EQ(kept(), Ids{});
   manipulation::SceneSnapshot snapshot;
-  snapshot.held = 1;
+  snapshot.stylus.held = 1;
   scene.setSnapshot(snapshot);
   EXPECT_EQ(kept(), (Ids{1, 2, 4, 5})) << "the third is 0.31 m off";
   snapshot.entities.push_back({1, Pose::translation({0.1, 0, 0}), {}, false, false});
@@ -105,7 +105,7 @@ TEST(SceneModel, MarksAreOnWhatIsTouchedAndWhatIsHeld) {
   SceneModel scene;
   scene.setEntities({solid(1), turntable(2), solid(3)});
   manipulation::SceneSnapshot snapshot;
-  snapshot.held = 1;
+  snapshot.stylus.held = 1;
   manipulation::PairState touching;
   touching.moved = 1;
   touching.other = 2;
@@ -159,7 +159,7 @@ TEST(SceneModel, AFigureInItsSkinIsDrawnByLooksAndMarksWhereverItsJointsAre) {
   touching.other_part = "r_hand";
   touching.contact = true;
   snapshot.pairs = {touching};
-  snapshot.held = 2;
+  snapshot.stylus.held = 2;
   scene.setSnapshot(snapshot);
   const auto held = scene.items({});
   ASSERT_EQ(held.size(), 13u) << "held, it keeps its skin; what touches is marked";
@@ -179,11 +179,11 @@ TEST(SceneModel, RevisionTellsWhetherAPictureWouldDiffer) {
   scene.setSnapshot(snapshot);
   const auto before = scene.revision();
   snapshot.time_s = 3.0;
-  snapshot.X_WStylus.p.x = 1e-5;
+  snapshot.stylus.X_WStylus.p.x = 1e-5;
   scene.setSnapshot(snapshot);
   EXPECT_EQ(scene.revision(), before) << "a tremble of the encoder is not seen";
   for (int i = 0; i < 20; ++i) {
-    snapshot.X_WStylus.p.x += 1e-5;
+    snapshot.stylus.X_WStylus.p.x += 1e-5;
     scene.setSnapshot(snapshot);
   }
   EXPECT_GT(scene.revision(), before) << "slow motion adds up";
@@ -249,7 +249,7 @@ TEST(SceneModel, ColoursAreQuietAndTheStylusIsDrawnOnlyWhileConnected) {
   manipulation::SceneSnapshot snapshot;
   scene.setSnapshot(snapshot);
   EXPECT_EQ(scene.items(look).size(), 1u);
-  snapshot.connected = true;
+  snapshot.stylus.connected = true;
   scene.setSnapshot(snapshot);
   EXPECT_EQ(scene.items(look).size(), 3u);
 }
@@ -260,7 +260,7 @@ TEST(SceneModel, ASecondStylusLooksOtherThanTheFirst) {
   look.length = 0.1;
   look.body = penColor(false, true);
   manipulation::SceneSnapshot snapshot;
-  snapshot.connected = true;
+  snapshot.stylus.connected = true;
   snapshot.second.emplace().connected = true;
   scene.setSnapshot(snapshot);
   const auto items = scene.items(look);

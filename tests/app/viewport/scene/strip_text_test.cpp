@@ -34,9 +34,9 @@ TEST(StripText, ScaleReadsAsCellToHand) {
 
 TEST(StripText, ContactAndFreeGapAreToldApart) {
   manipulation::SceneSnapshot snapshot;
-  snapshot.forces_on = true;
-  snapshot.force_n = 1.1;
-  snapshot.device_edge_m = 0.031;
+  snapshot.stylus.forces_on = true;
+  snapshot.stylus.force_n = 1.1;
+  snapshot.stylus.device_edge_m = 0.031;
   snapshot.pairs = {pair(0.001, true, true), pair(0.0064, false, true)};
   const auto cells = stripCells(snapshot, {});
   ASSERT_EQ(cells.size(), 6u);

@@ -32,7 +32,7 @@ TEST(SpaceMouseInTheWindow, MovesTheViewAndDrivesEntities) {
   ASSERT_TRUE(WindowPage::until([&] { return moves->button(1)->isChecked(); }, kPatience));
   mouse.send({3, 0, 0});
   ASSERT_TRUE(WindowPage::until([&] { return connected(page); }, kPatience));
-  const auto heldNow = [&] { return page.window().viewport().scene().snapshot()->held; };
+  const auto heldNow = [&] { return page.window().viewport().scene().snapshot()->stylus.held; };
   mouse.send({3, 1, 0});
   ASSERT_TRUE(WindowPage::until([&] { return heldNow() == box; }, kPatience)) << "it was not taken";
   mouse.send({3, 0, 0});
@@ -68,11 +68,11 @@ TEST(SpaceMouseInTheWindow, MovesEntitiesBesideAStylusInAHand) {
   page.lookAt({0.0, 0.0, 0.0}, 0.4);
   page.start();
   page.choose("comboStylus", "Handy stylus");
-  const auto inHand = [&] { return connected(page) && std::abs(page.snapshot()->X_DS.p.x) < 1e-9; };
+  const auto inHand = [&] { return connected(page) && std::abs(page.snapshot()->stylus.X_DS.p.x) < 1e-9; };
   ASSERT_TRUE(WindowPage::until(inHand, kPatience));
   page.select(box);
   holdStylus(0.0, 1);
-  ASSERT_TRUE(WindowPage::until([&] { return page.snapshot()->held == box; }, kPatience));
+  ASSERT_TRUE(WindowPage::until([&] { return page.snapshot()->stylus.held == box; }, kPatience));
   holdStylus(0.0, 0);
 
   page.choose("comboSpaceMouse", "SpaceMouse Compact");
@@ -143,7 +143,7 @@ TEST(DevicesInTheWindow, ComeAndGoWhileItRuns) {
   EXPECT_TRUE(WindowPage::until([&] { return combo->currentText() == "SpaceMouse Compact"; }, kPatience));
   EXPECT_TRUE(page.says("labelSpaceMouse", "SpaceMouse Compact"));
   EXPECT_TRUE(connected(page));
-  EXPECT_FALSE(page.snapshot()->device_fault);
+  EXPECT_FALSE(page.snapshot()->stylus.device_fault);
 }
 
 TEST(SecondStylusInTheWindow, IsChosenDrawnAndTakenByTheMouse) {
@@ -156,10 +156,10 @@ TEST(SecondStylusInTheWindow, IsChosenDrawnAndTakenByTheMouse) {
   ASSERT_TRUE(page.stylusesRest());
   page.picture("second-stylus");
   // The mouse drags the second pen; the first stays.
-  const dvec3 start = page.second()->X_WStylus.p, first_at = page.snapshot()->X_WStylus.p;
+  const dvec3 start = page.second()->X_WStylus.p, first_at = page.snapshot()->stylus.X_WStylus.p;
   page.dragPen(start);
   EXPECT_TRUE(WindowPage::until([&] { return page.second()->X_WStylus.p.x > start.x + 0.01; }, kPatience));
-  EXPECT_LT(glm::length(page.snapshot()->X_WStylus.p - first_at), 0.005);
+  EXPECT_LT(glm::length(page.snapshot()->stylus.X_WStylus.p - first_at), 0.005);
   page.choose("comboSecondStylus", "None");
   EXPECT_TRUE(WindowPage::until([&] { return !page.second(); }, kPatience));
 }
@@ -177,9 +177,9 @@ TEST(DeviceCheckInTheWindow, TellsTestsAndCalibrates) {
   // What the stylus reaches and presses is counted.
   ASSERT_TRUE(WindowPage::until([&] { return connected(page); }, kPatience));
   ASSERT_TRUE(page.stylusesRest(false));
-  page.dragPen(page.snapshot()->X_WStylus.p);
+  page.dragPen(page.snapshot()->stylus.X_WStylus.p);
   page.key(Qt::Key_B);
-  EXPECT_TRUE(WindowPage::until([&] { return page.snapshot()->X_DS.p.x > 0.03; }, kPatience));
+  EXPECT_TRUE(WindowPage::until([&] { return page.snapshot()->stylus.X_DS.p.x > 0.03; }, kPatience));
 
   const auto mends = [&] {
     for (const auto* label : page.window().findChildren<QLabel*>())

@@ -41,10 +41,10 @@ TEST(FingerContact, PressedHarderItShakesMoreAndNeverOverItsStrength) {
   manipulation::SceneSnapshot now;
   now.pairs = {touch(kTable, "", kWorker, "l_index3"), touch(kWorker, "l_wrist", kTable, "")};
   const double light = fingerVibration(now, kWorker, Side::kLeft, 8.0)[1];
-  now.forces_on = true;
-  now.force_n = 4.0;
+  now.stylus.forces_on = true;
+  now.stylus.force_n = 4.0;
   const double firm = fingerVibration(now, kWorker, Side::kLeft, 8.0)[1];
-  now.force_n = 40.0;
+  now.stylus.force_n = 40.0;
   const FingerVibration hard = fingerVibration(now, kWorker, Side::kLeft, 8.0);
   EXPECT_GT(light, 0.0);
   EXPECT_GT(firm, light);

@@ -128,7 +128,7 @@ TEST(StylusGloveAndSpaceMouseInTheWindow, WorkAtOnce) {
   // Each takes its own.
   page.select(box);
   page.key(Qt::Key_B);
-  ASSERT_TRUE(WindowPage::until([&] { return page.snapshot()->held == box; }, kPatience));
+  ASSERT_TRUE(WindowPage::until([&] { return page.snapshot()->stylus.held == box; }, kPatience));
   const auto isReady = [&] {
     const auto scene = page.window().preparedScene();
     return scene && scene->find(part) != nullptr;
@@ -152,7 +152,7 @@ TEST(StylusGloveAndSpaceMouseInTheWindow, WorkAtOnce) {
 
   // And each moves it.
   ASSERT_TRUE(page.stylusesRest());
-  page.dragPen(page.snapshot()->X_WStylus.p);
+  page.dragPen(page.snapshot()->stylus.X_WStylus.p);
   const auto wayOf = [&](workcell::EntityId id, const dvec3& from) {
     const auto* shown = stateOf(id);
     return shown ? shown->X_WE.p.x - from.x : 0.0;
@@ -162,7 +162,7 @@ TEST(StylusGloveAndSpaceMouseInTheWindow, WorkAtOnce) {
   EXPECT_TRUE(WindowPage::until(pushed, kPatience)) << "by the 3-D mouse";
   mouse.send({1, 0, 0, 0, 0, 0, 0});
   page.picture("three-devices");
-  EXPECT_EQ(page.snapshot()->held, box);
+  EXPECT_EQ(page.snapshot()->stylus.held, box);
   EXPECT_EQ(page.second()->held, part);
   EXPECT_GT(bend(), 0.8);
 }

@@ -128,7 +128,7 @@ TEST(DeviceCheck, ALateLoopIsAWarningWithTheMeansAgainstIt) {
   ForceFacts facts;
   facts.started = facts.connected = true;
   manipulation::SceneSnapshot now;
-  now.server.rate_hz = 1000.0, now.server.late_p99_ms = 1.2, now.device_edge_m = 0.03;
+  now.server.rate_hz = 1000.0, now.server.late_p99_ms = 1.2, now.stylus.device_edge_m = 0.03;
   const auto checks = deviceChecks("127.0.0.1:4747", facts, nullptr, now);
   const auto late = std::find_if(checks.begin(), checks.end(),
                                  [](const auto& check) { return check.result == DeviceCheck::Result::kWarning; });
@@ -161,7 +161,7 @@ TEST(DeviceCheck, TellsTheClocksAndHowOldContactsAre) {
   ForceFacts facts;
   facts.started = facts.connected = true;
   manipulation::SceneSnapshot now;
-  now.server.rate_hz = 1000.0, now.device_edge_m = 0.03;
+  now.server.rate_hz = 1000.0, now.stylus.device_edge_m = 0.03;
   const auto line = [&](const char* words) {
     for (const DeviceCheck& check : deviceChecks("far:4747", facts, nullptr, now))
       if ((check.title + ' ' + check.detail).contains(words)) return check;
@@ -241,13 +241,13 @@ TEST(Sound, TheCueIsReadFromTwoSnapshots) {
 
 TEST(Sound, TicksAreOfThePairThatIsNearAndOfItsOwnDistance) {
   manipulation::SceneSnapshot before, now;
-  now.held = before.held = 3;
+  now.stylus.held = before.held = 3;
   manipulation::PairState touching, near;
   touching.contact = touching.near_miss = true;
   near.distance = 0.03, near.near_miss = true, near.near_miss_distance = 0.04;
   before.pairs = now.pairs = {touching, near};
   before.time_s = 1.0, now.time_s = 1.1;
-  now.X_WStylus.p = {0.0, 0.02, 0.0};
+  now.stylus.X_WStylus.p = {0.0, 0.02, 0.0};
   const SoundCue cue = soundCue(now, before);
   EXPECT_TRUE(cue.contact);
   EXPECT_TRUE(cue.near_miss);

@@ -36,7 +36,8 @@ class HandPage : public ServerFirst, public CellPage {
     entity->setCurrentIndex(entity->findText("box"));
     emit entity->activated(entity->currentIndex());
     EXPECT_TRUE(
-        until([this] { return window().snapshot() && now().connected && now().device_edge_m > 0.0; }, kPatience));
+        until([this] { return window().snapshot() && now().stylus.connected && now().stylus.device_edge_m > 0.0; },
+              kPatience));
   }
   const manipulation::SceneSnapshot& now() { return *window().snapshot(); }
 
@@ -46,7 +47,7 @@ class HandPage : public ServerFirst, public CellPage {
     send(QEvent::MouseMove, Qt::NoButton, Qt::NoButton);
     trigger("actionFollow");
     send(QEvent::MouseButtonPress, Qt::LeftButton, Qt::LeftButton);
-    EXPECT_TRUE(until([this] { return now().held == box; }, kPatience));
+    EXPECT_TRUE(until([this] { return now().stylus.held == box; }, kPatience));
     send(QEvent::MouseButtonRelease, Qt::LeftButton, Qt::NoButton);
     EXPECT_TRUE(comes([this] { return glm::length(hand()) < 5e-4; })) << "where the mouse holds it";
   }
@@ -70,11 +71,11 @@ class HandPage : public ServerFirst, public CellPage {
       if (entity.id == box) return entity.X_WE.p;
     return document().find(box)->X_WE.p;
   }
-  const dvec3& hand() { return now().X_DS.p; }
+  const dvec3& hand() { return now().stylus.X_DS.p; }
   /// Drags by so many metres of the cell and waits until the hand rests as far off as that is at the scale of now.
   void dragThere(double right, double down) {
     const dvec3 from = hand();
-    const double way = std::hypot(right, down) / now().motion_scale;
+    const double way = std::hypot(right, down) / now().stylus.motion_scale;
     drag(right / metresPerPixel(), down / metresPerPixel());
     const double near = std::max(7e-4, 0.03 * way);
     EXPECT_TRUE(comes([&] { return std::abs(glm::distance(hand(), from) - way) < near; }))
@@ -138,15 +139,17 @@ TEST(FeelWindow, FourScalesMoveTheBoxSoFarAsTheyShow) {
     page.chooseSegment("segmentsScale", level);
     const double wanted = level < 3 ? shown[level] : 0.0;
     ASSERT_TRUE(WindowPage::until(
-        [&] { return level < 3 ? page.now().motion_scale == wanted : page.now().motion_scale != shown[2]; },
+        [&] {
+          return level < 3 ? page.now().stylus.motion_scale == wanted : page.now().stylus.motion_scale != shown[2];
+        },
         kPatience));
     const dvec3 box = page.at(), hand = page.hand();
     // As much of the hand at every scale: the pen keeps under the mouse.
-    const double way = 0.006 * page.now().motion_scale;
+    const double way = 0.006 * page.now().stylus.motion_scale;
     page.dragThere(way, 0);
     const double moved = glm::distance(page.at(), box), by = glm::distance(page.hand(), hand);
     EXPECT_NEAR(by, 0.006, 0.001) << level;
-    EXPECT_NEAR(moved / by, page.now().motion_scale, 0.03 * page.now().motion_scale) << level;
+    EXPECT_NEAR(moved / by, page.now().stylus.motion_scale, 0.03 * page.now().stylus.motion_scale) << level;
     page.dragThere(-way, 0);
   }
 }
@@ -158,15 +161,15 @@ TEST(FeelWindow, TheScaleOfTheScreenGoesWithTheZoom) {
   const auto shows = [&] {
     const double wanted = manipulation::screenScale(page.metresPerPixel() * page.window().viewport().width(),
                                                     device.workspace_max.x - device.workspace_min.x);
-    return std::abs(page.now().motion_scale / wanted - 1.0) < 1e-6;
+    return std::abs(page.now().stylus.motion_scale / wanted - 1.0) < 1e-6;
   };
   ASSERT_TRUE(WindowPage::until(shows, kPatience));
-  const double wide = page.now().motion_scale;
+  const double wide = page.now().stylus.motion_scale;
   const auto* note = page.find<QLabel>("labelScale");
   const QString said = note->text();
   page.zoom(4);
   ASSERT_TRUE(WindowPage::until(shows, kPatience));
-  EXPECT_LT(page.now().motion_scale, 0.75 * wide);
+  EXPECT_LT(page.now().stylus.motion_scale, 0.75 * wide);
   EXPECT_TRUE(WindowPage::until([&] { return note->text() != said; }, kPatience));
 }
 
@@ -251,7 +254,7 @@ TEST(FeelWindow, NoControlOfThePanelMovesWhileItIsUsed) {
   const ControlPlaces before(*page.find<QDockWidget>("dockVirtualDesktop"));
   EXPECT_GT(before.count(), 20u);
   page.trigger("actionForcesOn");
-  ASSERT_TRUE(WindowPage::until([&] { return page.now().forces_on; }, kPatience));
+  ASSERT_TRUE(WindowPage::until([&] { return page.now().stylus.forces_on; }, kPatience));
   WindowPage::settle();
   EXPECT_EQ(before.moved(), "") << "forces on";
   // Not push(): with forces on the table holds the hand back, so that it does not come where the mouse is.
@@ -263,7 +266,7 @@ TEST(FeelWindow, NoControlOfThePanelMovesWhileItIsUsed) {
   WindowPage::settle();
   EXPECT_EQ(before.moved(), "") << "in contact";
   page.key(Qt::Key_Escape);
-  ASSERT_TRUE(WindowPage::until([&] { return !page.now().forces_on; }, kPatience));
+  ASSERT_TRUE(WindowPage::until([&] { return !page.now().stylus.forces_on; }, kPatience));
   WindowPage::settle();
   EXPECT_EQ(before.moved(), "") << "forces off";
   auto* connect = page.find<QAbstractButton>("buttonConnect");
@@ -300,7 +303,7 @@ TEST(FeelWindow, AtTheEdgeOfTheWorkspaceTheBoxGoesOn) {
   const auto way = [&] { return glm::dot(page.at() - start, right_W); };
   const double edge = haptic::describe(page.server.device).workspace_max.x;
   page.drag(1.2 * edge / page.metresPerPixel(), 0);
-  ASSERT_TRUE(WindowPage::until([&] { return page.now().device_edge_m < 0.003; }, kPatience));
+  ASSERT_TRUE(WindowPage::until([&] { return page.now().stylus.device_edge_m < 0.003; }, kPatience));
   EXPECT_TRUE(WindowPage::until([&] { return way() > 1.5 * edge; }, kPatience)) << "farther than a hand can reach";
   page.drag(-0.6 * edge / page.metresPerPixel(), 0);
   ASSERT_TRUE(page.comes([&] { return std::abs(page.hand().x - 0.45 * edge) < 1.5e-3; }));
@@ -315,9 +318,10 @@ TEST(FeelWindow, TheLiveStripShowsForceGapAndRatesWhilePressing) {
   page.showDock("dockCurves");
   page.take();
   page.trigger("actionForcesOn");
-  ASSERT_TRUE(WindowPage::until([&] { return page.now().forces_on && page.now().force_ramp > 0.99; }, kPatience));
+  ASSERT_TRUE(
+      WindowPage::until([&] { return page.now().stylus.forces_on && page.now().stylus.force_ramp > 0.99; }, kPatience));
   page.drag(0, 0.05 / page.metresPerPixel());
-  ASSERT_TRUE(WindowPage::until([&] { return page.now().force_n > 0.5; }, kPatience));
+  ASSERT_TRUE(WindowPage::until([&] { return page.now().stylus.force_n > 0.5; }, kPatience));
   EXPECT_EQ(stripCells(page.now(), {})[1].mark, Mark::kContact);
   auto* chart = page.window().findChild<StripChart*>("stripChart");
   ASSERT_NE(chart, nullptr);
@@ -328,7 +332,7 @@ TEST(FeelWindow, TheLiveStripShowsForceGapAndRatesWhilePressing) {
   const auto& samples = chart->history().samples();
   EXPECT_TRUE(std::any_of(samples.begin(), samples.end(), [](const StripSample& s) { return s.gap_m > 0.005; }));
   page.key(Qt::Key_Escape);
-  EXPECT_TRUE(WindowPage::until([&] { return !page.now().forces_on; }, kPatience));
+  EXPECT_TRUE(WindowPage::until([&] { return !page.now().stylus.forces_on; }, kPatience));
 }
 
 /// The window measures how long after it is felt a contact is on the screen, and the device check tells it.
@@ -336,7 +340,7 @@ TEST(FeelWindow, AContactThatIsFeltIsSeenAndTheDelayIsTold) {
   HandPage page;
   page.take();
   page.trigger("actionForcesOn");
-  ASSERT_TRUE(WindowPage::until([&] { return page.now().force_ramp > 0.99; }, kPatience));
+  ASSERT_TRUE(WindowPage::until([&] { return page.now().stylus.force_ramp > 0.99; }, kPatience));
   EXPECT_EQ(page.window().viewport().touchFigures().contacts, 0u);
   EXPECT_EQ(page.now().felt_ns, 0);
   // Several, so that the figures say something of the machine: their median and worst stand in the test's report.

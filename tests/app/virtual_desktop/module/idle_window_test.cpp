@@ -92,7 +92,7 @@ struct ConnectedIdlePage : ServerFirst, IdlePage {
   }
   bool rests() {
     const auto idle = [this] {
-      return window().snapshot() && window().snapshot()->connected && window().snapshot()->idle;
+      return window().snapshot() && window().snapshot()->stylus.connected && window().snapshot()->idle;
     };
     return until(idle, kRestPatience) && IdlePage::rests();
   }

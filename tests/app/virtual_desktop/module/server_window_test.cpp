@@ -27,9 +27,9 @@ TEST(LostServer, IsToldByStatusRatesMessageAndPanelUntilForcesAreAskedForAgain) 
   ASSERT_TRUE(page.window().startModule("Virtual Desktop"));
   const StatusLine& status = page.window().statusLine();
   ASSERT_TRUE(
-      WindowPage::until([&] { return page.window().snapshot() && page.window().snapshot()->connected; }, kLong));
+      WindowPage::until([&] { return page.window().snapshot() && page.window().snapshot()->stylus.connected; }, kLong));
   page.trigger("actionForcesOn");
-  ASSERT_TRUE(WindowPage::until([&] { return page.window().snapshot()->forces_on; }, kLong));
+  ASSERT_TRUE(WindowPage::until([&] { return page.window().snapshot()->stylus.forces_on; }, kLong));
   ASSERT_TRUE(WindowPage::until([&] { return status.rates().haptic_hz > 0.0; }, kLong));
   EXPECT_TRUE(status.deviceWorks());
   const pid_t server = childCalled("hapticell-haptic-server");
@@ -44,15 +44,16 @@ TEST(LostServer, IsToldByStatusRatesMessageAndPanelUntilForcesAreAskedForAgain) 
   };
   ASSERT_TRUE(WindowPage::until(forcesWentOff, kLong));
   EXPECT_FALSE(status.deviceWorks()) << status.device().toStdString();
-  ASSERT_TRUE(WindowPage::until([&] { return !page.window().snapshot()->forces_on; }, kLong));
+  ASSERT_TRUE(WindowPage::until([&] { return !page.window().snapshot()->stylus.forces_on; }, kLong));
   EXPECT_EQ(page.window().snapshot()->server.rate_hz, 0.0);
   // It is started again by itself; that the forces are gone stays to be read.
-  ASSERT_TRUE(WindowPage::until([&] { return page.window().snapshot()->connected; }, kLong));
+  ASSERT_TRUE(WindowPage::until([&] { return page.window().snapshot()->stylus.connected; }, kLong));
   WindowPage::until([&] { return status.device().contains("forces lost"); }, kLong);
   EXPECT_TRUE(status.device().contains("forces lost")) << status.device().toStdString();
-  EXPECT_FALSE(page.window().snapshot()->forces_on);
+  EXPECT_FALSE(page.window().snapshot()->stylus.forces_on);
   page.trigger("actionForcesOn");
-  EXPECT_TRUE(WindowPage::until([&] { return page.window().snapshot()->forces_on && status.deviceWorks(); }, kLong));
+  EXPECT_TRUE(
+      WindowPage::until([&] { return page.window().snapshot()->stylus.forces_on && status.deviceWorks(); }, kLong));
 }
 
 }  // namespace
