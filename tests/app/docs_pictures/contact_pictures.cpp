@@ -69,7 +69,7 @@ void carDoor(const PictureTask& task) {
   ASSERT_FALSE(testing::Test::HasFatalFailure());
   constexpr double kHalfOpen = 4.0;  // s of the hand.
   ASSERT_TRUE(page.followHand(PicturePage::shippedHand("workcells/car_door-hand.csv"), kHalfOpen));
-  ASSERT_TRUE(PicturePage::until([&] { return page.now().held != 0; }, PicturePage::kPatience));
+  ASSERT_TRUE(PicturePage::until([&] { return page.now().stylus.held != 0; }, PicturePage::kPatience));
   page.showDock("dockCollisions");
   page.showDock("dockGuides");
   page.keep();
@@ -93,7 +93,7 @@ void robotLimit(const PictureTask& task) {
   ASSERT_FALSE(testing::Test::HasFatalFailure());
   const auto stops = [&] {
     const auto& limits = page.now().limits;
-    return page.now().force_n > 1.0 &&
+    return page.now().stylus.force_n > 1.0 &&
            std::any_of(limits.begin(), limits.end(), [](const auto& limit) { return limit.holds; });
   };
   ASSERT_TRUE(page.leadUntil(p_DH, {1.0, 0.0, 0.0}, 0.145, stops)) << "the reach does not end";
@@ -124,7 +124,7 @@ void mannequinContact(const PictureTask& task) {
   page.take(p_DH);
   ASSERT_FALSE(testing::Test::HasFatalFailure());
   page.leadUntil(p_DH, glm::normalize(way_D), glm::length(way_D), [] { return false; });
-  const auto presses = [&] { return touches(page) && page.now().force_n > 1.0; };
+  const auto presses = [&] { return touches(page) && page.now().stylus.force_n > 1.0; };
   ASSERT_TRUE(page.leadUntil(p_DH, {0.0, 0.0, -1.0}, 0.06, presses)) << "the hand does not meet the cover";
   page.showDock("dockVirtualDesktop");
   page.keep();
@@ -145,11 +145,11 @@ void training(const PictureTask& task) {
   page.showDock("dockTrajectory");
   page.showDock("dockTraining");
   page.press("buttonStartRun");
-  ASSERT_TRUE(PicturePage::until([&] { return page.now().forces_on; }, PicturePage::kPatience));
+  ASSERT_TRUE(PicturePage::until([&] { return page.now().stylus.forces_on; }, PicturePage::kPatience));
   constexpr double kOnItsWay = 2.3;  // s of the hand.
   ASSERT_TRUE(page.followHand(PicturePage::shippedHand("exercises/peg_in_hole-hand.csv"), kOnItsWay));
   ASSERT_TRUE(page.window().findChild<TrainingPanel*>()->isRunning());
-  ASSERT_TRUE(PicturePage::until([&] { return page.now().held != 0; }, PicturePage::kPatience)) << "nothing is held";
+  ASSERT_TRUE(PicturePage::until([&] { return page.now().stylus.held != 0; }, PicturePage::kPatience)) << "nothing is held";
   page.keep();
 }
 

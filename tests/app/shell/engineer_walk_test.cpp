@@ -80,7 +80,7 @@ struct EngineerWalk : WalkPage {
       const double length = std::hypot(way.x(), way.y());
       const QPointF step = way * (std::min(length, 10.0) / std::max(length, 1.0));
       constexpr double kNearEdge = 0.004;  // m
-      if (now().device_edge_m < kNearEdge) {
+      if (now().stylus.device_edge_m < kNearEdge) {
         hold(Qt::Key_Space);
         drag(-20.0 * step.x(), -20.0 * step.y());  // Most of the way to the other edge.
         letGo(Qt::Key_Space);
@@ -93,13 +93,13 @@ struct EngineerWalk : WalkPage {
   void feelAndRecord() {
     clickText("treeWorkcell", QString::fromStdString(document().find(robot)->name));
     press(Qt::Key_Space, Qt::ControlModifier);
-    ASSERT_TRUE(until([this] { return now().forces_on; }, kPatience));
+    ASSERT_TRUE(until([this] { return now().stylus.forces_on; }, kPatience));
     pointInto(0.5, 0.5);
     press(Qt::Key_1, Qt::KeypadModifier);  // From the front: robot and part stand side by side.
     press(Qt::Key_1);                      // Rough.
     press(Qt::Key_H);
     press(Qt::Key_B);
-    ASSERT_TRUE(until([this] { return now().held == robot; }, kPatience));
+    ASSERT_TRUE(until([this] { return now().stylus.held == robot; }, kPatience));
     press(Qt::Key_R);
     ASSERT_TRUE(until([this] { return window().recording().isRecording(); }, kPatience));
     const auto touches = [this] { return gripperTouches(); };
@@ -112,7 +112,7 @@ struct EngineerWalk : WalkPage {
     ASSERT_TRUE(until([this] { return state().trajectories.size() == 1u; }, kPatience));
     press(Qt::Key_B);
     press(Qt::Key_Escape);  // Forces off.
-    EXPECT_TRUE(until([this] { return !now().forces_on && now().held == 0; }, kPatience));
+    EXPECT_TRUE(until([this] { return !now().stylus.forces_on && now().stylus.held == 0; }, kPatience));
   }
   void editCheckAndExport() {
     clickTab("dockTrajectory");
@@ -158,7 +158,7 @@ TEST(EngineerWalk, FromTheFirstPageToTheSavedPathAndBack) {
   walk.withFile(cell, [&] { walk.clickTool("actionOpen"); });
   ASSERT_TRUE(WalkPage::until([&] { return walk.entities() == parts; }, WalkPage::kPatience));
   EXPECT_EQ(walk.state().trajectories.size(), 2u);
-  EXPECT_TRUE(walk.now().held == 0 && !walk.now().forces_on);
+  EXPECT_TRUE(walk.now().stylus.held == 0 && !walk.now().stylus.forces_on);
   walk.picture("engineer-9-opened-again");
   std::puts(walk.counted().c_str());
   EXPECT_LE(walk.clicks(), 30) << walk.counted();

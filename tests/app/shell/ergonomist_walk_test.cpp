@@ -66,7 +66,7 @@ TEST(ErgonomistWalk, BothHandsToAPartAndTheReport) {
   std::puts(walk.counted().c_str());
   EXPECT_LE(walk.clicks(), 7) << walk.counted();
   EXPECT_LE(walk.keys(), 2) << walk.counted();
-  EXPECT_FALSE(walk.now().forces_on);
+  EXPECT_FALSE(walk.now().stylus.forces_on);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct TrainerWalk : WalkPage {
     pointInto(0.4, 0.4);
     press(Qt::Key_H);
     press(Qt::Key_B);
-    ASSERT_TRUE(until([this] { return now().held == box; }, kPatience));
+    ASSERT_TRUE(until([this] { return now().stylus.held == box; }, kPatience));
     for (int i = 0; i < 60 && !done(); ++i) {
       drag(8, 0);
       until(done, 60);
@@ -43,7 +43,7 @@ struct TrainerWalk : WalkPage {
   }
   void recordExpert() {
     press(Qt::Key_Space, Qt::ControlModifier);
-    ASSERT_TRUE(until([this] { return now().forces_on; }, kPatience));
+    ASSERT_TRUE(until([this] { return now().stylus.forces_on; }, kPatience));
     pointInto(0.4, 0.4);
     clickTool("actionRecord");
     const double from = boxAt();
@@ -53,7 +53,7 @@ struct TrainerWalk : WalkPage {
     ASSERT_TRUE(until([this] { return state().trajectories.size() == 1u; }, kPatience));
     EXPECT_NE(boxAt(), from);
     press(Qt::Key_Escape);
-    EXPECT_TRUE(until([this] { return !now().forces_on; }, kPatience));
+    EXPECT_TRUE(until([this] { return !now().stylus.forces_on; }, kPatience));
     withFile(folder.filePath("cell.hcell"), [this] { clickTool("actionSave"); });
     ASSERT_TRUE(until([this] { return !window().documentModel().isDirty(); }, kPatience));
     picture("trainer-2-recorded");
@@ -92,7 +92,7 @@ TEST(TrainerWalk, AnOwnExerciseMadeShownRunAndScored) {
   const auto steps = walk.document().undoTexts();
   walk.clickOn("buttonStartRun");
   ASSERT_TRUE(walk.panel().isRunning());
-  EXPECT_TRUE(WalkPage::until([&] { return walk.now().forces_on; }, WalkPage::kPatience)) << "switched on by Start";
+  EXPECT_TRUE(WalkPage::until([&] { return walk.now().stylus.forces_on; }, WalkPage::kPatience)) << "switched on by Start";
   walk.leadUntil([&] { return !walk.panel().isRunning(); });
   ASSERT_EQ(walk.panel().session().attempts.size(), 1u);
   EXPECT_EQ(walk.panel().session().attempts.front().score.completed, 1.0);
